@@ -1,0 +1,12 @@
+# rc_options: how every file of the project is compiled. Nothing is set globally.
+option(RAYCLOCK_SANITIZE "Build with address and undefined-behaviour sanitizers" OFF)
+
+add_library(rc_options INTERFACE)
+target_include_directories(rc_options INTERFACE ${PROJECT_SOURCE_DIR})
+# No contraction: the same digits from every compiler and machine.
+target_compile_options(rc_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Werror -ffp-contract=off)
+if(RAYCLOCK_SANITIZE)
+  target_compile_options(rc_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  target_link_options(rc_options INTERFACE -fsanitize=address,undefined)
+endif()

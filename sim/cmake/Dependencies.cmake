@@ -1,0 +1,22 @@
+# Everything rayclock links against, all from the distribution's packages.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json 3.10 REQUIRED)
+find_package(verilator 5.006 REQUIRED)
+pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
+# Not find_package(OpenImageIO): Debian's target names an include folder that does not exist.
+pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)
+if(BUILD_TESTING)
+  find_package(Catch2 2.13 REQUIRED)
+  find_package(embree 3 REQUIRED)
+  find_package(Boost 1.74 REQUIRED)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

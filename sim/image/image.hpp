@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "model/shade/shade.hpp"
+
+namespace rayclock {
+
+/// Writes a picture: .png is 8-bit sRGB, .exr is linear half float with depth ("Z") and primitive id ("id") layers.
+/// Goes to a temporary name first and is then renamed. Throws UserError if it cannot be written or the ending is unknown.
+void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits);
+
+/// Reads a picture back as linear RGB. Throws UserError if it is missing or not an image.
+Picture read_picture(const std::string& path);
+
+/// How far two pictures of one size are apart, as 8-bit sRGB values: peak signal-to-noise ratio in dB over all
+/// channels (infinite if equal), and the count of pixels where any channel differs by more than `tolerance`.
+struct PictureDifference {
+    double psnr_db = 0;
+    std::uint64_t pixels_beyond = 0;
+    int largest = 0;                 ///< largest channel difference, 0..255
+};
+PictureDifference compare(const Picture& a, const Picture& b, int tolerance = 0);
+
+/// Grey copy of `a`, dimmed, with pixels that hold another primitive in red and other colour differences in yellow.
+Picture difference_picture(const Picture& a, const HitFrame& hits_a, const Picture& b, const HitFrame& hits_b);
+
+/// Fails early (UserError) if a file could not be created at `path`: missing folder, a directory, no permission.
+void check_writable(const std::string& path);
+
+} // namespace rayclock
