@@ -1,0 +1,57 @@
+#pragma once
+// Scene compilation: the scene on the lattice, its tree, and the very bytes that the chip's memory would hold.
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/core/config.hpp"
+#include "model/core/payloads.hpp"
+#include "model/core/progress.hpp"
+#include "model/scene/camera.hpp"
+#include "model/scene/scene.hpp"
+
+namespace rayclock {
+
+/// The lattice of N-bit signed coordinates that covers the scene's bounds and the eye: point = centre + pitch * k.
+struct Lattice {
+    glm::dvec3 centre{0};
+    double pitch = 1;                       ///< scene units per lattice step
+    int coord_bits = 18;
+    Vec3i snap(const glm::dvec3& point) const;   ///< nearest lattice point, halves away from zero
+};
+Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits);
+
+/// What compilation found out.
+struct CompileReport {
+    std::uint64_t triangles = 0;      ///< of the scene
+    std::uint64_t collapsed = 0;      ///< of these, without area on the lattice: left out
+    std::uint64_t nodes = 0, leaves = 0;
+    int depth = 0;                    ///< nodes on the longest path from the root
+    int stack_need = 0;               ///< sibling groups that a ray may have to keep
+    std::uint64_t bytes = 0;
+    double pitch = 0;
+    double seconds = 0;
+};
+
+/// Memory of the chip: 64-byte lines, the root node in line 0. Layout in core/payloads.hpp (Node, PrimData).
+struct MemoryImage {
+    std::vector<std::uint32_t> words;     ///< 16 words a line, little-endian
+    Lattice lattice;
+    CompileReport report;
+
+    const std::uint32_t* line(std::uint32_t addr) const { return &words[std::size_t(addr) * 16]; }
+    const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
+    std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }
+};
+
+/// Snaps, builds a wide SAH tree, quantises outward and lays out the image; the same bytes on every machine and for
+/// every number of threads. Throws UserError if nothing is left on the lattice, if the image needs more than 2^24 lines
+/// or the tree a deeper stack than the configuration has.
+MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress = {});
+
+/// Camera registers for a frame: the eye on the lattice and the pixel map scaled so that no component of any pixel's
+/// direction exceeds 2^(M-1) - 1.
+Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config);
+
+} // namespace rayclock

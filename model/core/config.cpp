@@ -1,0 +1,98 @@
+#include "model/core/config.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "model/core/error.hpp"
+#include "model/core/nearest.hpp"
+
+namespace rayclock {
+
+int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
+int Config::ray_bits() const { return index_bits(contexts); }
+int Config::group_bits() const { return index_bits(node_width + 1); }
+int Config::slot_bits() const { return index_bits(node_width); }
+int Config::stack_bits() const { return index_bits(stack_depth + 1); }
+
+// Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/trav/rc_box.sv, rtl/isect/rc_tri.sv.
+int Config::raygen_latency() const { return 3 + (recip_bits + 1) / 2; }
+int Config::box_latency() const { return 6; }
+int Config::tri_latency() const { return 6 + (std::max(t_bits(), bary_bits) + 1) / 2; }
+
+const std::vector<Parameter>& parameters() {
+    static const std::vector<Parameter> all{
+        {"coord_bits", &Config::coord_bits, 12, 20, false, "N: bits of a lattice coordinate"},
+        {"dir_bits", &Config::dir_bits, 12, 24, false, "M: bits of a direction component"},
+        {"t_frac_bits", &Config::t_frac_bits, 0, 8, false, "F: fraction bits of a distance"},
+        {"recip_bits", &Config::recip_bits, 8, 24, false, "R: precision of a reciprocal direction"},
+        {"box_bits", &Config::box_bits, 4, 8, false, "bits of a child box plane"},
+        {"bary_bits", &Config::bary_bits, 4, 24, false, "fraction bits of u and v"},
+        {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
+        {"leaf_size", &Config::leaf_size, 1, 6, false, "most triangles in a leaf"},
+        {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
+        {"stack_depth", &Config::stack_depth, 1, 64, true, "sibling groups on a ray's stack"},
+        {"raygen_queue", &Config::raygen_queue, 2, 256, true, "answers raygen may hold"},
+        {"box_queue", &Config::box_queue, 2, 256, true, "answers box may hold"},
+        {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
+        {"mem_latency", &Config::mem_latency, 1, 10000, false, "cycles from memory request to answer"},
+        {"mem_interval", &Config::mem_interval, 1, 1000, false, "cycles between requests on a memory port"},
+    };
+    return all;
+}
+
+const std::vector<std::string>& config_names() {
+    static const std::vector<std::string> names{"default", "small"};
+    return names;
+}
+
+Config named_config(const std::string& name) {
+    Config config;
+    config.name = name;
+    if (name == "default") return config;
+    if (name == "small") {  // fits a small FPGA: four children at a time, 16 rays, 16-bit coordinates
+        config.coord_bits = 16;
+        config.dir_bits = 18;
+        config.recip_bits = 14;
+        config.node_width = 4;
+        config.contexts = 16;
+        config.stack_depth = 32;
+        return config;
+    }
+    throw UserError("no configuration is called '" + name + "'" + did_you_mean(name, config_names()));
+}
+
+void set_parameter(Config& config, const std::string& key, const std::string& value, const std::string& where) {
+    for (const Parameter& p : parameters()) {
+        if (key != p.key) continue;
+        int number = 0;
+        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+        if (error != std::errc{} || end != value.data() + value.size())
+            throw UserError(where + ": " + key + " must be a whole number, not '" + value + "'");
+        config.*p.member = number;
+        return;
+    }
+    std::vector<std::string> keys;
+    for (const Parameter& p : parameters()) keys.push_back(p.key);
+    throw UserError(where + ": no parameter is called '" + key + "'" + did_you_mean(key, keys));
+}
+
+void check_config(const Config& c, const std::string& where) {
+    for (const Parameter& p : parameters()) {
+        const int value = c.*p.member;
+        if (value < p.lo || value > p.hi)
+            throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." + std::to_string(p.hi) +
+                            ", not " + std::to_string(value));
+        if (p.power_of_two && (value & (value - 1)) != 0)
+            throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
+    }
+    const auto refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
+    if (2 * c.coord_bits + c.dir_bits > 62)
+        refuse("2 * coord_bits + dir_bits must not exceed 62 (an edge function is one 64-bit integer), and is " +
+               std::to_string(2 * c.coord_bits + c.dir_bits));
+    // The widest shift of rc_box: N + R + 3 bits moved left by at most F + M - 1 - R + (N - box_bits + 1).
+    const int widest = c.coord_bits + c.recip_bits + 3 + c.t_frac_bits + c.dir_bits - 1 - c.recip_bits + c.coord_bits - c.box_bits + 1;
+    if (widest > 63) refuse("coord_bits, dir_bits and t_frac_bits together need " + std::to_string(widest) + " bits in box, more than 63");
+    if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
+}
+
+} // namespace rayclock

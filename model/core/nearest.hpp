@@ -1,0 +1,38 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rayclock {
+
+/// Levenshtein's edit distance: how many letters to change, add or drop.
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t corner = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, corner + (a[i - 1] != b[j - 1])});
+            corner = above;
+        }
+    }
+    return row[b.size()];
+}
+
+/// "; did you mean 'x'?" for the nearest known word, or nothing if none is near.
+template <class Words> std::string did_you_mean(std::string_view word, const Words& known) {
+    std::string best;
+    std::size_t distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+    for (const auto& candidate : known)
+        if (const std::size_t d = edit_distance(word, candidate); d < distance) {
+            distance = d;
+            best = candidate;
+        }
+    return best.empty() ? std::string{} : "; did you mean '" + best + "'?";
+}
+
+} // namespace rayclock
