@@ -213,21 +213,29 @@ struct Step {
     }
 };
 
-/// sched -> outside: what the pixel's ray hit.
-struct HitOut {
+/// list -> sched: the closest hit of a finished ray.
+struct Closest {
     std::uint32_t ray = 0;
-    std::uint32_t x = 0, y = 0;
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
-        v_("x", x, pixel_bits);
-        v_("y", y, pixel_bits);
         v_("found", found, 1);
         v_("prim", prim, prim_bits);
         v_("t", t, c.t_bits());
         v_("u", u, c.bary_bits + 1);
         v_("v", v, c.bary_bits + 1);
+    }
+};
+
+/// sched -> outside: what the pixel's ray hit.
+struct HitOut {
+    std::uint32_t x = 0, y = 0;
+    Closest closest;
+    template <class V> void fields(V& v, const Config& c) {
+        v("x", x, pixel_bits);
+        v("y", y, pixel_bits);
+        closest.fields(v, c);
     }
 };
 

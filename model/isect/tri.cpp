@@ -1,0 +1,71 @@
+#include "model/isect/tri.hpp"
+
+#include <algorithm>
+
+namespace rayclock {
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+Vec3l minus(const Vec3i& a, const Vec3i& b) {
+    return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
+}
+Vec3l cross(const Vec3l& a, const Vec3l& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+std::int64_t dot(const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// True if the edge function is positive, a zero being decided by the first non-zero component of its gradient;
+/// `flip` turns all signs.
+bool inside(std::int64_t edge, const Vec3l& gradient, bool flip) {
+    const std::int64_t decides = edge != 0 ? edge : gradient[0] != 0 ? gradient[0] : gradient[1] != 0 ? gradient[1] : gradient[2];
+    return flip ? decides < 0 : decides > 0;
+}
+
+std::uint32_t barycentric(std::int64_t edge, std::int64_t det, int bits) {
+    return std::uint32_t((Wide(edge) << bits) / det);
+}
+
+} // namespace
+
+void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out) {
+    out.closer = 0;
+    out.num = out.det = 0;
+    out.prim = out.t = out.u = out.v = 0;
+
+    const Vec3l e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a), s = minus(o, triangle.a);
+    const Vec3l dir{d[0], d[1], d[2]};
+    const Vec3l p1 = cross(dir, e1), p2 = cross(dir, e2);
+    const std::int64_t det = dot(p2, e1);
+    if (det == 0) return;
+    const bool flip = det < 0;
+    const std::int64_t u = dot(p2, s), v = -dot(p1, s), w = det - u - v;
+    const Vec3l grad_v{-p1[0], -p1[1], -p1[2]}, grad_w{p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]};
+    if (!inside(u, p2, flip) || !inside(v, grad_v, flip) || !inside(w, grad_w, flip)) return;
+
+    const std::int64_t num_raw = dot(cross(e1, e2), s);
+    const std::int64_t num = flip ? -num_raw : num_raw, size = flip ? -det : det;
+    if (num <= 0) return;
+    if (best.found) {
+        const Wide mine = Wide(num) * best.det, theirs = Wide(best.num) * size;
+        if (mine > theirs || (mine == theirs && triangle.prim > best.prim)) return;
+    }
+    out.closer = 1;
+    out.num = num;
+    out.det = size;
+    out.prim = triangle.prim;
+    const Wide scaled = Wide(num) << (config.dir_bits - 1 + config.t_frac_bits);
+    out.t = std::uint32_t(std::min<Wide>((scaled + size - 1) / size, (Wide(1) << config.t_bits()) - 1));
+    out.u = barycentric(flip ? -u : u, size, config.bary_bits);
+    out.v = barycentric(flip ? -v : v, size, config.bary_bits);
+}
+
+TriRsp tri(const TriReq& req, const Config& config) {
+    TriRsp rsp;
+    rsp.ray = req.ray;
+    tri_test(req.o, req.d, req.triangle, req.best, config, rsp);
+    return rsp;
+}
+
+} // namespace rayclock

@@ -1,0 +1,113 @@
+#include "model/machine.hpp"
+
+#include "model/isect/tri.hpp"
+#include "model/raygen/raygen.hpp"
+
+namespace rayclock {
+
+Machine::Machine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic)
+    : config_(config), frame_(frame), image_(image), decoder_(image, config),
+      sched_(frame, config),
+      raygen_(config.raygen_latency(), config.raygen_queue),
+      trav_(frame, config),
+      node_port_(config, node_traffic(traffic)),
+      box_(config.box_latency(), config.box_queue),
+      list_(config),
+      prim_port_(config, prim_traffic(traffic)),
+      tri_(config.tri_latency(), config.tri_queue),
+      sink_(traffic),
+      pixels_(std::uint64_t(frame.width) * frame.height) {}
+
+void Machine::settle(Moves& m) {
+    const std::uint32_t valid = std::uint32_t(sched_.slot_valid()) << index(Channel::slot)
+        | std::uint32_t(raygen_.valid(now_)) << index(Channel::ray)
+        | std::uint32_t(trav_.node_valid()) << index(Channel::node_req)
+        | std::uint32_t(node_port_.valid()) << index(Channel::box_req)
+        | std::uint32_t(box_.valid(now_)) << index(Channel::box_rsp)
+        | std::uint32_t(list_.prim_valid()) << index(Channel::prim_req)
+        | std::uint32_t(prim_port_.valid()) << index(Channel::tri_req)
+        | std::uint32_t(tri_.valid(now_)) << index(Channel::tri_rsp)
+        | std::uint32_t(list_.step_valid()) << index(Channel::step)
+        | std::uint32_t(trav_.done_valid()) << index(Channel::hit);
+    const std::uint32_t ready = std::uint32_t(raygen_.ready()) << index(Channel::slot)
+        | std::uint32_t(trav_.ray_ready()) << index(Channel::ray)
+        | std::uint32_t(node_port_.ready()) << index(Channel::node_req)
+        | std::uint32_t(box_.ready()) << index(Channel::box_req)
+        | std::uint32_t(list_.box_ready()) << index(Channel::box_rsp)
+        | std::uint32_t(prim_port_.ready()) << index(Channel::prim_req)
+        | std::uint32_t(tri_.ready()) << index(Channel::tri_req)
+        | bit(Channel::tri_rsp)
+        | std::uint32_t(trav_.step_ready()) << index(Channel::step)
+        | std::uint32_t(sink_.ready()) << index(Channel::hit);
+    valid_ = valid;
+    fire_ = valid & ready;
+    counter_.add(valid_, fire_);
+
+    if (fires(Channel::slot)) m.slot = sched_.slot();
+    if (fires(Channel::ray)) m.ray = raygen_.front();
+    if (fires(Channel::node_req)) m.node_req = {trav_.node().ray, trav_.node().addr};
+    if (fires(Channel::box_req)) m.node = node_port_.answer();
+    if (fires(Channel::box_rsp)) m.boxes = &box_.front();
+    if (fires(Channel::prim_req)) m.prim_req = {list_.prim().ray, list_.prim().addr};
+    if (fires(Channel::tri_req)) m.prim = prim_port_.answer();
+    if (fires(Channel::tri_rsp)) m.tri = tri_.front();
+    if (fires(Channel::step)) m.step = list_.step();
+    if (fires(Channel::hit)) {
+        hit_ = sched_.hit(list_.closest(trav_.done()));
+        ++hits_;
+    }
+    // Composed here, from state before the clock edge, so that the units may be clocked in any order.
+    if (fires(Channel::box_req)) {
+        const WideNode& node = decoder_.node(m.node.addr);
+        box_tests_ += std::uint64_t(node.children);
+        box_in_.ray = m.node.ray;
+        box_children(trav_.box_ray(m.node.ray), node, config_, box_in_);
+    }
+    if (fires(Channel::tri_req)) {
+        const Ray& ray = list_.ray(m.prim.ray);
+        tri_in_.ray = m.prim.ray;
+        tri_test(ray.o, ray.d, decoder_.prim(m.prim.addr), list_.best(m.prim.ray), config_, tri_in_);
+    }
+}
+
+void Machine::clock_unit(int unit, const Moves& m) {
+    switch (unit) {
+    case 0:
+        sched_.clock(fires(Channel::slot), fires(Channel::hit) ? &hit_.closest.ray : nullptr);
+        sink_.clock();
+        break;
+    case 1:
+        if (fires(Channel::ray)) raygen_.leave();
+        if (fires(Channel::slot)) raygen_.admit(now_) = raygen(m.slot, frame_, config_);
+        break;
+    case 2:
+        trav_.clock(fires(Channel::ray) ? &m.ray : nullptr, fires(Channel::step) ? &m.step : nullptr,
+                    fires(Channel::node_req), fires(Channel::hit));
+        break;
+    case 3:
+        node_port_.clock(fires(Channel::node_req) ? &m.node_req : nullptr, fires(Channel::box_req));
+        prim_port_.clock(fires(Channel::prim_req) ? &m.prim_req : nullptr, fires(Channel::tri_req));
+        break;
+    case 4:
+        if (fires(Channel::box_rsp)) box_.leave();
+        if (fires(Channel::box_req)) box_.admit(now_) = box_in_;
+        break;
+    case 5:
+        list_.clock(fires(Channel::ray) ? &m.ray : nullptr, fires(Channel::box_rsp) ? m.boxes : nullptr,
+                    fires(Channel::tri_rsp) ? &m.tri : nullptr, fires(Channel::prim_req), fires(Channel::step));
+        break;
+    default:
+        if (fires(Channel::tri_rsp)) tri_.leave();
+        if (fires(Channel::tri_req)) tri_.admit(now_) = tri_in_;
+        break;
+    }
+}
+
+void Machine::step_in_order(const std::array<int, 7>& order) {
+    Moves m;
+    settle(m);
+    for (const int unit : order) clock_unit(unit, m);
+    ++now_;
+}
+
+} // namespace rayclock

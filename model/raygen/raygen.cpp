@@ -1,0 +1,30 @@
+#include "model/raygen/raygen.hpp"
+
+#include <bit>
+#include <cstdlib>
+
+namespace rayclock {
+
+Recip reciprocal(std::int32_t d, const Config& config) {
+    if (d == 0) return {};
+    const std::uint32_t magnitude = std::uint32_t(std::abs(d));
+    const int len = std::bit_width(magnitude);
+    const std::uint64_t m = std::uint64_t(magnitude) << (config.dir_bits - len);   // M bits, top bit set
+    return {std::uint32_t((std::uint64_t(1) << (config.dir_bits + config.recip_bits - 1)) / m), std::uint32_t(len)};
+}
+
+Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
+    Ray ray;
+    ray.ray = slot.ray;
+    ray.o = frame.eye;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t sum = frame.corner[k] + slot.x * frame.right[k] + slot.y * frame.down[k];
+        ray.d[k] = std::int32_t((sum + (std::int64_t(1) << (guard_bits - 1))) >> guard_bits);
+        const Recip r = reciprocal(ray.d[k], config);
+        ray.recip[k] = r.recip;
+        ray.len[k] = r.len;
+    }
+    return ray;
+}
+
+} // namespace rayclock
