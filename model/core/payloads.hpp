@@ -111,6 +111,26 @@ struct PrimReq {
     }
 };
 
+/// node memory -> trav.
+struct NodeRsp {
+    std::uint32_t ray = 0;
+    Node node;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        node.fields(v, c);
+    }
+};
+
+/// primitive memory -> list.
+struct PrimRsp {
+    std::uint32_t ray = 0;
+    PrimData triangle;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        triangle.fields(v, c);
+    }
+};
+
 /// trav -> box: the ray and the node that came from memory.
 struct BoxReq {
     std::uint32_t ray = 0;
@@ -211,6 +231,12 @@ struct Step {
         v("t_near", t_near, c.t_bits(), c.node_width);
         v("slot", slot, c.slot_bits(), c.node_width);
     }
+};
+
+/// trav -> list: nothing closer can be found for this ray.
+struct Done {
+    std::uint32_t ray = 0;
+    template <class V> void fields(V& v, const Config& c) { v("ray", ray, c.ray_bits()); }
 };
 
 /// list -> sched: the closest hit of a finished ray.

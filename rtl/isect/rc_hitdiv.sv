@@ -1,0 +1,83 @@
+// Distance and barycentrics of a hit: t = ceil(2^(M-1+F) num / det), saturated at all
+// ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. det > 0, num > 0,
+// 0 <= u, v <= det. Latency rc_pkg::TriLatency - 6, throughput 1 per cycle; a stage
+// works only if valid_i came with its operands.
+`default_nettype none
+module rc_hitdiv #(
+  localparam int unsigned E = rc_pkg::EdgeBits,
+  localparam int unsigned U = rc_pkg::NumBits,
+  localparam int unsigned T = rc_pkg::TBits,
+  localparam int unsigned B = rc_pkg::BaryBits
+) (
+  input  logic         clk_i,
+  input  logic         valid_i,
+  input  logic [U-1:0] num_i,
+  input  logic [E-1:0] det_i,
+  input  logic [E-1:0] u_i,
+  input  logic [E-1:0] v_i,
+  output logic [T-1:0] t_o,
+  output logic [B:0]   u_o,
+  output logic [B:0]   v_o
+);
+  localparam int unsigned Stages  = rc_pkg::TriLatency - 6;
+  localparam int unsigned Q       = 2 * Stages;           // quotient bits made, at least T and B
+  // num * 2^(M-1+F) * 2^(Q-T) / det in Q bits: the dividend above the quotient's bits is
+  // num * 2^(M-1+F-T), that is num moved left by M - N - 3, or right if that is negative.
+  localparam int unsigned Left    = rc_pkg::DirBits > rc_pkg::CoordBits + 3 ? rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;
+  localparam int unsigned Right   = rc_pkg::CoordBits + 3 > rc_pkg::DirBits ? rc_pkg::CoordBits + 3 - rc_pkg::DirBits : 0;
+  localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;
+
+  logic [WideW-1:0] num_wide, num_above;
+  logic [Q-1:0]     num_below;
+  logic             beyond;
+  assign num_wide  = {{(WideW-U){1'b0}}, num_i} << Left;
+  assign num_above = num_wide >> Right;
+  assign beyond    = num_above >= {{(WideW-E){1'b0}}, det_i};
+  if (Right > 0) begin : gen_below
+    assign num_below = {num_i[Right-1:0], {(Q-Right){1'b0}}};
+  end else begin : gen_nothing_below
+    assign num_below = '0;
+  end
+
+  // u = det is possible: then the top quotient bit is one and nothing remains.
+  logic u_top, v_top;
+  assign u_top = u_i == det_i;
+  assign v_top = v_i == det_i;
+
+  logic [Q-1:0] t_quo, u_quo, v_quo;
+  logic         t_inexact, u_inexact, v_inexact;
+  rc_divide #(.Width(E), .Stages(Stages)) u_t (
+    .clk_i, .valid_i, .rem_i(beyond ? '0 : num_above[E-1:0]), .low_i(num_below), .den_i(det_i),
+    .quo_o(t_quo), .inexact_o(t_inexact));
+  rc_divide #(.Width(E), .Stages(Stages)) u_u (
+    .clk_i, .valid_i, .rem_i(u_top ? '0 : u_i), .low_i('0), .den_i(det_i),
+    .quo_o(u_quo), .inexact_o(u_inexact));
+  rc_divide #(.Width(E), .Stages(Stages)) u_v (
+    .clk_i, .valid_i, .rem_i(v_top ? '0 : v_i), .low_i('0), .den_i(det_i),
+    .quo_o(v_quo), .inexact_o(v_inexact));
+
+  logic [Stages-1:0]          valid_q;
+  (* mem2reg *) logic [2:0]   flags_q [Stages];
+  always_ff @(posedge clk_i) begin
+    valid_q <= {valid_q[Stages-2:0], valid_i};
+    if (valid_i) flags_q[0] <= {beyond, u_top, v_top};
+    for (int i = 1; i < Stages; i++) if (valid_q[i-1]) flags_q[i] <= flags_q[i-1];
+  end
+
+  logic         end_beyond, end_u_top, end_v_top, t_up;
+  logic [T-1:0] t_down;
+  assign {end_beyond, end_u_top, end_v_top} = flags_q[Stages-1];
+  assign t_down = t_quo[Q-1 -: T];
+  if (Q > T) begin : gen_spare_bits
+    assign t_up = t_inexact || t_quo[Q-T-1:0] != '0;
+  end else begin : gen_exact_bits
+    assign t_up = t_inexact;
+  end
+  assign t_o = end_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
+  assign u_o = {end_u_top, u_quo[Q-1 -: B]};
+  assign v_o = {end_v_top, v_quo[Q-1 -: B]};
+
+  logic unused;
+  assign unused = ^{u_quo, v_quo, u_inexact, v_inexact, num_above[WideW-1:E], valid_q[Stages-1]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,205 @@
+// The leaves of a node. Takes the box test's answer, sends the leaves' triangles to tri
+// one by one, nearest leaf first and none beyond the best hit, and then hands the inner
+// children to trav. Keeps each ray's best hit, and gives it out when trav is done.
+//
+// In one cycle an answer of tri may move its ray on (to the next triangle or to the
+// step), and the box answer at the head of the inbox may start its ray if the queue that
+// it needs, prim or step, is not taken by the former. One triangle of a ray is under way
+// at a time. A triangle that comes back from memory goes on to tri, with its ray, in the
+// same cycle. A tri answer is always accepted. `ray` is listened to: it goes to trav.
+// Model: model/list/list.hpp.
+`default_nettype none
+module rc_list (
+  input  logic              clk_i,
+  input  logic              rst_ni,
+  input  logic              ray_fires_i,
+  input  rc_pkg::ray_t      ray_i,
+  input  logic              box_rsp_valid_i,
+  output logic              box_rsp_ready_o,
+  input  rc_pkg::box_rsp_t  box_rsp_i,
+  output logic              prim_req_valid_o,
+  input  logic              prim_req_ready_i,
+  output rc_pkg::prim_req_t prim_req_o,
+  input  logic              prim_rsp_valid_i,
+  output logic              prim_rsp_ready_o,
+  input  rc_pkg::prim_rsp_t prim_rsp_i,
+  output logic              tri_req_valid_o,
+  input  logic              tri_req_ready_i,
+  output rc_pkg::tri_req_t  tri_req_o,
+  input  logic              tri_rsp_valid_i,
+  output logic              tri_rsp_ready_o,
+  input  rc_pkg::tri_rsp_t  tri_rsp_i,
+  output logic              step_valid_o,
+  input  logic              step_ready_i,
+  output rc_pkg::step_t     step_o,
+  input  logic              done_valid_i,
+  output logic              done_ready_o,
+  input  rc_pkg::done_t     done_i,
+  output logic              closest_valid_o,
+  input  logic              closest_ready_i,
+  output rc_pkg::closest_t  closest_o
+);
+  localparam int unsigned I  = rc_pkg::RayBits;
+  localparam int unsigned A  = rc_pkg::AddrBits;
+  localparam int unsigned O  = rc_pkg::OffsetBits;
+  localparam int unsigned C  = rc_pkg::CountBits;
+  localparam int unsigned G  = rc_pkg::GroupBits;
+  localparam int unsigned S  = rc_pkg::SlotBits;
+  localparam int unsigned W  = rc_pkg::NodeWidth;
+  localparam int unsigned TB = rc_pkg::TBits;
+  localparam int unsigned T  = rc_pkg::Contexts;
+  localparam int unsigned GroupW = rc_pkg::BoxRspW - I;
+
+  // ---- The inbox, and the two events of a cycle.
+  logic                       in_valid, in_pop, inbox_ready;
+  logic [rc_pkg::BoxRspW-1:0] in_data;
+  rc_pkg::box_rsp_t           in;
+  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(4)) u_inbox (
+    .clk_i, .rst_ni, .valid_i(box_rsp_valid_i), .ready_o(inbox_ready), .data_i(box_rsp_i),
+    .valid_o(in_valid), .ready_i(in_pop), .data_o(in_data));
+  assign box_rsp_ready_o = inbox_ready;
+  assign in              = in_data;
+
+  logic tri_fires, tri_prim, tri_step, in_leaf, in_start;
+  assign tri_rsp_ready_o = 1'b1;
+  assign tri_fires       = tri_rsp_valid_i;
+  assign in_start        = in_valid && !(in_leaf ? tri_prim : tri_step);
+  assign in_pop          = in_start;
+
+  // ---- Best hits. found_q says whether the memories hold one for a ray.
+  logic [T-1:0] found_q;
+  logic         closer;
+  assign closer = tri_fires && tri_rsp_i.closer;
+  always_ff @(posedge clk_i) begin
+    if (ray_fires_i) found_q[ray_i.ray] <= 1'b0;
+    if (closer)      found_q[tri_rsp_i.ray] <= 1'b1;
+  end
+
+  logic [TB-1:0] tri_t_old, in_t_old, tri_t, in_t;
+  rc_ram #(.Width(TB), .Depth(T)) u_t_tri (
+    .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray), .write_data_i(tri_rsp_i.t),
+    .read_addr_i(tri_rsp_i.ray), .read_data_o(tri_t_old));
+  rc_ram #(.Width(TB), .Depth(T)) u_t_in (
+    .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray), .write_data_i(tri_rsp_i.t),
+    .read_addr_i(in.ray), .read_data_o(in_t_old));
+  assign tri_t = closer ? tri_rsp_i.t : found_q[tri_rsp_i.ray] ? tri_t_old : '1;
+  assign in_t  = found_q[in.ray] ? in_t_old : '1;
+
+  // ---- Groups: the node's children per ray, written by the inbox, read by tri's answer and by step.
+  logic [GroupW-1:0] tri_group, step_group;
+  rc_ram #(.Width(GroupW), .Depth(T)) u_group_tri (
+    .clk_i, .write_i(in_start), .write_addr_i(in.ray), .write_data_i(in_data[GroupW-1:0]),
+    .read_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
+  rc_ram #(.Width(GroupW), .Depth(T)) u_group_step (
+    .clk_i, .write_i(in_start), .write_addr_i(in.ray), .write_data_i(in_data[GroupW-1:0]),
+    .read_addr_i(end_ray), .read_data_o(step_group));
+
+  // ---- Cursors: leaf and triangle under way per ray.
+  logic [S-1:0]   cursor_leaf, next_leaf;
+  logic [C-1:0]   cursor_triangle, next_triangle;
+  logic           prim_push;
+  logic [I-1:0]   push_ray;
+  logic [S+C-1:0] push_cursor;
+  rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
+    .clk_i, .write_i(prim_push), .write_addr_i(push_ray), .write_data_i(push_cursor),
+    .read_addr_i(tri_rsp_i.ray), .read_data_o({cursor_leaf, cursor_triangle}));
+
+  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the step.
+  logic [A-1:0]   group_base;
+  logic [G-1:0]   group_inner, group_leaves;
+  logic [W*TB-1:0] group_near;
+  logic [W*O-1:0] group_offset;
+  logic [W*C-1:0] group_count;
+  assign {group_base, group_inner, group_leaves, group_near, group_offset, group_count} = tri_group;
+
+  logic [S-1:0] at_leaf, at_next, at;
+  logic         more_triangles, more_leaves;
+  assign at_leaf        = group_inner[S-1:0] + cursor_leaf;
+  assign at_next        = at_leaf + S'(1);
+  assign more_triangles = cursor_triangle + C'(1) < group_count[at_leaf*C +: C];
+  assign more_leaves    = {{(G-S){1'b0}}, cursor_leaf} + G'(1) < group_leaves
+                       && group_near[at_next*TB +: TB] <= tri_t;
+  assign next_leaf      = more_triangles ? cursor_leaf : cursor_leaf + S'(1);
+  assign next_triangle  = more_triangles ? cursor_triangle + C'(1) : '0;
+  assign at             = more_triangles ? at_leaf : at_next;
+  assign tri_prim       = tri_fires && (more_triangles || more_leaves);
+  assign tri_step       = tri_fires && !(more_triangles || more_leaves);
+
+  // ---- The inbox's head: its first leaf, or the step.
+  logic [W*TB-1:0] in_near;
+  logic [W*O-1:0]  in_offset;
+  logic [S-1:0]    in_first;
+  assign in_near   = in.t_near;
+  assign in_offset = in.offset;
+  assign in_first  = in.inner[S-1:0];
+  assign in_leaf   = in.leaves != '0 && in_near[in_first*TB +: TB] <= in_t;
+
+  // ---- Triangles to fetch.
+  logic [A:0] push_addr;
+  assign prim_push   = tri_prim || (in_start && in_leaf);
+  assign push_ray    = tri_prim ? tri_rsp_i.ray : in.ray;
+  assign push_cursor = tri_prim ? {next_leaf, next_triangle} : '0;
+  assign push_addr   = tri_prim
+    ? {group_base, 1'b0} + {{(A+1-O){1'b0}}, group_offset[at*O +: O]} + {{(A+1-C){1'b0}}, next_triangle}
+    : {in.base, 1'b0} + {{(A+1-O){1'b0}}, in_offset[in_first*O +: O]};
+  rc_queue #(.Width(I + A + 1), .Depth(T)) u_prims (
+    .clk_i, .rst_ni, .push_i(prim_push), .data_i({push_ray, push_addr}),
+    .valid_o(prim_req_valid_o), .pop_i(prim_req_valid_o && prim_req_ready_i), .data_o(prim_req_o));
+
+  // ---- Steps to take.
+  logic          step_push;
+  logic [I-1:0]  end_ray;
+  logic [TB-1:0] end_t;
+  assign step_push = tri_step || (in_start && !in_leaf);
+  rc_queue #(.Width(I + TB), .Depth(T)) u_steps (
+    .clk_i, .rst_ni, .push_i(step_push),
+    .data_i(tri_step ? {tri_rsp_i.ray, tri_t} : {in.ray, in_t}),
+    .valid_o(step_valid_o), .pop_i(step_valid_o && step_ready_i), .data_o({end_ray, end_t}));
+  logic [W*S-1:0] step_slot;
+  logic [W*O-1:0] step_offset;
+  logic [G-1:0]   step_leaves;
+  logic [W*C-1:0] step_count;
+  logic [A-1:0]   step_base;
+  logic [G-1:0]   step_inner;
+  logic [W*TB-1:0] step_near;
+  assign {step_base, step_inner, step_leaves, step_near, step_offset, step_count} = step_group;
+  for (genvar i = 0; i < W; i++) begin : gen_slot
+    assign step_slot[i*S +: S] = step_offset[i*O + 1 +: S];
+  end
+  assign step_o = {end_ray, end_t, step_base, step_inner, step_near, step_slot};
+
+  // ---- Triangle, ray and hit to beat, together to tri.
+  localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
+  logic [3*rc_pkg::CoordBits+3*rc_pkg::DirBits-1:0] tri_ray;
+  logic [BestW-1:0] tri_best;
+  logic             tri_found;
+  rc_ram #(.Width(3 * rc_pkg::CoordBits + 3 * rc_pkg::DirBits), .Depth(T)) u_ray (
+    .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i({ray_i.o, ray_i.d}),
+    .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
+  rc_ram #(.Width(BestW), .Depth(T)) u_best (
+    .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
+    .write_data_i({tri_rsp_i.num, tri_rsp_i.det, tri_rsp_i.prim}),
+    .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_best));
+  assign tri_found        = found_q[prim_rsp_i.ray];
+  assign tri_req_valid_o  = prim_rsp_valid_i;
+  assign prim_rsp_ready_o = tri_req_ready_i;
+  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c, prim_rsp_i.prim,
+                      tri_found, tri_found ? tri_best : {BestW{1'b0}}};
+
+  // ---- The answer for a ray that trav has finished.
+  localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1;
+  logic [FoundW-1:0] end_found;
+  logic              is_found;
+  rc_ram #(.Width(FoundW), .Depth(T)) u_found (
+    .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
+    .write_data_i({tri_rsp_i.prim, tri_rsp_i.t, tri_rsp_i.u, tri_rsp_i.v}),
+    .read_addr_i(done_i.ray), .read_data_o(end_found));
+  assign is_found        = found_q[done_i.ray];
+  assign closest_valid_o = done_valid_i;
+  assign done_ready_o    = closest_ready_i;
+  assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
+
+  logic unused;
+  assign unused = ^{ray_i.recip, ray_i.len, group_inner, in.inner, in.count, step_offset, step_leaves, step_count};
+endmodule
+`default_nettype wire

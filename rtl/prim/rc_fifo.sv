@@ -1,0 +1,39 @@
+// First-in first-out queue of Depth entries, Depth a power of two above 1.
+//
+// Latency 1: what goes in is seen in the next cycle. ready_o and valid_o come
+// from registers only, so this cuts every combinational path between the sides.
+// Model: model/core/ring.hpp (Ring).
+`default_nettype none
+module rc_fifo #(
+  parameter  int unsigned Width  = 1,
+  parameter  int unsigned Depth  = 4,
+  localparam int unsigned IndexW = $clog2(Depth)
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  input  logic             valid_i,
+  output logic             ready_o,
+  input  logic [Width-1:0] data_i,
+  output logic             valid_o,
+  input  logic             ready_i,
+  output logic [Width-1:0] data_o
+);
+  logic [Width-1:0] mem [Depth];
+  logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
+
+  assign valid_o = head_q != tail_q;
+  assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};
+  assign data_o  = mem[head_q[IndexW-1:0]];
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      head_q <= '0;
+      tail_q <= '0;
+    end else begin
+      if (valid_o && ready_i) head_q <= head_q + 1'b1;
+      if (valid_i && ready_o) tail_q <= tail_q + 1'b1;
+    end
+    if (valid_i && ready_o) mem[tail_q[IndexW-1:0]] <= data_i;
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,116 @@
+// One axis of the slab test for all children of a node: where the ray enters and
+// leaves each slab, rounded down and up. Part of rc_box, which has the valid bits:
+// operands in s0, planes in s2, interval from the registers of s3.
+// Model: make_axis() and scale_*() in model/trav/box.cpp.
+`default_nettype none
+module rc_slab #(
+  localparam int unsigned W  = rc_pkg::NodeWidth,
+  localparam int unsigned N  = rc_pkg::CoordBits,
+  localparam int unsigned B  = rc_pkg::BoxBits,
+  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
+  localparam int unsigned E  = rc_pkg::ExpBits,
+  localparam int unsigned T  = rc_pkg::TBits
+) (
+  input  logic                clk_i,
+  input  logic                s0_valid_i,
+  input  logic                s1_valid_i,
+  input  logic                s2_valid_i,
+  input  logic signed [N-1:0] s0_o_i,
+  input  logic signed [N-1:0] s0_org_i,
+  input  logic                s0_neg_i,
+  input  logic [R1-1:0]       s0_recip_i,
+  input  logic [E-1:0]        s0_len_i,
+  input  logic [E-1:0]        s0_exp_i,
+  input  logic [W*B-1:0]      s2_lo_i,
+  input  logic [W*B-1:0]      s2_hi_i,
+  output logic [W*T-1:0]      s3_near_o,
+  output logic [W*T-1:0]      s3_far_o,
+  output logic [W-1:0]        s3_miss_o
+);
+  localparam int unsigned D  = N + 1;       // plane distance, signed
+  localparam int unsigned P  = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
+  localparam int unsigned V  = P + 1;       // plus plane * r, signed
+  localparam int unsigned S  = E + 2;       // shift, signed
+  // x + e = F + M - len - R + e; the constant part:
+  localparam logic signed [S+3:0] ShiftBase = (S+4)'(rc_pkg::TFracBits) + (S+4)'(rc_pkg::DirBits)
+                                            - (S+4)'(rc_pkg::RecipBits);
+
+  // s1: distance from the ray's origin to the node's, along the ray.
+  logic signed [D-1:0] s1_distance_q;
+  logic [R1-1:0]       s1_r_q, s2_r_q;
+  logic                s1_neg_q, s1_zero_q, s2_neg_q, s2_zero_q;
+  logic [E-1:0]        s1_exp_q;
+  logic signed [S+3:0] s1_shift_q, s2_shift_q;
+  always_ff @(posedge clk_i) begin
+    if (s0_valid_i) begin
+      s1_distance_q <= s0_neg_i ? D'(s0_o_i) - D'(s0_org_i) : D'(s0_org_i) - D'(s0_o_i);
+      s1_r_q        <= s0_recip_i;
+      s1_neg_q      <= s0_neg_i;
+      s1_zero_q     <= s0_len_i == '0;
+      s1_exp_q      <= s0_exp_i;
+      s1_shift_q    <= ShiftBase - $signed({4'b0, 2'b0, s0_len_i}) + $signed({4'b0, 2'b0, s0_exp_i});
+    end
+  end
+
+  // s2: D r / 2^e down, D (r + 1) / 2^e up.
+  logic signed [P-1:0] s1_near, s1_far, s2_near_q, s2_far_q;
+  logic [R1-1:0]       s1_r_up, s2_r_up;
+  assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};
+  assign s2_r_up = s2_r_q + {{(R1-1){1'b0}}, !s2_zero_q};
+  assign s1_near = P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_q});
+  assign s1_far  = -P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_up});
+  always_ff @(posedge clk_i) begin
+    if (s1_valid_i) begin
+      s2_near_q  <= s1_near >>> s1_exp_q;
+      s2_far_q   <= -(s1_far >>> s1_exp_q);
+      s2_r_q     <= s1_r_q;
+      s2_neg_q   <= s1_neg_q;
+      s2_zero_q  <= s1_zero_q;
+      s2_shift_q <= s1_shift_q;
+    end
+  end
+
+  // s3: the children's planes, still in units of 2^-shift.
+  (* mem2reg *) logic signed [V-1:0] s3_near_q [W];
+  (* mem2reg *) logic signed [V-1:0] s3_far_q [W];
+  logic                s3_zero_q;
+  logic signed [S+3:0] s3_shift_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_valid_i) begin
+      for (int i = 0; i < W; i++) begin
+        s3_near_q[i] <= s2_neg_q ? V'(s2_near_q) - step(s2_hi_i[i*B +: B], s2_r_q)
+                                 : V'(s2_near_q) + step(s2_lo_i[i*B +: B], s2_r_q);
+        s3_far_q[i]  <= s2_neg_q ? V'(s2_far_q) - step(s2_lo_i[i*B +: B], s2_r_up)
+                                 : V'(s2_far_q) + step(s2_hi_i[i*B +: B], s2_r_up);
+      end
+      s3_zero_q  <= s2_zero_q;
+      s3_shift_q <= s2_shift_q;
+    end
+  end
+
+  function automatic logic signed [V-1:0] step(input logic [B-1:0] plane, input logic [R1-1:0] r);
+    step = $signed({{(V-B){1'b0}}, plane} * {{(V-R1){1'b0}}, r});
+  endfunction
+
+  // Distance v * 2^shift of a non-negative v, rounded down or up, saturated at all ones.
+  function automatic logic [T-1:0] scale(input logic [V-1:0] v, input logic signed [S+3:0] shift, input logic up);
+    logic [63:0] wide, moved;
+    logic [S+3:0] right;
+    right = -shift;
+    wide  = {{(64-V){1'b0}}, v};
+    if (!shift[S+3]) moved = wide << shift[S+2:0];
+    else if (!up)    moved = wide >> right;
+    else             moved = (wide >> right) + {63'b0, ((wide >> right) << right) != wide};
+    scale = |moved[63:T] ? '1 : moved[T-1:0];
+  endfunction
+
+  for (genvar i = 0; i < W; i++) begin : gen_child
+    logic signed [V-1:0] near, far;
+    assign near = s3_near_q[i];
+    assign far  = s3_far_q[i];
+    assign s3_near_o[i*T +: T] = s3_zero_q || near[V-1] ? '0 : scale(near, s3_shift_q, 1'b0);
+    assign s3_far_o[i*T +: T]  = s3_zero_q ? '1 : scale(far, s3_shift_q, 1'b1);
+    assign s3_miss_o[i]        = far[V-1] || (s3_zero_q && !near[V-1] && near != '0);
+  end
+endmodule
+`default_nettype wire
