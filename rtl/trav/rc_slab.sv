@@ -58,7 +58,7 @@ module rc_slab #(
   assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};
   assign s2_r_up = s2_r_q + {{(R1-1){1'b0}}, !s2_zero_q};
   assign s1_near = P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_q});
-  assign s1_far  = -P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_up});
+  assign s1_far  = -(P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_up}));
   always_ff @(posedge clk_i) begin
     if (s1_valid_i) begin
       s2_near_q  <= s1_near >>> s1_exp_q;

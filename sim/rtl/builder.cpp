@@ -1,0 +1,149 @@
+#include "sim/rtl/builder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "model/core/error.hpp"
+#include "sim/gen/rc_pkg.hpp"
+#include "sim/rtl/adapter.hpp"
+
+namespace rayclock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// --x-assign/--x-initial unique: registers without reset start at seeded random values.
+constexpr const char* verilator_flags = "--cc -Wall --assert -O3 --x-assign unique --x-initial unique --prefix Vrc";
+constexpr const char* compiler_flags = "-std=c++17 -O2 -fPIC -shared -fvisibility=default -w";
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) throw std::runtime_error("cannot read " + path.string());
+    return text.str();
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    if (!file.flush()) throw UserError(path.string() + ": cannot write the RTL cache here; set RAYCLOCK_CACHE to a folder that can be written");
+}
+
+/// All Verilog sources but the package, in a fixed order.
+std::vector<fs::path> sources() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(rtl_sources()))
+        if (entry.path().extension() == ".sv" && entry.path().filename() != "rc_pkg.sv") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// FNV-1a, 64 bits.
+std::uint64_t hash(const std::string& text) {
+    std::uint64_t h = 0xcbf29ce484222325u;
+    for (const unsigned char c : text) h = (h ^ c) * 0x100000001b3u;
+    return h;
+}
+
+std::string quoted(const fs::path& path) {
+    std::string text = "'";
+    for (const char c : path.string()) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+/// Runs a shell command with its output in `log`; throws with the log's first lines if it fails.
+void run(const std::string& command, const fs::path& log, const std::string& what) {
+    if (std::system((command + " > " + quoted(log) + " 2>&1").c_str()) == 0) return;
+    std::string text = text_of(log);
+    if (text.size() > 2000) text.resize(2000);
+    throw std::runtime_error(what + " failed:\n" + text);
+}
+
+std::string output_of(const std::string& command) {
+    std::string text;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return text;
+    for (int c = 0; (c = std::fgetc(pipe)) != EOF;) text += char(c);
+    const int status = pclose(pipe);
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return status == 0 ? text : std::string{};
+}
+
+const std::string& verilator_root() {
+    static const std::string root = output_of("verilator --getenv VERILATOR_ROOT 2>/dev/null");
+    if (root.empty()) throw UserError("verilator is not installed, and the RTL needs it; 'rayclock doctor' tells what is missing");
+    return root;
+}
+
+void make_library(const fs::path& folder, const Config& config, const std::string& module) {
+    write_text(folder / "rc_pkg.sv", rc_package(config));
+    write_text(folder / "taps.vlt", adapter_vlt(module));
+    std::string files = quoted(rtl_sources() / "lint.vlt") + " " + quoted(folder / "taps.vlt") + " " + quoted(folder / "rc_pkg.sv");
+    for (const fs::path& file : sources()) files += " " + quoted(file);
+    run(fmt::format("verilator {} --top-module {} --Mdir {} {}", verilator_flags, module, quoted(folder / "obj"), files),
+        folder / "verilator.log", "verilator on " + module);
+    if (const std::string log = text_of(folder / "verilator.log"); log.find("%Warning") != std::string::npos)
+        throw std::runtime_error("verilator -Wall warns about " + module + ":\n" + log.substr(0, 2000));
+
+    std::string all = adapter_source(module);
+    std::vector<fs::path> made;
+    for (const auto& entry : fs::directory_iterator(folder / "obj"))
+        if (entry.path().extension() == ".cpp") made.push_back(entry.path());
+    std::sort(made.begin(), made.end());
+    for (const fs::path& file : made) all += fmt::format("#include \"{}\"\n", file.string());
+    for (const char* part : {"verilated", "verilated_threads"}) all += fmt::format("#include \"{}/include/{}.cpp\"\n", verilator_root(), part);
+    write_text(folder / "all.cpp", all);
+    run(fmt::format("c++ {} -I{} -I{} -I{} -I{} {} -o {}", compiler_flags, quoted(rtl_sources().parent_path()), quoted(folder / "obj"),
+                    quoted(fs::path(verilator_root()) / "include"), quoted(fs::path(verilator_root()) / "include/vltstd"),
+                    quoted(folder / "all.cpp"), quoted(folder / "module.so")),
+        folder / "compiler.log", "the C++ compiler on the verilated " + module);
+}
+
+} // namespace
+
+fs::path rtl_sources() { return fs::path(RAYCLOCK_SOURCE_DIR) / "rtl"; }
+
+fs::path rtl_cache() {
+    if (const char* chosen = std::getenv("RAYCLOCK_CACHE"); chosen && *chosen) return chosen;
+    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) return fs::path(xdg) / "rayclock";
+    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/rayclock";
+    return fs::temp_directory_path() / "rayclock-cache";
+}
+
+RtlBuild build_rtl(const Config& config, const std::string& module) {
+    const auto start = std::chrono::steady_clock::now();
+    std::string everything = rc_package(config) + adapter_source(module) + adapter_vlt(module) + verilator_flags + compiler_flags + verilator_root();
+    for (const fs::path& file : sources()) everything += text_of(file);
+    const fs::path folder = rtl_cache() / fmt::format("{}-{:016x}", module, hash(everything));
+    RtlBuild result{folder / "module.so", true, 0};
+    if (fs::exists(result.library)) return result;
+
+    std::error_code error;
+    const fs::path work = folder.string() + fmt::format(".{}", getpid());
+    fs::create_directories(work, error);
+    if (error) throw UserError(rtl_cache().string() + ": cannot make the RTL cache here (" + error.message() + "); set RAYCLOCK_CACHE to a folder that can be written");
+    try {
+        make_library(work, config, module);
+    } catch (...) {
+        fs::remove_all(work, error);
+        throw;
+    }
+    fs::remove_all(work / "obj", error);
+    fs::remove(work / "all.cpp", error);
+    fs::rename(work, folder, error);
+    if (error) fs::remove_all(work, error);   // somebody else built the same: theirs is as good
+    result.was_cached = false;
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace rayclock

@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "model/core/layout.hpp"
+#include "sim/rtl/abi.hpp"
+
+namespace rayclock {
+
+/// A module of the RTL under Verilator, out of reset and ready to run. Registers without reset start at random.
+class RtlModule {
+public:
+    /// Builds what is not yet built. Throws as build_rtl() does.
+    RtlModule(const Config& config, const std::string& module, int seed = 1);
+    ~RtlModule();
+    RtlModule(const RtlModule&) = delete;
+
+    /// The link called `name`. Outputs and taps are good after settle(), inputs are set before it.
+    const RcPort& port(const std::string& name) const;
+
+    /// Sets a static input, then holds reset for four full cycles.
+    void reset();
+
+    /// Lets inputs through to outputs; no clock edge.
+    void settle();
+    /// The clock edge. Throws std::runtime_error if an assertion of the RTL failed; Verilator has printed which.
+    void clock();
+
+private:
+    void* library_ = nullptr;
+    const RcModule* module_ = nullptr;
+    void* handle_ = nullptr;
+    const RcPort* ports_ = nullptr;
+    unsigned count_ = 0;
+};
+
+/// Copies a packed payload to a port, or reads one from it.
+template <class P> void set_data(const RcPort& port, const P& payload, const Config& config);
+template <class P> P get_data(const RcPort& port, const Config& config) { return unpack<P>(port.data, config); }
+void copy_words(const RcPort& port, const Words& words);
+
+template <class P> void set_data(const RcPort& port, const P& payload, const Config& config) {
+    copy_words(port, pack(payload, config));
+}
+
+} // namespace rayclock
