@@ -13,13 +13,21 @@ Recip reciprocal(std::int32_t d, const Config& config) {
     return {std::uint32_t((std::uint64_t(1) << (config.dir_bits + config.recip_bits - 1)) / m), std::uint32_t(len)};
 }
 
+Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame) {
+    Vec3i d{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t sum = frame.corner[k] + x * frame.right[k] + y * frame.down[k];
+        d[k] = std::int32_t((sum + (std::int64_t(1) << (guard_bits - 1))) >> guard_bits);
+    }
+    return d;
+}
+
 Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
     Ray ray;
     ray.ray = slot.ray;
     ray.o = frame.eye;
+    ray.d = pixel_direction(slot.x, slot.y, frame);
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t sum = frame.corner[k] + slot.x * frame.right[k] + slot.y * frame.down[k];
-        ray.d[k] = std::int32_t((sum + (std::int64_t(1) << (guard_bits - 1))) >> guard_bits);
         const Recip r = reciprocal(ray.d[k], config);
         ray.recip[k] = r.recip;
         ray.len[k] = r.len;

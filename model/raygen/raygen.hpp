@@ -9,6 +9,9 @@ namespace rayclock {
 /// Mirror of rtl/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray per cycle.
 Ray raygen(const Slot& slot, const Frame& frame, const Config& config);
 
+/// The direction alone.
+Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame);
+
 /// Bit length of |d| and floor(2^(M+R-1) / (|d| << (M - len))); (1, 0) for d = 0.
 struct Recip {
     std::uint32_t recip = 1, len = 0;

@@ -1,0 +1,33 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "sim/engine/engine.hpp"
+
+namespace rayclock {
+
+/// The first cycle in which model and RTL did not do the same.
+struct Divergence {
+    std::uint64_t cycle = 0;
+    std::string unit;       ///< the unit that drives the channel
+    std::string channel;
+    std::uint32_t ray = 0;
+    std::uint32_t x = 0, y = 0;
+    std::string expected;   ///< what the model did: differing fields, or whether it moved anything
+    std::string got;        ///< what the RTL did
+};
+
+struct LockstepResult {
+    FrameRun model, rtl;                     ///< seconds: the time of each machine's own share
+    std::uint64_t events_compared = 0;       ///< transfers (cycle, channel, payload) seen on both sides
+    std::uint64_t value_mismatches = 0;      ///< transfers whose payload differs, and pixels that differ in the end
+    std::uint64_t cycle_gap = 0;             ///< difference of the frame's cycles, or of the first cycle with other moves
+    std::optional<Divergence> first;
+    bool agrees() const { return value_mismatches == 0 && cycle_gap == 0 && !first; }
+};
+
+/// Runs a frame on model and RTL side by side and compares, in every cycle and on every channel, valid, ready and the packed
+/// payload of what moves. After the first difference in time each machine runs on alone, and pixels are compared.
+LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+
+} // namespace rayclock
