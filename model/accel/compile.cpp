@@ -1,0 +1,89 @@
+// compile_scene: lattice, tree, image, in that order.
+#include <bit>
+#include <chrono>
+
+#include <tbb/parallel_for.h>
+
+#include "model/accel/emit.hpp"
+#include "model/core/error.hpp"
+
+namespace rayclock {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Vec3l minus(const Vec3i& a, const Vec3i& b) {
+    return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
+}
+
+/// Exact: the cross product has at most 2 (N + 1) + 1 bits.
+bool has_area(const PrimData& t) {
+    const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
+    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+}
+
+/// The triangles that keep an area on the lattice, in the scene's order.
+std::vector<PrimData> snap_triangles(const Scene& scene, const Lattice& lattice) {
+    std::vector<PrimData> all(scene.triangles.size());
+    tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
+        const auto corner = [&](std::size_t k) { return lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]); };
+        all[i] = {corner(0), corner(1), corner(2), std::uint32_t(i)};
+    });
+    std::erase_if(all, [](const PrimData& t) { return !has_area(t); });
+    return all;
+}
+
+std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles) {
+    std::vector<LatticeBox> boxes(triangles.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (const Vec3i& point : {triangles[i].a, triangles[i].b, triangles[i].c}) boxes[i].add(point);
+    return boxes;
+}
+
+void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config, const std::string& name) {
+    if (kept.empty())
+        throw UserError(name + ": all " + std::to_string(scene.triangles.size()) + " triangles vanish on a lattice of " +
+                        std::to_string(config.coord_bits) + " bits; a larger coord_bits or an eye closer to the scene would help");
+    check_lines(kept.size() / 2, name);   // before the long work: two triangles a line at best
+}
+
+void check_stack(int need, const Config& config, const std::string& name) {
+    if (need <= config.stack_depth) return;
+    const std::string begin = name + ": a ray may have to keep " + std::to_string(need) + " groups of siblings, and ";
+    const auto depth = int(std::bit_ceil(unsigned(need)));
+    for (const Parameter& p : parameters())
+        if (p.member == &Config::stack_depth && depth > p.hi)
+            throw UserError(begin + "no stack_depth above " + std::to_string(p.hi) + " exists; wider nodes (--set node_width=8) need fewer");
+    throw UserError(begin + "stack_depth is " + std::to_string(config.stack_depth) + ": --set stack_depth=" + std::to_string(depth));
+}
+
+} // namespace
+
+MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress) {
+    const Clock::time_point start = Clock::now();
+    const std::string name = scene.name.empty() ? "the scene" : scene.name;
+    const auto tell = [&](std::uint64_t stage) {
+        if (progress) progress("compiling " + name, stage, 4);
+    };
+    tell(0);
+    MemoryImage image;
+    image.lattice = fit_lattice(scene, eye, config.coord_bits);
+    const std::vector<PrimData> triangles = snap_triangles(scene, image.lattice);
+    check_kept(triangles, scene, config, name);
+    tell(1);
+    BinaryTree tree = build_tree(boxes_of(triangles));
+    tell(2);
+    optimise_tree(tree);
+    tell(3);
+    emit_image(tree, triangles, config, name, image);
+    check_stack(image.report.stack_need, config, name);
+    image.report.triangles = scene.triangles.size();
+    image.report.collapsed = scene.triangles.size() - triangles.size();
+    image.report.pitch = image.lattice.pitch;
+    image.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    tell(4);
+    return image;
+}
+
+} // namespace rayclock

@@ -1,0 +1,28 @@
+#include "model/accel/decode.hpp"
+
+namespace rayclock {
+
+Node read_node(const MemoryImage& image, std::uint32_t line, const Config& config) {
+    return unpack<Node>(image.line(line), config);
+}
+
+PrimData read_triangle(const MemoryImage& image, std::uint32_t half_line, const Config& config) {
+    return unpack<PrimData>(image.half_line(half_line), config);
+}
+
+void for_each_triangle(const MemoryImage& image, const Config& config, const std::function<void(const PrimData&)>& f) {
+    std::vector<std::uint32_t> pending{0};
+    while (!pending.empty()) {
+        const Node node = read_node(image, pending.back(), config);
+        pending.pop_back();
+        std::uint32_t inner = 0, triangles = 0;
+        for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) {
+            inner += node.kind[i] == 1;
+            triangles += node.kind[i] > 1 ? node.kind[i] - 1 : 0;
+        }
+        for (std::uint32_t i = 0; i < triangles; ++i) f(read_triangle(image, 2 * (node.base + inner) + i, config));
+        for (std::uint32_t i = inner; i-- > 0;) pending.push_back(node.base + i);
+    }
+}
+
+} // namespace rayclock

@@ -1,0 +1,102 @@
+#include "model/accel/emit.hpp"
+
+#include "model/accel/encode.hpp"
+#include "model/core/error.hpp"
+
+namespace rayclock {
+
+namespace {
+
+class Emitter {
+public:
+    Emitter(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config, const std::string& name,
+            MemoryImage& image)
+        : tree_(tree), triangles_(triangles), config_(config), collapse_(tree, config), name_(name), image_(image) {}
+
+    void run() {
+        image_.words.assign(words_per_line, 0);
+        pending_.push_back({tree_.root, 0, 0});
+        // Last in, first out, inner children pushed from the last to the first: depth-first.
+        while (!pending_.empty()) {
+            const Pending next = pending_.back();
+            pending_.pop_back();
+            emit(next);
+        }
+        account();
+    }
+
+private:
+    struct Pending {
+        std::uint32_t node = 0, line = 0, parent = 0;
+    };
+    /// A node that was written. Children come after their parents.
+    struct Written {
+        std::uint32_t parent = 0, inner = 0;
+        int depth = 1, need = 0;
+    };
+
+    void emit(const Pending& at) {
+        collapse_.children(at.node, found_);
+        const auto leaves = std::stable_partition(found_.begin(), found_.end(), [](const WideChild& c) { return !c.leaf; });
+        const auto inner = std::uint32_t(leaves - found_.begin());
+        children_.clear();
+        content_.clear();
+        for (const WideChild& child : found_) {
+            const std::size_t before = content_.size();
+            if (child.leaf) collapse_.boxes(child.node, content_);
+            children_.push_back({tree_.nodes[child.node].box, std::uint32_t(content_.size() - before)});
+        }
+        const std::size_t base = image_.words.size() / words_per_line;
+        const std::size_t lines = base + inner + (content_.size() + 1) / 2;
+        check_lines(lines, name_);
+        image_.words.resize(lines * words_per_line, 0);
+        write_payload(encode_node(children_, std::uint32_t(base), config_), config_, &image_.words[at.line * words_per_line], scratch_);
+        for (std::size_t i = 0; i < content_.size(); ++i)
+            write_payload(triangles_[content_[i]], config_, &image_.words[(2 * (base + inner) + i) * words_per_half], scratch_);
+
+        const auto id = std::uint32_t(written_.size());
+        written_.push_back({at.parent, inner, id == 0 ? 1 : written_[at.parent].depth + 1});
+        image_.report.leaves += found_.size() - inner;
+        for (std::uint32_t i = inner; i-- > 0;) pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
+    }
+
+    void account() {
+        for (std::size_t i = written_.size(); i-- > 0;) {
+            Written& node = written_[i];
+            node.need += node.inner >= 2;   // its siblings wait while a child is walked
+            image_.report.depth = std::max(image_.report.depth, node.depth);
+            if (i > 0) written_[node.parent].need = std::max(written_[node.parent].need, node.need);
+        }
+        image_.report.stack_need = written_[0].need;
+        image_.report.nodes = written_.size();
+        image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
+    }
+
+    const BinaryTree& tree_;
+    const std::vector<PrimData>& triangles_;
+    const Config& config_;
+    const Collapse collapse_;
+    const std::string& name_;
+    MemoryImage& image_;
+    std::vector<Pending> pending_;
+    std::vector<Written> written_;
+    std::vector<WideChild> found_;
+    std::vector<NodeChild> children_;
+    std::vector<std::uint32_t> content_;   // triangles of the node's leaves
+    Words scratch_;
+};
+
+} // namespace
+
+void check_lines(std::uint64_t lines, const std::string& name) {
+    if (lines > std::uint64_t(1) << addr_bits)
+        throw UserError(name + ": the memory image needs more than 2^" + std::to_string(addr_bits) +
+                        " lines of 64 bytes, all that the machine can address; a smaller scene is needed");
+}
+
+void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
+                const std::string& name, MemoryImage& image) {
+    Emitter{tree, triangles, config, name, image}.run();
+}
+
+} // namespace rayclock

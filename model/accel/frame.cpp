@@ -1,0 +1,48 @@
+// Camera registers from the camera: the pixel map in fixed point.
+//
+// Proof that every direction fits M bits. Let V = C + x R + y D be what raygen sums for pixel (x, y), with C, R, D the
+// nearest integers to scale * (corner, right, down). Each is off by at most 1/2, so V is off from scale * direction(x, y)
+// by at most (1 + x + y) / 2 <= (w + h - 1) / 2. direction() is linear, so its components are largest at one of the four
+// corner pixels: call that m. With scale * m <= L * 2^G - (w + h - 1) / 2 - 1, L = 2^(M-1) - 1, the 1 covering the
+// rounding of the double arithmetic here (below 2^-10 for 38 bits), |V| <= L * 2^G, and
+// floor((V + 2^(G-1)) / 2^G) lies in -L..L. C is the sum of pixel (0, 0) and fits; R and D are bounded apart, since in a
+// picture two pixels wide a step can be twice the largest direction. A step that no pixel takes is zero.
+#include <algorithm>
+#include <cmath>
+
+#include "model/accel/memory_image.hpp"
+
+namespace rayclock {
+
+namespace {
+
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+Vec3l fixed(const glm::dvec3& v, double scale) {
+    return {std::llround(v.x * scale), std::llround(v.y * scale), std::llround(v.z * scale)};
+}
+
+} // namespace
+
+Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config) {
+    PixelRays rays = pixel_rays(camera, size);
+    if (size.width == 1) rays.right = glm::dvec3{0};
+    if (size.height == 1) rays.down = glm::dvec3{0};
+    double m = std::max(largest(rays.right), largest(rays.down));
+    for (const int x : {0, size.width - 1})
+        for (const int y : {0, size.height - 1}) m = std::max(m, largest(rays.direction(x, y)));
+
+    const double limit = double(((std::int64_t(1) << (config.dir_bits - 1)) - 1) << guard_bits);
+    const double scale = (limit - 0.5 * (size.width + size.height - 1) - 1) / m;
+    Frame frame;
+    frame.width = std::uint32_t(size.width);
+    frame.height = std::uint32_t(size.height);
+    frame.root = 0;
+    frame.eye = lattice.snap(rays.eye);
+    frame.corner = fixed(rays.corner, scale);
+    frame.right = fixed(rays.right, scale);
+    frame.down = fixed(rays.down, scale);
+    return frame;
+}
+
+} // namespace rayclock

@@ -1,0 +1,107 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+#include "model/accel/memory_image.hpp"
+#include "model/raygen/raygen.hpp"
+
+using namespace rayclock;
+
+namespace {
+
+Config with_dir_bits(int bits) {
+    Config config;
+    config.dir_bits = bits;
+    return config;
+}
+
+/// Worst component of a pixel's direction, and of its distance from the best scaled double direction.
+struct Pixel {
+    std::int64_t largest = 0;
+    double error = 0;
+};
+Pixel look(const PixelRays& rays, const Frame& frame, double scale, int x, int y, const Config& config) {
+    const Ray ray = raygen({0, std::uint32_t(x), std::uint32_t(y)}, frame, config);
+    const glm::dvec3 wanted = scale * rays.direction(x, y);
+    Pixel pixel;
+    for (int k = 0; k < 3; ++k) {
+        // As raygen sums it, before the component is cut to its width.
+        const auto a = std::size_t(k);
+        const std::int64_t sum = frame.corner[a] + x * frame.right[a] + y * frame.down[a] + (1 << (guard_bits - 1));
+        pixel.largest = std::max(pixel.largest, std::abs(sum >> guard_bits));
+        pixel.error = std::max(pixel.error, std::abs(double(ray.d[a]) - wanted[k]));
+    }
+    return pixel;
+}
+
+bool fits(const Vec3l& v, int bits) {
+    return std::all_of(v.begin(), v.end(), [bits](std::int64_t x) { return std::abs(x) < std::int64_t(1) << (bits - 1); });
+}
+
+} // namespace
+
+TEST_CASE("every pixel's direction fits and points where the camera does") {
+    const int bits = GENERATE(12, 16, 18, 20, 24);
+    const double fov = GENERATE(1.0, 45.0, 120.0, 179.0);
+    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{2, 1}, FrameSize{1, 2}, FrameSize{2, 2}, FrameSize{3, 5},
+                                    FrameSize{512, 384}, FrameSize{641, 359}, FrameSize{16384, 1}, FrameSize{1, 16384},
+                                    FrameSize{16384, 16384});
+    const Config config = with_dir_bits(bits);
+    const Camera camera{{3, 4, 5}, {-1, 0.5, 0.25}, {0.1, 1, 0.2}, fov};
+    Lattice lattice;
+    lattice.pitch = 0.01;
+    const Frame frame = make_frame(camera, size, lattice, config);
+    INFO(bits << " bits, " << fov << " degrees, " << size.width << "x" << size.height);
+
+    CHECK(frame.root == 0);
+    CHECK(frame.width == std::uint32_t(size.width));
+    CHECK(frame.height == std::uint32_t(size.height));
+    CHECK(frame.eye == lattice.snap(camera.eye));
+    for (const Vec3l& v : {frame.corner, frame.right, frame.down}) CHECK(fits(v, config.guard_dir_bits()));
+
+    // The scale that make_frame chose, from its longest register, to within half a unit of it.
+    const PixelRays rays = pixel_rays(camera, size);
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(rays.corner[k]) > std::abs(rays.corner[axis])) axis = k;
+    const double scale = double(frame.corner[std::size_t(axis)]) / rays.corner[axis] / (1 << guard_bits);
+    // Half from raygen's rounding; (1 + x + y) / 2 guard units from the registers'; as much again for what the scale
+    // found above may be off, seen at pixels up to m / |corner| times as long.
+    const double bound = 0.5 + 2.0 * (size.width + size.height) / (1 << guard_bits);
+
+    std::mt19937 draw{std::uint32_t(bits)};
+    std::int64_t largest = 0;
+    double error = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const int x = i < 4 ? (i & 1) * (size.width - 1) : int(draw() % std::uint32_t(size.width));
+        const int y = i < 4 ? (i >> 1) * (size.height - 1) : int(draw() % std::uint32_t(size.height));
+        const Pixel pixel = look(rays, frame, scale, x, y, config);
+        largest = std::max(largest, pixel.largest);
+        error = std::max(error, pixel.error);
+    }
+    CHECK(largest < 1 << (bits - 1));
+    CHECK(error <= bound);
+    // No direction bit is given away, but for pictures two pixels wide, whose step may be the longest register.
+    if (size.width != 2 && size.height != 2) CHECK(largest >= (1 << (bits - 1)) - 4);
+    else CHECK(largest >= (1 << (bits - 2)) - 4);
+}
+
+TEST_CASE("small pictures are right in every pixel") {
+    const FrameSize size{37, 23};
+    const Config config = with_dir_bits(GENERATE(12, 20));
+    const Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, GENERATE(1.0, 90.0, 179.0)};
+    const Frame frame = make_frame(camera, size, Lattice{}, config);
+    const PixelRays rays = pixel_rays(camera, size);
+    const std::int32_t most = (1 << (config.dir_bits - 1)) - 1;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Ray ray = raygen({0, std::uint32_t(x), std::uint32_t(y)}, frame, config);
+            const glm::dvec3 d = rays.direction(x, y);
+            const double scale = double(frame.corner[2]) / rays.corner[2] / (1 << guard_bits);
+            for (int k = 0; k < 3; ++k) {
+                REQUIRE(std::abs(ray.d[std::size_t(k)]) <= most);
+                REQUIRE(std::abs(ray.d[std::size_t(k)] - scale * d[k]) < 1);
+            }
+        }
+}
