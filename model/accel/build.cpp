@@ -1,5 +1,4 @@
 #include <array>
-#include <bit>
 #include <span>
 
 #include <tbb/parallel_invoke.h>

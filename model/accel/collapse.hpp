@@ -26,17 +26,17 @@ public:
     void boxes(std::uint32_t node, std::vector<std::uint32_t>& out) const;
 
 private:
-    struct Choice;
-    using Cost = std::array<float, max_width>;   // [i]: as at most i children; [0] unused
+    using Cost = std::array<float, max_width>;   ///< [i]: as at most i children; [0] unused
 
     void solve(std::uint32_t node, std::vector<Cost>& costs);
     void gather(std::uint32_t node, int most, std::vector<WideChild>& out) const;
 
     const BinaryTree& tree_;
     int width_, leaf_size_;
-    std::vector<std::uint8_t> counts_;                        // triangles, at most leaf_size + 1
-    std::vector<std::array<std::uint8_t, max_width + 1>> left_;   // [i]: how many of i children the left side gets; 0: one fewer is as good
-    std::vector<std::uint8_t> leaf_;                          // as one child: a leaf
+    std::vector<std::uint8_t> counts_;   // triangles, at most leaf_size + 1
+    /// [i]: how many of i children the left side gets; 0: one child fewer costs no more.
+    std::vector<std::array<std::uint8_t, max_width + 1>> left_;
+    std::vector<std::uint8_t> leaf_;     // as one child: a leaf
 };
 
 } // namespace rayclock

@@ -26,8 +26,8 @@ template <class P> void write_payload(const P& payload, const Config& config, st
 }
 
 /// Plane `k` of a node's child along `axis`, in lattice steps.
-inline std::int32_t dequantised(const Node& node, std::uint32_t k, std::size_t axis) {
-    return node.org[axis] + std::int32_t(k << node.exp[axis]);
+inline std::int64_t dequantised(const Node& node, std::uint32_t k, std::size_t axis) {
+    return node.org[axis] + (std::int64_t(k) << node.exp[axis]);
 }
 
 } // namespace rayclock
