@@ -1,0 +1,114 @@
+// Pixel to ray, and a camera for scenes that come without one. Everything here is done once a frame, in double
+// precision; vectors are scaled before they are squared, so no size that a double can hold overflows on the way.
+#include "model/scene/camera.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "model/core/error.hpp"
+#include "model/scene/view.hpp"
+
+namespace rayclock {
+namespace {
+
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// v must be finite and not zero.
+glm::dvec3 unit(const glm::dvec3& v) {
+    const glm::dvec3 scaled = v / largest(v);
+    return scaled / glm::length(scaled);
+}
+
+/// Distance from the middle at which the whole scene is inside the picture; lengths in units of `scale`.
+double fitting_distance(const Scene& scene, const glm::dvec3& middle, double scale, const View& view, double aspect) {
+    constexpr double margin = 1.05;     // the scene fills at most 1/1.05 of the picture
+    constexpr double nearest = 0.1;     // and no vertex comes nearer to the eye than this
+    const double half_height = view.half_height / margin, half_width = half_height * aspect;
+    double distance = 0;
+    for (const Triangle& triangle : scene.triangles)
+        for (const std::uint32_t index : triangle.vertex) {
+            const glm::dvec3 p = (scene.vertices[index] - middle) / scale;
+            const double x = std::abs(glm::dot(p, view.right)), y = std::abs(glm::dot(p, view.up));
+            distance = std::max(distance, std::max({x / half_width, y / half_height, nearest}) - glm::dot(p, view.forward));
+        }
+    return distance;
+}
+
+} // namespace
+
+bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string text_of(double x) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+
+std::string text_of(const glm::dvec3& v) {
+    std::string text(1, '(');
+    text.append(text_of(v.x)).append(", ").append(text_of(v.y)).append(", ").append(text_of(v.z)).append(1, ')');
+    return text;
+}
+
+void check_frame_size(FrameSize size) {
+    if (size.width < 1 || size.height < 1 || size.width > max_frame_side || size.height > max_frame_side)
+        throw UserError("a picture must be 1 to " + std::to_string(max_frame_side) + " pixels wide and high, not " +
+                        std::to_string(size.width) + " x " + std::to_string(size.height));
+}
+
+View view_of(const Camera& camera, const std::string& where) {
+    const auto refuse = [&](const std::string& sentence) { throw UserError(where + ": " + sentence); };
+    if (!is_finite(camera.eye)) refuse("the camera's eye " + text_of(camera.eye) + " is not a finite point");
+    if (!is_finite(camera.at)) refuse("the camera looks at " + text_of(camera.at) + ", which is not a finite point");
+    if (!is_finite(camera.up)) refuse("the camera's up " + text_of(camera.up) + " is not a finite direction");
+    if (!(camera.fov_degrees > 0 && camera.fov_degrees < 180))
+        refuse("the camera's angle must lie between 0 and 180 degrees, not " + text_of(camera.fov_degrees));
+    const glm::dvec3 gaze = camera.at - camera.eye;
+    if (largest(gaze) == 0) refuse("the camera's eye and the point it looks at are the same, " + text_of(camera.eye));
+    if (!is_finite(gaze)) refuse("the camera's eye " + text_of(camera.eye) + " is too far from " + text_of(camera.at));
+    if (largest(camera.up) == 0) refuse("the camera's up " + text_of(camera.up) + " has no direction");
+    View view;
+    view.forward = unit(gaze);
+    const glm::dvec3 across = glm::cross(view.forward, unit(camera.up));
+    // Below this the direction of `across` is mostly rounding.
+    if (!(glm::length(across) > 1e-9)) refuse("the camera's up " + text_of(camera.up) + " points along its line of sight");
+    view.right = unit(across);
+    view.up = glm::cross(view.right, view.forward);
+    view.half_height = std::tan(camera.fov_degrees * (std::numbers::pi / 360));
+    return view;
+}
+
+PixelRays pixel_rays(const Camera& camera, FrameSize size) {
+    check_frame_size(size);
+    const View view = view_of(camera, "camera");
+    const double spacing = 2 * view.half_height / size.height;
+    PixelRays rays;
+    rays.eye = camera.eye;
+    rays.right = spacing * view.right;
+    rays.down = -spacing * view.up;
+    rays.corner = view.forward - 0.5 * (size.width - 1) * rays.right - 0.5 * (size.height - 1) * rays.down;
+    return rays;
+}
+
+Camera fit_camera(const Scene& scene, double aspect) {
+    if (!(aspect > 0) || !std::isfinite(aspect)) throw UserError("a picture cannot have the aspect " + text_of(aspect));
+    const Bounds box = bounds(scene);
+    Camera camera;
+    camera.at = 0.5 * box.lo + 0.5 * box.hi;
+    const glm::dvec3 towards_eye = unit({0.6, 0.5, 1});
+    // A mesh smaller than the rounding of its coordinates is looked at as if it were larger; a point, as if it were 1.
+    double scale = std::max(largest(box.hi - box.lo), 1e-9 * std::max(largest(box.lo), largest(box.hi)));
+    if (scale < 1e-200) scale = 1;
+    const View view = view_of({towards_eye, glm::dvec3(0), camera.up, camera.fov_degrees}, "camera");
+    const double distance = fitting_distance(scene, camera.at, scale, view, aspect);
+    camera.eye = camera.at + distance * scale * towards_eye;
+    if (!is_finite(camera.eye) || !is_finite(camera.at - camera.eye))
+        throw UserError(scene.name + ": the scene reaches from " + text_of(box.lo) + " to " + text_of(box.hi) +
+                        ", too large to be seen whole");
+    return camera;
+}
+
+} // namespace rayclock

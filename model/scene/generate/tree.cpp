@@ -1,0 +1,54 @@
+// Haines' "tree": cones that fork in two, with a sphere at every fork (spd.md 3.7).
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/mat3x3.hpp>
+
+#include "model/scene/generate/generate.hpp"
+#include "model/scene/generate/mesh_writer.hpp"
+
+namespace rayclock {
+namespace {
+
+/// kappa R_z(delta) R_x(beta): how a branch stands on its parent.
+glm::dmat3 fork(double beta_degrees, double delta_degrees, double kappa) {
+    constexpr double degree = std::numbers::pi / 180;
+    const double cb = std::cos(beta_degrees * degree), sb = std::sin(beta_degrees * degree);
+    const double cd = std::cos(delta_degrees * degree), sd = std::sin(delta_degrees * degree);
+    const glm::dmat3 x({1, 0, 0}, {0, cb, sb}, {0, -sb, cb}), z({cd, sd, 0}, {-sd, cd, 0}, {0, 0, 1});
+    return kappa * (z * x);
+}
+
+using Forks = std::array<glm::dmat3, 2>;
+
+void branch(MeshWriter& mesh, const Forks& forks, int depth, const glm::dmat3& frame, const glm::dvec3& base, double thickness) {
+    const double base_radius = 0.15 * thickness, top_radius = 0.67 * base_radius;
+    const glm::dvec3 top = frame[2] + base;
+    mesh.cone(base, base_radius, top, top_radius);
+    mesh.sphere(top, top_radius);
+    if (depth == 0) return;
+    for (const glm::dmat3& fork : forks) branch(mesh, forks, depth - 1, frame * fork, top, 0.67 * thickness);
+}
+
+std::uint64_t branches(int size) { return (std::uint64_t{2} << size) - 1; }
+
+} // namespace
+
+std::uint64_t tree_triangles(int size) { return branches(size) * (sphere_triangles + cone_triangles) + 2; }
+
+Scene make_tree(int size) {
+    Scene scene;
+    scene.camera = Camera{{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}, 45};
+    scene.lights = white_lights({{-5, 5, 50}, {30, -30, 30}, {-40, -30, 20},
+                                 {10, 30, 40}, {-30, 40, 10}, {50, 25, 20}, {-10, -60, 30}});
+    MeshWriter mesh(scene);
+    mesh.reserve(branches(size) * (sphere_vertices + cone_vertices) + 4, tree_triangles(size), true);
+    mesh.material({.name = "field", .colour{0.2, 0.7, 0.2}, .ambient = 0.1, .diffuse = 0.5});
+    mesh.flat({{50, 50, 0}, {-50, 50, 0}, {-50, -50, 0}, {50, -50, 0}});
+    mesh.material({.name = "wood", .colour{0.55, 0.4, 0.2}, .ambient = 0.1, .diffuse = 0.5});
+    branch(mesh, {fork(40, 90, 0.65), fork(25, 230, 0.7)}, size, glm::dmat3(1), glm::dvec3(0), 1);
+    return scene;
+}
+
+} // namespace rayclock
