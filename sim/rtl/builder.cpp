@@ -55,9 +55,13 @@ std::uint64_t hash(const std::string& text) {
 }
 
 std::string quoted(const fs::path& path) {
-    std::string text = "'";
-    for (const char c : path.string()) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
+    std::string text(1, '\'');
+    for (const char c : path.string()) {
+        if (c == '\'') text.append("'\\'");
+        text.push_back(c);
+    }
+    text.push_back('\'');
+    return text;
 }
 
 /// Runs a shell command with its output in `log`; throws with the log's first lines if it fails.

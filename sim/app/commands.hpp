@@ -1,0 +1,16 @@
+#pragma once
+#include "sim/app/setup.hpp"
+
+namespace rayclock {
+
+/// One function per subcommand; each returns the exit code (0 good, 1 a check failed) and throws UserError for exit 2.
+int render_command(const Options& options);
+int simulate_command(const Options& options);
+int verify_command(const Options& options);
+int bench_command(const Options& options);
+int scenes_command(const Options& options);
+int config_command(const Options& options);
+int rtl_command(const Options& options);
+int doctor_command(const Options& options);
+
+} // namespace rayclock

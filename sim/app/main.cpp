@@ -1,0 +1,124 @@
+// rayclock: the command line. Every subcommand's work is in the file of its name.
+#include <cstdio>
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "model/core/error.hpp"
+#include "sim/app/commands.hpp"
+
+namespace {
+
+using namespace rayclock;
+
+void scene_option(CLI::App& app, Options& o) {
+    app.add_option("SCENE", o.scene, "built-in name with optional size (gears:8), or file (.obj .ply .stl .glb .gltf .json)")->required();
+}
+void size_option(CLI::App& app, Options& o) { app.add_option("--size", o.size, "picture, WIDTHxHEIGHT")->capture_default_str(); }
+void config_options(CLI::App& app, Options& o) {
+    app.add_option("--config", o.config, "hardware configuration: default, small, or a JSON file")->capture_default_str();
+    app.add_option("--set", o.set, "key=value: one parameter over the configuration; may be repeated");
+}
+void json_option(CLI::App& app, Options& o) { app.add_option("--json", o.json, "report as JSON to a file, - for standard output"); }
+void clock_option(CLI::App& app, Options& o) { app.add_option("--clock", o.clock, "clock rates in MHz, with commas")->capture_default_str(); }
+void threads_option(CLI::App& app, Options& o) { app.add_option("--threads", o.threads, "threads of the reference, 0 for all cores")->check(CLI::Range(0, 1024)); }
+void traffic_options(CLI::App& app, Options& o) {
+    app.add_option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start")->check(CLI::Range(1, 1 << 30));
+    app.add_option("--jitter", o.jitter, "random extra memory latency, up to this many cycles");
+    app.add_option("--stall", o.stall, "percent of cycles in which memory and output accept nothing");
+}
+
+struct Command {
+    CLI::App* app;
+    std::function<int(const Options&)> run;
+};
+
+std::vector<Command> add_commands(CLI::App& app, Options& o) {
+    std::vector<Command> commands;
+    const auto add = [&](const char* name, const char* what, const char* example, int (*run)(const Options&)) -> CLI::App& {
+        CLI::App* sub = app.add_subcommand(name, what);
+        sub->footer(std::string("Example: ") + example);
+        commands.push_back({sub, run});
+        return *sub;
+    };
+    json_option(add("scenes", "list the built-in scenes", "rayclock scenes", scenes_command), o);
+
+    CLI::App& render = add("render", "make a picture with one engine", "rayclock render gears:4 --engine rtl -o gears.png", render_command);
+    scene_option(render, o);
+    size_option(render, o);
+    config_options(render, o);
+    render.add_option("--engine", o.engine, "reference, model or rtl")->capture_default_str();
+    render.add_option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number")->required();
+    threads_option(render, o);
+    json_option(render, o);
+
+    CLI::App& simulate = add("simulate", "cycles, frames per second, work and accounts of a frame",
+                             "rayclock simulate balls:3 --clock 66,90 --set contexts=32", simulate_command);
+    scene_option(simulate, o);
+    size_option(simulate, o);
+    clock_option(simulate, o);
+    config_options(simulate, o);
+    simulate.add_option("--engine", o.engine, "model or rtl")->capture_default_str();
+    simulate.add_flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
+    threads_option(simulate, o);
+    traffic_options(simulate, o);
+    json_option(simulate, o);
+
+    CLI::App& verify = add("verify", "run model and RTL in lockstep, and compare both with the reference",
+                           "rayclock verify teapot:12 -o out", verify_command);
+    scene_option(verify, o);
+    size_option(verify, o);
+    clock_option(verify, o);
+    config_options(verify, o);
+    verify.add_option("-o,--output", o.output, "folder for the pictures of the three engines and their difference");
+    threads_option(verify, o);
+    traffic_options(verify, o);
+    json_option(verify, o);
+
+    CLI::App& bench = add("bench", "speed of the simulator itself: model, RTL and reference on one frame", "rayclock bench gears:8", bench_command);
+    scene_option(bench, o);
+    size_option(bench, o);
+    config_options(bench, o);
+    threads_option(bench, o);
+    json_option(bench, o);
+
+    CLI::App& config = add("config", "print a configuration with every parameter", "rayclock config small > mine.json", config_command);
+    config.add_option("NAME", o.config, "default, small, or a JSON file")->capture_default_str();
+    config.add_option("--set", o.set, "key=value: one parameter over the configuration; may be repeated");
+
+    CLI::App& rtl = add("rtl", "build the RTL of a configuration now and say where it is kept", "rayclock rtl --config small", rtl_command);
+    config_options(rtl, o);
+
+    json_option(add("doctor", "what is installed, and what a missing part disables", "rayclock doctor", doctor_command), o);
+    return commands;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer"};
+    app.footer("Exit code: 0 good, 1 a check failed, 2 bad usage or input.\nStart with: rayclock verify gears:4 -o out");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", RAYCLOCK_VERSION);
+    Options options;
+    const std::vector<Command> commands = add_commands(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    try {
+        for (const Command& command : commands)
+            if (command.app->parsed()) return command.run(options);
+    } catch (const UserError& e) {
+        std::fprintf(stderr, "rayclock: %s\n", e.what());
+        return 2;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "rayclock: not enough memory for this scene and picture\n");
+        return 2;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "rayclock: %s\n", e.what());
+        return 1;
+    }
+    return 2;
+}

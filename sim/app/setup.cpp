@@ -1,0 +1,64 @@
+#include "sim/app/setup.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "model/core/error.hpp"
+#include "sim/image/image.hpp"
+#include "sim/load/load.hpp"
+
+namespace rayclock {
+
+namespace {
+
+template <class Number> bool parse_whole(std::string_view text, Number& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() && !text.empty();
+}
+
+} // namespace
+
+FrameSize parse_size(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    FrameSize size;
+    if (cross == std::string::npos || !parse_whole(std::string_view(text).substr(0, cross), size.width) ||
+        !parse_whole(std::string_view(text).substr(cross + 1), size.height))
+        throw UserError("--size: '" + text + "' is not WIDTHxHEIGHT, for example 512x384");
+    check_frame_size(size);
+    return size;
+}
+
+std::vector<double> parse_clocks(const std::string& text) {
+    std::vector<double> clocks;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        const std::string_view item = std::string_view(text).substr(from, comma - from);
+        double mhz = 0;
+        if (!parse_whole(item, mhz) || !(mhz > 0) || mhz > 100000)
+            throw UserError(fmt::format("--clock: '{}' is not a clock in MHz above 0 and up to 100000, in '{}'", item, text));
+        clocks.push_back(mhz);
+        from = comma + 1;
+    }
+    return clocks;
+}
+
+Traffic traffic_of(const Options& options) {
+    if (options.jitter < 0 || options.jitter > 100000) throw UserError(fmt::format("--jitter must lie in 0..100000, not {}", options.jitter));
+    if (options.stall < 0 || options.stall > 99) throw UserError(fmt::format("--stall must lie in 0..99 percent, not {}", options.stall));
+    return {options.jitter, options.stall, options.seed};
+}
+
+Scene ready_scene(const Options& options, FrameSize size, const Progress& progress) {
+    Scene scene = load_scene(options.scene, progress);
+    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
+    return scene;
+}
+
+void check_outputs(const Options& options) {
+    if (!options.json.empty() && options.json != "-") check_writable(options.json);
+}
+
+} // namespace rayclock

@@ -1,0 +1,51 @@
+#pragma once
+// What the subcommands share: options, and a scene made ready for the engines.
+#include <string>
+#include <vector>
+
+#include "model/core/config.hpp"
+#include "model/core/progress.hpp"
+#include "model/mem/memport.hpp"
+#include "model/scene/camera.hpp"
+#include "model/scene/scene.hpp"
+#include "model/shade/shade.hpp"
+
+namespace rayclock {
+
+/// Options of the command line as typed; the same name means the same in every subcommand.
+struct Options {
+    std::string scene;
+    std::string size = "512x384";
+    std::string config = "default";
+    std::vector<std::string> set;
+    std::string clock = "66,90,200";
+    std::string engine = "model";
+    std::string output;
+    std::string json;
+    bool no_reference = false;
+    int threads = 0;
+    std::uint64_t seed = 1;
+    int jitter = 0;
+    int stall = 0;
+};
+
+/// "512x384". Throws UserError.
+FrameSize parse_size(const std::string& text);
+
+/// "66,90,200": MHz, each above 0 and at most 100,000. Throws UserError.
+std::vector<double> parse_clocks(const std::string& text);
+
+/// Memory and sink disturbed as asked. Throws UserError.
+Traffic traffic_of(const Options& options);
+
+/// A scene with a camera, for a picture of this size.
+Scene ready_scene(const Options& options, FrameSize size, const Progress& progress);
+
+/// Kind of file a configuration is kept in: JSON with every parameter, or "like": NAME and some of them.
+Config load_config(const std::string& name_or_file, const std::vector<std::string>& set);
+std::string config_json(const Config& config);
+
+/// Fails early if an output could not be written later.
+void check_outputs(const Options& options);
+
+} // namespace rayclock

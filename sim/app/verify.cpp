@@ -1,0 +1,103 @@
+// rayclock verify: model and RTL in lockstep, both against the reference, and the golden picture if there is one.
+#include <chrono>
+#include <filesystem>
+#include <future>
+
+#include <fmt/format.h>
+
+#include "model/core/error.hpp"
+#include "model/reference/reference.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/tables.hpp"
+#include "sim/image/golden.hpp"
+#include "sim/report/text.hpp"
+
+namespace rayclock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_folder(const std::string& folder) {
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw UserError(folder + ": is a file, not a folder for pictures");
+    fs::create_directories(folder, error);
+    if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
+    check_writable((fs::path(folder) / "reference.png").string());
+}
+
+/// The golden picture of the scene is of one size of its own; the model makes that frame for it.
+GoldenResult golden_result(const Options& o, const Scene& scene, const Config& config) {
+    const std::string folder = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/golden";
+    const FrameSize size{128, 96};
+    if (!fs::exists(golden_path(folder, o.scene, size))) return {};
+    const Job job = make_job(scene, *scene.camera, size, config);
+    return check_golden(folder, o.scene, shade(scene, run_model(job).hits));
+}
+
+void write_pictures(const std::string& folder, const Scene& scene, const HitFrame& reference, const LockstepResult& result) {
+    const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
+    const Picture expected = shade(scene, reference), model = shade(scene, result.model.hits);
+    write_picture(path("reference.png"), expected, reference);
+    write_picture(path("model.png"), model, result.model.hits);
+    write_picture(path("rtl.png"), shade(scene, result.rtl.hits), result.rtl.hits);
+    write_picture(path("difference.png"), difference_picture(expected, reference, model, result.model.hits), reference);
+}
+
+void print_lockstep(const LockstepResult& r) {
+    fmt::print("  model and RTL: {} transfers compared in {} cycles, {} values differ, cycle gap {}\n", grouped(r.events_compared),
+               grouped(r.model.cycles), grouped(r.value_mismatches), r.cycle_gap);
+    if (!r.first) return;
+    const Divergence& d = *r.first;
+    fmt::print("  FIRST DIVERGENCE at cycle {}: unit {}, channel {}, ray {}, pixel ({}, {})\n    expected {}\n    got      {}\n", grouped(d.cycle),
+               d.unit, d.channel, d.ray, d.x, d.y, d.expected, d.got);
+}
+
+} // namespace
+
+int verify_command(const Options& o) {
+    const auto start = std::chrono::steady_clock::now();
+    const FrameSize size = parse_size(o.size);
+    const std::vector<double> clocks = parse_clocks(o.clock);
+    const Config config = load_config(o.config, o.set);
+    const Traffic traffic = traffic_of(o);
+    check_outputs(o);
+    if (!o.output.empty()) check_folder(o.output);
+    const Progress progress = terminal_progress();
+    const Scene scene = ready_scene(o, size, progress);
+    const Job job = make_job(scene, *scene.camera, size, config, progress);
+
+    // The reference works beside the lockstep, which has one thread.
+    auto reference_work = std::async(std::launch::async, [&] { return Reference(scene).frame(*scene.camera, size, o.threads); });
+    const LockstepResult result = run_lockstep(job, traffic, progress, int(o.seed));
+    const HitFrame reference = reference_work.get();
+    const FrameError model = frame_error(scene, result.model.hits, reference), rtl = frame_error(scene, result.rtl.hits, reference);
+    const GoldenResult golden = golden_result(o, scene, config);
+    if (!o.output.empty()) write_pictures(o.output, scene, reference, result);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const bool good = result.agrees() && (!golden.found || golden.within);
+
+    if (o.json != "-") {
+        fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(result.model, clocks), work_table(result.model), unit_table(result.model));
+        print_lockstep(result);
+        fmt::print("{}", error_line("model against reference", model));
+        if (!result.agrees()) fmt::print("{}", error_line("RTL against reference", rtl));
+        if (golden.found) fmt::print("  golden picture: PSNR {:.1f} dB, {}\n", golden.psnr_db, golden.within ? "within bounds" : "OUT OF BOUNDS");
+        if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", o.output);
+        fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : "FAILED", seconds);
+    }
+    if (!o.json.empty()) {
+        const nlohmann::ordered_json json{
+            {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
+            {"compile", compile_json(job.image.report)}, {"pixels", model.pixels}, {"events_compared", result.events_compared},
+            {"value_mismatches", result.value_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
+            {"reference", {{"pixels_other_primitive", model.pixels_other_primitive}, {"psnr_db", decibel(model.psnr_db)}, {"max_abs_depth", model.max_abs_depth}}},
+            {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
+            {"work", work_json(result.model)}, {"clocks", clocks_json(result.model, clocks)}, {"units", units_json(result.model)},
+            {"host", {{"seconds", seconds}}}, {"digest", digest_text(result.model.digest)}};
+        write_file(o.json, json.dump(2) + "\n");
+    }
+    return good ? 0 : 1;
+}
+
+} // namespace rayclock

@@ -1,0 +1,38 @@
+#pragma once
+// Reports as JSON; every key is explained in docs/report.md.
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "model/scene/scene.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/image/image.hpp"
+#include "sim/lockstep/lockstep.hpp"
+
+namespace rayclock {
+
+/// How a machine's frame differs from the reference's.
+struct FrameError {
+    std::uint64_t pixels = 0, pixels_other_primitive = 0;
+    double psnr_db = 0;
+    double max_abs_depth = 0;   ///< over pixels with the same primitive, scene units
+};
+FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame& reference);
+
+nlohmann::ordered_json scene_json(const Scene& scene);
+nlohmann::ordered_json config_json_object(const Config& config);
+nlohmann::ordered_json compile_json(const CompileReport& report);
+nlohmann::ordered_json work_json(const FrameRun& run);
+nlohmann::ordered_json clocks_json(const FrameRun& run, const std::vector<double>& clocks);
+nlohmann::ordered_json units_json(const FrameRun& run);
+nlohmann::ordered_json memory_json(const FrameRun& run);
+nlohmann::ordered_json error_json(const std::optional<FrameError>& error);
+nlohmann::ordered_json divergence_json(const std::optional<Divergence>& divergence);
+
+/// JSON has no infinity: equal pictures give null.
+nlohmann::ordered_json decibel(double psnr_db);
+
+/// 64 bits as 16 hexadecimal digits.
+std::string digest_text(std::uint64_t digest);
+
+} // namespace rayclock

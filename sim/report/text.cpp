@@ -1,0 +1,86 @@
+#include "sim/report/text.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "model/core/error.hpp"
+#include "sim/image/image.hpp"
+#include "sim/image/output_file.hpp"
+
+namespace rayclock {
+
+std::string grouped(std::uint64_t n) {
+    std::string text = std::to_string(n);
+    for (int at = int(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), ",");
+    return text;
+}
+
+std::string Table::text(int indent) const {
+    std::vector<std::size_t> width;
+    for (const auto& row : rows_)
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            if (c == width.size()) width.push_back(0);
+            width[c] = std::max(width[c], row[c].size());
+        }
+    std::string text;
+    for (const auto& row : rows_) {
+        std::string line(std::size_t(indent), ' ');
+        for (std::size_t c = 0; c < row.size(); ++c)
+            line += c == 0 ? fmt::format("{:<{}}", row[c], width[c]) : fmt::format("  {:>{}}", row[c], width[c]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+Progress terminal_progress() {
+    if (!isatty(STDERR_FILENO)) return {};
+    using Clock = std::chrono::steady_clock;
+    struct State {
+        std::string what;
+        Clock::time_point start, drawn;
+    };
+    const auto state = std::make_shared<State>();
+    return [state](std::string_view what, std::uint64_t done, std::uint64_t total) {
+        const auto now = Clock::now();
+        if (state->what != what) *state = {std::string(what), now, {}};
+        const bool end = done >= total;
+        if (!end && now - state->drawn < std::chrono::milliseconds(100)) return;
+        state->drawn = now;
+        const double seconds = std::chrono::duration<double>(now - state->start).count();
+        if (end) {
+            std::fprintf(stderr, "\r\033[K");
+        } else {
+            const double share = total ? double(done) / double(total) : 0;
+            std::fprintf(stderr, "\r\033[K%s %3.0f %%, %.0f s left", state->what.c_str(), share * 100,
+                         done ? seconds * (1 - share) / share : 0.0);
+        }
+        std::fflush(stderr);
+    };
+}
+
+void write_file(const std::string& path, const std::string& text) {
+    if (path == "-") {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        return;
+    }
+    std::error_code error;
+    // A device or a pipe is written to, not replaced.
+    const bool in_place = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+    check_writable(path);
+    OutputFile output(path);
+    std::ofstream file(in_place ? path : output.temporary().string(), std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) throw UserError(path + ": cannot be written");
+    if (!in_place) output.publish();
+}
+
+} // namespace rayclock

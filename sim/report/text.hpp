@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/core/progress.hpp"
+
+namespace rayclock {
+
+/// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t n);
+
+/// A table with aligned columns: the first to the left, all others to the right.
+class Table {
+public:
+    explicit Table(std::vector<std::string> head) : rows_{std::move(head)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    std::string text(int indent = 2) const;
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// Draws progress with the time that is left on standard error, if that is a terminal; otherwise does nothing.
+Progress terminal_progress();
+
+/// Writes a file under a temporary name and renames it; "-" is standard output. Throws UserError if it cannot.
+void write_file(const std::string& path, const std::string& text);
+
+} // namespace rayclock
