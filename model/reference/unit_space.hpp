@@ -1,0 +1,37 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/scene/scene.hpp"
+
+namespace rayclock {
+
+/// The reference tracer's own space, in which the scene's triangles lie within -1..1. The factor is a power of two,
+/// so scaling loses nothing; float boxes are then as good for a tiny scene, or one far from the origin, as for any.
+struct RefUnitSpace {
+    glm::dvec3 centre{0};
+    double scale = 1;
+
+    explicit RefUnitSpace(const Scene& scene) {
+        if (scene.triangles.empty()) return;
+        constexpr double inf = std::numeric_limits<double>::infinity();
+        glm::dvec3 lo{inf}, hi{-inf};
+        for (const Triangle& triangle : scene.triangles)
+            for (const std::uint32_t v : triangle.vertex) {
+                lo = glm::min(lo, scene.vertices[v]);
+                hi = glm::max(hi, scene.vertices[v]);
+            }
+        centre = lo + 0.5 * (hi - lo);
+        const glm::dvec3 half = glm::max(hi - centre, centre - lo);
+        const double side = std::max(half.x, std::max(half.y, half.z));
+        if (side > 0) scale = std::ldexp(1.0, -std::ilogb(side) - 1);
+    }
+
+    glm::dvec3 operator()(const glm::dvec3& p) const { return (p - centre) * scale; }
+};
+
+} // namespace rayclock

@@ -1,0 +1,31 @@
+#include "sim/image/golden.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace rayclock {
+
+std::string golden_path(const std::string& folder, const std::string& scene_spec, FrameSize size) {
+    std::string name = scene_spec;
+    // A scene may also be the path of a file, which must not lead out of the folder.
+    std::replace_if(name.begin(), name.end(), [](char c) { return c == ':' || c == '/'; }, '_');
+    return (std::filesystem::path(folder) / fmt::format("{}_{}x{}.png", name, size.width, size.height)).string();
+}
+
+GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture) {
+    GoldenResult result;
+    const std::string path = golden_path(folder, scene_spec, picture.size);
+    std::error_code error;
+    result.found = std::filesystem::exists(path, error);
+    if (!result.found) return result;
+    const PictureDifference difference = compare(read_picture(path), picture, golden_tolerance);
+    result.psnr_db = difference.psnr_db;
+    result.pixels_beyond = difference.pixels_beyond;
+    const double beyond = static_cast<double>(difference.pixels_beyond) / static_cast<double>(picture.pixels.size());
+    result.within = difference.psnr_db >= golden_min_psnr_db && beyond <= golden_max_beyond;
+    return result;
+}
+
+} // namespace rayclock
