@@ -33,7 +33,7 @@ void Machine::settle(Moves& m) {
         | std::uint32_t(trav_.ray_ready()) << index(Channel::ray)
         | std::uint32_t(node_port_.ready()) << index(Channel::node_req)
         | std::uint32_t(box_.ready()) << index(Channel::box_req)
-        | std::uint32_t(list_.box_ready()) << index(Channel::box_rsp)
+        | bit(Channel::box_rsp)
         | std::uint32_t(prim_port_.ready()) << index(Channel::prim_req)
         | std::uint32_t(tri_.ready()) << index(Channel::tri_req)
         | bit(Channel::tri_rsp)

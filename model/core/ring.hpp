@@ -28,6 +28,21 @@ private:
     std::size_t head_ = 0, tail_ = 0;
 };
 
+/// Two queues on one link: the first goes before the second, but an offer that was not accepted stays.
+/// Mirror of rtl/prim/rc_merge.sv.
+class Merge {
+public:
+    /// Whether the second queue is on offer, given which of them have something.
+    bool second(bool first_valid) const { return held_ ? held_second_ : !first_valid; }
+    void clock(bool valid, bool taken, bool second) {
+        held_ = valid && !taken;
+        held_second_ = second;
+    }
+
+private:
+    bool held_ = false, held_second_ = false;
+};
+
 /// A stall-free pipeline behind a door: a request admitted in cycle c answers from cycle c + latency + 1 on, in order;
 /// `depth` credits bound the answers in flight. Mirror of rc_door + stages + rc_fifo.
 template <class Item> class Pipe {

@@ -2,15 +2,13 @@
 
 namespace rayclock {
 
-constexpr int inbox_depth = 4;
-
 List::List(const Config& config)
     : beyond_((1u << config.t_bits()) - 1), rays_(std::size_t(config.contexts)), groups_(std::size_t(config.contexts)),
       cursors_(std::size_t(config.contexts)), bests_(std::size_t(config.contexts)), founds_(std::size_t(config.contexts)),
-      inbox_(inbox_depth), prims_(config.contexts), steps_(config.contexts) {}
+      next_(config.contexts), first_(config.contexts), tested_(config.contexts), leafless_(config.contexts) {}
 
 Step List::step() const {
-    const Ending& end = steps_.front();
+    const Ending& end = leaving() ? leafless_.front() : tested_.front();
     const BoxRsp& group = groups_[end.ray];
     Step step{end.ray, end.t_best, group.base, group.inner, group.t_near, {}};
     for (std::size_t i = 0; i < max_width; ++i) step.slot[i] = group.offset[i] >> 1;
@@ -27,18 +25,27 @@ Closest List::closest(std::uint32_t ray) const {
 }
 
 void List::clock(const Ray* ray, const BoxRsp* boxes, const TriRsp* tri, bool prim_taken, bool step_taken) {
-    if (prim_taken) prims_.pop();
-    if (step_taken) steps_.pop();
-    const Queue taken = tri ? advance(*tri) : Queue::none;
-    if (!inbox_.empty()) start(taken);
-    if (boxes) inbox_.push(*boxes);
+    // What leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
+    const bool start = starting(), leave = leaving();
+    prim_link_.clock(prim_valid(), prim_taken, start);
+    step_link_.clock(step_valid(), step_taken, leave);
+    if (prim_taken) (start ? first_ : next_).pop();
+    if (step_taken) (leave ? leafless_ : tested_).pop();
+    if (tri) advance(*tri);
+    if (boxes) begin(*boxes);
     if (ray) {
         rays_[ray->ray] = *ray;
         bests_[ray->ray] = {};
     }
 }
 
-List::Queue List::advance(const TriRsp& tri) {
+void List::begin(const BoxRsp& boxes) {
+    groups_[boxes.ray] = boxes;
+    if (boxes.leaves > 0 && boxes.t_near[boxes.inner] <= t_best(boxes.ray)) first_.push(fetch(boxes.ray, {0, 0}));
+    else leafless_.push({boxes.ray, t_best(boxes.ray)});
+}
+
+void List::advance(const TriRsp& tri) {
     const std::uint32_t ray = tri.ray;
     if (tri.closer) {
         bests_[ray] = {1, tri.num, tri.det, tri.prim};
@@ -46,32 +53,18 @@ List::Queue List::advance(const TriRsp& tri) {
     }
     const BoxRsp& group = groups_[ray];
     const Cursor at = cursors_[ray];
-    if (at.triangle + 1 < group.count[group.inner + at.leaf]) {
-        fetch(ray, {at.leaf, at.triangle + 1});
-        return Queue::prim;
-    }
-    if (at.leaf + 1 < group.leaves && group.t_near[group.inner + at.leaf + 1] <= t_best(ray)) {
-        fetch(ray, {at.leaf + 1, 0});
-        return Queue::prim;
-    }
-    steps_.push({ray, t_best(ray)});
-    return Queue::step;
+    if (at.triangle + 1 < group.count[group.inner + at.leaf])
+        next_.push(fetch(ray, {at.leaf, at.triangle + 1}));
+    else if (at.leaf + 1 < group.leaves && group.t_near[group.inner + at.leaf + 1] <= t_best(ray))
+        next_.push(fetch(ray, {at.leaf + 1, 0}));
+    else
+        tested_.push({ray, t_best(ray)});
 }
 
-void List::start(Queue taken) {
-    const BoxRsp& boxes = inbox_.front();
-    const bool leaf = boxes.leaves > 0 && boxes.t_near[boxes.inner] <= t_best(boxes.ray);
-    if (taken == (leaf ? Queue::prim : Queue::step)) return;
-    groups_[boxes.ray] = boxes;
-    if (leaf) fetch(boxes.ray, {0, 0});
-    else steps_.push({boxes.ray, t_best(boxes.ray)});
-    inbox_.pop();
-}
-
-void List::fetch(std::uint32_t ray, Cursor cursor) {
+PrimReq List::fetch(std::uint32_t ray, Cursor cursor) {
     const BoxRsp& group = groups_[ray];
     cursors_[ray] = cursor;
-    prims_.push({ray, 2 * group.base + group.offset[group.inner + cursor.leaf] + cursor.triangle});
+    return {ray, 2 * group.base + group.offset[group.inner + cursor.leaf] + cursor.triangle};
 }
 
 } // namespace rayclock

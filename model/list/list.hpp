@@ -7,17 +7,16 @@ namespace rayclock {
 /// The leaves of a node: takes the box test's answer, sends the leaves' triangles to tri one by one, nearest leaf first
 /// and none beyond the best hit, and then hands the inner children to trav. Keeps each ray's best hit.
 ///
-/// Two things may happen in a cycle: an answer of tri moves its ray on (to the next triangle or to the step), and the
-/// box answer at the head of the inbox starts its ray, if the queue that it needs (prim or step) is not taken by the
-/// former. One triangle of a ray is under way at a time. Mirror of rtl/list/rc_list.sv.
+/// A box answer and a tri answer are accepted in every cycle. Each sends its ray to one of two links, prim or step, and has
+/// a queue of its own for each, so that neither waits for the other; on the link tri's rays go first. One triangle of a ray
+/// is under way at a time. Mirror of rtl/list/rc_list.sv.
 class List {
 public:
     explicit List(const Config& config);
 
-    bool box_ready() const { return !inbox_.full(); }
-    bool prim_valid() const { return !prims_.empty(); }
-    const PrimReq& prim() const { return prims_.front(); }
-    bool step_valid() const { return !steps_.empty(); }
+    bool prim_valid() const { return !next_.empty() || !first_.empty(); }
+    const PrimReq& prim() const { return starting() ? first_.front() : next_.front(); }
+    bool step_valid() const { return !tested_.empty() || !leafless_.empty(); }
     Step step() const;
     const Ray& ray(std::uint32_t ray) const { return rays_[ray]; }
     const Best& best(std::uint32_t ray) const { return bests_[ray]; }
@@ -26,18 +25,22 @@ public:
     /// The answer for a ray that trav has finished.
     Closest closest(std::uint32_t ray) const;
 
-    /// One clock edge: what came in (null if nothing), and which outputs were taken. A tri answer is always accepted.
+    /// One clock edge: what came in (null if nothing), and which outputs were taken. Everything that comes is accepted.
     void clock(const Ray* ray, const BoxRsp* boxes, const TriRsp* tri, bool prim_taken, bool step_taken);
 
 private:
-    enum class Queue { none, prim, step };
     struct Cursor {
         std::uint32_t leaf = 0, triangle = 0;
     };
+    struct Ending {
+        std::uint32_t ray = 0, t_best = 0;
+    };
 
-    Queue advance(const TriRsp& tri);
-    void start(Queue taken);
-    void fetch(std::uint32_t ray, Cursor cursor);
+    void begin(const BoxRsp& boxes);
+    void advance(const TriRsp& tri);
+    PrimReq fetch(std::uint32_t ray, Cursor cursor);
+    bool starting() const { return prim_link_.second(!next_.empty()); }
+    bool leaving() const { return step_link_.second(!tested_.empty()); }
     std::uint32_t t_best(std::uint32_t ray) const { return bests_[ray].found ? founds_[ray].t : beyond_; }
 
     std::uint32_t beyond_;
@@ -46,12 +49,9 @@ private:
     std::vector<Cursor> cursors_;
     std::vector<Best> bests_;
     std::vector<Closest> founds_;
-    Ring<BoxRsp> inbox_;
-    Ring<PrimReq> prims_;
-    struct Ending {
-        std::uint32_t ray = 0, t_best = 0;
-    };
-    Ring<Ending> steps_;
+    Ring<PrimReq> next_, first_;          // after tri's answer; first of a node
+    Ring<Ending> tested_, leafless_;      // after tri's answer; straight from box
+    Merge prim_link_, step_link_;
 };
 
 } // namespace rayclock

@@ -13,16 +13,10 @@ Trav::Trav(const Frame& frame, const Config& config)
 void Trav::clock(const Ray* ray, const Step* step, bool node_taken, bool done_taken) {
     // Everything that leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
     if (done_taken) done_.pop();
-    if (node_taken || !node_valid_) {
-        node_valid_ = !nodes_.empty() || !spawn_.empty();
-        if (!nodes_.empty()) {
-            node_ = nodes_.front();
-            nodes_.pop();
-        } else if (!spawn_.empty()) {
-            node_ = {spawn_.front(), root_};
-            spawn_.pop();
-        }
-    }
+    const bool spawn = spawning();
+    node_link_.clock(node_valid(), node_taken, spawn);
+    if (node_taken && spawn) spawn_.pop();
+    else if (node_taken) nodes_.pop();
     // Stage 0 looks at the recirculation register before stage 1 may set it again.
     const bool turn = again_;
     const Step returned{again_ray_, again_t_, 0, 0, {}, {}};

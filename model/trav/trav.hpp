@@ -18,8 +18,8 @@ public:
 
     bool ray_ready() const { return !spawn_.full(); }
     bool step_ready() const { return !again_; }
-    bool node_valid() const { return node_valid_; }
-    const NodeReq& node() const { return node_; }
+    bool node_valid() const { return !nodes_.empty() || !spawn_.empty(); }
+    NodeReq node() const { return spawning() ? NodeReq{spawn_.front(), root_} : nodes_.front(); }
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done() const { return done_.front(); }
     const BoxRay& box_ray(std::uint32_t ray) const { return rays_[ray]; }
@@ -36,6 +36,7 @@ private:
         std::array<std::uint32_t, max_width> t_near{}, slot{};
     };
 
+    bool spawning() const { return node_link_.second(!nodes_.empty()); }
     void decide();
     void pop(std::uint32_t ray, std::uint32_t t_best);
     void visit(std::uint32_t ray, std::uint32_t base, std::uint32_t slot) { nodes_.push({ray, base + slot}); }
@@ -48,8 +49,7 @@ private:
     Ring<std::uint32_t> spawn_;
     Ring<NodeReq> nodes_;
     Ring<std::uint32_t> done_;
-    NodeReq node_{};
-    bool node_valid_ = false;
+    Merge node_link_;
     bool again_ = false;              // recirculation register
     std::uint32_t again_ray_ = 0, again_t_ = 0;
     bool s1_valid_ = false;           // second stage

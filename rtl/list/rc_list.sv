@@ -2,12 +2,11 @@
 // one by one, nearest leaf first and none beyond the best hit, and then hands the inner
 // children to trav. Keeps each ray's best hit, and gives it out when trav is done.
 //
-// In one cycle an answer of tri may move its ray on (to the next triangle or to the
-// step), and the box answer at the head of the inbox may start its ray if the queue that
-// it needs, prim or step, is not taken by the former. One triangle of a ray is under way
-// at a time. A triangle that comes back from memory goes on to tri, with its ray, in the
-// same cycle. A tri answer is always accepted. `ray` is listened to: it goes to trav.
-// Model: model/list/list.hpp.
+// A box answer and a tri answer are accepted in every cycle. Each sends its ray to one of
+// two links, prim or step, and has a queue of its own for each, so that neither waits for
+// the other; on the link tri's rays go first. One triangle of a ray is under way at a time.
+// A triangle that comes back from memory goes on to tri, with its ray, in the same cycle.
+// `ray` is listened to: it goes to trav. Model: model/list/list.hpp.
 `default_nettype none
 module rc_list (
   input  logic              clk_i,
@@ -50,21 +49,14 @@ module rc_list (
   localparam int unsigned T  = rc_pkg::Contexts;
   localparam int unsigned GroupW = rc_pkg::BoxRspW - I;
 
-  // ---- The inbox, and the two events of a cycle.
-  logic                       in_valid, in_pop, inbox_ready;
-  logic [rc_pkg::BoxRspW-1:0] in_data;
-  rc_pkg::box_rsp_t           in;
-  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(4)) u_inbox (
-    .clk_i, .rst_ni, .valid_i(box_rsp_valid_i), .ready_o(inbox_ready), .data_i(box_rsp_i),
-    .valid_o(in_valid), .ready_i(in_pop), .data_o(in_data));
-  assign box_rsp_ready_o = inbox_ready;
-  assign in              = in_data;
-
-  logic tri_fires, tri_prim, tri_step, in_leaf, in_start;
+  // ---- The two events of a cycle: an answer of box (in), an answer of tri.
+  logic             in_fires, tri_fires, in_leaf, tri_prim;
+  rc_pkg::box_rsp_t in;
+  assign box_rsp_ready_o = 1'b1;
   assign tri_rsp_ready_o = 1'b1;
+  assign in_fires        = box_rsp_valid_i;
   assign tri_fires       = tri_rsp_valid_i;
-  assign in_start        = in_valid && !(in_leaf ? tri_prim : tri_step);
-  assign in_pop          = in_start;
+  assign in              = box_rsp_i;
 
   // ---- Best hits. found_q says whether the memories hold one for a ray.
   logic [T-1:0] found_q;
@@ -85,24 +77,29 @@ module rc_list (
   assign tri_t = closer ? tri_rsp_i.t : found_q[tri_rsp_i.ray] ? tri_t_old : '1;
   assign in_t  = found_q[in.ray] ? in_t_old : '1;
 
-  // ---- Groups: the node's children per ray, written by the inbox, read by tri's answer and by step.
-  logic [GroupW-1:0] tri_group, step_group;
+  // ---- Groups: the node's children per ray, written by box, read by tri's answer and by step.
+  logic [GroupW-1:0] in_group, tri_group, step_group;
+  assign in_group = {in.base, in.inner, in.leaves, in.t_near, in.offset, in.count};
   rc_ram #(.Width(GroupW), .Depth(T)) u_group_tri (
-    .clk_i, .write_i(in_start), .write_addr_i(in.ray), .write_data_i(in_data[GroupW-1:0]),
+    .clk_i, .write_i(in_fires), .write_addr_i(in.ray), .write_data_i(in_group),
     .read_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
   rc_ram #(.Width(GroupW), .Depth(T)) u_group_step (
-    .clk_i, .write_i(in_start), .write_addr_i(in.ray), .write_data_i(in_data[GroupW-1:0]),
+    .clk_i, .write_i(in_fires), .write_addr_i(in.ray), .write_data_i(in_group),
     .read_addr_i(end_ray), .read_data_o(step_group));
 
-  // ---- Cursors: leaf and triangle under way per ray.
-  logic [S-1:0]   cursor_leaf, next_leaf;
-  logic [C-1:0]   cursor_triangle, next_triangle;
-  logic           prim_push;
-  logic [I-1:0]   push_ray;
-  logic [S+C-1:0] push_cursor;
+  // ---- Cursors: leaf and triangle under way per ray; 0, 0 until tri has answered once.
+  logic [T-1:0] moved_q;
+  logic [S-1:0] cursor_leaf, next_leaf;
+  logic [C-1:0] cursor_triangle, next_triangle;
+  logic [S+C-1:0] cursor;
   rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
-    .clk_i, .write_i(prim_push), .write_addr_i(push_ray), .write_data_i(push_cursor),
-    .read_addr_i(tri_rsp_i.ray), .read_data_o({cursor_leaf, cursor_triangle}));
+    .clk_i, .write_i(tri_fires), .write_addr_i(tri_rsp_i.ray), .write_data_i({next_leaf, next_triangle}),
+    .read_addr_i(tri_rsp_i.ray), .read_data_o(cursor));
+  always_ff @(posedge clk_i) begin
+    if (in_fires)  moved_q[in.ray] <= 1'b0;
+    if (tri_fires) moved_q[tri_rsp_i.ray] <= 1'b1;
+  end
+  assign {cursor_leaf, cursor_triangle} = moved_q[tri_rsp_i.ray] ? cursor : '0;
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the step.
   logic [A-1:0]   group_base;
@@ -122,10 +119,9 @@ module rc_list (
   assign next_leaf      = more_triangles ? cursor_leaf : cursor_leaf + S'(1);
   assign next_triangle  = more_triangles ? cursor_triangle + C'(1) : '0;
   assign at             = more_triangles ? at_leaf : at_next;
-  assign tri_prim       = tri_fires && (more_triangles || more_leaves);
-  assign tri_step       = tri_fires && !(more_triangles || more_leaves);
+  assign tri_prim       = more_triangles || more_leaves;
 
-  // ---- The inbox's head: its first leaf, or the step.
+  // ---- Box's answer: the first leaf, or the step.
   logic [W*TB-1:0] in_near;
   logic [W*O-1:0]  in_offset;
   logic [S-1:0]    in_first;
@@ -135,26 +131,39 @@ module rc_list (
   assign in_leaf   = in.leaves != '0 && in_near[in_first*TB +: TB] <= in_t;
 
   // ---- Triangles to fetch.
-  logic [A:0] push_addr;
-  assign prim_push   = tri_prim || (in_start && in_leaf);
-  assign push_ray    = tri_prim ? tri_rsp_i.ray : in.ray;
-  assign push_cursor = tri_prim ? {next_leaf, next_triangle} : '0;
-  assign push_addr   = tri_prim
-    ? {group_base, 1'b0} + {{(A+1-O){1'b0}}, group_offset[at*O +: O]} + {{(A+1-C){1'b0}}, next_triangle}
-    : {in.base, 1'b0} + {{(A+1-O){1'b0}}, in_offset[in_first*O +: O]};
-  rc_queue #(.Width(I + A + 1), .Depth(T)) u_prims (
-    .clk_i, .rst_ni, .push_i(prim_push), .data_i({push_ray, push_addr}),
-    .valid_o(prim_req_valid_o), .pop_i(prim_req_valid_o && prim_req_ready_i), .data_o(prim_req_o));
+  logic         next_valid, next_ready, first_valid, first_ready;
+  logic [I+A:0] next_data, first_data;
+  logic [A:0]   next_addr, first_addr;
+  assign next_addr  = {group_base, 1'b0} + {{(A+1-O){1'b0}}, group_offset[at*O +: O]} + {{(A+1-C){1'b0}}, next_triangle};
+  assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in_offset[in_first*O +: O]};
+  rc_queue #(.Width(I + A + 1), .Depth(T)) u_next (
+    .clk_i, .rst_ni, .push_i(tri_fires && tri_prim), .data_i({tri_rsp_i.ray, next_addr}),
+    .valid_o(next_valid), .pop_i(next_valid && next_ready), .data_o(next_data));
+  rc_queue #(.Width(I + A + 1), .Depth(T)) u_first (
+    .clk_i, .rst_ni, .push_i(in_fires && in_leaf), .data_i({in.ray, first_addr}),
+    .valid_o(first_valid), .pop_i(first_valid && first_ready), .data_o(first_data));
+  rc_merge #(.Width(I + A + 1)) u_prim (
+    .clk_i, .rst_ni,
+    .first_valid_i(next_valid), .first_ready_o(next_ready), .first_i(next_data),
+    .second_valid_i(first_valid), .second_ready_o(first_ready), .second_i(first_data),
+    .valid_o(prim_req_valid_o), .ready_i(prim_req_ready_i), .data_o(prim_req_o));
 
-  // ---- Steps to take.
-  logic          step_push;
-  logic [I-1:0]  end_ray;
-  logic [TB-1:0] end_t;
-  assign step_push = tri_step || (in_start && !in_leaf);
-  rc_queue #(.Width(I + TB), .Depth(T)) u_steps (
-    .clk_i, .rst_ni, .push_i(step_push),
-    .data_i(tri_step ? {tri_rsp_i.ray, tri_t} : {in.ray, in_t}),
-    .valid_o(step_valid_o), .pop_i(step_valid_o && step_ready_i), .data_o({end_ray, end_t}));
+  // ---- Steps to take: rays whose triangles are tested, and rays without leaves.
+  logic            tested_valid, tested_ready, leafless_valid, leafless_ready;
+  logic [I+TB-1:0] tested_data, leafless_data;
+  logic [I-1:0]    end_ray;
+  logic [TB-1:0]   end_t;
+  rc_queue #(.Width(I + TB), .Depth(T)) u_tested (
+    .clk_i, .rst_ni, .push_i(tri_fires && !tri_prim), .data_i({tri_rsp_i.ray, tri_t}),
+    .valid_o(tested_valid), .pop_i(tested_valid && tested_ready), .data_o(tested_data));
+  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
+    .clk_i, .rst_ni, .push_i(in_fires && !in_leaf), .data_i({in.ray, in_t}),
+    .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready), .data_o(leafless_data));
+  rc_merge #(.Width(I + TB)) u_step (
+    .clk_i, .rst_ni,
+    .first_valid_i(tested_valid), .first_ready_o(tested_ready), .first_i(tested_data),
+    .second_valid_i(leafless_valid), .second_ready_o(leafless_ready), .second_i(leafless_data),
+    .valid_o(step_valid_o), .ready_i(step_ready_i), .data_o({end_ray, end_t}));
   logic [W*S-1:0] step_slot;
   logic [W*O-1:0] step_offset;
   logic [G-1:0]   step_leaves;
@@ -200,6 +209,6 @@ module rc_list (
   assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
 
   logic unused;
-  assign unused = ^{ray_i.recip, ray_i.len, group_inner, in.inner, in.count, step_offset, step_leaves, step_count};
+  assign unused = ^{ray_i.recip, ray_i.len, group_inner, step_offset, step_leaves, step_count};
 endmodule
 `default_nettype wire

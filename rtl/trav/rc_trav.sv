@@ -91,26 +91,20 @@ module rc_trav (
   end
 
   // Nodes to fetch; new rays wait for a gap.
-  logic         visit_valid, spawn_valid, load, spawn_ready;
-  logic [I+A-1:0] visit_data, node_q;
-  logic [I-1:0] spawn_ray;
-  logic         node_valid_q;
+  logic           visit_valid, visit_ready, spawn_valid, spawn_ready;
+  logic [I+A-1:0] visit_data;
+  logic [I-1:0]   spawn_ray;
   rc_queue #(.Width(I + A), .Depth(T)) u_visit (
     .clk_i, .rst_ni, .push_i(visit), .data_i({s1_step.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
-    .valid_o(visit_valid), .pop_i(load && visit_valid), .data_o(visit_data));
+    .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
   rc_fifo #(.Width(I), .Depth(2)) u_spawn (
-    .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(spawn_ready), .data_i(ray_i.ray),
-    .valid_o(spawn_valid), .ready_i(load && !visit_valid), .data_o(spawn_ray));
-  assign ray_ready_o = spawn_ready;
-  assign load        = !node_valid_q || node_req_ready_i;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni)   node_valid_q <= 1'b0;
-    else if (load) node_valid_q <= visit_valid || spawn_valid;
-    if (load && visit_valid)      node_q <= visit_data;
-    else if (load && spawn_valid) node_q <= {spawn_ray, frame_i.root};
-  end
-  assign node_req_valid_o = node_valid_q;
-  assign node_req_o       = node_q;
+    .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
+    .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
+  rc_merge #(.Width(I + A)) u_node (
+    .clk_i, .rst_ni,
+    .first_valid_i(visit_valid), .first_ready_o(visit_ready), .first_i(visit_data),
+    .second_valid_i(spawn_valid), .second_ready_o(spawn_ready), .second_i({spawn_ray, frame_i.root}),
+    .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
   rc_queue #(.Width(I), .Depth(T)) u_done (
     .clk_i, .rst_ni, .push_i(done), .data_i(s1_step.ray),

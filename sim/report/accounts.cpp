@@ -17,7 +17,7 @@ std::vector<UnitAccount> unit_accounts(const ChannelCounts& counts, std::uint64_
         {"trav", Channel::step, "recirculation"},    // a culled group costs another turn
         {"node_port", Channel::node_req, "memory"},
         {"box", Channel::box_req, "list"},
-        {"list", Channel::box_rsp, "tri"},           // the inbox waits while tri's answers move their rays on
+        {"list", Channel::box_rsp, "none"},          // takes an answer in every cycle
         {"prim_port", Channel::prim_req, "memory"},
         {"tri", Channel::tri_req, "list"},
     };

@@ -106,7 +106,7 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     for (const fs::path& file : made) all += fmt::format("#include \"{}\"\n", file.string());
     for (const char* part : {"verilated", "verilated_threads"}) all += fmt::format("#include \"{}/include/{}.cpp\"\n", verilator_root(), part);
     write_text(folder / "all.cpp", all);
-    run(fmt::format("c++ {} -I{} -I{} -I{} -I{} {} -o {}", compiler_flags, quoted(rtl_sources().parent_path()), quoted(folder / "obj"),
+    run(fmt::format("c++ {} -I{} -I{} -I{} -I{} {} -o {}", compiler_flags, quoted(RAYCLOCK_SOURCE_DIR), quoted(folder / "obj"),
                     quoted(fs::path(verilator_root()) / "include"), quoted(fs::path(verilator_root()) / "include/vltstd"),
                     quoted(folder / "all.cpp"), quoted(folder / "module.so")),
         folder / "compiler.log", "the C++ compiler on the verilated " + module);
@@ -114,7 +114,10 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
 
 } // namespace
 
-fs::path rtl_sources() { return fs::path(RAYCLOCK_SOURCE_DIR) / "rtl"; }
+fs::path rtl_sources() {
+    if (const char* chosen = std::getenv("RAYCLOCK_RTL"); chosen && *chosen) return chosen;
+    return fs::path(RAYCLOCK_SOURCE_DIR) / "rtl";
+}
 
 fs::path rtl_cache() {
     if (const char* chosen = std::getenv("RAYCLOCK_CACHE"); chosen && *chosen) return chosen;

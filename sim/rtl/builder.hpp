@@ -21,7 +21,7 @@ RtlBuild build_rtl(const Config& config, const std::string& module = "rc_top");
 /// Where built libraries are kept: $RAYCLOCK_CACHE, or $XDG_CACHE_HOME/rayclock, or ~/.cache/rayclock.
 std::filesystem::path rtl_cache();
 
-/// Folder of the Verilog sources.
+/// Folder of the Verilog sources: $RAYCLOCK_RTL (to try out a changed copy), or those of this project.
 std::filesystem::path rtl_sources();
 
 } // namespace rayclock
