@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "sim/image/output_file.hpp"
 #include "sim/image/srgb.hpp"
 #include "tests/image/folder.hpp"
 
@@ -129,6 +130,30 @@ TEST_CASE("pictures that cannot be written are refused in one sentence, with not
     // No one may create files here, not even root.
     check_sentence(refusal("/proc/a.png"), "/proc/a.png", "cannot be written");
     CHECK(complaint([&] { write_picture("", grey_picture(size, 0), no_hits(size)); }) != "");
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("an output file that is not published, or cannot be, leaves nothing and alters nothing", "[image]") {
+    const TestFolder folder;
+    put(folder / "old", "precious");
+    {
+        const OutputFile file(folder / "old");
+        put(file.temporary().string(), "half of");
+        CHECK(folder.files() == 2);
+    }
+    CHECK(folder.files() == 1);
+    CHECK(contents(folder / "old") == "precious");
+    {
+        OutputFile file(folder / "late");
+        put(file.temporary().string(), "whole");
+        fs::create_directory(folder / "late");   // after the checks, before the end
+        check_sentence(complaint([&] { file.publish(); }), folder / "late", "cannot be written");
+    }
+    CHECK(folder.files() == 2);
+    OutputFile file(folder / "old");
+    put(file.temporary().string(), "new");
+    file.publish();
+    CHECK(contents(folder / "old") == "new");
     CHECK(folder.files() == 2);
 }
 
