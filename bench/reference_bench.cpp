@@ -84,6 +84,7 @@ BENCHMARK(reference_build)->Unit(benchmark::kMillisecond)->UseRealTime();
 /// The usual table, and the best speed of every tracer for the ratios.
 class RatioReporter : public benchmark::ConsoleReporter {
 public:
+    RatioReporter() : ConsoleReporter(OO_Tabular) {}   // no colours: the output may go to a file
     void ReportRuns(const std::vector<Run>& runs) override {
         benchmark::ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs)
