@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "model/core/config.hpp"
+#include "model/core/ring.hpp"
 
 namespace rayclock {
 
@@ -32,7 +33,8 @@ private:
 
 /// A memory port with a stated latency and bandwidth: a request accepted in cycle c is answered in cycle c + mem_latency
 /// (plus jitter), at most one request every mem_interval cycles. It keeps only who asked for which address; whoever owns the
-/// port reads the memory image. The same class lies under the model and under the RTL.
+/// port reads the memory image. At most one request per ray context may be under way. The same class lies under the model
+/// and under the RTL.
 class Memport {
 public:
     Memport(const Config& config, Traffic traffic);
@@ -50,12 +52,15 @@ public:
 private:
     struct Pending {
         Answer what;
-        std::uint64_t due;
+        std::uint64_t due = 0;
     };
+    void offer();
+
     std::uint64_t latency_, interval_;
     Traffic traffic_;
     Rng rng_;
-    std::vector<Pending> pending_;   // oldest first
+    Ring<Pending> in_order_;            // without jitter
+    std::vector<Pending> overtaking_;   // with it; oldest first
     std::uint64_t now_ = 0, next_free_ = 0;
     bool ready_ = true, valid_ = false;
     Answer answer_{};

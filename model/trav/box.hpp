@@ -9,7 +9,7 @@ struct WideNode {
     std::array<std::uint32_t, 3> exp{};
     std::uint32_t base = 0;
     int children = 0;
-    std::array<std::array<std::uint8_t, max_width>, 3> lo{}, hi{};
+    std::array<std::array<float, max_width>, 3> lo{}, hi{};   ///< whole numbers
     std::array<std::uint8_t, max_width> offset{}, count{};   ///< count 0: inner child
 };
 WideNode widen(const Node& node, int node_width);

@@ -1,0 +1,38 @@
+// The raw data of a glTF file: container, buffers, and accessors decoded to plain numbers.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/load/json_value.hpp"
+
+namespace rayclock {
+
+/// The JSON text of a .gltf or .glb, and the binary part of the latter.
+struct GltfContainer {
+    std::string_view text;
+    std::string_view binary;
+    bool is_binary = false;
+};
+GltfContainer open_gltf(const std::string& file, std::string_view bytes);
+
+/// Reads accessors of the document. The bytes and the document must outlive it.
+class GltfBuffers {
+public:
+    GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container);
+
+    /// All components one after the other, integers as they are or scaled if normalised. `width` is 1 or 3.
+    std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
+
+private:
+    std::string_view buffer(std::uint64_t index);
+    std::string_view slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element, std::uint64_t& stride);
+
+    JsonValue document_;
+    std::filesystem::path path_;
+    GltfContainer container_;
+    std::vector<std::string> loaded_;    ///< buffers from files and data URIs, empty until asked for
+};
+
+} // namespace rayclock

@@ -1,0 +1,167 @@
+#include "sim/load/json_scene.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "model/core/error.hpp"
+#include "model/core/nearest.hpp"
+#include "model/scene/builtin.hpp"
+#include "sim/load/file.hpp"
+#include "sim/load/json_parts.hpp"
+#include "sim/load/mesh_file.hpp"
+#include "sim/load/place.hpp"
+#include "sim/load/prepare.hpp"
+#include "sim/load/text.hpp"
+
+namespace rayclock {
+namespace {
+
+using Part = std::shared_ptr<Scene>;
+
+/// All files of one load: each is read once, and none may contain itself.
+class Library {
+public:
+    explicit Library(const Progress& progress) : progress_(progress) {}
+    Scene json(const std::filesystem::path& path);
+    Part file(const std::filesystem::path& path, const JsonValue& from);
+    Part builtin(const std::string& spec, const JsonValue& from);
+    const Progress& progress() const { return progress_; }
+
+private:
+    const Progress& progress_;
+    std::map<std::string, Part> known_;
+    std::vector<std::filesystem::path> open_;
+};
+
+/// Gathers one JSON file.
+class JsonScene {
+public:
+    JsonScene(const JsonValue& in, const std::filesystem::path& path, Library& library) : in_(in), path_(path), library_(library) {}
+
+    Scene build() {
+        in_.only_keys({"camera", "background", "lights", "materials", "meshes", "objects"});
+        scene_.name = path_.filename().string();
+        if (const auto camera = in_.find("camera")) scene_.camera = camera_of(*camera);
+        if (const auto background = in_.find("background")) scene_.background = background->triple();
+        if (const auto lights = in_.find("lights"))
+            for (std::size_t i = 0; i < lights->array().size(); ++i) scene_.lights.push_back(light_of((*lights)[i]));
+        if (const auto materials = in_.find("materials"))
+            for (const auto& [name, ignored] : materials->object().raw().items()) {
+                material_numbers_[name] = static_cast<std::uint32_t>(scene_.materials.size());
+                scene_.materials.push_back(material_of(materials->at(name), name));
+            }
+        for (const auto& [name, ignored] : in_.at("meshes").object().raw().items()) meshes_[name] = {mesh(in_.at("meshes").at(name)), {}};
+        objects(in_.at("objects").array());
+        return std::move(scene_);
+    }
+
+private:
+    struct Mesh {
+        Part part;
+        std::optional<std::uint32_t> material_base;    ///< set once its own materials are in the scene
+    };
+
+    template <class Map> static auto& known(Map& map, const JsonValue& name, std::string_view what) {
+        const auto found = map.find(name.string());
+        if (found != map.end()) return found->second;
+        std::vector<std::string> names;
+        for (const auto& [key, ignored] : map) names.push_back(key);
+        name.refuse(fmt::format("names no {} of this file: {}{}", what, shown(name.string()), did_you_mean(name.string(), names)));
+    }
+
+    Part mesh(const JsonValue& in) {
+        in.only_keys({"file", "builtin", "vertices", "triangles"});
+        const bool is_inline = in.find("vertices") || in.find("triangles");
+        if (is_inline + in.find("file").has_value() + in.find("builtin").has_value() != 1)
+            in.refuse("needs one of 'file', 'builtin', or 'vertices' with 'triangles'");
+        if (const auto file = in.find("file")) return library_.file(path_.parent_path() / file->string(), *file);
+        if (const auto builtin = in.find("builtin")) return library_.builtin(builtin->string(), *builtin);
+        return std::make_shared<Scene>(inline_mesh(in));
+    }
+
+    void objects(const JsonValue& list) {
+        if (list.size() == 0) list.refuse("is empty: there is nothing to see");
+        // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or nowhere.
+        bool any_smooth = false;
+        std::uint64_t triangles = 0;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const Scene& part = *named(list[i]).part;
+            any_smooth = any_smooth || !part.normals.empty();
+            if ((triangles += part.triangles.size()) > max_triangles)
+                list[i].refuse(fmt::format("brings the scene above {} triangles", max_triangles));
+        }
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (library_.progress()) library_.progress()("placing", i, list.size());
+            place(list[i], any_smooth);
+        }
+    }
+
+    Mesh& named(const JsonValue& object) {
+        object.only_keys({"mesh", "material", "translate", "rotate", "scale", "matrix"});
+        return known(meshes_, object.at("mesh"), "mesh");
+    }
+
+    void place(const JsonValue& object, bool is_smooth) {
+        Mesh& mesh = named(object);
+        if (is_smooth && mesh.part->normals.empty()) {
+            mesh.part = std::make_shared<Scene>(*mesh.part);  // others may share it
+            make_smooth(*mesh.part);
+        }
+        std::optional<std::uint32_t> material;
+        if (const auto name = object.find("material")) material = known(material_numbers_, *name, "material");
+        if (!material && !mesh.material_base) {
+            mesh.material_base = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.insert(scene_.materials.end(), mesh.part->materials.begin(), mesh.part->materials.end());
+        }
+        append(scene_, *mesh.part, transform_of(object), material, mesh.material_base.value_or(0));
+    }
+
+    JsonValue in_;
+    std::filesystem::path path_;
+    Library& library_;
+    Scene scene_;
+    std::map<std::string, std::uint32_t> material_numbers_;
+    std::map<std::string, Mesh> meshes_;
+};
+
+Scene Library::json(const std::filesystem::path& path) {
+    const std::string text = read_file(path);
+    const Json document = parse_json(path.string(), text);
+    open_.push_back(std::filesystem::weakly_canonical(path));
+    Scene scene = JsonScene(JsonValue(document, path.string()), path, *this).build();
+    open_.pop_back();
+    return scene;
+}
+
+Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+    if (error) from.refuse(shown(path.string()) + " cannot be found: " + error.message());
+    if (std::find(open_.begin(), open_.end(), real) != open_.end()) from.refuse(fmt::format("makes '{}' contain itself", path.string()));
+    if (open_.size() > 50) from.refuse("lies deeper than 50 files");
+    Part& part = known_[real.string()];
+    if (part) return part;
+    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path));
+    if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
+    return part = std::make_shared<Scene>(load_mesh_file(path, progress_));
+}
+
+Part Library::builtin(const std::string& spec, const JsonValue& from) {
+    Part& part = known_["builtin:" + spec];
+    if (part) return part;
+    try {
+        return part = std::make_shared<Scene>(make_builtin(spec));
+    } catch (const UserError& error) {
+        from.refuse(std::string("cannot be made: ") + error.what());
+    }
+}
+
+} // namespace
+
+Scene load_json_scene(const std::filesystem::path& path, const Progress& progress) { return Library(progress).json(path); }
+
+} // namespace rayclock

@@ -1,0 +1,50 @@
+#include "sim/load/load.hpp"
+
+#include <filesystem>
+#include <new>
+
+#include "model/core/error.hpp"
+#include "model/scene/builtin.hpp"
+#include "sim/load/file.hpp"
+#include "sim/load/json_scene.hpp"
+#include "sim/load/lights.hpp"
+#include "sim/load/mesh_file.hpp"
+#include "sim/load/text.hpp"
+
+namespace rayclock {
+namespace {
+
+/// What has a dot or a slash, or lies on the disk, was meant as a file; the rest as the name of a built-in scene.
+bool is_file_name(const std::string& spec) {
+    std::error_code ignored;
+    return spec.find_first_of("./") != spec.npos || std::filesystem::exists(spec, ignored);
+}
+
+Scene load_file(const std::string& spec, const Progress& progress) {
+    const std::filesystem::path path(spec);
+    if (extension(path) == "json") return load_json_scene(path, progress);
+    if (is_mesh_file(path)) return load_mesh_file(path, progress);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
+    read_file(path);  // a directory or an unreadable file gets its own sentence
+    Place{spec}.refuse("is not a kind of file that can be loaded (.obj .ply .stl .glb .gltf .json), nor a built-in scene");
+}
+
+} // namespace
+
+Scene load_scene(const std::string& spec, const Progress& progress) {
+    if (spec.empty()) throw UserError("the name of the scene is empty");
+    if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
+    try {
+        Scene scene = is_builtin(spec) || !is_file_name(spec) ? make_builtin(spec) : load_file(spec, progress);
+        check_scene(scene, spec);
+        add_missing_lights(scene);
+        return scene;
+    } catch (const std::bad_alloc&) {
+        Place{spec}.refuse("the scene does not fit in memory");
+    } catch (const std::filesystem::filesystem_error& error) {
+        Place{spec}.refuse("cannot be read (" + error.code().message() + ")");
+    }
+}
+
+} // namespace rayclock

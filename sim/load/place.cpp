@@ -1,0 +1,124 @@
+#include "sim/load/place.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "model/core/error.hpp"
+
+namespace rayclock {
+namespace {
+
+constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
+
+/// -0 becomes +0, so that equal numbers have equal bits.
+glm::dvec3 tidy(glm::dvec3 v) { return v + glm::dvec3(0); }
+
+std::uint64_t hash(const glm::dvec3& p, const glm::dvec3& n) {
+    std::uint64_t h = 0x9e3779b97f4a7c15;
+    for (const double x : {p.x, p.y, p.z, n.x, n.y, n.z}) {
+        h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9;
+        h ^= h >> 31;
+    }
+    return h;
+}
+
+/// The unit vector, or nothing for a vector without a direction. Scaled first: no square over- or underflows.
+glm::dvec3 unit(glm::dvec3 v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);
+    v = v / largest;
+    return v / std::sqrt(glm::dot(v, v));
+}
+
+/// A triangle without area has no normal; any will do, for no ray meets it.
+glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 n = unit(glm::cross(unit(b - a), unit(c - a)));
+    return n == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : n;
+}
+
+} // namespace
+
+PartBuilder::PartBuilder(std::size_t triangles, bool is_smooth) : is_smooth_(is_smooth), table_(std::bit_ceil(2 * triangles + 16), no_vertex) {
+    part_.triangles.reserve(triangles);
+}
+
+/// The slot of an equal vertex, or the free one where it belongs.
+std::size_t PartBuilder::slot(const glm::dvec3& position, const glm::dvec3& normal) const {
+    const std::size_t mask = table_.size() - 1;
+    std::size_t slot = hash(position, normal) & mask;
+    for (; table_[slot] != no_vertex; slot = (slot + 1) & mask) {
+        const std::uint32_t known = table_[slot];
+        if (part_.vertices[known] == position && (!is_smooth_ || part_.normals[known] == normal)) break;
+    }
+    return slot;
+}
+
+void PartBuilder::grow() {
+    table_.assign(2 * table_.size(), no_vertex);
+    for (std::uint32_t v = 0; v < part_.vertices.size(); ++v)
+        table_[slot(part_.vertices[v], is_smooth_ ? part_.normals[v] : glm::dvec3(0))] = v;
+}
+
+std::uint32_t PartBuilder::vertex(const Corner& corner) {
+    if (3 * (part_.vertices.size() + 1) > 2 * table_.size()) grow();
+    std::uint32_t& entry = table_[slot(corner.position, corner.normal)];
+    if (entry != no_vertex) return entry;
+    entry = static_cast<std::uint32_t>(part_.vertices.size());
+    part_.vertices.push_back(corner.position);
+    if (is_smooth_) part_.normals.push_back(corner.normal);
+    return entry;
+}
+
+void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material) {
+    if (a.position == b.position || b.position == c.position || c.position == a.position) return;
+    Triangle triangle{.vertex = {}, .material = material};
+    const Corner* corners[3] = {&a, &b, &c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        Corner corner{tidy(corners[i]->position), glm::dvec3(0)};
+        if (is_smooth_) corner.normal = tidy(unit(corners[i]->normal));
+        if (is_smooth_ && corner.normal == glm::dvec3(0)) corner.normal = tidy(facet_normal(a.position, b.position, c.position));
+        triangle.vertex[i] = vertex(corner);
+    }
+    part_.triangles.push_back(triangle);
+}
+
+void make_smooth(Scene& part) {
+    if (!part.normals.empty()) return;
+    PartBuilder builder(part.triangles.size(), true);
+    for (const Triangle& t : part.triangles)
+        builder.add({part.vertices[t.vertex[0]]}, {part.vertices[t.vertex[1]]}, {part.vertices[t.vertex[2]]}, t.material);
+    Scene smooth = builder.take();
+    part.vertices = std::move(smooth.vertices);
+    part.normals = std::move(smooth.normals);
+    part.triangles = std::move(smooth.triangles);
+}
+
+void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material, std::uint32_t material_base) {
+    if (scene.vertices.size() + part.vertices.size() > no_vertex) throw UserError("more than 2^32 - 1 vertices");
+    const auto base = static_cast<std::uint32_t>(scene.vertices.size());
+    const glm::dmat3 linear(place);
+    const double volume = glm::determinant(linear);
+    for (const glm::dvec3& v : part.vertices) scene.vertices.push_back(glm::dvec3(place * glm::dvec4(v, 1)));
+    if (!part.normals.empty()) {
+        // Cofactors instead of the inverse: the same directions, and no division by a small volume.
+        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
+        for (const glm::dvec3& n : part.normals) {
+            const glm::dvec3 turned = unit((volume < 0 ? -1.0 : 1.0) * (cofactors * n));
+            scene.normals.push_back(turned == glm::dvec3(0) ? n : turned);
+        }
+    }
+    for (Triangle t : part.triangles) {
+        for (std::uint32_t& v : t.vertex) v += base;
+        if (volume < 0) std::swap(t.vertex[1], t.vertex[2]);
+        t.material = material ? *material : t.material + material_base;
+        scene.triangles.push_back(t);
+    }
+}
+
+} // namespace rayclock

@@ -1,0 +1,45 @@
+// Putting a part into a scene: transforms, mirror images, flat and smooth parts side by side, exact joining.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/scene/scene.hpp"
+
+namespace rayclock {
+
+/// One corner of a triangle as a file gives it. A normal that is zero means that there is none.
+struct Corner {
+    glm::dvec3 position{0};
+    glm::dvec3 normal{0};
+};
+
+/// Collects triangles. Corners with equal positions and normals, to the last bit, become one vertex; triangles with
+/// two corners in the same place are points or lines and are left out.
+class PartBuilder {
+public:
+    PartBuilder(std::size_t triangles, bool is_smooth);    ///< `triangles` is a guess
+    void add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material);
+    Scene take() { return std::move(part_); }
+
+private:
+    std::uint32_t vertex(const Corner& corner);
+    std::size_t slot(const glm::dvec3& position, const glm::dvec3& normal) const;
+    void grow();
+    bool is_smooth_;
+    Scene part_;
+    std::vector<std::uint32_t> table_;    ///< open hashing, a power of two, at most two thirds in use
+};
+
+/// Gives a flat part its facets' normals, so that it can stand beside smooth ones and stay flat.
+void make_smooth(Scene& part);
+
+/// Appends the part's triangles moved by `place`. A mirror image is turned inside out again; normals go by the
+/// inverse transpose. Materials: `material` for all, or the part's own plus `material_base`.
+/// Both must have normals or both none, unless `scene` is still empty.
+void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material, std::uint32_t material_base);
+
+} // namespace rayclock

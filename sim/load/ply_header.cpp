@@ -1,0 +1,121 @@
+#include "sim/load/ply_header.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "sim/load/prepare.hpp"
+#include "sim/load/text.hpp"
+
+namespace rayclock {
+namespace {
+
+PlyType type_of(std::string_view word, const Place& at) {
+    static const std::map<std::string_view, PlyType> types{
+        {"char", {1, 'i'}},  {"int8", {1, 'i'}},    {"uchar", {1, 'u'}},   {"uint8", {1, 'u'}},  {"short", {2, 'i'}},
+        {"int16", {2, 'i'}}, {"ushort", {2, 'u'}},  {"uint16", {2, 'u'}},  {"int", {4, 'i'}},    {"int32", {4, 'i'}},
+        {"uint", {4, 'u'}},  {"uint32", {4, 'u'}},  {"float", {4, 'f'}},   {"float32", {4, 'f'}},
+        {"double", {8, 'f'}}, {"float64", {8, 'f'}}};
+    const auto found = types.find(word);
+    if (found == types.end()) at.refuse(shown(word) + " is not a PLY type");
+    return found->second;
+}
+
+PlyForm form_of(std::string_view rest, const Place& at) {
+    const std::string_view word = take_word(rest);
+    if (take_word(rest) != "1.0") at.refuse("only PLY version 1.0 is known");
+    if (word == "ascii") return PlyForm::ascii;
+    if (word == "binary_little_endian") return PlyForm::little_endian;
+    if (word == "binary_big_endian") return PlyForm::big_endian;
+    at.refuse(shown(word) + " is not a PLY format");
+}
+
+PlyElement element_of(std::string_view rest, const std::vector<PlyElement>& before, const Place& at) {
+    const std::string name(take_word(rest));
+    const std::string_view word = take_word(rest);
+    const std::int64_t count = whole_number(word, at);
+    if (count < 0) at.refuse(fmt::format("{} elements of the kind '{}'", count, name));
+    if (name == "vertex" && count > std::numeric_limits<std::uint32_t>::max()) at.refuse(fmt::format("{} vertices, more than 2^32 - 1", count));
+    if (name == "face" && static_cast<std::uint64_t>(count) > max_triangles)
+        at.refuse(fmt::format("{} faces; the most is {}", count, max_triangles));
+    for (const PlyElement& other : before)
+        if (other.name == name) at.refuse(fmt::format("'{}' is declared twice", name));
+    return {name, static_cast<std::uint64_t>(count), {}};
+}
+
+PlyProperty property_of(std::string_view rest, const Place& at) {
+    PlyProperty property{};
+    std::string_view word = take_word(rest);
+    if (word == "list") {
+        property.count = type_of(take_word(rest), at);
+        if (property.count->kind == 'f') at.refuse("the length of a list must be a whole number");
+        word = take_word(rest);
+    }
+    property.type = type_of(word, at);
+    property.name = take_word(rest);
+    if (property.name.empty()) at.refuse("a property without a name");
+    return property;
+}
+
+/// The two elements that make a mesh; the importer takes for granted that they are as they should be.
+void check_mesh(const PlyHeader& header, const Place& at) {
+    const auto element = [&](std::string_view name) -> const PlyElement& {
+        for (const PlyElement& e : header.elements)
+            if (e.name == name) return e;
+        at.refuse(fmt::format("the header has no element '{}'", name));
+    };
+    for (const char* axis : {"x", "y", "z"}) {
+        const auto& all = element("vertex").properties;
+        if (std::none_of(all.begin(), all.end(), [&](const PlyProperty& p) { return p.name == axis && !p.count; }))
+            at.refuse(fmt::format("vertices have no property '{}'", axis));
+    }
+    const auto& all = element("face").properties;
+    const auto is_list = [](const PlyProperty& p) {
+        return (p.name == "vertex_indices" || p.name == "vertex_index") && p.count && p.type.kind != 'f';
+    };
+    if (std::count_if(all.begin(), all.end(), is_list) != 1) at.refuse("faces need one list of whole numbers 'vertex_indices'");
+    if (element("face").count == 0) at.refuse("the file has no triangles");
+}
+
+} // namespace
+
+PlyHeader read_ply_header(const std::string& file, std::string_view bytes) {
+    PlyHeader header{};
+    Place at{file};
+    std::string_view rest = bytes;
+    bool has_form = false;
+    while (true) {
+        if (rest.empty() || at.line > 10'000) at.refuse("the header does not end: end_header is missing");
+        std::string_view line = take_line(rest);
+        ++at.line;
+        check_text(line.substr(0, 200), at, "PLY");
+        const std::string_view key = take_word(line);
+        if (at.line == 1) {
+            if (key != "ply") at.refuse("this is not PLY: the first word is " + shown(key));
+        } else if (key == "format") {
+            header.form = form_of(line, at);
+            has_form = true;
+        } else if (key == "element") {
+            header.elements.push_back(element_of(line, header.elements, at));
+        } else if (key == "property") {
+            if (header.elements.empty()) at.refuse("a property before the first element");
+            auto& properties = header.elements.back().properties;
+            properties.push_back(property_of(line, at));
+            for (std::size_t i = 0; i + 1 < properties.size(); ++i)
+                if (properties[i].name == properties.back().name) at.refuse(fmt::format("'{}' is declared twice", properties[i].name));
+        } else if (key == "end_header") {
+            break;
+        } else if (key != "comment" && key != "obj_info" && !key.empty()) {
+            at.refuse(shown(key) + " is not a line of a PLY header");
+        }
+    }
+    if (!has_form) at.refuse("the header names no format");
+    header.bytes = bytes.size() - rest.size();
+    header.lines = at.line;
+    check_mesh(header, Place{file});
+    return header;
+}
+
+} // namespace rayclock

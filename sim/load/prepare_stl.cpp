@@ -1,0 +1,139 @@
+// STL, text and binary. Whether it is one or the other is decided by the length, which in the binary form follows
+// from the count; many binary files begin with "solid" all the same. The importer gets exactly that length.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "sim/load/prepare.hpp"
+#include "sim/load/text.hpp"
+
+namespace rayclock {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary STL is read in place");
+
+constexpr std::size_t header_bytes = 84, facet_bytes = 50;
+
+std::uint32_t binary_count(const std::string& bytes) {
+    std::uint32_t count = 0;
+    std::memcpy(&count, bytes.data() + 80, sizeof count);
+    return count;
+}
+
+void check_binary(std::string& bytes, const Place& at, const Progress& progress) {
+    if (bytes.size() < header_bytes) at.refuse(fmt::format("this is not STL: {} bytes are too few", bytes.size()));
+    const std::uint32_t count = binary_count(bytes);
+    const std::uint64_t needed = header_bytes + facet_bytes * std::uint64_t{count};
+    if (bytes.size() < needed)
+        at.refuse(fmt::format("the file is cut off, or not STL: {} triangles take {} bytes and there are {}", count, needed, bytes.size()));
+    if (count == 0) at.refuse("the file has no triangles");
+    if (count > max_triangles) at.refuse(fmt::format("{} triangles; the most is {}", count, max_triangles));
+    bytes.resize(needed);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        if (progress && t % 65'536 == 0) progress("checking", t, count);
+        float corner[9];
+        std::memcpy(corner, bytes.data() + header_bytes + facet_bytes * std::size_t{t} + 12, sizeof corner);
+        for (const float x : corner)
+            if (!std::isfinite(x)) at.refuse(fmt::format("triangle {} has the coordinate {}, which is not a finite number", t, x));
+    }
+}
+
+/// One pass over the text form: facet (normal) / outer loop / three of vertex / endloop / endfacet.
+class AsciiStl {
+public:
+    AsciiStl(std::string& text, const Place& at) : text_(text), at_(at) {}
+
+    void check(const Progress& progress) {
+        for (std::size_t begin = 0; begin < text_.size();) {
+            const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+            if (++at_.line % 65'536 == 0 && progress) progress("checking", begin, text_.size());
+            line(begin, end);
+            begin = end + 1;
+        }
+        if (state_ != State::outside) at_.refuse("the file is cut off: endsolid is missing");
+        at_.line = 0;
+        if (facets_ == 0) at_.refuse("the file has no triangles");
+    }
+
+private:
+    enum class State { outside, solid, facet, loop, after_loop };
+
+    void line(std::size_t begin, std::size_t end) {
+        std::string_view rest(text_.data() + begin, end - begin);
+        check_text(rest, at_, "STL");
+        std::string_view tail = rest;
+        const std::string_view word = take_word(tail);
+        if (word.empty()) return;
+        const std::string key = lower(word);
+        // The importer knows small letters only; names of solids keep theirs.
+        std::copy(key.begin(), key.end(), text_.begin() + (word.data() - text_.data()));
+        if (key == "solid" && state_ == State::outside) state_ = State::solid;
+        else if (key == "endsolid" && state_ == State::solid) state_ = State::outside;
+        else if (key == "facet" && state_ == State::solid) facet(tail);
+        else if (key == "outer" && state_ == State::facet) expect(tail, "loop", State::loop);
+        else if (key == "vertex" && state_ == State::loop) vertex(tail);
+        else if (key == "endloop" && state_ == State::loop) endloop();
+        else if (key == "endfacet" && state_ == State::after_loop) endfacet();
+        else at_.refuse(shown(word) + " is out of place in a text STL");
+    }
+
+    void expect(std::string_view& tail, std::string_view wanted, State next) {
+        const std::string_view word = take_word(tail);
+        if (lower(word) != wanted) at_.refuse(fmt::format("'{}' expected, not {}", wanted, shown(word)));
+        std::copy(wanted.begin(), wanted.end(), text_.begin() + (word.data() - text_.data()));
+        state_ = next;
+    }
+
+    void facet(std::string_view tail) {
+        expect(tail, "normal", State::facet);
+        for (int i = 0; i < 3; ++i) {
+            const std::string_view word = take_word(tail);
+            // Facets without area often carry "nan"; the normal is not used, so a zero will do.
+            if (!std::isfinite(any_number(word, at_)))
+                std::fill_n(text_.begin() + (word.data() - text_.data()), word.size(), '0');
+        }
+        corners_ = 0;
+    }
+
+    void vertex(std::string_view tail) {
+        for (int i = 0; i < 3; ++i) finite_number(take_word(tail), at_);
+        if (const std::string_view more = take_word(tail); !more.empty()) at_.refuse(shown(more) + " after the third coordinate");
+        ++corners_;
+    }
+
+    void endloop() {
+        if (corners_ != 3) at_.refuse(fmt::format("a facet with {} vertices instead of 3", corners_));
+        state_ = State::after_loop;
+    }
+
+    void endfacet() {
+        state_ = State::solid;
+        if (++facets_ > max_triangles) at_.refuse(fmt::format("more than {} triangles", max_triangles));
+    }
+
+    std::string& text_;
+    Place at_;
+    State state_ = State::outside;
+    std::uint64_t corners_ = 0, facets_ = 0;
+};
+
+} // namespace
+
+Prepared prepare_stl(const std::filesystem::path& path, std::string bytes, const Progress& progress) {
+    const Place at{path.string()};
+    const bool is_binary_length = bytes.size() >= header_bytes && bytes.size() == header_bytes + facet_bytes * std::uint64_t{binary_count(bytes)};
+    const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+    const bool says_solid = start != bytes.npos && lower(std::string_view(bytes).substr(start, 5)) == "solid";
+    if (says_solid && !is_binary_length) AsciiStl(bytes, at).check(progress);
+    else check_binary(bytes, at, progress);
+    Prepared prepared;
+    prepared.main = "mesh.stl";
+    prepared.files["mesh.stl"] = std::move(bytes);
+    prepared.has_normals = false;
+    return prepared;
+}
+
+} // namespace rayclock

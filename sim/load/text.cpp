@@ -1,0 +1,96 @@
+#include "sim/load/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "model/core/error.hpp"
+
+namespace rayclock {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+} // namespace
+
+void Place::refuse(const std::string& sentence) const {
+    throw UserError(line != 0 ? fmt::format("{}: line {}: {}", file, line, sentence) : fmt::format("{}: {}", file, sentence));
+}
+
+std::string shown(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    std::string text = "'";
+    for (const char c : word.substr(0, longest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte >= 0x7f) text += fmt::format("\\x{:02x}", byte);
+        else text += c;
+    }
+    return text + (word.size() > longest ? "...'" : "'");
+}
+
+std::string_view take_word(std::string_view& rest) {
+    std::size_t begin = 0;
+    while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+    std::size_t end = begin;
+    while (end < rest.size() && !is_blank(rest[end])) ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
+}
+
+std::string_view take_line(std::string_view& rest) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+double any_number(std::string_view word, const Place& at) {
+    if (word.empty()) at.refuse("a number is missing at the end");
+    std::string_view digits = word;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) at.refuse(shown(word) + " is not a number");
+    // Out of range leaves the value alone; strtod tells too large (inf) from too small (0 or subnormal).
+    if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
+    return value;
+}
+
+double finite_number(std::string_view word, const Place& at) {
+    const double value = any_number(word, at);
+    if (std::abs(value) <= std::numeric_limits<float>::max()) return value;
+    if (std::find_if(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }) != word.end())
+        at.refuse(shown(word) + " is larger than a 32-bit float can hold");
+    at.refuse(shown(word) + " is not a finite number");
+}
+
+std::int64_t whole_number(std::string_view word, const Place& at) {
+    if (word.empty()) at.refuse("a whole number is missing at the end");
+    std::string_view digits = word;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size()) at.refuse(shown(word) + " is not a whole number");
+    return value;
+}
+
+std::string lower(std::string_view text) {
+    std::string small(text);
+    for (char& c : small)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return small;
+}
+
+void check_text(std::string_view line, const Place& at, std::string_view kind) {
+    for (const char c : line)
+        if ((static_cast<unsigned char>(c) < 0x20 && !is_blank(c)) || c == 0x7f)
+            at.refuse(fmt::format("this is not {}: {} is not text", kind, shown(line)));
+}
+
+} // namespace rayclock
