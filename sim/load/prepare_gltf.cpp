@@ -18,13 +18,26 @@ namespace {
 
 constexpr int max_depth = 500;    // the importer walks the tree by recursion
 
+/// Before anything else, because version 1 has objects where 2 has arrays.
+void check_version(const JsonValue& document, const Place& at) {
+    const JsonValue version = document.at("asset").at("version");
+    if (!version.string().starts_with("2.")) version.expected("\"2.0\"");
+    const auto required = document.find("extensionsRequired");
+    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
+                                                       "KHR_texture_basisu", "EXT_texture_webp"};
+    for (std::size_t i = 0; required && i < required->array().size(); ++i) {
+        const std::string name = (*required)[i].string();
+        if (!name.starts_with("KHR_materials_") && std::find(harmless.begin(), harmless.end(), name) == harmless.end())
+            at.refuse("needs the extension " + shown(name) + ", which is not supported");
+    }
+}
+
 class GltfWriter {
 public:
     GltfWriter(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container)
         : in_(document), at_{path.string()}, buffers_(document, path, container) {}
 
     Prepared write(const Progress& progress) {
-        check_version();
         const JsonValue none(empty_, at_.file);
         const JsonValue meshes = in_.find("meshes").value_or(none).array();
         for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -39,19 +52,6 @@ public:
     }
 
 private:
-    void check_version() {
-        const JsonValue version = in_.at("asset").at("version");
-        if (!version.string().starts_with("2.")) version.expected("\"2.0\"");
-        if (const auto required = in_.find("extensionsRequired"))
-            for (std::size_t i = 0; i < required->array().size(); ++i) {
-                const std::string name = (*required)[i].string();
-                constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
-                                                                   "KHR_texture_basisu", "EXT_texture_webp"};
-                if (!name.starts_with("KHR_materials_") && std::find(harmless.begin(), harmless.end(), name) == harmless.end())
-                    at_.refuse("needs the extension " + shown(name) + ", which is not supported");
-            }
-    }
-
     /// Appends numbers to the one buffer as 4-byte values and describes them by a new accessor.
     template <class T> std::size_t store(const std::vector<double>& numbers, int component, const char* type, std::size_t width) {
         const std::size_t start = buffer_.size();
@@ -284,11 +284,13 @@ private:
 Prepared prepare_gltf(const std::filesystem::path& path, std::string bytes, const Progress& progress) {
     const std::string file = path.string();
     const GltfContainer container = open_gltf(file, bytes);
-    if (!container.text.empty() && container.text.find_first_not_of(" \t\r\n") != container.text.npos &&
-        container.text[container.text.find_first_not_of(" \t\r\n")] != '{' && !container.text.starts_with("\xef\xbb\xbf"))
-        Place{file, 1}.refuse("this is not glTF: it begins with " + shown(container.text.substr(0, 8)));
-    const Json document = parse_json(file, container.text);
-    return GltfWriter(JsonValue(document, file), path, container).write(progress);
+    const std::string_view text = without_mark(container.text);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == text.npos || text[first] != '{') Place{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
+    const Json parsed = parse_json(file, text);
+    const JsonValue document(parsed, file);
+    check_version(document, Place{file});
+    return GltfWriter(document, path, container).write(progress);
 }
 
 } // namespace rayclock

@@ -45,7 +45,7 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, ignored)) return blocks;
     const std::string text = read_file(path);
     Place at{path.string()};
-    for (std::string_view rest = text; !rest.empty();) {
+    for (std::string_view rest = without_mark(text); !rest.empty();) {
         const std::string_view whole = take_line(rest);
         ++at.line;
         check_text(whole, at, "MTL");

@@ -128,8 +128,7 @@ private:
     void material(std::string_view rest) {
         const std::string name = trimmed(rest);
         check_text(name, at_, "OBJ");
-        if (name.empty()) at_.refuse("usemtl without a name");
-        use(name);
+        use(name.empty() ? "default" : name);  // exporters do leave it out
     }
 
     void use(const std::string& name) {
@@ -202,7 +201,7 @@ Prepared prepare_obj(const std::filesystem::path& path, std::string text, const 
     std::replace(text.begin(), text.end(), joined_break, ' ');
     join_lines(text);
     ObjWriter writer(path, text.size());
-    std::string_view rest = text;
+    std::string_view rest = without_mark(text);
     for (std::uint64_t line = 1, breaks = 0; !rest.empty(); line += 1 + breaks) {
         if (progress && line % 65'536 == 1) progress("checking", text.size() - rest.size(), text.size());
         const std::string_view statement = take_line(rest);

@@ -80,6 +80,11 @@ std::int64_t whole_number(std::string_view word, const Place& at) {
     return value;
 }
 
+std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 std::string lower(std::string_view text) {
     std::string small(text);
     for (char& c : small)

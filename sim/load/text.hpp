@@ -34,6 +34,9 @@ double any_number(std::string_view word, const Place& at);
 /// A whole number.
 std::int64_t whole_number(std::string_view word, const Place& at);
 
+/// The text without the mark that some editors put in front of UTF-8.
+std::string_view without_mark(std::string_view text);
+
 /// The same text in small letters (ASCII).
 std::string lower(std::string_view text);
 
