@@ -1,0 +1,42 @@
+#pragma once
+// The truth about a frame: every pixel's ray against every triangle, in exact integers, written from the geometry.
+//
+// Shares with the model only the lattice (which points the vertices went to) and the camera registers. Sidedness comes
+// from signed volumes with the origin moved by an infinitesimal (e, e^2, e^3), as polynomials in e; the distance from the
+// plane's equation as a fraction.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "sim/engine/engine.hpp"
+
+namespace rayclock::test {
+
+using Int = boost::multiprecision::checked_int256_t;
+
+struct ExactHit {
+    std::uint32_t primitive = no_primitive;
+    Int num, den;   ///< the hit lies at o + d num / den; den > 0
+};
+
+/// Triangles of a scene on a lattice, by primitive number; those without area are there, and never hit.
+class ExactScene {
+public:
+    ExactScene(const Scene& scene, const Lattice& lattice);
+
+    /// Closest triangle along o + t d, t > 0; of equal ones the lowest number.
+    ExactHit closest(const Vec3i& o, const Vec3i& d) const;
+
+private:
+    struct Corners {
+        Vec3i a, b, c;
+    };
+    std::vector<Corners> triangles_;
+};
+
+/// Direction of a pixel's ray from the camera registers: the nearest integer, halves up.
+Vec3i exact_direction(const Frame& frame, int x, int y);
+
+} // namespace rayclock::test

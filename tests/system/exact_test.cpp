@@ -1,0 +1,87 @@
+// The model shows the exact truth of the snapped scene: same primitive in every pixel, distance and weights as stated.
+#include <catch2/catch.hpp>
+
+#include "model/accel/memory_image.hpp"
+#include "model/machine.hpp"
+#include "tests/system/exact.hpp"
+#include "tests/system/frames.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+/// Every pixel of a frame against brute force.
+void check_exact(const Scene& scene, const Job& job) {
+    const ExactScene exact(scene, job.image.lattice);
+    Machine machine(job.image, job.frame, job.config);
+    const int time_bits = job.config.dir_bits - 1 + job.config.t_frac_bits;
+    const Int beyond = (Int(1) << job.config.t_bits()) - 1;
+    std::size_t hits = 0, wrong = 0, wrong_t = 0;
+    while (!machine.done()) {
+        machine.step();
+        if (!(machine.fire_mask() & bit(Channel::hit))) continue;
+        const HitOut out = machine.last_hit();
+        const ExactHit truth = exact.closest(job.frame.eye, exact_direction(job.frame, int(out.x), int(out.y)));
+        const std::uint32_t prim = out.closest.found ? out.closest.prim : no_primitive;
+        wrong += prim != truth.primitive;
+        if (prim != truth.primitive) UNSCOPED_INFO("pixel " << out.x << "," << out.y << ": " << prim << ", and truly " << truth.primitive);
+        if (truth.primitive == no_primitive) continue;
+        ++hits;
+        // t rounded up: t - 1 < 2^k num / den <= t, unless saturated.
+        const Int scaled = truth.num << time_bits, t = out.closest.t;
+        wrong_t += !(t == beyond ? (t - 1) * truth.den < scaled : (t - 1) * truth.den < scaled && scaled <= t * truth.den);
+    }
+    CHECK(wrong == 0);
+    CHECK(wrong_t == 0);
+    CHECK(hits > job.size.width * std::size_t(job.size.height) / 50);
+}
+
+/// Triangles of all sizes, at random, some sharing corners, some edge-on, some the same twice.
+Scene soup(std::uint64_t seed, int triangles) {
+    Rng rng(seed);
+    const auto coordinate = [&](int steps) { return (rng.below(2 * steps + 1) - steps) / double(steps); };
+    Scene scene;
+    scene.name = "soup";
+    scene.materials.push_back({});
+    for (int i = 0; i < triangles; ++i) {
+        const double size = i % 3 == 0 ? 0.9 : i % 3 == 1 ? 0.2 : 0.02;
+        const glm::dvec3 at{coordinate(8), coordinate(8), coordinate(8)};
+        for (int k = 0; k < 3; ++k) scene.vertices.push_back(at + size * glm::dvec3{coordinate(4), coordinate(4), coordinate(4)});
+        const auto first = std::uint32_t(3 * i);
+        scene.triangles.push_back({{first, first + 1, first + 2}, 0});
+        if (i % 5 == 4) scene.triangles.push_back({{first - 1, first, first + 2}, 0});
+        if (i % 7 == 6) scene.triangles.push_back({{first + 1, first, first + 2}, 0});
+    }
+    scene.camera = Camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40};
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("every pixel holds the primitive that exact arithmetic finds: scenes") {
+    const std::string name = GENERATE("teapot:3", "icosphere:3", "cornell", "tetra:4");
+    const std::string config = GENERATE("default", "small", "narrow", "broad");
+    INFO(name << " on " << config);
+    const Shot shot = make_shot(name, {32, 24}, quick_config(config));
+    check_exact(shot.scene, shot.job);
+}
+
+TEST_CASE("every pixel holds the primitive that exact arithmetic finds: random triangles") {
+    const int seed = GENERATE(range(1, 9));
+    const std::string config = GENERATE("default", "small", "narrow", "broad");
+    INFO("soup " << seed << " on " << config);
+    const Scene scene = soup(std::uint64_t(seed), 60 + 20 * seed);
+    check_exact(scene, make_job(scene, *scene.camera, {32, 24}, quick_config(config)));
+}
+
+TEST_CASE("every pixel holds the primitive that exact arithmetic finds: camera on vertices, edges and axes") {
+    // From a lattice point of the mesh's symmetry planes, pixel centres fall on edges and directions have zero components.
+    const glm::dvec3 eye = GENERATE(glm::dvec3{0, 0, 3}, glm::dvec3{3, 0, 0}, glm::dvec3{0, -3, 0}, glm::dvec3{0, 0, 0}, glm::dvec3{2, 2, 2});
+    const std::string name = GENERATE("icosphere:2", "tetra:3");
+    Shot shot = make_shot(name, {33, 33}, named_config("default"));
+    shot.scene.camera = Camera{eye, eye == glm::dvec3{0} ? glm::dvec3{0, 0, -1} : glm::dvec3{0}, std::abs(eye.y) > 2.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0}, 40};
+    INFO(name << " from " << eye.x << " " << eye.y << " " << eye.z);
+    for (const char* config : {"default", "narrow"})
+        check_exact(shot.scene, make_job(shot.scene, *shot.scene.camera, {33, 33}, quick_config(config)));
+}

@@ -1,0 +1,117 @@
+// Model against the double-precision reference: every pixel that differs lies where the lattice may decide otherwise.
+//
+// Let p be the lattice pitch. Snapping moves a vertex by at most p / 2 on each axis, and so the eye; both together move
+// a vertex as seen from the eye by at most sqrt(3) p. Camera registers are rounded, and then the direction: each component
+// of the integer direction D is off by at most 1/2 (the last rounding) plus (1 + x + y) / 2^(guard_bits + 1) < 0.01 (the
+// registers), so a point at distance z along the ray moves sideways by at most z theta, theta = sqrt(3) 0.51 / |D|.
+//
+// Move everything continuously from the scene as given to the snapped one. If the ray is inside a triangle before and
+// outside after, then on the way it crossed the triangle's boundary, so at the beginning it passes a point of one of the
+// triangle's edges within eps = sqrt(3) p + z theta. If it is inside both triangles before and after and their order along the
+// ray changed, they met on the way: a distance along the ray changes by at most eps (1 + 1 / |cos|), cos the cosine between
+// the ray and the triangle's normal (to first order in eps; the factor of 2 below covers the rest for triangles whose
+// normal turns little), so they were at most the sum of both apart. A pixel whose ray keeps clear of all this must show the
+// same primitive. The count is then bounded by that of pixels near an edge: an edge of l pixels in the picture decides
+// 2 l eps' pixels on average, eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.002, and even where triangles are as
+// small as pixels there are some 6 pixels of edge for every pixel: 2.4 %. Half a percent is demanded of every scene. Ties
+// are counted apart: where surfaces coincide (in rings) no precision decides, and rounding does in the reference.
+#include <catch2/catch.hpp>
+
+#include <glm/geometric.hpp>
+
+#include "model/raygen/raygen.hpp"
+#include "model/reference/reference.hpp"
+#include "sim/report/json.hpp"
+#include "tests/system/frames.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+using glm::dvec3;
+
+class Explainer {
+public:
+    Explainer(const Shot& shot)
+        : scene_(shot.scene), job_(shot.job), rays_(pixel_rays(*shot.scene.camera, shot.job.size)) {}
+
+    bool near_boundary(std::uint32_t primitive, int x, int y) const {
+        if (primitive == no_primitive) return false;
+        const Ray ray = at(x, y);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const dvec3 a = corner(primitive, k), b = corner(primitive, (k + 1) % 3);
+            if (distance_to_edge(ray, a, b) <= tolerance(ray, glm::max(glm::distance(a, rays_.eye), glm::distance(b, rays_.eye)))) return true;
+        }
+        return false;
+    }
+
+    bool near_tie(std::uint32_t first, std::uint32_t second, int x, int y) const {
+        if (first == no_primitive || second == no_primitive) return false;
+        const Ray ray = at(x, y);
+        double depth[2], reach = 0;
+        for (int i = 0; i < 2; ++i) {
+            const std::uint32_t primitive = i ? second : first;
+            const dvec3 n = glm::normalize(glm::cross(corner(primitive, 1) - corner(primitive, 0), corner(primitive, 2) - corner(primitive, 0)));
+            const double cosine = glm::dot(n, ray.unit);
+            depth[i] = glm::dot(n, corner(primitive, 0) - rays_.eye) / cosine;
+            reach += tolerance(ray, depth[i]) * (1 + 1 / std::abs(cosine));
+        }
+        return std::abs(depth[0] - depth[1]) <= 2 * reach;
+    }
+
+private:
+    struct Ray {
+        dvec3 unit;
+        double theta;
+    };
+    Ray at(int x, int y) const {
+        const Vec3i d = pixel_direction(std::uint32_t(x), std::uint32_t(y), job_.frame);
+        return {glm::normalize(rays_.direction(x, y)), std::sqrt(3.0) * 0.51 / glm::length(dvec3{d[0], d[1], d[2]})};
+    }
+    double tolerance(const Ray& ray, double z) const { return std::sqrt(3.0) * job_.image.lattice.pitch + ray.theta * z; }
+    dvec3 corner(std::uint32_t primitive, std::size_t k) const { return scene_.vertices[scene_.triangles[primitive].vertex[k]]; }
+
+    /// Least distance between the ray's line and the segment a..b: in the plane across the ray, that of a point and a segment.
+    double distance_to_edge(const Ray& ray, const dvec3& a, const dvec3& b) const {
+        const auto across = [&](const dvec3& p) { return (p - rays_.eye) - glm::dot(p - rays_.eye, ray.unit) * ray.unit; };
+        const dvec3 from = across(a), to = across(b), along = to - from;
+        const double length2 = glm::dot(along, along);
+        const double s = length2 > 0 ? glm::clamp(-glm::dot(from, along) / length2, 0.0, 1.0) : 0;
+        return glm::length(from + s * along);
+    }
+
+    const Scene& scene_;
+    const Job& job_;
+    PixelRays rays_;
+};
+
+} // namespace
+
+TEST_CASE("pixels that differ from the reference lie within rounding of an edge or of a tie") {
+    const std::string name = GENERATE("tetra:4", "mount:4", "gears:1", "gears:2", "balls:1", "balls:2", "teapot:6", "cornell", "icosphere:3", "rings:1", "tree:6");
+    const int bits = GENERATE(12, 16, 18, 20);
+    const FrameSize size{96, 72};
+    const Config config = with(named_config("default"), {{"coord_bits", bits}, {"dir_bits", bits == 12 ? 16 : 20}, {"stack_depth", 32}});
+    const Shot shot = make_shot(name, size, config);
+    const HitFrame reference = Reference(shot.scene).frame(*shot.scene.camera, size);
+    const HitFrame model = run_model(shot.job).hits;
+    const Explainer explain(shot);
+    std::size_t differ = 0, ties = 0, unexplained = 0;
+    for (std::size_t i = 0; i < model.hits.size(); ++i) {
+        const std::uint32_t a = reference.hits[i].primitive, b = model.hits[i].primitive;
+        if (a == b) continue;
+        ++differ;
+        const int x = int(i) % size.width, y = int(i) / size.width;
+        const bool tie = explain.near_tie(a, b, x, y);
+        ties += tie;
+        if (tie || explain.near_boundary(a, x, y) || explain.near_boundary(b, x, y)) continue;
+        ++unexplained;
+        UNSCOPED_INFO("pixel " << x << "," << y << " is " << b << ", and in the reference " << a);
+    }
+    INFO(name << " at " << bits << " bits: " << differ << " pixels differ, " << ties << " of them by a tie");
+    CHECK(unexplained == 0);
+    if (bits >= 18) CHECK(differ - ties <= model.hits.size() / 200);
+    const FrameError error = frame_error(shot.scene, model, reference);
+    CHECK(error.pixels_other_primitive == differ);
+}
