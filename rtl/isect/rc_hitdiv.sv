@@ -44,24 +44,41 @@ module rc_hitdiv #(
   assign u_top = u_i == det_i;
   assign v_top = v_i == det_i;
 
-  logic [Q-1:0] t_quo, u_quo, v_quo;
-  logic         t_inexact, u_inexact, v_inexact;
+  logic [Q-1:0]  t_quo;
+  logic          t_inexact;
   rc_divide #(.Width(E), .Stages(Stages)) u_t (
     .clk_i, .valid_i, .rem_i(beyond ? '0 : num_above[E-1:0]), .low_i(num_below), .den_i(det_i),
     .quo_o(t_quo), .inexact_o(t_inexact));
-  rc_divide #(.Width(E), .Stages(Stages)) u_u (
+
+  // u and v have fewer bits: they are done earlier, and wait for t.
+  localparam int unsigned Short = (B + 1) / 2;
+  localparam int unsigned Rest  = Stages - Short;
+  logic [2*Short-1:0] u_quo, v_quo;
+  logic               u_inexact, v_inexact;
+  rc_divide #(.Width(E), .Stages(Short)) u_u (
     .clk_i, .valid_i, .rem_i(u_top ? '0 : u_i), .low_i('0), .den_i(det_i),
     .quo_o(u_quo), .inexact_o(u_inexact));
-  rc_divide #(.Width(E), .Stages(Stages)) u_v (
+  rc_divide #(.Width(E), .Stages(Short)) u_v (
     .clk_i, .valid_i, .rem_i(v_top ? '0 : v_i), .low_i('0), .den_i(det_i),
     .quo_o(v_quo), .inexact_o(v_inexact));
 
-  logic [Stages-1:0]          valid_q;
-  (* mem2reg *) logic [2:0]   flags_q [Stages];
+  logic [Stages-1:0]        valid_q;
+  (* mem2reg *) logic [2:0] flags_q [Stages];
+  logic [2*B-1:0]           end_uv;
   always_ff @(posedge clk_i) begin
     valid_q <= {valid_q[Stages-2:0], valid_i};
     if (valid_i) flags_q[0] <= {beyond, u_top, v_top};
     for (int i = 1; i < Stages; i++) if (valid_q[i-1]) flags_q[i] <= flags_q[i-1];
+  end
+  if (Rest == 0) begin : gen_no_wait
+    assign end_uv = {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
+  end else begin : gen_wait
+    (* mem2reg *) logic [2*B-1:0] uv_q [Rest];
+    always_ff @(posedge clk_i) begin
+      if (valid_q[Short-1]) uv_q[0] <= {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
+      for (int i = 1; i < Rest; i++) if (valid_q[Short-1+i]) uv_q[i] <= uv_q[i-1];
+    end
+    assign end_uv = uv_q[Rest-1];
   end
 
   logic         end_beyond, end_u_top, end_v_top, t_up;
@@ -74,8 +91,8 @@ module rc_hitdiv #(
     assign t_up = t_inexact;
   end
   assign t_o = end_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
-  assign u_o = {end_u_top, u_quo[Q-1 -: B]};
-  assign v_o = {end_v_top, v_quo[Q-1 -: B]};
+  assign u_o = {end_u_top, end_uv[2*B-1 -: B]};
+  assign v_o = {end_v_top, end_uv[B-1:0]};
 
   logic unused;
   assign unused = ^{u_quo, v_quo, u_inexact, v_inexact, num_above[WideW-1:E], valid_q[Stages-1]};

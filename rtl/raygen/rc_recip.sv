@@ -21,10 +21,14 @@ module rc_recip (
   logic [M-1:0] s0_mag, s0_m;
   logic [E-1:0] s0_len;
   always_comb begin
-    s0_mag = d_i[M-1] ? $unsigned(-d_i) : $unsigned(d_i);
+    s0_mag = '0;
     s0_len = '0;
-    for (int i = 0; i < M; i++) if (s0_mag[i]) s0_len = E'(i + 1);
-    s0_m = s0_mag << (E'(M) - s0_len);
+    s0_m   = '0;
+    if (valid_i) begin
+      s0_mag = d_i[M-1] ? $unsigned(-d_i) : $unsigned(d_i);
+      for (int i = 0; i < M; i++) if (s0_mag[i]) s0_len = E'(i + 1);
+      s0_m = s0_mag << (E'(M) - s0_len);
+    end
   end
 
   // s1: the quotient's top bit is one only for a power of two, which divides exactly.

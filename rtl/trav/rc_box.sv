@@ -75,7 +75,7 @@ module rc_box (
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_slab u_slab (
       .clk_i,
-      .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]),
+      .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]), .s3_valid_i(valid_q[2]),
       .s0_o_i($signed(s0_o[k*N +: N])), .s0_org_i($signed(s0_org[k*N +: N])), .s0_neg_i(s0_neg[k]),
       .s0_recip_i(s0_recip[k*R1 +: R1]), .s0_len_i(s0_len[k*E +: E]), .s0_exp_i(s0_exp[k*E +: E]),
       .s2_lo_i(s2_axis_lo[k*W*B +: W*B]), .s2_hi_i(s2_axis_hi[k*W*B +: W*B]),
@@ -95,12 +95,13 @@ module rc_box (
   logic [W-1:0]   s4_hit_q;
   logic [W*T-1:0] s4_near_q;
   for (genvar i = 0; i < W; i++) begin : gen_child
-    logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, near, far;
+    logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy;
     assign {nx, ny, nz} = {s3_near[i*T +: T], s3_near[(W+i)*T +: T], s3_near[(2*W+i)*T +: T]};
     assign {fx, fy, fz} = {s3_far[i*T +: T], s3_far[(W+i)*T +: T], s3_far[(2*W+i)*T +: T]};
-    assign nxy  = nx > ny ? nx : ny;
+    assign nxy = nx > ny ? nx : ny;
+    assign fxy = fx < fy ? fx : fy;
+    logic [T-1:0] near, far;
     assign near = nxy > nz ? nxy : nz;
-    assign fxy  = fx < fy ? fx : fy;
     assign far  = fxy < fz ? fxy : fz;
     always_ff @(posedge clk_i) begin
       if (valid_q[2]) begin

@@ -1,6 +1,6 @@
 // One axis of the slab test for all children of a node: where the ray enters and
 // leaves each slab, rounded down and up. Part of rc_box, which has the valid bits:
-// operands in s0, planes in s2, interval from the registers of s3.
+// operands in s0, planes in s2, interval from the registers of s3 (zero if s3 holds nothing).
 // Model: make_axis() and scale_*() in model/trav/box.cpp.
 `default_nettype none
 module rc_slab #(
@@ -15,6 +15,7 @@ module rc_slab #(
   input  logic                s0_valid_i,
   input  logic                s1_valid_i,
   input  logic                s2_valid_i,
+  input  logic                s3_valid_i,
   input  logic signed [N-1:0] s0_o_i,
   input  logic signed [N-1:0] s0_org_i,
   input  logic                s0_neg_i,
@@ -30,17 +31,16 @@ module rc_slab #(
   localparam int unsigned D  = N + 1;       // plane distance, signed
   localparam int unsigned P  = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
   localparam int unsigned V  = P + 1;       // plus plane * r, signed
-  localparam int unsigned S  = E + 2;       // shift, signed
-  // x + e = F + M - len - R + e; the constant part:
-  localparam logic signed [S+3:0] ShiftBase = (S+4)'(rc_pkg::TFracBits) + (S+4)'(rc_pkg::DirBits)
-                                            - (S+4)'(rc_pkg::RecipBits);
+  localparam int unsigned S  = 8;           // shift, signed; within +-63 (model/core/config.cpp)
+  // shift = x + e = F + M - len - R + e; the constant part:
+  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::DirBits) - S'(rc_pkg::RecipBits);
 
   // s1: distance from the ray's origin to the node's, along the ray.
   logic signed [D-1:0] s1_distance_q;
   logic [R1-1:0]       s1_r_q, s2_r_q;
   logic                s1_neg_q, s1_zero_q, s2_neg_q, s2_zero_q;
   logic [E-1:0]        s1_exp_q;
-  logic signed [S+3:0] s1_shift_q, s2_shift_q;
+  logic signed [S-1:0] s1_shift_q, s2_shift_q;
   always_ff @(posedge clk_i) begin
     if (s0_valid_i) begin
       s1_distance_q <= s0_neg_i ? D'(s0_o_i) - D'(s0_org_i) : D'(s0_org_i) - D'(s0_o_i);
@@ -48,7 +48,7 @@ module rc_slab #(
       s1_neg_q      <= s0_neg_i;
       s1_zero_q     <= s0_len_i == '0;
       s1_exp_q      <= s0_exp_i;
-      s1_shift_q    <= ShiftBase - $signed({4'b0, 2'b0, s0_len_i}) + $signed({4'b0, 2'b0, s0_exp_i});
+      s1_shift_q    <= ShiftBase - $signed({{(S-E){1'b0}}, s0_len_i}) + $signed({{(S-E){1'b0}}, s0_exp_i});
     end
   end
 
@@ -74,7 +74,10 @@ module rc_slab #(
   (* mem2reg *) logic signed [V-1:0] s3_near_q [W];
   (* mem2reg *) logic signed [V-1:0] s3_far_q [W];
   logic                s3_zero_q;
-  logic signed [S+3:0] s3_shift_q;
+  logic [5:0]          s3_left_q, s3_right_q;   // one of them is zero
+  logic [R1-1:0]       s3_up_q;                 // 2^right - 1: what rounding up adds
+  logic signed [S-1:0] s2_right;
+  assign s2_right = s2_shift_q[S-1] ? -s2_shift_q : '0;
   always_ff @(posedge clk_i) begin
     if (s2_valid_i) begin
       for (int i = 0; i < W; i++) begin
@@ -84,7 +87,9 @@ module rc_slab #(
                                  : V'(s2_far_q) + step(s2_hi_i[i*B +: B], s2_r_up);
       end
       s3_zero_q  <= s2_zero_q;
-      s3_shift_q <= s2_shift_q;
+      s3_left_q  <= s2_shift_q[S-1] ? 6'd0 : s2_shift_q[5:0];
+      s3_right_q <= s2_right[5:0];
+      s3_up_q    <= ~({R1{1'b1}} << s2_right[5:0]);
     end
   end
 
@@ -92,25 +97,29 @@ module rc_slab #(
     step = $signed({{(V-B){1'b0}}, plane} * {{(V-R1){1'b0}}, r});
   endfunction
 
-  // Distance v * 2^shift of a non-negative v, rounded down or up, saturated at all ones.
-  function automatic logic [T-1:0] scale(input logic [V-1:0] v, input logic signed [S+3:0] shift, input logic up);
-    logic [63:0] wide, moved;
-    logic [S+3:0] right;
-    right = -shift;
-    wide  = {{(64-V){1'b0}}, v};
-    if (!shift[S+3]) moved = wide << shift[S+2:0];
-    else if (!up)    moved = wide >> right;
-    else             moved = (wide >> right) + {63'b0, ((wide >> right) << right) != wide};
+  // Distance of a non-negative v, moved to its place and saturated at all ones.
+  function automatic logic [T-1:0] scale(input logic [V-1:0] v, input logic [5:0] left, input logic [5:0] right);
+    logic [63:0] moved;
+    moved = ({{(64-V){1'b0}}, v} >> right) << left;
     scale = |moved[63:T] ? '1 : moved[T-1:0];
   endfunction
 
-  for (genvar i = 0; i < W; i++) begin : gen_child
-    logic signed [V-1:0] near, far;
-    assign near = s3_near_q[i];
-    assign far  = s3_far_q[i];
-    assign s3_near_o[i*T +: T] = s3_zero_q || near[V-1] ? '0 : scale(near, s3_shift_q, 1'b0);
-    assign s3_far_o[i*T +: T]  = s3_zero_q ? '1 : scale(far, s3_shift_q, 1'b1);
-    assign s3_miss_o[i]        = far[V-1] || (s3_zero_q && !near[V-1] && near != '0);
+  always_comb begin
+    s3_near_o = '0;
+    s3_far_o  = '0;
+    s3_miss_o = '0;
+    if (s3_valid_i) begin
+      for (int i = 0; i < W; i++) begin
+        if (!s3_zero_q && !s3_near_q[i][V-1])
+          s3_near_o[i*T +: T] = scale($unsigned(s3_near_q[i]), s3_left_q, s3_right_q);
+        s3_far_o[i*T +: T] = s3_zero_q ? '1
+          : scale($unsigned(s3_far_q[i]) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q, s3_right_q);
+        s3_miss_o[i] = s3_far_q[i][V-1] || (s3_zero_q && !s3_near_q[i][V-1] && s3_near_q[i] != '0);
+      end
+    end
   end
+
+  logic unused;
+  assign unused = ^{s2_shift_q[6], s2_right[S-1:6]};
 endmodule
 `default_nettype wire

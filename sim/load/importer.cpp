@@ -74,7 +74,8 @@ private:
 
 Imported import_files(const std::string& file, const Prepared& prepared, const Progress& progress) {
     Imported result{std::make_unique<Assimp::Importer>()};
-    result.importer->SetIOHandler(new MemoryFiles(prepared));    // both are owned by the importer
+    // Both are owned by the importer. They may outlive what they refer to: after reading they are only deleted.
+    result.importer->SetIOHandler(new MemoryFiles(prepared));
     result.importer->SetProgressHandler(new Reporter(progress));
     std::string reason;
     try {
@@ -85,10 +86,7 @@ Imported import_files(const std::string& file, const Prepared& prepared, const P
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    // Both refer to what does not outlive this call.
-    result.importer->SetProgressHandler(nullptr);
     if (result.scene == nullptr) Place{file}.refuse("the importer gave up (" + reason + ")");
-    result.importer->SetIOHandler(nullptr);
     return result;
 }
 

@@ -2,7 +2,7 @@
 //
 // The importer drops faces with bad indices, guesses at cut-off files and crashes on some broken ones, all
 // without a word. So each format has a checker that refuses with file, line and value, and hands over only
-// what it has understood: OBJ, PLY and glTF written anew in their plainest form, STL as it is.
+// what it has understood, written anew in the plainest form of the format.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -3,6 +3,7 @@
 // that also keeps the faces in the order of the file, which the importer would sort by group.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -92,11 +93,21 @@ private:
         // Beyond the third there may be a weight or a colour; they are checked and not used.
         int count = 0;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            finite_number(word, at_);
-            if (++count <= 3) (out_ += word) += ' ';
+            const auto value = static_cast<float>(finite_number(word, at_));
+            if (++count <= 3) coordinate(value);
         }
         if (count < 3) at_.refuse(fmt::format("{}needs 3 numbers and has {}", key, count));
         out_.back() = '\n';
+    }
+
+    /// Written anew, because the importer takes ".5" for no number at all and leaves out the vertex. It adds whole part
+    /// and fraction as floats and multiplies by powers of ten, so these spellings are the ones that it reads exactly.
+    void coordinate(float value) {
+        const float size = std::abs(value);
+        const auto to = std::back_inserter(out_);
+        if (size >= 1 && size < 1e18f) fmt::format_to(to, "{:.9f} ", value);
+        else if (size > 1e-6f && size < 1e-3f) fmt::format_to(to, "{:.15f} ", value);
+        else fmt::format_to(to, "{} ", value);
     }
 
     void face(std::string_view rest) {

@@ -112,10 +112,12 @@ public:
                     if (property.count) list(element, i, property, is_face && property.name.starts_with("vertex_ind"));
                     else number(element, i, property, is_vertex ? place_of(property.name) : -1);
                 body_.end();
-                if (is_vertex) points_.append(reinterpret_cast<const char*>(row_), sizeof(float) * (has_normals_ ? 6 : 3));
+                if (!is_vertex) continue;
+                points_ += pad;
+                points_.append(reinterpret_cast<const char*>(row_), sizeof(float) * (has_normals_ ? 6 : 3));
             }
         }
-        std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", vertices_);
+        std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty uchar pad\n", vertices_);
         for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
             if (has_normals_ || name[0] != 'n') out += fmt::format("property float {}\n", name);
         out += fmt::format("element face {}\nproperty list uint uint vertex_indices\nend_header\n", faces_);
@@ -157,6 +159,9 @@ private:
         const auto value = static_cast<std::uint32_t>(whole);
         indices_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
+
+    /// In front of each vertex: the importer skips the first byte of the data if it looks like a line break.
+    static constexpr char pad = '\1';
 
     const PlyHeader& header_;
     Body body_;

@@ -1,6 +1,5 @@
 // STL, text and binary. Whether it is one or the other is decided by the length, which in the binary form follows
-// from the count; many binary files begin with "solid" all the same. The importer gets exactly that length.
-#include <algorithm>
+// from the count; many binary files begin with "solid" all the same. The importer gets the binary form, exactly that long.
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -41,66 +40,59 @@ void check_binary(std::string& bytes, const Place& at, const Progress& progress)
     }
 }
 
-/// One pass over the text form: facet (normal) / outer loop / three of vertex / endloop / endfacet.
-class AsciiStl {
+/// One pass over the text form, which becomes binary: facet (normal) / outer loop / three of vertex / endloop / endfacet.
+class TextStl {
 public:
-    AsciiStl(std::string& text, const Place& at) : text_(text), at_(at) {}
+    TextStl(std::string_view text, const Place& at) : text_(text), at_(at) {}
 
-    void check(const Progress& progress) {
-        for (std::size_t begin = 0; begin < text_.size();) {
-            const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-            if (++at_.line % 65'536 == 0 && progress) progress("checking", begin, text_.size());
-            line(begin, end);
-            begin = end + 1;
+    std::string to_binary(const Progress& progress) {
+        for (std::string_view rest = text_; !rest.empty();) {
+            if (++at_.line % 65'536 == 0 && progress) progress("checking", text_.size() - rest.size(), text_.size());
+            line(take_line(rest));
         }
         if (state_ != State::outside) at_.refuse("the file is cut off: endsolid is missing");
         at_.line = 0;
         if (facets_ == 0) at_.refuse("the file has no triangles");
+        std::memcpy(out_.data() + 80, &facets_, sizeof facets_);
+        return std::move(out_);
     }
 
 private:
     enum class State { outside, solid, facet, loop, after_loop };
 
-    void line(std::size_t begin, std::size_t end) {
-        std::string_view rest(text_.data() + begin, end - begin);
+    void line(std::string_view rest) {
         check_text(rest, at_, "STL");
-        std::string_view tail = rest;
-        const std::string_view word = take_word(tail);
+        const std::string_view word = take_word(rest);
         if (word.empty()) return;
         const std::string key = lower(word);
-        // The importer knows small letters only; names of solids keep theirs.
-        std::copy(key.begin(), key.end(), text_.begin() + (word.data() - text_.data()));
         if (key == "solid" && state_ == State::outside) state_ = State::solid;
         else if (key == "endsolid" && state_ == State::solid) state_ = State::outside;
-        else if (key == "facet" && state_ == State::solid) facet(tail);
-        else if (key == "outer" && state_ == State::facet) expect(tail, "loop", State::loop);
-        else if (key == "vertex" && state_ == State::loop) vertex(tail);
+        else if (key == "facet" && state_ == State::solid) facet(rest);
+        else if (key == "outer" && state_ == State::facet) expect(rest, "loop", State::loop);
+        else if (key == "vertex" && state_ == State::loop) vertex(rest);
         else if (key == "endloop" && state_ == State::loop) endloop();
         else if (key == "endfacet" && state_ == State::after_loop) endfacet();
         else at_.refuse(shown(word) + " is out of place in a text STL");
     }
 
-    void expect(std::string_view& tail, std::string_view wanted, State next) {
-        const std::string_view word = take_word(tail);
+    void expect(std::string_view& rest, std::string_view wanted, State next) {
+        const std::string_view word = take_word(rest);
         if (lower(word) != wanted) at_.refuse(fmt::format("'{}' expected, not {}", wanted, shown(word)));
-        std::copy(wanted.begin(), wanted.end(), text_.begin() + (word.data() - text_.data()));
         state_ = next;
     }
 
-    void facet(std::string_view tail) {
-        expect(tail, "normal", State::facet);
+    void facet(std::string_view rest) {
+        expect(rest, "normal", State::facet);
         for (int i = 0; i < 3; ++i) {
-            const std::string_view word = take_word(tail);
-            // Facets without area often carry "nan"; the normal is not used, so a zero will do.
-            if (!std::isfinite(any_number(word, at_)))
-                std::fill_n(text_.begin() + (word.data() - text_.data()), word.size(), '0');
+            any_number(take_word(rest), at_);  // facets without area often carry "nan"; nobody reads it
+            store(0);
         }
         corners_ = 0;
     }
 
-    void vertex(std::string_view tail) {
-        for (int i = 0; i < 3; ++i) finite_number(take_word(tail), at_);
-        if (const std::string_view more = take_word(tail); !more.empty()) at_.refuse(shown(more) + " after the third coordinate");
+    void vertex(std::string_view rest) {
+        for (int i = 0; i < 3; ++i) store(static_cast<float>(finite_number(take_word(rest), at_)));
+        if (const std::string_view more = take_word(rest); !more.empty()) at_.refuse(shown(more) + " after the third coordinate");
         ++corners_;
     }
 
@@ -111,13 +103,18 @@ private:
 
     void endfacet() {
         state_ = State::solid;
+        out_.append(2, '\0');
         if (++facets_ > max_triangles) at_.refuse(fmt::format("more than {} triangles", max_triangles));
     }
 
-    std::string& text_;
+    void store(float value) { out_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+
+    std::string_view text_;
     Place at_;
     State state_ = State::outside;
-    std::uint64_t corners_ = 0, facets_ = 0;
+    std::uint64_t corners_ = 0;
+    std::uint32_t facets_ = 0;
+    std::string out_ = std::string(header_bytes, ' ');
 };
 
 } // namespace
@@ -127,7 +124,7 @@ Prepared prepare_stl(const std::filesystem::path& path, std::string bytes, const
     const bool is_binary_length = bytes.size() >= header_bytes && bytes.size() == header_bytes + facet_bytes * std::uint64_t{binary_count(bytes)};
     const std::size_t start = bytes.find_first_not_of(" \t\r\n");
     const bool says_solid = start != bytes.npos && lower(std::string_view(bytes).substr(start, 5)) == "solid";
-    if (says_solid && !is_binary_length) AsciiStl(bytes, at).check(progress);
+    if (says_solid && !is_binary_length) bytes = TextStl(bytes, at).to_binary(progress);
     else check_binary(bytes, at, progress);
     Prepared prepared;
     prepared.main = "mesh.stl";

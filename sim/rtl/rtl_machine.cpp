@@ -16,17 +16,10 @@ void offer(const RcPort& port, const std::uint32_t* line, int bits, std::uint32_
     if (port.bytes > 4 * (whole + 1)) port.data[whole + 1] = std::uint32_t(top >> 32);
 }
 
-int children_of(const std::uint32_t* line, const Config& config) {
-    const Node node = unpack<Node>(line, config);
-    int n = 0;
-    for (int i = 0; i < config.node_width; ++i) n += node.kind[std::size_t(i)] != 0;
-    return n;
-}
-
 } // namespace
 
 RtlMachine::RtlMachine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic, int seed)
-    : config_(config), image_(image), rtl_(config, "rc_top", seed),
+    : config_(config), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed),
       node_rsp_(&rtl_.port("node_rsp")), prim_rsp_(&rtl_.port("prim_rsp")),
       node_bits_(bits_of<Node>(config)), prim_bits_(bits_of<PrimData>(config)),
       node_port_(config, node_traffic(traffic)), prim_port_(config, prim_traffic(traffic)), sink_(traffic),
@@ -70,7 +63,7 @@ void RtlMachine::clock() {
         const PrimReq req = get_data<PrimReq>(*links_[index(Channel::prim_req)], config_);
         prim = {req.ray, req.addr};
     }
-    if (fires(Channel::box_req)) box_tests_ += std::uint64_t(children_of(image_.line(node_port_.answer().addr), config_));
+    if (fires(Channel::box_req)) box_tests_ += std::uint64_t(decoder_.node(node_port_.answer().addr).children);
     if (fires(Channel::hit)) {
         hit_ = get_data<HitOut>(*links_[index(Channel::hit)], config_);
         ++hits_;

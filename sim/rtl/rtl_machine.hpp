@@ -1,6 +1,7 @@
 #pragma once
 #include "model/accel/memory_image.hpp"
 #include "model/core/channels.hpp"
+#include "model/mem/decoder.hpp"
 #include "model/mem/memport.hpp"
 #include "sim/rtl/rtl_module.hpp"
 
@@ -34,6 +35,7 @@ private:
 
     Config config_;
     const MemoryImage& image_;
+    Decoder decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
     std::array<const RcPort*, channel_count> links_{};
     const RcPort *node_rsp_, *prim_rsp_;

@@ -1,8 +1,11 @@
 // OBJ beyond plain triangles: polygons, negative indices, groups, materials.
 #include <catch2/catch.hpp>
 
-#include <glm/geometric.hpp>
+#include <algorithm>
+#include <cmath>
 #include <random>
+
+#include <glm/geometric.hpp>
 
 #include "sim/load/triangulate.hpp"
 #include "tests/load/files.hpp"
@@ -104,6 +107,69 @@ TEST_CASE("negative indices count from the line they stand on") {
     CHECK(corners_of(scene)[0] == Corners{glm::dvec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(corners_of(scene)[1][0] == glm::dvec3(9));
     CHECK(corners_of(scene)[2][0] == glm::dvec3(7));
+}
+
+TEST_CASE("numbers in all their spellings arrive as the nearest 32-bit float") {
+    const Folder folder;
+    const Scene scene = folder.load("n.obj", "v .5 -.5 +.25\nv 5. 1e2 1E-2\nv 0.1 -0 1e17\nv 1e-46 00.7 16777217\n"
+                                             "v 0.30000000000000004 1234567.8901 -1e-320\nf 1 2 3\nf 3 4 5\n");
+    REQUIRE(scene.triangles.size() == 2);
+    std::vector<glm::dvec3> seen;
+    for (const Corners& t : corners_of(scene)) seen.insert(seen.end(), t.begin(), t.end());
+    const auto has = [&](double x, double y, double z) {
+        const glm::dvec3 wanted(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+        return std::find(seen.begin(), seen.end(), wanted) != seen.end();
+    };
+    CHECK(has(0.5, -0.5, 0.25));
+    CHECK(has(5, 100, 0.01));
+    CHECK(has(0.1, 0, 1e17));
+    CHECK(has(0, 0.7, 16777216));
+    CHECK(has(0.3, 1234567.8901, 0));
+    const std::string text = "solid\nfacet normal nan -nan inf\nouter loop\nvertex .5 -.5 +.25\nvertex 5. 1e2 1E-2\nvertex 0.1 -0 3e38\n"
+                             "endloop\nendfacet\nendsolid\n";
+    CHECK(folder.load("n.stl", text).vertices[0] == glm::dvec3(0.5, -0.5, 0.25));
+}
+
+TEST_CASE("32-bit floats survive being written and read, in text formats as in binary ones") {
+    const Folder folder;
+    std::mt19937 random(11);
+    std::string obj, ply, stl = "solid\n";
+    std::vector<glm::dvec3> written;
+    for (int i = 0; i < 3000; ++i) {
+        glm::dvec3 v;
+        for (int k = 0; k < 3; ++k) {
+            const double sign = random() % 2 ? 1 : -1;
+            v[k] = static_cast<float>(sign * std::pow(10, -5 + 20 * (random() / 4294967296.0)));
+        }
+        written.push_back(v);
+        char text[100];
+        std::snprintf(text, sizeof text, "%.9g %.9g %.9g\n", v.x, v.y, v.z);
+        obj += std::string("v ") + text;
+        ply += text;
+        stl += (i % 3 ? "" : "facet normal 0 0 0\nouter loop\n") + (std::string("vertex ") + text) + (i % 3 == 2 ? "endloop\nendfacet\n" : "");
+    }
+    for (int i = 0; i < 3000; i += 3) {
+        obj += "f " + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + ' ' + std::to_string(i + 3) + '\n';
+        ply += "3 " + std::to_string(i) + ' ' + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + '\n';
+    }
+    ply = "ply\nformat ascii 1.0\nelement vertex 3000\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 1000\nproperty list uchar int vertex_index\nend_header\n" + ply;
+    CHECK(folder.load("r.obj", obj).vertices == written);
+    CHECK(folder.load("r.ply", ply).vertices == written);
+    CHECK(folder.load("r.stl", stl + "endsolid\n").vertices == written);
+}
+
+TEST_CASE("a binary file may begin with a byte that looks like a line break") {
+    const Folder folder;
+    Octahedron o;
+    for (const char first : {'\n', '\r', ' ', '\t', '\0'}) {
+        const std::string bits = {first, '\x10', '\x80', '\x3f'};
+        float x = 0;
+        std::memcpy(&x, bits.data(), sizeof x);
+        o.vertices[0].x = x;
+        for (const auto& [name, bytes] : std::vector<std::pair<std::string, std::string>>{{"a.ply", o.ply_binary(false)}, {"a.glb", o.glb()}, {"a.stl", o.stl_binary()}})
+            CHECK(corners_of(folder.load(name, bytes))[0][0].x == x);
+    }
 }
 
 TEST_CASE("groups, objects, points, lines, textures and continued lines") {
