@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "model/core/error.hpp"
@@ -88,6 +90,22 @@ const std::string& verilator_root() {
     return root;
 }
 
+/// Held while one library is built, so that other processes wait for it instead of building it too. Released by the
+/// system if this process dies.
+class BuildLock {
+public:
+    explicit BuildLock(const std::string& path) : file_(open(path.c_str(), O_CREAT | O_RDWR, 0644)) {
+        if (file_ < 0) throw UserError(path + ": cannot write the RTL cache here; set RAYCLOCK_CACHE to a folder that can be written");
+        flock(file_, LOCK_EX);
+    }
+    ~BuildLock() { close(file_); }
+    BuildLock(const BuildLock&) = delete;
+    BuildLock& operator=(const BuildLock&) = delete;
+
+private:
+    int file_;
+};
+
 void make_library(const fs::path& folder, const Config& config, const std::string& module) {
     write_text(folder / "rc_pkg.sv", rc_package(config));
     write_text(folder / "taps.vlt", adapter_vlt(module));
@@ -135,9 +153,12 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
     if (fs::exists(result.library)) return result;
 
     std::error_code error;
-    const fs::path work = folder.string() + fmt::format(".{}", getpid());
-    fs::create_directories(work, error);
+    fs::create_directories(rtl_cache(), error);
     if (error) throw UserError(rtl_cache().string() + ": cannot make the RTL cache here (" + error.message() + "); set RAYCLOCK_CACHE to a folder that can be written");
+    const BuildLock lock(folder.string() + ".lock");
+    if (fs::exists(result.library)) return result;   // somebody else has just built it
+    const fs::path work = folder.string() + fmt::format(".{}", getpid());
+    fs::create_directories(work);
     try {
         make_library(work, config, module);
     } catch (...) {
@@ -146,8 +167,7 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
     }
     fs::remove_all(work / "obj", error);
     fs::remove(work / "all.cpp", error);
-    fs::rename(work, folder, error);
-    if (error) fs::remove_all(work, error);   // somebody else built the same: theirs is as good
+    fs::rename(work, folder);
     result.was_cached = false;
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
