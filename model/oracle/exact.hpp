@@ -1,0 +1,178 @@
+#pragma once
+// Exact truth for the arithmetic units, in integers and fractions of any size. Written from the geometry; shares no formula
+// with the units it judges, and knows nothing of their roundings but what they promise. Needs Boost; used by tests only.
+#include <array>
+#include <optional>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace rayclock::oracle {
+
+using Int = boost::multiprecision::cpp_int;
+using Rational = boost::multiprecision::cpp_rational;
+using Point = std::array<Int, 3>;
+
+template <class V> Point point(const V& v) { return {Int(v[0]), Int(v[1]), Int(v[2])}; }
+
+inline Rational power_of_two(int exponent) {
+    return exponent >= 0 ? Rational(Int(1) << exponent) : Rational(Int(1), Int(1) << -exponent);
+}
+
+/// Largest integer not above q, and smallest not below.
+inline Int floor(const Rational& q) {
+    const Int num = numerator(q), den = denominator(q);   // den > 0; division truncates towards zero
+    const Int cut = num / den;
+    return num < 0 && cut * den != num ? Int(cut - 1) : cut;
+}
+inline Int ceil(const Rational& q) { return -floor(-q); }
+
+// ---- Ray and triangle.
+
+/// Value that moves with an infinitesimal eps > 0: c[0] + c[1] eps + c[2] eps^2 + c[3] eps^3.
+using Moving = std::array<Rational, 4>;
+
+/// Sign for eps -> 0 from above: that of the lowest coefficient that is not zero.
+inline int sign(const Moving& m) {
+    for (const Rational& c : m)
+        if (c != 0) return c > 0 ? 1 : -1;
+    return 0;
+}
+
+/// Three equations in t, u, v, each with a right side that moves.
+struct Equations {
+    std::array<std::array<Rational, 3>, 3> left;
+    std::array<Moving, 3> right;
+};
+
+/// Solves by elimination (Gauss and Jordan); nothing if the left side is singular. `determinant` receives that of the left.
+inline std::optional<std::array<Moving, 3>> solve(Equations e, Rational& determinant) {
+    determinant = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::size_t pivot = k;
+        while (pivot < 3 && e.left[pivot][k] == 0) ++pivot;
+        if (pivot == 3) {
+            determinant = 0;
+            return std::nullopt;
+        }
+        if (pivot != k) {
+            std::swap(e.left[k], e.left[pivot]);
+            std::swap(e.right[k], e.right[pivot]);
+            determinant = -determinant;
+        }
+        const Rational top = e.left[k][k];
+        determinant *= top;
+        for (Rational& x : e.left[k]) x /= top;
+        for (Rational& x : e.right[k]) x /= top;
+        for (std::size_t row = 0; row < 3; ++row) {
+            if (row == k || e.left[row][k] == 0) continue;
+            const Rational factor = e.left[row][k];
+            for (std::size_t i = 0; i < 3; ++i) e.left[row][i] -= factor * e.left[k][i];
+            for (std::size_t i = 0; i < 4; ++i) e.right[row][i] -= factor * e.right[k][i];
+        }
+    }
+    return e.right;
+}
+
+/// Where a ray meets a triangle: o + t d = (1 - u - v) a + u b + v c. `volume` is six times that of (d, b - a, c - a).
+struct Crossing {
+    Rational t, u, v, volume;
+};
+
+/// The crossing of a ray with a triangle, t > 0. Whether it passes inside is decided for the origin o + (eps, eps^2, eps^3),
+/// eps -> 0+, so a ray through an edge or a corner belongs to one side; everything else is said of the origin as it stands.
+/// A triangle seen edge-on is not crossed.
+inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Point& a, const Point& b, const Point& c) {
+    Equations e;
+    for (std::size_t k = 0; k < 3; ++k) {
+        e.left[k] = {Rational(-d[k]), Rational(b[k] - a[k]), Rational(c[k] - a[k])};
+        e.right[k][0] = o[k] - a[k];
+        e.right[k][k + 1] = 1;
+    }
+    Rational volume;
+    const auto solved = solve(e, volume);
+    if (!solved) return std::nullopt;
+    const auto& [t, u, v] = *solved;
+    Moving w{1 - u[0] - v[0], -u[1] - v[1], -u[2] - v[2], -u[3] - v[3]};
+    if (sign(u) < 0 || sign(v) < 0 || sign(w) < 0 || t[0] <= 0) return std::nullopt;
+    return Crossing{t[0], u[0], v[0], abs(volume)};
+}
+
+/// Whether a hit at t of primitive `prim` goes before one at other_t of other_prim: nearer, or as near and of lower or the
+/// same number.
+inline bool goes_before(const Rational& t, std::uint32_t prim, const Rational& other_t, std::uint32_t other_prim) {
+    return t < other_t || (t == other_t && prim <= other_prim);
+}
+
+// ---- Ray and box.
+
+struct Box {
+    Point lo, hi;
+    Point step;   ///< distance of two neighbouring quantised planes
+};
+
+/// Distances at which a ray is inside a box; without `leave` there is no end.
+struct Interval {
+    Rational enter;
+    std::optional<Rational> leave;
+};
+
+/// What box may err: its reciprocals have `precision` bits, and distances beyond `most` are all the same to it.
+struct Licence {
+    int precision = 0;
+    Rational most;
+};
+
+/// The part with t >= 0 of the ray o + d t / unit that lies in the box (faces belong to it), or nothing.
+///
+/// A licence grants what the box test may err. With R-bit reciprocals, a reciprocal of the direction that is cut to an R-bit
+/// mantissa is low by less than 2^(1-R) of its value, and one unit added to it makes it high by as much; the product with
+/// the distance to the node's corner is rounded to a multiple of what one plane step gives with a reciprocal of 1, which is
+/// again 2^(1-R) of the true time for a plane step; and t is rounded to an integer at last. So either end of each axis'
+/// interval may lie outwards by
+///     2^(1-R) (|t| + t_step) + 1,    t_step: what the ray needs for one plane step of the axis.
+/// If a component of d is zero, o is compared on the grid of planes: less than one step outside may count as inside.
+inline std::optional<Interval> interval(const Point& o, const Point& d, const Box& box, const Rational& unit,
+                                        const Licence* licence = nullptr) {
+    Interval in{0, std::nullopt};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (d[k] == 0) {
+            const Int slack = licence ? Int(box.step[k] - 1) : Int(0);
+            if (o[k] < box.lo[k] - slack || o[k] > box.hi[k] + slack) return std::nullopt;
+            continue;
+        }
+        const auto time = [&](const Int& way) { return Rational(way, abs(d[k])) * unit; };
+        const auto slack = [&](const Rational& t) {
+            return licence ? Rational(power_of_two(1 - licence->precision) * (abs(t) + time(box.step[k])) + 1) : Rational(0);
+        };
+        const Rational enter = d[k] > 0 ? time(box.lo[k] - o[k]) : time(o[k] - box.hi[k]);
+        const Rational leave = d[k] > 0 ? time(box.hi[k] - o[k]) : time(o[k] - box.lo[k]);
+        in.enter = std::max(in.enter, Rational(enter - slack(enter)));
+        const Rational last = leave + slack(leave);
+        if (!in.leave || last < *in.leave) in.leave = last;
+    }
+    if (licence) {
+        in.enter = std::min(in.enter, licence->most);
+        if (in.leave) in.leave = std::min(*in.leave, licence->most);
+    }
+    if (in.leave && in.enter > *in.leave) return std::nullopt;
+    return in;
+}
+
+// ---- Camera ray.
+
+/// Number of binary digits of |d|.
+inline int digits(const Int& d) {
+    int n = 0;
+    for (Int rest = abs(d); rest != 0; rest >>= 1) ++n;
+    return n;
+}
+
+/// 1 / |d|, scaled so that it lies in (2^(R-1), 2^R]: what a reciprocal of R bits must bracket. d is not 0.
+inline Rational scaled_reciprocal(const Int& d, int precision) {
+    return power_of_two(precision - 1 + digits(d)) / Rational(abs(d));
+}
+
+/// The integer nearest to q, halves up.
+inline Int nearest(const Rational& q) { return floor(q + Rational(1, 2)); }
+
+} // namespace rayclock::oracle

@@ -1,0 +1,148 @@
+#pragma once
+// One face for a unit's two machines, so that one test body runs on both: links with offer and ready, eval() before the
+// clock edge, commit() for the edge.
+#include <optional>
+
+#include "model/core/ring.hpp"
+#include "model/isect/tri.hpp"
+#include "model/raygen/raygen.hpp"
+#include "model/trav/box.hpp"
+#include "sim/rtl/rtl_module.hpp"
+
+namespace rayclock::test {
+
+/// A link in one cycle. On an input the test sets `offer` and eval() sets `ready`; on an output the other way round.
+template <class P> struct Link {
+    std::optional<P> offer;
+    bool ready = false;
+    bool fires() const { return offer && ready; }
+};
+
+template <class P> bool same(const P& a, const P& b, const Config& config) { return pack(a, config) == pack(b, config); }
+template <class P> bool same(const std::optional<P>& a, const std::optional<P>& b, const Config& config) {
+    return a.has_value() == b.has_value() && (!a || same(*a, *b, config));
+}
+template <class P> bool same(const Link<P>& a, const Link<P>& b, const Config& config) {
+    return a.ready == b.ready && same(a.offer, b.offer, config);
+}
+
+// ---- The three units that are a pure function behind a door.
+
+struct RaygenUnit {
+    using Req = Slot;
+    using Rsp = Ray;
+    static constexpr const char *name = "rc_raygen", *in = "slot", *out = "ray";
+    static constexpr bool has_frame = true;
+    static int latency(const Config& c) { return c.raygen_latency(); }
+    static int queue(const Config& c) { return c.raygen_queue; }
+    static Ray answer(const Slot& slot, const Frame& frame, const Config& c) { return raygen(slot, frame, c); }
+};
+struct BoxUnit {
+    using Req = BoxReq;
+    using Rsp = BoxRsp;
+    static constexpr const char *name = "rc_box", *in = "req", *out = "rsp";
+    static constexpr bool has_frame = false;
+    static int latency(const Config& c) { return c.box_latency(); }
+    static int queue(const Config& c) { return c.box_queue; }
+    static BoxRsp answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
+};
+struct TriUnit {
+    using Req = TriReq;
+    using Rsp = TriRsp;
+    static constexpr const char *name = "rc_tri", *in = "req", *out = "rsp";
+    static constexpr bool has_frame = false;
+    static int latency(const Config& c) { return c.tri_latency(); }
+    static int queue(const Config& c) { return c.tri_queue; }
+    static TriRsp answer(const TriReq& req, const Frame&, const Config& c) { return tri(req, c); }
+};
+
+template <class U> class Model {
+public:
+    using Unit = U;
+    Link<typename U::Req> in;
+    Link<typename U::Rsp> out;
+
+    explicit Model(const Config& config, const Frame& frame = {}, int = 1)
+        : config_(config), frame_(frame), pipe_(U::latency(config), U::queue(config)) {}
+    void eval() {
+        in.ready = pipe_.ready();
+        out.offer.reset();
+        if (pipe_.valid(now_)) out.offer = pipe_.front();
+    }
+    void commit() {
+        if (out.fires()) pipe_.leave();
+        if (in.fires()) pipe_.admit(now_) = U::answer(*in.offer, frame_, config_);
+        ++now_;
+    }
+
+private:
+    Config config_;
+    Frame frame_;
+    Pipe<typename U::Rsp> pipe_;
+    std::uint64_t now_ = 0;
+};
+
+/// The links of a verilated unit.
+class RtlLinks {
+public:
+    RtlLinks(const Config& config, const char* module, int seed) : config_(config), rtl_(config, module, seed) {}
+
+    template <class P> void fix(const char* name, const P& value) { set_data(rtl_.port(name), value, config_); }
+    template <class P> void drive_in(const char* name, const Link<P>& link) {
+        const RcPort& port = rtl_.port(name);
+        *port.valid = link.offer.has_value();
+        if (link.offer) set_data(port, *link.offer, config_);
+    }
+    template <class P> void drive_out(const char* name, const Link<P>& link) { *rtl_.port(name).ready = link.ready; }
+    template <class P> void read_in(const char* name, Link<P>& link) const { link.ready = *rtl_.port(name).ready != 0; }
+    template <class P> void read_out(const char* name, Link<P>& link) const {
+        const RcPort& port = rtl_.port(name);
+        link.offer.reset();
+        if (*port.valid) link.offer = get_data<P>(port, config_);
+    }
+    void reset() { rtl_.reset(); }
+    void settle() { rtl_.settle(); }
+    void clock() { rtl_.clock(); }
+
+private:
+    Config config_;
+    RtlModule rtl_;
+};
+
+template <class U> class Rtl {
+public:
+    using Unit = U;
+    Link<typename U::Req> in;
+    Link<typename U::Rsp> out;
+
+    explicit Rtl(const Config& config, const Frame& frame = {}, int seed = 1) : links_(config, U::name, seed) {
+        if constexpr (U::has_frame) links_.fix("frame", frame);
+        links_.drive_in(U::in, in);
+        links_.drive_out(U::out, out);
+        links_.reset();
+    }
+    void eval() {
+        links_.drive_in(U::in, in);
+        links_.drive_out(U::out, out);
+        links_.settle();
+        links_.read_in(U::in, in);
+        links_.read_out(U::out, out);
+    }
+    void commit() { links_.clock(); }
+
+private:
+    RtlLinks links_;
+};
+
+/// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions, the widest.
+inline Config format(const std::string& name) {
+    if (name == "default" || name == "small") return named_config(name);
+    Config config;
+    config.name = name;
+    config.coord_bits = name == "narrow" ? 12 : 20;
+    config.dir_bits = name == "narrow" ? 24 : 22;
+    config.recip_bits = name == "narrow" ? 15 : 18;
+    return config;
+}
+
+} // namespace rayclock::test

@@ -1,0 +1,119 @@
+// raygen: camera rays and reciprocal directions, against exact fractions.
+#include "model/oracle/exact.hpp"
+#include "tests/support/traffic.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+/// Cameras whose directions all fit: random ones, and ones that reach the corners of the format.
+Frame camera(unsigned number, const Config& config) {
+    Draw draw{number};
+    const int g = config.guard_dir_bits();
+    Frame frame;
+    frame.eye = draw.vector(config.coord_bits);
+    const std::int64_t one = std::int64_t(1) << guard_bits, half = one / 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+        switch ((number + unsigned(k)) % 5) {
+        case 0:   // anything
+            frame.corner[k] = draw.number(g - 1);
+            frame.right[k] = draw.number(g - 2 - pixel_bits);
+            frame.down[k] = draw.number(g - 2 - pixel_bits);
+            break;
+        case 1:   // through zero in whole steps
+            frame.corner[k] = -100 * one;
+            frame.right[k] = config.dir_bits > 15 ? one : 0;
+            break;
+        case 2:   // halves, which go up
+            frame.corner[k] = -50 * one + half;
+            frame.right[k] = half / 8;
+            frame.down[k] = config.dir_bits > 13 ? -half / 2 : 0;
+            break;
+        case 3:   // longest to the left
+            frame.corner[k] = -(std::int64_t(1) << (g - 1)) - (draw.coin() ? 0 : -1);
+            break;
+        default:  // longest to the right
+            frame.corner[k] = (std::int64_t(1) << (g - 1)) - half - 1;
+            break;
+        }
+    }
+    return frame;
+}
+
+Slot random_slot(Draw& draw, const Config& config) {
+    Slot slot = random_payload<Slot>(draw, config);
+    if (draw.coin()) slot.x = std::uint32_t(draw.below(300));
+    if (draw.coin()) slot.y = std::uint32_t(draw.below(300));
+    return slot;
+}
+
+void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& config) {
+    CAPTURE(slot.x, slot.y);
+    REQUIRE(ray.ray == slot.ray);
+    REQUIRE(ray.o == frame.eye);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const oracle::Int sum = oracle::Int(frame.corner[k]) + oracle::Int(slot.x) * frame.right[k] + oracle::Int(slot.y) * frame.down[k];
+        const oracle::Int d = oracle::nearest(oracle::Rational(sum, oracle::Int(1) << guard_bits));
+        CAPTURE(k, d);
+        REQUIRE(ray.d[k] == d);
+        REQUIRE(ray.len[k] == std::uint32_t(oracle::digits(d)));
+        if (d == 0) {
+            REQUIRE(ray.recip[k] == 1);
+            continue;
+        }
+        const oracle::Rational exact = oracle::scaled_reciprocal(d, config.recip_bits);
+        REQUIRE(ray.recip[k] <= exact);
+        REQUIRE(exact < oracle::Int(ray.recip[k]) + 1);
+    }
+}
+
+template <class Dut> void against_oracle(const char* name, unsigned seed, const Flow& flow, int count) {
+    const Config config = format(name);
+    INFO(name << ", seed " << seed);
+    const Frame frame = camera(seed, config);
+    Draw draw{seed};
+    Dut dut{config, frame, int(seed)};
+    stream(dut, config, flow, draw, count, [&](Draw& from) { return random_slot(from, config); },
+           [&](const Slot& slot, const Ray& ray) { judge(slot, ray, frame, config); });
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reciprocal", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+    const auto name = GENERATE("default", "small", "narrow", "wide");
+    for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 250);
+}
+
+TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", "[raygen]") {
+    Config config;
+    config.dir_bits = 12;
+    config.recip_bits = GENERATE(8, 9, 16, 24);
+    for (std::int32_t d = -2048; d < 2048; ++d) {
+        if (d == 0) continue;
+        const Recip r = reciprocal(d, config);
+        const oracle::Rational exact = oracle::scaled_reciprocal(d, config.recip_bits);
+        CAPTURE(d);
+        REQUIRE(r.len == std::uint32_t(oracle::digits(d)));
+        REQUIRE((r.recip <= exact && exact < oracle::Int(r.recip) + 1));
+    }
+}
+
+TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+    const Config config = format(GENERATE("default", "narrow", "wide"));
+    TestType dut{config, camera(5, config)};
+    check_latency(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
+}
+
+TEMPLATE_TEST_CASE("raygen makes a ray in every cycle", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+    const Config config = format(GENERATE("default", "wide"));
+    TestType dut{config, camera(5, config)};
+    check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
+}
+
+TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen][lockstep]") {
+    const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 15; ++seed)
+            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500, [&](Draw& draw) { return random_slot(draw, config); });
+}

@@ -1,0 +1,33 @@
+// Builds the RTL that the unit tests load, two at a time, before any of them runs.
+#include <exception>
+#include <thread>
+
+#include "sim/rtl/builder.hpp"
+#include "tests/support/dut.hpp"
+#include <catch2/catch.hpp>
+
+using namespace rayclock;
+
+TEST_CASE("the units' rtl is built", "[.build]") {
+    struct Job {
+        const char *module, *format;
+    };
+    const Job jobs[] = {{"rc_top", "small"}, {"rc_box", "default"}, {"rc_tri", "default"}, {"rc_list", "default"}, {"rc_trav", "default"},
+                        {"rc_box", "wide"}, {"rc_tri", "wide"}, {"rc_box", "narrow"}, {"rc_tri", "narrow"}, {"rc_box", "small"},
+                        {"rc_tri", "small"}, {"rc_raygen", "default"}, {"rc_raygen", "wide"}, {"rc_raygen", "narrow"}, {"rc_raygen", "small"},
+                        {"rc_sched", "default"}};
+    std::array<std::exception_ptr, 2> failed;
+    std::array<std::thread, 2> builders;
+    for (std::size_t b = 0; b < 2; ++b)
+        builders[b] = std::thread([&, b] {
+            try {
+                for (std::size_t i = b; i < std::size(jobs); i += 2) build_rtl(test::format(jobs[i].format), jobs[i].module);
+            } catch (...) {
+                failed[b] = std::current_exception();
+            }
+        });
+    for (auto& builder : builders) builder.join();
+    for (const auto& e : failed)
+        if (e) std::rethrow_exception(e);
+    SUCCEED("all are there");
+}

@@ -1,0 +1,125 @@
+// tri: ray against triangle, exact to the last decision.
+#include "tests/support/tri_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+template <class Dut> void against_oracle(const char* name, unsigned seed, const Flow& flow, int count) {
+    const Config config = format(name);
+    INFO(name << ", seed " << seed);
+    Draw draw{seed};
+    Dut dut{config, Frame{}, int(seed)};
+    int hits = 0;
+    stream(dut, config, flow, draw, count, [&](Draw& from) { return random_tri_req(from, config); },
+        [&](const TriReq& req, const TriRsp& rsp) {
+            judge(req, rsp, config);
+            hits += rsp.closer != 0;
+        });
+    REQUIRE(hits > count / 20);
+}
+
+/// Corners of the lattice: bit k of `which` chooses the largest or smallest coordinate on axis k.
+Vec3i extreme(int which, int bits) {
+    const std::int32_t most = (1 << (bits - 1)) - 1;
+    return {which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("tri decides and measures exactly", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+    const auto name = GENERATE("default", "small", "narrow", "wide");
+    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
+}
+
+TEMPLATE_TEST_CASE("tri decides and measures exactly, many draws", "[tri][slow]", Model<TriUnit>, Rtl<TriUnit>) {
+    const auto name = GENERATE("default", "small", "narrow", "wide");
+    for (unsigned seed = 101; seed <= 110; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 4000);
+}
+
+TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = format(GENERATE("default", "wide"));
+    std::vector<TriReq> requests;
+    for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b)
+            for (int c = 0; c < 8; ++c)
+                for (int o = (a + b + c) % 5; o < 8; o += 5)
+                    for (int d = (a + 2 * b + o) % 3; d < 8; d += 3) {
+                        if (a == b || b == c || c == a) continue;
+                        TriReq req;
+                        req.o = extreme(o, config.coord_bits);
+                        req.d = extreme(d, config.dir_bits);
+                        req.triangle = {extreme(a, config.coord_bits), extreme(b, config.coord_bits), extreme(c, config.coord_bits), 7};
+                        requests.push_back(req);
+                    }
+    TestType dut{config};
+    const auto rsps = answers(dut, config, requests);
+    for (std::size_t i = 0; i < rsps.size(); ++i) judge(requests[i], rsps[i], config);
+}
+
+TEMPLATE_TEST_CASE("tri keeps the nearer hit, and of equals the lower number", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = format("default");
+    TestType dut{config};
+    TriReq req;
+    req.o = {10, 20, -1000};
+    req.d = {0, 0, 3000};
+    req.triangle = {{-500, -400, 70}, {600, -300, 150}, {-20, 900, 333}, 40};
+    const TriRsp first = answers(dut, config, {req})[0];
+    REQUIRE(first.closer == 1);
+    std::vector<TriReq> again(5, req);
+    for (auto& r : again) r.best = {1, first.num, first.det, 40};
+    again[0].triangle.prim = 39;
+    again[1].triangle.prim = 41;
+    again[2].triangle = {req.triangle.c, req.triangle.b, req.triangle.a, 39};   // the same plane from behind
+    again[3].triangle.a[2] = again[3].triangle.b[2] = again[3].triangle.c[2] = 400;
+    again[4].triangle.a[2] = again[4].triangle.b[2] = again[4].triangle.c[2] = 60;
+    const auto rsps = answers(dut, config, again);
+    const std::uint32_t closer[] = {1, 0, 1, 0, 1};
+    for (std::size_t i = 0; i < 5; ++i) {
+        CAPTURE(i);
+        REQUIRE(rsps[i].closer == closer[i]);
+        judge(again[i], rsps[i], config);
+    }
+}
+
+TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = format("default");
+    TestType dut{config};
+    TriReq ahead;
+    ahead.o = {0, 0, 0};
+    ahead.d = {0, 0, 1};
+    ahead.triangle = {{-100, -100, 1}, {100, -100, 1}, {0, 200, 1}, 5};
+    TriReq behind = ahead, at = ahead, edge_on = ahead, flat = ahead, point = ahead, still = ahead;
+    behind.d = {0, 0, -1};
+    at.o = {0, 0, 1};
+    edge_on.triangle = {{0, -100, 50}, {0, 100, 50}, {0, 0, 200}, 5};
+    flat.triangle = {{-10, 0, 5}, {0, 0, 5}, {10, 0, 5}, 5};
+    point.triangle = {{0, 0, 5}, {0, 0, 5}, {0, 0, 5}, 5};
+    still.d = {0, 0, 0};
+    const auto rsps = answers(dut, config, {ahead, behind, at, edge_on, flat, point, still});
+    REQUIRE(rsps[0].closer == 1);
+    for (std::size_t i = 1; i < rsps.size(); ++i) {
+        CAPTURE(i);
+        REQUIRE(rsps[i].closer == 0);
+    }
+}
+
+TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = format(GENERATE("default", "narrow", "wide"));
+    TestType dut{config};
+    check_latency(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
+}
+
+TEMPLATE_TEST_CASE("tri takes a triangle in every cycle", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = format(GENERATE("default", "wide"));
+    TestType dut{config};
+    check_throughput(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lockstep]") {
+    const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed)
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_tri_req(draw, config); });
+}
