@@ -6,13 +6,14 @@
 
 namespace rayclock {
 
-Hit to_hit(const HitOut& out, const Frame& frame, const Lattice& lattice, const Config& config) {
+HitScale::HitScale(const Frame& frame, const Lattice& lattice, const Config& config)
+    : frame_(frame), depth_(std::ldexp(lattice.pitch, -(config.dir_bits - 1 + config.t_frac_bits))), weight_(std::ldexp(1.0, -config.bary_bits)) {}
+
+Hit HitScale::operator()(const HitOut& out) const {
     if (!out.closest.found) return {};
-    const Vec3i d = pixel_direction(out.x, out.y, frame);
+    const Vec3i d = pixel_direction(out.x, out.y, frame_);
     const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]);
-    const double t = std::ldexp(double(out.closest.t), -(config.dir_bits - 1 + config.t_frac_bits));
-    return {out.closest.prim, float(t * length * lattice.pitch), float(std::ldexp(double(out.closest.u), -config.bary_bits)),
-            float(std::ldexp(double(out.closest.v), -config.bary_bits))};
+    return {out.closest.prim, float(out.closest.t * length * depth_), float(out.closest.u * weight_), float(out.closest.v * weight_)};
 }
 
 } // namespace rayclock

@@ -7,14 +7,24 @@
 
 namespace rayclock {
 
-/// What the chip's answer means in scene units: depth = t / 2^(M-1+F) * |d| * pitch, weights u, v / 2^bary_bits.
-Hit to_hit(const HitOut& out, const Frame& frame, const Lattice& lattice, const Config& config);
+/// What the chip's answers mean in scene units: depth = t / 2^(M-1+F) * |d| * pitch, weights u, v / 2^bary_bits.
+class HitScale {
+public:
+    HitScale(const Frame& frame, const Lattice& lattice, const Config& config);
+    Hit operator()(const HitOut& out) const;
 
-/// FNV-1a over numbers, 64 bits: the same on every machine.
+private:
+    Frame frame_;
+    double depth_, weight_;
+};
+
+/// 64-bit digest of a sequence of numbers (one multiplication and one fold a number, after FNV-1a and SplitMix64): the
+/// same on every machine.
 class Digest {
 public:
     void add(std::uint64_t value) {
-        for (int i = 0; i < 8; ++i, value >>= 8) state_ = (state_ ^ (value & 255)) * 0x100000001b3u;
+        state_ = (state_ ^ value) * 0x9e3779b97f4a7c15u;
+        state_ ^= state_ >> 29;
     }
     std::uint64_t value() const { return state_; }
 

@@ -20,10 +20,15 @@ public:
     Machine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic = {});
 
     /// One clock cycle.
-    void step() { cycle_step([](auto, const auto&) {}); }
+    void step();
 
     /// One clock cycle; `observe(Channel, payload)` sees every transfer before the clock edge, in channel order.
-    template <class Observer> void step(Observer&& observe) { cycle_step<true>(observe); }
+    template <class Observer> void step(Observer&& observe) {
+        Moves m;
+        settle(m);
+        show(m, observe);
+        clock_all(m);
+    }
 
     /// One clock cycle with the units' clock edges taken in the given order (a permutation of 0..6), for the test that
     /// it does not matter.
@@ -45,25 +50,26 @@ private:
     /// What moves in this cycle, settled from registered state before any unit sees the clock edge.
     struct Moves {
         Slot slot;
-        Ray ray;
+        const Ray* ray;
         Memport::Answer node_req, prim_req, node, prim;
         const BoxRsp* boxes;
-        TriRsp tri;
+        const TriRsp* tri;
         Step step;
     };
 
     void settle(Moves& m);
-    void clock_unit(int unit, const Moves& m);
+    void clock_all(const Moves& m);
+    void clock_sched();
+    void clock_raygen(const Moves& m);
+    void clock_trav(const Moves& m);
+    void clock_memory(const Moves& m);
+    void clock_box(const Moves& m);
+    void clock_list(const Moves& m);
+    void clock_tri(const Moves& m);
+    void admit_box(const Memport::Answer& from);
+    void admit_tri(const Memport::Answer& from);
     template <class Observer> void show(const Moves& m, Observer& observe) const;
     bool fires(Channel c) const { return fire_ >> index(c) & 1; }
-
-    template <bool observed = false, class Observer> void cycle_step(Observer&& observe) {
-        Moves m;
-        settle(m);
-        if constexpr (observed) show(m, observe);
-        for (int unit = 0; unit < 7; ++unit) clock_unit(unit, m);
-        ++now_;
-    }
 
     Config config_;
     Frame frame_;
@@ -79,8 +85,6 @@ private:
     Pipe<TriRsp> tri_;
     Sink sink_;
 
-    BoxRsp box_in_{};    // answers of box and tri to what they admit in this cycle
-    TriRsp tri_in_{};
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
     std::uint32_t valid_ = 0, fire_ = 0;
     HitOut hit_{};
@@ -89,7 +93,7 @@ private:
 
 template <class Observer> void Machine::show(const Moves& m, Observer& observe) const {
     if (fires(Channel::slot)) observe(Channel::slot, m.slot);
-    if (fires(Channel::ray)) observe(Channel::ray, m.ray);
+    if (fires(Channel::ray)) observe(Channel::ray, *m.ray);
     if (fires(Channel::node_req)) observe(Channel::node_req, trav_.node());
     if (fires(Channel::box_req)) {
         const BoxRay& r = trav_.box_ray(m.node.ray);
@@ -99,7 +103,7 @@ template <class Observer> void Machine::show(const Moves& m, Observer& observe) 
     if (fires(Channel::prim_req)) observe(Channel::prim_req, list_.prim());
     if (fires(Channel::tri_req))
         observe(Channel::tri_req, list_.tri_req(m.prim.ray, unpack<PrimData>(image_.half_line(m.prim.addr), config_)));
-    if (fires(Channel::tri_rsp)) observe(Channel::tri_rsp, m.tri);
+    if (fires(Channel::tri_rsp)) observe(Channel::tri_rsp, *m.tri);
     if (fires(Channel::step)) observe(Channel::step, m.step);
     if (fires(Channel::hit)) observe(Channel::hit, hit_);
 }

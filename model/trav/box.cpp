@@ -106,7 +106,7 @@ void box_children(const BoxRay& ray, const WideNode& node, const Config& config,
     intersect({make_axis(ray, node, 0, config), make_axis(ray, node, 1, config), make_axis(ray, node, 2, config)}, beyond, t);
     out.base = node.base;
     out.inner = out.leaves = 0;
-    std::array<std::uint64_t, max_width> key{};
+    std::array<std::uint64_t, max_width> key;
     std::size_t n = 0;
     for (std::size_t i = 0; i < std::size_t(node.children); ++i) {
         // near rounded down and far up: floor(near) <= ceil(far) is floor(near) - 1 < far, for far >= 0.
@@ -120,7 +120,10 @@ void box_children(const BoxRay& ray, const WideNode& node, const Config& config,
         for (; at > 0 && key[at - 1] > entry; --at) key[at] = key[at - 1];
         key[at] = entry;
     }
-    for (std::size_t i = 0; i < max_width; ++i) {
+    out.t_near.fill(0);
+    out.offset.fill(0);
+    out.count.fill(0);
+    for (std::size_t i = 0; i < n; ++i) {
         out.t_near[i] = std::uint32_t(key[i] >> 9 & 0x7fff'ffff);
         out.offset[i] = std::uint32_t(key[i] >> 3 & 63);
         out.count[i] = std::uint32_t(key[i] & 7);

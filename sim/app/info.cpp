@@ -13,6 +13,7 @@
 namespace rayclock {
 
 int scenes_command(const Options& o) {
+    check_outputs(o);
     Table table({"scene", "size", "triangles", "sizes", "purpose"});
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const Builtin& b : builtins()) {
@@ -53,6 +54,7 @@ std::string version_of(const char* command) {
 } // namespace
 
 int doctor_command(const Options& o) {
+    check_outputs(o);
     struct Part {
         const char* name;
         const char* command;

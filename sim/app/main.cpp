@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "model/core/error.hpp"
+#include "model/core/nearest.hpp"
 #include "sim/app/commands.hpp"
 
 namespace {
@@ -93,6 +94,28 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     return commands;
 }
 
+/// One sentence on standard error, and the exit code.
+int complain(const char* sentence, int code) {
+    std::fprintf(stderr, "rayclock: %s\n", sentence);
+    return code;
+}
+
+/// What the parser found wrong, in one sentence that names what was typed.
+std::string usage_error(const CLI::ParseError& error, const std::vector<Command>& commands, int argc, char** argv) {
+    std::vector<std::string> names;
+    const CLI::App* used = nullptr;
+    for (const Command& command : commands) {
+        names.push_back(command.app->get_name());
+        if (command.app->parsed()) used = command.app;
+    }
+    if (!used && argc > 1 && argv[1][0] != '-')
+        return std::string("no command is called '") + argv[1] + "'" + did_you_mean(argv[1], names) + " ('rayclock --help' lists them)";
+    std::string text = error.what();
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text + " ('rayclock " + (used ? used->get_name() + " " : "") + "--help' tells more)";
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -105,20 +128,18 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
+        if (e.get_exit_code() == 0) return app.exit(e);   // --help, --version
+        return complain(usage_error(e, commands, argc, argv).c_str(), 2);
     }
     try {
         for (const Command& command : commands)
             if (command.app->parsed()) return command.run(options);
     } catch (const UserError& e) {
-        std::fprintf(stderr, "rayclock: %s\n", e.what());
-        return 2;
+        return complain(e.what(), 2);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "rayclock: not enough memory for this scene and picture\n");
-        return 2;
+        return complain("not enough memory for this scene and picture", 2);
     } catch (const std::exception& e) {
-        std::fprintf(stderr, "rayclock: %s\n", e.what());
-        return 1;
+        return complain(e.what(), 1);
     }
     return 2;
 }

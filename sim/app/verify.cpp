@@ -23,7 +23,7 @@ void check_folder(const std::string& folder) {
     if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw UserError(folder + ": is a file, not a folder for pictures");
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
-    check_writable((fs::path(folder) / "reference.png").string());
+    for (const char* name : {"reference.png", "model.png", "rtl.png", "difference.png"}) check_writable((fs::path(folder) / name).string());
 }
 
 /// The golden picture of the scene is of one size of its own; the model makes that frame for it.
@@ -62,9 +62,9 @@ int verify_command(const Options& o) {
     const Config config = load_config(o.config, o.set);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
-    if (!o.output.empty()) check_folder(o.output);
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o, size, progress);
+    if (!o.output.empty()) check_folder(o.output);   // may make it: not for a scene that is not there
     const Job job = make_job(scene, *scene.camera, size, config, progress);
 
     // The reference works beside the lockstep, which has one thread.

@@ -69,13 +69,14 @@ void FrameCollector::add(const HitOut& out) {
 void FrameCollector::finish(FrameRun& run) {
     run.hits.size = job_.size;
     run.hits.hits.reserve(outs_.size());
+    const HitScale scale(job_.frame, job_.image.lattice, job_.config);
     Digest digest;
     digest.add(run.cycles);
     for (const HitOut& out : outs_) {
         const Closest& c = out.closest;
         digest.add(c.found ? c.prim : no_primitive);
         digest.add(std::uint64_t(c.t) << 32 ^ std::uint64_t(c.u) << 16 ^ c.v);
-        run.hits.hits.push_back(to_hit(out, job_.frame, job_.image.lattice, job_.config));
+        run.hits.hits.push_back(scale(out));
     }
     run.digest = digest.value();
 }

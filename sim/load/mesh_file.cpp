@@ -85,7 +85,8 @@ private:
     /// Our number for the importer's material; only those in use get one.
     std::uint32_t material(unsigned index) {
         const auto [found, is_new] = materials_.try_emplace(index, static_cast<std::uint32_t>(scene_.materials.size()));
-        if (is_new) scene_.materials.push_back(index < in_.mNumMaterials ? material_of(*in_.mMaterials[index], prepared_) : Material{.name = "default"});
+        const bool is_known = index < in_.mNumMaterials;
+        if (is_new) scene_.materials.push_back(is_known ? material_of(*in_.mMaterials[index], prepared_) : Material{.name = "default"});
         return found->second;
     }
 

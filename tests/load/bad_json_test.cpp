@@ -56,6 +56,7 @@ TEST_CASE("bad JSON scenes") {
         {scene(R"(,"rotate":{"axis":[0,0,1]})"), {"objects[1].rotate", "'degrees'"}},
         {scene(R"(,"matrix":[1,2,3])"), {"objects[1].matrix", "[1,2,3]"}},
         {scene(R"(,"matrix":[1,0,0,0,0,1,0,0,1,1,0,0,0,0,0,1])"), {"objects[1].matrix", "array of 16"}},
+        {scene(R"(,"matrix":[1,1,0,0,0,0,1,0,1,1,0,0,0,0,0,1])"), {"objects[1].matrix", "array of 16"}},
         {scene(R"(,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0.5,1])"), {"objects[1].matrix[14]", "0.5"}},
         {scene(R"(,"scale":2,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])"), {"objects[1]", "'matrix'", "'scale'"}},
         {scene(R"(,"material":"gold")", R"("materials":{"gald":{}},)"), {"objects[1].material", "'gold'", "did you mean 'gald'"}},

@@ -70,6 +70,11 @@ TEST_CASE("line ends of other systems, blank lines and comments change nothing")
     check_octahedron(folder.load("b.obj", std::string("# nothing\n\n\t\n") + Octahedron().obj() + "\n# end"));
 }
 
+TEST_CASE("binary STL may carry something behind its triangles") {
+    const Folder folder;
+    check_octahedron(folder.load("more.stl", "x" + Octahedron().stl_binary().substr(1) + "and more"));
+}
+
 TEST_CASE("the result passes its own check and is told about") {
     const Folder folder;
     int calls = 0;

@@ -127,8 +127,9 @@ TEST_CASE("gltf: cameras and lights stand where their nodes are") {
                      {{"camera", 0}, {"translation", {0, 0, 20}}},
                      {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"translation", {1, 10, 0}}},
                      {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"translation", {1, 20, 0}}},
-                     {{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}}};
-    json["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
+                     {{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}},
+                     {{"camera", 0}, {"translation", {9, 9, 9}}}};
+    json["scenes"][0]["nodes"] = {0, 1, 5, 2, 3, 4};
     const Scene scene = load(json);
     REQUIRE(scene.camera);
     CHECK(scene.camera->eye == glm::dvec3(0, 0, 20));

@@ -1,0 +1,81 @@
+#pragma once
+#include "model/list/list.hpp"
+#include "tests/support/dut.hpp"
+
+namespace rayclock::test {
+
+/// What both machines of list show. `ray` is only listened to. A triangle from memory goes on to tri, and a finished ray to its
+/// hit, in the same cycle.
+struct ListLinks {
+    std::optional<Ray> ray;
+    Link<BoxRsp> box_rsp;
+    Link<PrimRsp> prim_rsp;
+    Link<TriRsp> tri_rsp;
+    Link<Done> done;
+    Link<PrimReq> prim_req;
+    Link<TriReq> tri_req;
+    Link<Step> step;
+    Link<Closest> closest;
+};
+
+class ListModel : public ListLinks {
+public:
+    explicit ListModel(const Config& config, int = 1) : list_(config) {}
+    void eval() {
+        box_rsp.ready = tri_rsp.ready = true;
+        prim_req.offer.reset();
+        if (list_.prim_valid()) prim_req.offer = list_.prim();
+        step.offer.reset();
+        if (list_.step_valid()) step.offer = list_.step();
+        prim_rsp.ready = tri_req.ready;
+        tri_req.offer.reset();
+        if (prim_rsp.offer) tri_req.offer = list_.tri_req(prim_rsp.offer->ray, prim_rsp.offer->triangle);
+        done.ready = closest.ready;
+        closest.offer.reset();
+        if (done.offer) closest.offer = list_.closest(done.offer->ray);
+    }
+    void commit() {
+        list_.clock(ray ? &*ray : nullptr, box_rsp.fires() ? &*box_rsp.offer : nullptr, tri_rsp.fires() ? &*tri_rsp.offer : nullptr,
+                    prim_req.fires(), step.fires());
+    }
+
+private:
+    List list_;
+};
+
+class ListRtl : public ListLinks {
+public:
+    explicit ListRtl(const Config& config, int seed = 1) : links_(config, "rc_list", seed) {
+        drive();
+        links_.reset();
+    }
+    void eval() {
+        drive();
+        links_.settle();
+        links_.read_in("box_rsp", box_rsp);
+        links_.read_in("prim_rsp", prim_rsp);
+        links_.read_in("tri_rsp", tri_rsp);
+        links_.read_in("done", done);
+        links_.read_out("prim_req", prim_req);
+        links_.read_out("tri_req", tri_req);
+        links_.read_out("step", step);
+        links_.read_out("closest", closest);
+    }
+    void commit() { links_.clock(); }
+
+private:
+    void drive() {
+        links_.drive_in("ray", Link<Ray>{ray, true});
+        links_.drive_in("box_rsp", box_rsp);
+        links_.drive_in("prim_rsp", prim_rsp);
+        links_.drive_in("tri_rsp", tri_rsp);
+        links_.drive_in("done", done);
+        links_.drive_out("prim_req", prim_req);
+        links_.drive_out("tri_req", tri_req);
+        links_.drive_out("step", step);
+        links_.drive_out("closest", closest);
+    }
+    RtlLinks links_;
+};
+
+} // namespace rayclock::test
