@@ -117,7 +117,8 @@ private:
         if (const auto reference = in.find("indices")) {
             const Stored stored = indices(*reference);
             if (stored.largest >= static_cast<double>(position.count))
-                reference->refuse(fmt::format("reach vertex {}, which is out of range: there are {} (0 is the first)", stored.largest, position.count));
+                reference->refuse(fmt::format("reach vertex {}, which is out of range: there are {} (0 is the first)", stored.largest,
+                                              position.count));
             made["indices"] = stored.accessor;
             corners = stored.count;
         }
