@@ -42,7 +42,12 @@ void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Be
     const bool flip = det < 0;
     const std::int64_t u = dot(p2, s), v = -dot(p1, s), w = det - u - v;
     const Vec3l grad_v{-p1[0], -p1[1], -p1[2]}, grad_w{p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]};
-    if (!inside(u, p2, flip) || !inside(v, grad_v, flip) || !inside(w, grad_w, flip)) return;
+    // Nearly always no edge function is zero; then their signs alone decide, without a branch for each.
+    if (u != 0 && v != 0 && w != 0) {
+        if (((u ^ det) | (v ^ det) | (w ^ det)) < 0) return;
+    } else if (!inside(u, p2, flip) || !inside(v, grad_v, flip) || !inside(w, grad_w, flip)) {
+        return;
+    }
 
     const std::int64_t num_raw = dot(cross(e1, e2), s);
     const std::int64_t num = flip ? -num_raw : num_raw, size = flip ? -det : det;

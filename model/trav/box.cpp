@@ -15,9 +15,10 @@ namespace rayclock {
 
 namespace {
 
-// Four children at a time, in double precision: every value is an integer below 2^53 times a power of two, so that
+// Four children at a time, in double precision: every value is a whole number below 2^53 times a power of two, so that
 // products, sums and comparisons are exact and no rounding is left to the machine.
 using Planes = float __attribute__((vector_size(16)));
+using Whole = std::int32_t __attribute__((vector_size(16)));
 using Lanes = double __attribute__((vector_size(32)));
 using Mask = std::int64_t __attribute__((vector_size(32)));
 constexpr std::size_t halves = max_width / 4;
@@ -53,11 +54,15 @@ Axis make_axis(const BoxRay& ray, const WideNode& node, std::size_t k, const Con
 }
 
 
-/// Where the ray is inside all slabs of each child: t in [near, far], not yet rounded; far < 0 for a miss.
-struct Interval {
-    alignas(32) std::array<double, max_width> near, far;
-};
-RAYCLOCK_CLONES void intersect(const std::array<Axis, 3>& axes, double beyond, Interval& t) {
+/// A child's place in the order: leaf, t_near, offset, with the count riding along. Children that are missed come last.
+/// Below 2^42, so that it is exact in a double.
+using Keys = std::array<double, max_width>;
+constexpr double leaf_key = 0x1p40, missed_key = 0x1p50;
+constexpr int near_shift = 9;   // above offset (6 bits) and count (3 bits)
+
+/// Keys of the children whose interval on the ray is not empty: near rounded down <= far rounded up, and far >= 0.
+/// floor(near) <= ceil(far) is floor(near) - 1 < far.
+RAYCLOCK_CLONES void intersect(const std::array<Axis, 3>& axes, const WideNode& node, double beyond, Keys& keys) {
     for (std::size_t h = 0; h < halves; ++h) {
         Lanes near{}, far = near + (beyond + 1);
         for (const Axis& a : axes) {
@@ -74,9 +79,32 @@ RAYCLOCK_CLONES void intersect(const std::array<Axis, 3>& axes, double beyond, I
                 far = f < far ? f : far;
             }
         }
-        std::memcpy(&t.near[4 * h], &near, sizeof near);
-        std::memcpy(&t.far[4 * h], &far, sizeof far);
+        near = near < beyond ? near : Lanes{} + beyond;
+        const Lanes down = __builtin_convertvector(__builtin_convertvector(near, Whole), Lanes);
+        Lanes key;
+        std::memcpy(&key, &node.key[4 * h], sizeof key);
+        const Mask hit = down - 1.0 < far && far >= 0.0;
+        key = hit ? key + down * double(1 << near_shift) : Lanes{} + missed_key;
+        std::memcpy(&keys[4 * h], &key, sizeof key);
     }
+}
+
+/// Batcher's merge sort for eight. Doubles that are not negative are in the order of their bits, and whole numbers can be
+/// exchanged without a branch, which no predictor could guess.
+void sort(Keys& keys) {
+    auto [k0, k1, k2, k3, k4, k5, k6, k7] = std::bit_cast<std::array<std::uint64_t, max_width>>(keys);
+    const auto order = [](std::uint64_t& a, std::uint64_t& b) {
+        const std::uint64_t exchange = (a ^ b) & -std::uint64_t(b < a);
+        a ^= exchange;
+        b ^= exchange;
+    };
+    order(k0, k1), order(k2, k3), order(k4, k5), order(k6, k7);
+    order(k0, k2), order(k1, k3), order(k4, k6), order(k5, k7);
+    order(k1, k2), order(k5, k6);
+    order(k0, k4), order(k1, k5), order(k2, k6), order(k3, k7);
+    order(k2, k4), order(k3, k5);
+    order(k1, k2), order(k3, k4), order(k5, k6);
+    keys = std::bit_cast<Keys>(std::array{k0, k1, k2, k3, k4, k5, k6, k7});
 }
 
 } // namespace
@@ -86,6 +114,7 @@ WideNode widen(const Node& node, int node_width) {
     wide.org = node.org;
     wide.exp = node.exp;
     wide.base = node.base;
+    wide.key.fill(missed_key);
     std::uint32_t inner = 0, triangles = 0;
     for (int i = 0; i < node_width; ++i) inner += node.kind[std::size_t(i)] == 1;
     for (std::size_t i = 0; i < std::size_t(node_width) && node.kind[i] != 0; ++i, ++wide.children) {
@@ -93,40 +122,32 @@ WideNode widen(const Node& node, int node_width) {
             wide.lo[k][i] = float(node.lo[3 * i + k]);
             wide.hi[k][i] = float(node.hi[3 * i + k]);
         }
-        wide.count[i] = std::uint8_t(node.kind[i] - 1);
-        wide.offset[i] = std::uint8_t(wide.count[i] == 0 ? 2 * i : 2 * inner + triangles);
-        triangles += wide.count[i];
+        const std::uint32_t count = node.kind[i] - 1;
+        const std::uint32_t offset = count == 0 ? std::uint32_t(2 * i) : 2 * inner + triangles;
+        wide.key[i] = (count == 0 ? 0 : leaf_key) + double(offset << 3 | count);
+        triangles += count;
     }
     return wide;
 }
 
 void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
     const double beyond = double((1u << config.t_bits()) - 1);
-    Interval t;
-    intersect({make_axis(ray, node, 0, config), make_axis(ray, node, 1, config), make_axis(ray, node, 2, config)}, beyond, t);
+    Keys keys;
+    intersect({make_axis(ray, node, 0, config), make_axis(ray, node, 1, config), make_axis(ray, node, 2, config)}, node, beyond, keys);
+    sort(keys);
     out.base = node.base;
-    out.inner = out.leaves = 0;
-    std::array<std::uint64_t, max_width> key;
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < std::size_t(node.children); ++i) {
-        // near rounded down and far up: floor(near) <= ceil(far) is floor(near) - 1 < far, for far >= 0.
-        const std::uint32_t near = std::uint32_t(std::min(t.near[i], beyond));
-        if (!(double(near) - 1 < t.far[i]) || t.far[i] < 0) continue;
-        const bool leaf = node.count[i] != 0;
-        (leaf ? out.leaves : out.inner) += 1;
-        // Order: inner children first, then t_near, then place in memory; the count rides along.
-        const std::uint64_t entry = std::uint64_t(leaf) << 40 | std::uint64_t(near) << 9 | std::uint64_t(node.offset[i]) << 3 | node.count[i];
-        std::size_t at = n++;
-        for (; at > 0 && key[at - 1] > entry; --at) key[at] = key[at - 1];
-        key[at] = entry;
+    std::uint32_t inner = 0, hits = 0;
+    for (const double key : keys) {
+        inner += key < leaf_key;
+        hits += key < missed_key;
     }
-    out.t_near.fill(0);
-    out.offset.fill(0);
-    out.count.fill(0);
-    for (std::size_t i = 0; i < n; ++i) {
-        out.t_near[i] = std::uint32_t(key[i] >> 9 & 0x7fff'ffff);
-        out.offset[i] = std::uint32_t(key[i] >> 3 & 63);
-        out.count[i] = std::uint32_t(key[i] & 7);
+    out.inner = inner;
+    out.leaves = hits - inner;
+    for (std::size_t i = 0; i < max_width; ++i) {
+        const std::uint64_t key = std::uint64_t(std::int64_t(keys[i])) & (i < hits ? ~std::uint64_t(0) : 0);
+        out.t_near[i] = std::uint32_t(key >> near_shift & 0x7fff'ffff);
+        out.offset[i] = std::uint32_t(key >> 3 & 63);
+        out.count[i] = std::uint32_t(key & 7);
     }
 }
 

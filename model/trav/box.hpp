@@ -10,7 +10,7 @@ struct WideNode {
     std::uint32_t base = 0;
     int children = 0;
     std::array<std::array<float, max_width>, 3> lo{}, hi{};   ///< whole numbers
-    std::array<std::uint8_t, max_width> offset{}, count{};   ///< count 0: inner child
+    std::array<double, max_width> key{};                      ///< place in the order but for t_near; see box.cpp
 };
 WideNode widen(const Node& node, int node_width);
 

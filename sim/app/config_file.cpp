@@ -23,14 +23,19 @@ Config read_config(const std::string& path) {
     try {
         json = ordered_json::parse(file);
     } catch (const ordered_json::parse_error& e) {
-        throw UserError(path + ": " + e.what());
+        const std::string text = e.what();   // "[json.exception.parse_error.101] parse error at line 1, ..."
+        throw UserError(path + ": " + text.substr(text.find("] ") + 2));
     }
     if (!json.is_object()) throw UserError(path + ": a configuration is a JSON object");
     Config config;
     const bool like = json.contains("like");
     if (like) {
         if (!json["like"].is_string()) throw UserError(path + ": \"like\" must name a configuration");
-        config = named_config(json["like"].get<std::string>());
+        try {
+            config = named_config(json["like"].get<std::string>());
+        } catch (const UserError& e) {
+            throw UserError(path + ": " + e.what());
+        }
     }
     config.name = std::filesystem::path(path).stem().string();
     for (const auto& [key, value] : json.items()) {

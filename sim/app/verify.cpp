@@ -18,12 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Fails early if the pictures could not be written later. Makes nothing: the work may still fail.
 void check_folder(const std::string& folder) {
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw UserError(folder + ": is a file, not a folder for pictures");
-    fs::create_directories(folder, error);
-    if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
-    for (const char* name : {"reference.png", "model.png", "rtl.png", "difference.png"}) check_writable((fs::path(folder) / name).string());
+    fs::path there = fs::absolute(folder);
+    while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+    for (const char* name : {"reference.png", "model.png", "rtl.png", "difference.png"}) check_writable((there / name).string());
 }
 
 /// The golden picture of the scene is of one size of its own; the model makes that frame for it.
@@ -36,6 +37,9 @@ GoldenResult golden_result(const Options& o, const Scene& scene, const Config& c
 }
 
 void write_pictures(const std::string& folder, const Scene& scene, const HitFrame& reference, const LockstepResult& result) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
     const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
     const Picture expected = shade(scene, reference), model = shade(scene, result.model.hits);
     write_picture(path("reference.png"), expected, reference);
@@ -64,7 +68,7 @@ int verify_command(const Options& o) {
     check_outputs(o);
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o, size, progress);
-    if (!o.output.empty()) check_folder(o.output);   // may make it: not for a scene that is not there
+    if (!o.output.empty()) check_folder(o.output);
     const Job job = make_job(scene, *scene.camera, size, config, progress);
 
     // The reference works beside the lockstep, which has one thread.
