@@ -1,0 +1,152 @@
+// Bad files in, outputs that cannot be written: exit code 2, one sentence, and no file is left behind or touched.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <unistd.h>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+struct BadFile {
+    std::string name, bytes;
+    std::vector<std::string> words;
+};
+
+/// Every command that reads the file refuses it and leaves the folder as it was.
+void check_input(const std::vector<BadFile>& cases, const std::vector<std::vector<std::string>>& commands) {
+    for (const BadFile& bad : cases) {
+        const Folder folder;
+        const std::string file = folder.write(bad.name, bad.bytes);
+        folder.write("picture.png", "here before");
+        folder.write("report.json", "here before");
+        const auto before = folder.contents();
+        for (std::vector<std::string> arguments : commands) {
+            for (std::string& argument : arguments)
+                if (argument == "FILE") argument = file;
+                else if (argument.ends_with(".json") || argument.ends_with(".png") || argument == "pictures") argument = folder.name(argument);
+            INFO(bad.name << " with rayclock " << arguments[0]);
+            std::vector<std::string> words = bad.words;
+            words.push_back(bad.name);
+            check_refused(run_program(arguments), words);
+            CHECK(folder.contents() == before);
+        }
+    }
+}
+
+const std::vector<std::vector<std::string>> scene_commands{
+    {"simulate", "FILE", "--size", "8x8", "--json", "report.json"},
+    {"render", "FILE", "--size", "8x8", "-o", "picture.png", "--json", "new.json"},
+    {"render", "FILE", "--size", "8x8", "-o", "new.png", "--engine", "reference"},
+    {"verify", "FILE", "--size", "8x8", "-o", "pictures", "--json", "report.json"}};
+
+const std::string every_key =
+    R"("coord_bits": 18, "dir_bits": 20, "t_frac_bits": 4, "recip_bits": 16, "box_bits": 8, "bary_bits": 16, "node_width": 8, "leaf_size": 1,
+       "contexts": 64, "stack_depth": 16, "raygen_queue": 16, "box_queue": 16, "tri_queue": 32, "mem_latency": 8)";
+
+} // namespace
+
+TEST_CASE("scene files that make no sense") {
+    check_input({{"empty.obj", "", {"empty"}},
+                 {"nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", {"2"}},
+                 {"infinite.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", {"3"}},
+                 {"beyond.obj", corners + "f 1 2 9\n", {"9"}},
+                 {"noface.obj", corners, {}},
+                 {"text.obj", "Dear Sir or Madam,\nthis is not a mesh.\n", {}},
+                 {"truncated.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n", {}},
+                 {"truncated.glb", std::string("glTF\2\0\0\0\xff\0\0\0", 12), {}},
+                 {"noise.stl", std::string(200, '\xa5'), {}},
+                 {"broken.json", "{ \"meshes\": [", {}},
+                 {"flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", {"vanish"}},
+                 {"picture.gif", "GIF89a", {}}},
+                {scene_commands[0], scene_commands[1], scene_commands[3]});
+    // The reference needs no lattice, so a triangle without area is no reason to refuse.
+    check_input({{"empty.obj", "", {"empty"}}, {"beyond.obj", corners + "f 1 2 9\n", {"9"}}}, {scene_commands[2]});
+}
+
+TEST_CASE("a directory, a device or nothing in place of a scene") {
+    const Folder folder;
+    fs::create_directory(folder.name("folder.obj"));
+    check_refused(run_program({"simulate", folder.name("folder.obj")}), {"folder.obj", "directory"});
+    check_refused(run_program({"simulate", folder.name("")}), {"directory"});
+    check_refused(run_program({"simulate", "/dev/null"}), {"/dev/null"});
+    check_refused(run_program({"verify", folder.name("none.glb")}), {"none.glb", "no such file"});
+}
+
+TEST_CASE("configuration files that make no sense") {
+    const std::vector<std::vector<std::string>> commands{{"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"}, {"config", "FILE"}, {"rtl", "--config", "FILE"}};
+    check_input({{"empty.json", "", {}},
+                 {"text.json", "coord_bits = 18", {}},
+                 {"list.json", "[1, 2]", {"object"}},
+                 {"unknown.json", R"({"like": "default", "contxts": 4})", {"'contxts'", "did you mean 'contexts'"}},
+                 {"missing.json", "{" + every_key + "}", {"mem_interval", "missing"}},
+                 {"type.json", R"({"like": "default", "contexts": "4"})", {"contexts"}},
+                 {"fraction.json", R"({"like": "default", "contexts": 4.5})", {"contexts", "4.5"}},
+                 {"bool.json", R"({"like": "default", "contexts": true})", {"contexts", "true"}},
+                 {"power.json", R"({"like": "default", "contexts": 5})", {"power of two", "5"}},
+                 {"range.json", R"({"like": "default", "coord_bits": 21})", {"coord_bits", "21"}},
+                 {"sum.json", R"({"like": "default", "coord_bits": 20, "dir_bits": 23})", {"62", "63"}},
+                 {"like.json", R"({"like": "defualt"})", {"'defualt'", "did you mean 'default'"}},
+                 {"liketype.json", R"({"like": 4})", {"like"}},
+                 {"name.json", R"({"like": "small", "name": 7})", {"name", "7"}},
+                 {"null.json", R"({"like": "small", "contexts": null})", {"contexts"}}},
+                commands);
+    const Folder folder;
+    check_refused(run_program({"simulate", "tetra:1", "--config", folder.name("none.json")}), {"none.json"});
+    check_refused(run_program({"simulate", "tetra:1", "--config", folder.name("")}), {"folder"});
+    check_refused(run_program({"simulate", "tetra:1", "--config", "nosuch"}), {"'nosuch'"});
+    check_refused(run_program({"simulate", "tetra:1", "--config", "smal"}), {"did you mean 'small'"});
+    check_refused(run_program({"simulate", "tetra:1", "--config", ""}), {});
+}
+
+TEST_CASE("outputs that cannot be written") {
+    const Folder folder;
+    fs::create_directory(folder.name("taken"));
+    fs::create_directory(folder.name("taken.png"));
+    folder.write("file", "not a folder");
+    const auto before = folder.contents();
+    const std::string missing = folder.name("none/report.json");
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& word) {
+        INFO("rayclock " << arguments[0] << " " << arguments.back());
+        check_refused(run_program(arguments), {word});
+        CHECK(folder.contents() == before);
+    };
+    refused({"simulate", "tetra:1", "--size", "8x8", "--json", missing}, missing);
+    refused({"verify", "tetra:1", "--size", "8x8", "--json", missing}, missing);
+    refused({"bench", "tetra:1", "--size", "8x8", "--json", missing}, missing);
+    refused({"scenes", "--json", missing}, missing);
+    refused({"doctor", "--json", missing}, missing);
+    refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("none/x.png")}, "none");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("x.png"), "--json", missing}, missing);
+    refused({"simulate", "tetra:1", "--size", "8x8", "--json", folder.name("taken")}, "directory");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("taken.png")}, "directory");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("file/x.png")}, "file");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("x.jpg")}, ".jpg");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", folder.name("x")}, "ending");
+    refused({"render", "tetra:1", "--size", "8x8", "-o", ""}, "ending");
+    refused({"verify", "tetra:1", "--size", "8x8", "-o", folder.name("file")}, "file");
+    refused({"verify", "tetra:1", "--size", "8x8", "-o", folder.name("file/deeper")}, "file");
+    if (::geteuid() != 0) {   // permission bits do not bind root
+        fs::create_directory(folder.name("locked"));
+        fs::permissions(folder.name("locked"), fs::perms::owner_read | fs::perms::owner_exec);
+        check_refused(run_program({"simulate", "tetra:1", "--size", "8x8", "--json", folder.name("locked/x.json")}), {"locked"});
+        check_refused(run_program({"render", "tetra:1", "--size", "8x8", "-o", folder.name("locked/x.png")}), {"locked"});
+    }
+    check_refused(run_program({"simulate", "tetra:1", "--json", "/proc/rayclock.json"}), {"/proc/rayclock.json"});
+}
+
+TEST_CASE("a report that cannot be written in the end is said") {
+    const Outcome full = run_program({"simulate", "tetra:1", "--size", "8x8", "--json", "/dev/full"});
+    CHECK(full.code == 2);
+    CHECK(full.err == "rayclock: /dev/full: cannot be written\n");
+}
+
+TEST_CASE("a place for the RTL that cannot be written") {
+    check_refused(run_program({"rtl"}, {"RAYCLOCK_CACHE=/proc/none"}), {"/proc/none", "RAYCLOCK_CACHE"});
+}

@@ -1,0 +1,89 @@
+#include "tests/cli/program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace rayclock::test {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << stream.rdbuf();
+    return bytes.str();
+}
+
+Folder::Folder() {
+    std::string name = (fs::temp_directory_path() / "rayclock-cli-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+}
+
+Folder::~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::string Folder::write(const std::string& file, const std::string& bytes) const {
+    std::ofstream(path_ / file, std::ios::binary) << bytes;
+    return name(file);
+}
+
+std::map<std::string, std::string> Folder::contents() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(path_))
+        all[fs::relative(entry.path(), path_).string()] = entry.is_regular_file() ? bytes_of(entry.path().string()) : "folder";
+    return all;
+}
+
+Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    const Folder folder;
+    const std::string out = folder.name("out"), err = folder.name("err");
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_CREAT | O_WRONLY, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_CREAT | O_WRONLY, 0600);
+    std::string program = RAYCLOCK_PROGRAM;
+    std::vector<std::string> texts = arguments, variables = environment;
+    for (char** v = environ; *v; ++v) {
+        const std::string text = *v, name = text.substr(0, text.find('=') + 1);
+        if (std::none_of(environment.begin(), environment.end(), [&](const std::string& e) { return e.starts_with(name); })) variables.push_back(text);
+    }
+    std::vector<char*> argv{program.data()}, envp;
+    for (std::string& text : texts) argv.push_back(text.data());
+    for (std::string& text : variables) envp.push_back(text.data());
+    argv.push_back(nullptr);
+    envp.push_back(nullptr);
+    pid_t child = 0;
+    REQUIRE(posix_spawn(&child, RAYCLOCK_PROGRAM, &actions, nullptr, argv.data(), envp.data()) == 0);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
+}
+
+void check_refused(const Outcome& outcome, const std::vector<std::string>& words) {
+    INFO("standard output: " << outcome.out);
+    INFO("standard error: " << outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("rayclock: "));
+    CHECK(outcome.err.find('\n') == outcome.err.size() - 1);   // one line
+    CHECK(outcome.err.size() > 20);
+    for (const char* never : {"terminate", "std::", "exception", "what()", "basic_"}) CHECK(outcome.err.find(never) == std::string::npos);
+    for (const std::string& word : words) {
+        INFO("wanted: " << word);
+        CHECK(outcome.err.find(word) != std::string::npos);
+    }
+}
+
+} // namespace rayclock::test

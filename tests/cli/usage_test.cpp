@@ -1,0 +1,95 @@
+// Bad usage: exit code 2 and one sentence that names what was wrong.
+#include <catch2/catch.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+
+namespace {
+
+struct Bad {
+    std::vector<std::string> arguments, words;
+};
+
+void check(const std::vector<Bad>& cases) {
+    for (const Bad& bad : cases) {
+        std::string line = "rayclock";
+        for (const std::string& word : bad.arguments) line += " '" + word + "'";
+        INFO(line);
+        check_refused(run_program(bad.arguments), bad.words);
+    }
+}
+
+/// simulate on a tiny frame, with these further arguments.
+Bad simulate(std::vector<std::string> arguments, std::vector<std::string> words) {
+    arguments.insert(arguments.begin(), {"simulate", "tetra:1"});
+    return {std::move(arguments), std::move(words)};
+}
+
+} // namespace
+
+TEST_CASE("commands and options that do not exist") {
+    check({{{}, {"subcommand"}},
+           {{"foo"}, {"'foo'"}},
+           {{"simulat", "tetra:1"}, {"'simulat'", "did you mean 'simulate'"}},
+           {{"--bogus"}, {"--help"}},
+           {{"simulate"}, {"SCENE"}},
+           {{"render", "tetra:1"}, {"--output"}},
+           simulate({"--bogus"}, {"--bogus"}),
+           simulate({"tetra:2"}, {"tetra:2"}),
+           simulate({"-o", "x.png"}, {"-o"}),
+           {{"scenes", "extra"}, {"extra"}},
+           {{"doctor", "extra"}, {"extra"}},
+           {{"config", "default", "small"}, {"small"}}});
+}
+
+TEST_CASE("sizes that make no sense") {
+    for (const char* command : {"simulate", "verify", "bench"})
+        check({{{command, "tetra:1", "--size", "0x0"}, {"0 x 0", "16384"}}});
+    check({{{"render", "tetra:1", "--size", "0x0", "-o", "never.png"}, {"0 x 0", "16384"}},
+           simulate({"--size", "100000x100000"}, {"100000 x 100000"}), simulate({"--size", "16385x1"}, {"16385 x 1"}),
+           simulate({"--size", "1x16385"}, {"1 x 16385"}), simulate({"--size", "512"}, {"'512'", "--size"}),
+           simulate({"--size", "512x"}, {"'512x'"}), simulate({"--size", "x512"}, {"'x512'"}), simulate({"--size=-1x5"}, {"-1 x 5"}),
+           simulate({"--size", "-1x5"}, {"-1 x 5"}), simulate({"--size", "1e3x5"}, {"'1e3x5'"}), simulate({"--size", "5x5x5"}, {"'5x5x5'"}),
+           simulate({"--size", ""}, {"--size"}), simulate({"--size", " 5x5"}, {"' 5x5'"}), simulate({"--size", "5x5 "}, {"'5x5 '"}),
+           simulate({"--size", "99999999999999999999x1"}, {"99999999999999999999x1"}), simulate({"--size", "0x10x10"}, {"0x10x10"})});
+}
+
+TEST_CASE("clocks that make no sense") {
+    for (const char* clock : {"0", "-5", "nan", "inf", "-inf", "", "66,,90", "66,", ",66", "abc", "1e9", "0x10", "66 ", "66;90", "-0"})
+        check({simulate({std::string("--clock=") + clock}, {"--clock"}), {{"verify", "tetra:1", std::string("--clock=") + clock}, {"--clock"}}});
+}
+
+TEST_CASE("parameters that make no sense") {
+    check({simulate({"--set", "coord_bits=11"}, {"coord_bits", "12..20", "11"}), simulate({"--set", "coord_bits=21"}, {"coord_bits", "21"}),
+           simulate({"--set", "coord_bits=20", "--set", "dir_bits=24"}, {"62", "64"}), simulate({"--set", "contexts=3"}, {"power of two", "3"}),
+           simulate({"--set", "contexts=0"}, {"contexts", "1..1024"}), simulate({"--set", "contexts=-4"}, {"contexts", "-4"}),
+           simulate({"--set", "node_width=16"}, {"node_width", "16"}), simulate({"--set", "contxts=4"}, {"'contxts'", "did you mean 'contexts'"}),
+           simulate({"--set", "contexts"}, {"'contexts'", "key=value"}), simulate({"--set", "contexts="}, {"contexts", "whole number"}),
+           simulate({"--set", "=4"}, {"--set"}), simulate({"--set", "contexts=4.5"}, {"'4.5'"}), simulate({"--set", "contexts=1e2"}, {"'1e2'"}),
+           simulate({"--set", "contexts=99999999999"}, {"99999999999"}), simulate({"--set", ""}, {"--set"}),
+           simulate({"--set", "mem_latency=0"}, {"mem_latency"}), simulate({"--set", "leaf_size=7"}, {"leaf_size", "7"}),
+           {{"rtl", "--set", "coord_bits=21"}, {"coord_bits"}}, {{"config", "--set", "coord_bits=21"}, {"coord_bits"}},
+           {{"simulate", "icosphere:1", "--set", "stack_depth=1"}, {"stack_depth"}}});
+}
+
+TEST_CASE("other values that make no sense") {
+    check({simulate({"--engine", "gpu"}, {"'gpu'"}), simulate({"--engine", "reference"}, {"'reference'"}), simulate({"--engine", ""}, {"--engine"}),
+           {{"render", "tetra:1", "--engine", "gpu", "-o", "never.png"}, {"'gpu'"}}, simulate({"--jitter", "-1"}, {"--jitter", "-1"}),
+           simulate({"--jitter", "x"}, {"--jitter", "x"}), simulate({"--stall", "100"}, {"--stall", "100"}), simulate({"--stall", "-1"}, {"--stall"}),
+           simulate({"--threads", "-1"}, {"--threads", "-1"}), simulate({"--threads", "x"}, {"--threads"}), simulate({"--seed", "0"}, {"--seed"}),
+           simulate({"--seed", "-1"}, {"--seed"})});
+}
+
+TEST_CASE("scenes that do not exist") {
+    check({{{"simulate", "nosuch"}, {"'nosuch'"}},
+           {{"simulate", "tetr:2"}, {"did you mean", "tetra"}},
+           {{"simulate", ""}, {"scene"}},
+           {{"simulate", "gears:0"}, {"gears", "0"}},
+           {{"simulate", "gears:99999999999"}, {"gears", "99999999999"}},
+           {{"simulate", "gears:x"}, {"'x'"}},
+           {{"simulate", "gears:"}, {"gears"}},
+           {{"simulate", "gears:-1"}, {"-1"}},
+           {{"verify", "no/such/file.obj"}, {"no/such/file.obj", "no such file"}},
+           {{"render", "missing.ply", "-o", "never.png"}, {"missing.ply", "no such file"}}});
+}
