@@ -49,18 +49,24 @@ template <class Item> class Pipe {
 public:
     Pipe(int latency, int depth) : latency_(std::uint64_t(latency)), items_(depth), stamps_(depth) {}
     bool ready() const { return !items_.full(); }
-    bool valid(std::uint64_t now) const { return !items_.empty() && stamps_.front() <= now; }
+    bool valid(std::uint64_t now) const { return due_ <= now; }
     const Item& front() const { return items_.front(); }
     /// Admits a request in cycle `now`; the caller fills in the answer.
     Item& admit(std::uint64_t now) {
         stamps_.push(now + latency_ + 1);
+        if (due_ == never) due_ = now + latency_ + 1;
         return items_.push();
     }
-    void leave() { items_.pop(); stamps_.pop(); }
+    void leave() {
+        items_.pop();
+        stamps_.pop();
+        due_ = stamps_.empty() ? never : stamps_.front();
+    }
     const Ring<Item>& items() const { return items_; }
 
 private:
-    std::uint64_t latency_;
+    static constexpr std::uint64_t never = ~std::uint64_t(0);
+    std::uint64_t latency_, due_ = never;   // due_: when the first answer can be taken
     Ring<Item> items_;
     Ring<std::uint64_t> stamps_;
 };

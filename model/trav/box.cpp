@@ -89,22 +89,25 @@ RAYCLOCK_CLONES void intersect(const std::array<Axis, 3>& axes, const WideNode& 
     }
 }
 
-/// Batcher's merge sort for eight. Doubles that are not negative are in the order of their bits, and whole numbers can be
-/// exchanged without a branch, which no predictor could guess.
-void sort(Keys& keys) {
-    auto [k0, k1, k2, k3, k4, k5, k6, k7] = std::bit_cast<std::array<std::uint64_t, max_width>>(keys);
-    const auto order = [](std::uint64_t& a, std::uint64_t& b) {
-        const std::uint64_t exchange = (a ^ b) & -std::uint64_t(b < a);
-        a ^= exchange;
-        b ^= exchange;
-    };
-    order(k0, k1), order(k2, k3), order(k4, k5), order(k6, k7);
-    order(k0, k2), order(k1, k3), order(k4, k6), order(k5, k7);
-    order(k1, k2), order(k5, k6);
-    order(k0, k4), order(k1, k5), order(k2, k6), order(k3, k7);
-    order(k2, k4), order(k3, k5);
-    order(k1, k2), order(k3, k4), order(k5, k6);
-    keys = std::bit_cast<Keys>(std::array{k0, k1, k2, k3, k4, k5, k6, k7});
+/// Puts two keys in order without a branch, which no predictor could guess.
+void order(std::uint64_t& a, std::uint64_t& b) {
+    const std::uint64_t exchange = (a ^ b) & -std::uint64_t(b < a);
+    a ^= exchange;
+    b ^= exchange;
+}
+
+/// Batcher's merge sort of the first four or of all eight.
+void sort_four(std::uint64_t* k) {
+    order(k[0], k[1]), order(k[2], k[3]);
+    order(k[0], k[2]), order(k[1], k[3]);
+    order(k[1], k[2]);
+}
+void sort_eight(std::uint64_t* k) {
+    sort_four(k);
+    sort_four(k + 4);
+    order(k[0], k[4]), order(k[1], k[5]), order(k[2], k[6]), order(k[3], k[7]);
+    order(k[2], k[4]), order(k[3], k[5]);
+    order(k[1], k[2]), order(k[3], k[4]), order(k[5], k[6]);
 }
 
 } // namespace
@@ -134,20 +137,30 @@ void box_children(const BoxRay& ray, const WideNode& node, const Config& config,
     const double beyond = double((1u << config.t_bits()) - 1);
     Keys keys;
     intersect({make_axis(ray, node, 0, config), make_axis(ray, node, 1, config), make_axis(ray, node, 2, config)}, node, beyond, keys);
-    sort(keys);
-    out.base = node.base;
-    std::uint32_t inner = 0, hits = 0;
+
+    // Those that are hit, packed; most nodes have few.
+    std::array<std::uint64_t, max_width> hit;
+    hit.fill(~std::uint64_t(0));
+    std::uint32_t hits = 0, inner = 0;
     for (const double key : keys) {
-        inner += key < leaf_key;
+        hit[hits & (max_width - 1)] = std::uint64_t(std::int64_t(key));
         hits += key < missed_key;
+        inner += key < leaf_key;
     }
+    if (hits < max_width) hit[hits] = ~std::uint64_t(0);
+    if (hits > 4) sort_eight(hit.data());
+    else if (hits > 1) sort_four(hit.data());
+
+    out.base = node.base;
     out.inner = inner;
     out.leaves = hits - inner;
-    for (std::size_t i = 0; i < max_width; ++i) {
-        const std::uint64_t key = std::uint64_t(std::int64_t(keys[i])) & (i < hits ? ~std::uint64_t(0) : 0);
-        out.t_near[i] = std::uint32_t(key >> near_shift & 0x7fff'ffff);
-        out.offset[i] = std::uint32_t(key >> 3 & 63);
-        out.count[i] = std::uint32_t(key & 7);
+    out.t_near.fill(0);
+    out.offset.fill(0);
+    out.count.fill(0);
+    for (std::size_t i = 0; i < hits; ++i) {
+        out.t_near[i] = std::uint32_t(hit[i] >> near_shift & 0x7fff'ffff);
+        out.offset[i] = std::uint32_t(hit[i] >> 3 & 63);
+        out.count[i] = std::uint32_t(hit[i] & 7);
     }
 }
 
