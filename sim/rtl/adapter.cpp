@@ -71,8 +71,14 @@ struct Handle {{
 }};
 Handle& of(void* handle) {{ return *static_cast<Handle*>(handle); }}
 void* open(int seed) {{ return new Handle(seed); }}
-void close(void* handle) {{ delete &of(handle); }}
+// Verilator 5.006 books assertions and scopes on the thread's context, whichever model was opened last.
+void enter(void* handle) {{ Verilated::threadContextp(&of(handle).context); }}
+void close(void* handle) {{
+    enter(handle);
+    delete &of(handle);
+}}
 int eval(void* handle, int clock) {{
+    enter(handle);
     of(handle).top.clk_i = static_cast<unsigned char>(clock);
     of(handle).top.eval();
     return of(handle).context.gotError();

@@ -1,6 +1,7 @@
 #pragma once
 // One face for a unit's two machines, so that one test body runs on both: links with offer and ready, eval() before the
 // clock edge, commit() for the edge.
+#include <cstring>
 #include <optional>
 
 #include "model/core/ring.hpp"
@@ -98,7 +99,10 @@ public:
     template <class P> void read_out(const char* name, Link<P>& link) const {
         const RcPort& port = rtl_.port(name);
         link.offer.reset();
-        if (*port.valid) link.offer = get_data<P>(port, config_);
+        if (!*port.valid) return;
+        Words words((port.bytes + 3) / 4);   // a narrow port is less than a word, and anywhere
+        std::memcpy(words.data(), port.data, port.bytes);
+        link.offer = unpack<P>(words.data(), config_);
     }
     void reset() { rtl_.reset(); }
     void settle() { rtl_.settle(); }

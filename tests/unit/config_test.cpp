@@ -1,0 +1,99 @@
+// config: what is legal, what is refused with which words, and that whatever is legal fits.
+#include <catch2/catch.hpp>
+
+#include "model/core/error.hpp"
+#include "model/core/layout.hpp"
+#include "model/core/payloads.hpp"
+#include "tests/support/draw.hpp"
+
+using namespace rayclock;
+using Catch::Contains;
+
+TEST_CASE("the named configurations are legal and known by their names", "[config]") {
+    for (const std::string& name : config_names()) {
+        const Config config = named_config(name);
+        REQUIRE(config.name == name);
+        REQUIRE_NOTHROW(check_config(config, name));
+    }
+    REQUIRE_THROWS_WITH(named_config("smal"), Contains("'smal'") && Contains("small"));
+}
+
+TEST_CASE("every parameter can be set, and is held to its range", "[config]") {
+    for (const Parameter& p : parameters()) {
+        CAPTURE(p.key);
+        Config config;
+        set_parameter(config, p.key, std::to_string(p.lo), "here");
+        REQUIRE(config.*p.member == p.lo);
+        for (const int bad : {p.lo - 1, p.hi + 1}) {
+            Config wrong;
+            wrong.*p.member = bad;
+            REQUIRE_THROWS_WITH(check_config(wrong, "here"), Contains("here: " + std::string(p.key) + " must lie in"));
+        }
+        if (!p.power_of_two) continue;
+        Config odd;
+        odd.*p.member = p.lo == 1 ? 3 : p.lo + 1;
+        REQUIRE_THROWS_WITH(check_config(odd, "here"), Contains("power of two"));
+    }
+}
+
+TEST_CASE("a parameter that does not exist or is no number is refused", "[config]") {
+    Config config;
+    REQUIRE_THROWS_WITH(set_parameter(config, "coord_bit", "12", "f"), Contains("f: ") && Contains("coord_bits"));
+    for (const char* text : {"", "x", "12x", "1.5", " 12", "99999999999"})
+        REQUIRE_THROWS_WITH(set_parameter(config, "coord_bits", text, "f"), Contains("whole number"));
+    REQUIRE(config.coord_bits == Config{}.coord_bits);
+}
+
+TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
+    test::Draw draw{1};
+    int legal = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Config c;
+        for (const Parameter& p : parameters()) {
+            if (p.power_of_two) {
+                int value = p.lo;
+                while (value < p.hi && draw.coin()) value *= 2;
+                c.*p.member = value;
+            } else {
+                c.*p.member = draw.below(4) == 0 ? (draw.coin() ? p.lo : p.hi) : draw.between(p.lo, p.hi);
+            }
+        }
+        try {
+            check_config(c, "");
+        } catch (const UserError&) {
+            continue;
+        }
+        ++legal;
+        REQUIRE(c.t_bits() <= 31);
+        REQUIRE(c.edge_bits() <= 64);
+        REQUIRE(c.num_bits() <= 64);
+        REQUIRE(c.guard_dir_bits() <= 64);
+        REQUIRE(c.dir_bits < 1 << exp_bits);
+        REQUIRE(bits_of<Node>(c) <= line_bits);
+        REQUIRE(bits_of<PrimData>(c) <= half_line_bits);
+        REQUIRE((1 << c.ray_bits()) >= c.contexts);
+        REQUIRE((1 << c.group_bits()) > c.node_width);
+        REQUIRE((1 << c.stack_bits()) > c.stack_depth);
+        REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves full: 6 half lines each
+        REQUIRE(c.leaf_size + 1 < 1 << count_bits);
+    }
+    REQUIRE(legal > 3000);
+}
+
+TEST_CASE("widths that do not fit together are refused with the rule", "[config]") {
+    Config edge;
+    edge.coord_bits = 20;
+    edge.dir_bits = 23;
+    REQUIRE_THROWS_WITH(check_config(edge, "c"), Contains("2 * coord_bits + dir_bits must not exceed 62"));
+    Config box;
+    box.coord_bits = 20;
+    box.dir_bits = 22;
+    box.box_bits = 4;
+    box.t_frac_bits = 8;
+    REQUIRE_THROWS_WITH(check_config(box, "c"), Contains("more than 63"));
+}
+
+TEST_CASE("index_bits counts the bits of 0 to n - 1", "[config]") {
+    const std::pair<int, int> cases[] = {{1, 1}, {2, 1}, {3, 2}, {4, 2}, {5, 3}, {64, 6}, {65, 7}, {1024, 10}};
+    for (const auto& [n, bits] : cases) REQUIRE(index_bits(n) == bits);
+}

@@ -1,0 +1,28 @@
+// The generated SystemVerilog package: current, and complete for every configuration.
+#include <fstream>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "sim/gen/rc_pkg.hpp"
+#include "sim/rtl/builder.hpp"
+
+using namespace rayclock;
+
+TEST_CASE("generated_package_is_current", "[package]") {
+    std::ifstream file(rtl_sources() / "rc_pkg.sv");
+    std::ostringstream text;
+    text << file.rdbuf();
+    REQUIRE(file);
+    INFO("regenerate with: cmake --build --preset release --target regen");
+    REQUIRE((text.str() == rc_package(named_config("default"))));
+}
+
+TEST_CASE("the package states the configuration's numbers", "[package]") {
+    Config config = named_config("small");
+    config.contexts = 32;
+    const std::string text = rc_package(config);
+    for (const char* line : {"localparam int unsigned Contexts = 32;", "localparam int unsigned CoordBits = 16;", "localparam int unsigned RayBits = 5;",
+                             "logic [4:0] ray;", "} tri_rsp_t;", "logic signed [49:0] num;"})
+        REQUIRE_THAT(text, Catch::Contains(line));
+}
