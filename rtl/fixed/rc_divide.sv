@@ -19,50 +19,53 @@ module rc_divide #(
   output logic [QuoW-1:0]  quo_o,
   output logic             inexact_o
 );
-  // {first bit, second bit, remainder} of two restoring steps.
-  function automatic logic [Width+1:0] two_bits(
-    input logic [Width-1:0] rem, input logic [Width-1:0] den, input logic [1:0] low);
-    logic [Width:0]   first, second, first_less, second_less;
-    logic [Width-1:0] between, last;
-    first       = {rem, low[1]};
-    first_less  = first - {1'b0, den};
-    between     = first_less[Width] ? first[Width-1:0] : first_less[Width-1:0];
-    second      = {between, low[0]};
-    second_less = second - {1'b0, den};
-    last        = second_less[Width] ? second[Width-1:0] : second_less[Width-1:0];
-    two_bits    = {!first_less[Width], !second_less[Width], last};
-  endfunction
-
   // Dividend bits leave the shift register at the top as quotient bits enter below.
-  logic [Stages-1:0] valid_q;
-  (* mem2reg *) logic [Width-1:0]  rem_q [Stages];
-  (* mem2reg *) logic [Width-1:0]  den_q [Stages];
-  (* mem2reg *) logic [QuoW-1:0]   quo_q [Stages];
-
-  logic [Stages-1:0] valid_d;
-  if (Stages > 1) begin : gen_valid
-    assign valid_d = {valid_q[Stages-2:0], valid_i};
-  end else begin : gen_valid_one
-    assign valid_d = valid_i;
-  end
-
-  always_ff @(posedge clk_i) begin
-    valid_q <= valid_d;
-    if (valid_i) begin
-      den_q[0] <= den_i;
-      {quo_q[0][1:0], rem_q[0]} <= two_bits(rem_i, den_i, low_i[QuoW-1:QuoW-2]);
-      quo_q[0][QuoW-1:2] <= low_i[QuoW-3:0];
+  for (genvar i = 0; i < Stages; i++) begin : gen_stage
+    logic             valid_q, valid_d;
+    logic [Width-1:0] rem_q, den_q, rem_d, den_d;
+    logic [QuoW-1:0]  quo_q, quo_d;
+    if (i == 0) begin : gen_first
+      assign valid_d = valid_i;
+      assign rem_d   = rem_i;
+      assign den_d   = den_i;
+      assign quo_d   = low_i;
+    end else begin : gen_next
+      assign valid_d = gen_stage[i-1].valid_q;
+      assign rem_d   = gen_stage[i-1].rem_q;
+      assign den_d   = gen_stage[i-1].den_q;
+      assign quo_d   = gen_stage[i-1].quo_q;
     end
-    for (int i = 1; i < Stages; i++) begin
-      if (valid_q[i-1]) begin
-        den_q[i] <= den_q[i-1];
-        {quo_q[i][1:0], rem_q[i]} <= two_bits(rem_q[i-1], den_q[i-1], quo_q[i-1][QuoW-1:QuoW-2]);
-        quo_q[i][QuoW-1:2] <= quo_q[i-1][QuoW-3:0];
+    // Two restoring steps.
+    logic [Width:0]   first, second, first_less, second_less;
+    logic [Width-1:0] between;
+    always_comb begin
+      first       = '0;
+      second      = '0;
+      first_less  = '0;
+      second_less = '0;
+      between     = '0;
+      if (valid_d) begin
+        first       = {rem_d, quo_d[QuoW-1]};
+        first_less  = first - {1'b0, den_d};
+        between     = first_less[Width] ? first[Width-1:0] : first_less[Width-1:0];
+        second      = {between, quo_d[QuoW-2]};
+        second_less = second - {1'b0, den_d};
+      end
+    end
+    always_ff @(posedge clk_i) begin
+      valid_q <= valid_d;
+      if (valid_d) begin
+        rem_q <= second_less[Width] ? second[Width-1:0] : second_less[Width-1:0];
+        den_q <= den_d;
+        quo_q <= {quo_d[QuoW-3:0], !first_less[Width], !second_less[Width]};
       end
     end
   end
 
-  assign quo_o     = quo_q[Stages-1];
-  assign inexact_o = rem_q[Stages-1] != '0;
+  assign quo_o     = gen_stage[Stages-1].quo_q;
+  assign inexact_o = gen_stage[Stages-1].rem_q != '0;
+
+  logic unused;
+  assign unused = ^{gen_stage[Stages-1].valid_q, gen_stage[Stages-1].den_q};
 endmodule
 `default_nettype wire

@@ -62,28 +62,23 @@ module rc_hitdiv #(
     .clk_i, .valid_i, .rem_i(v_top ? '0 : v_i), .low_i('0), .den_i(det_i),
     .quo_o(v_quo), .inexact_o(v_inexact));
 
-  logic [Stages-1:0]        valid_q;
-  (* mem2reg *) logic [2:0] flags_q [Stages];
-  logic [2*B-1:0]           end_uv;
-  always_ff @(posedge clk_i) begin
-    valid_q <= {valid_q[Stages-2:0], valid_i};
-    if (valid_i) flags_q[0] <= {beyond, u_top, v_top};
-    for (int i = 1; i < Stages; i++) if (valid_q[i-1]) flags_q[i] <= flags_q[i-1];
-  end
+  logic [Stages-1:0] valid_q;
+  logic [2:0]        end_flags;
+  logic [2*B-1:0]    short_uv, end_uv;
+  always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
+  rc_delay #(.Width(3), .Stages(Stages)) u_flags (
+    .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
+  assign short_uv = {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
   if (Rest == 0) begin : gen_no_wait
-    assign end_uv = {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
+    assign end_uv = short_uv;
   end else begin : gen_wait
-    (* mem2reg *) logic [2*B-1:0] uv_q [Rest];
-    always_ff @(posedge clk_i) begin
-      if (valid_q[Short-1]) uv_q[0] <= {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
-      for (int i = 1; i < Rest; i++) if (valid_q[Short-1+i]) uv_q[i] <= uv_q[i-1];
-    end
-    assign end_uv = uv_q[Rest-1];
+    rc_delay #(.Width(2 * B), .Stages(Rest)) u_uv (
+      .clk_i, .valid_i(valid_q[Stages-2:Short-1]), .data_i(short_uv), .data_o(end_uv));
   end
 
   logic         end_beyond, end_u_top, end_v_top, t_up;
   logic [T-1:0] t_down;
-  assign {end_beyond, end_u_top, end_v_top} = flags_q[Stages-1];
+  assign {end_beyond, end_u_top, end_v_top} = end_flags;
   assign t_down = t_quo[Q-1 -: T];
   if (Q > T) begin : gen_spare_bits
     assign t_up = t_inexact || t_quo[Q-T-1:0] != '0;

@@ -27,14 +27,14 @@ module rc_tri (
   rc_door #(.Credits(rc_pkg::TriQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(req_ready_o));
 
-  logic [L-1:0]               valid_q;
-  (* mem2reg *) logic [I-1:0] ray_q [L];
+  logic [L-1:0] valid_q;
+  logic [I-1:0] end_ray;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= {valid_q[L-2:0], admit};
-    if (admit) ray_q[0] <= req_i.ray;
-    for (int i = 1; i < L; i++) if (valid_q[i-1]) ray_q[i] <= ray_q[i-1];
   end
+  rc_delay #(.Width(I), .Stages(L)) u_ray (
+    .clk_i, .valid_i({valid_q[L-2:0], admit}), .data_i(req_i.ray), .data_o(end_ray));
 
   // s1..s4: edge functions and what they decide.
   logic                s4_hit;
@@ -47,17 +47,16 @@ module rc_tri (
 
   // s1..s4: number and hit to beat wait.
   localparam int unsigned BestW = P + 1 + U + E + P;
-  (* mem2reg *) logic [BestW-1:0] best_q [4];
-  always_ff @(posedge clk_i) begin
-    if (admit) best_q[0] <= {req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim};
-    for (int i = 1; i < 4; i++) if (valid_q[i-1]) best_q[i] <= best_q[i-1];
-  end
+  logic [BestW-1:0] s4_best;
+  rc_delay #(.Width(BestW), .Stages(4)) u_best (
+    .clk_i, .valid_i({valid_q[2:0], admit}),
+    .data_i({req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim}), .data_o(s4_best));
 
   logic [P-1:0]        s4_prim, s4_best_prim;
   logic                s4_found;
   logic signed [U-1:0] s4_best_num;
   logic signed [E-1:0] s4_best_det;
-  assign {s4_prim, s4_found, s4_best_num, s4_best_det, s4_best_prim} = best_q[3];
+  assign {s4_prim, s4_found, s4_best_num, s4_best_det, s4_best_prim} = s4_best;
 
   // s5: num / det against best_num / best_det, cross-multiplied; all four are positive.
   logic                s5_hit_q, s5_found_q, s5_first_q;
@@ -110,19 +109,17 @@ module rc_tri (
     .t_o(t), .u_o(u), .v_o(v));
 
   localparam int unsigned D = L - Pre;
-  logic [D-1:0]                   closer_q;
-  (* mem2reg *) logic [TailW-2:0] tail_q [D];
-  always_ff @(posedge clk_i) begin
-    closer_q <= {closer_q[D-2:0], s6_divide};
-    if (s6_divide) tail_q[0] <= {s6_num_q, s6_det_q, s6_prim_q};
-    for (int i = 1; i < D; i++) if (closer_q[i-1]) tail_q[i] <= tail_q[i-1];
-  end
+  logic [D-1:0]     closer_q;
+  logic [TailW-2:0] tail;
+  always_ff @(posedge clk_i) closer_q <= {closer_q[D-2:0], s6_divide};
+  rc_delay #(.Width(TailW - 1), .Stages(D)) u_tail (
+    .clk_i, .valid_i({closer_q[D-2:0], s6_divide}), .data_i({s6_num_q, s6_det_q, s6_prim_q}), .data_o(tail));
 
   logic                       queue_ready, closer;
   logic [rc_pkg::TriRspW-1:0] queue_data, rsp_data;
   assign closer     = closer_q[D-1];
-  assign queue_data = closer ? {ray_q[L-1], 1'b1, tail_q[D-1], t, u, v}
-                             : {ray_q[L-1], {(rc_pkg::TriRspW-I){1'b0}}};
+  assign queue_data = closer ? {end_ray, 1'b1, tail, t, u, v}
+                             : {end_ray, {(rc_pkg::TriRspW-I){1'b0}}};
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));

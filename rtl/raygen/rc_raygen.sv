@@ -29,19 +29,19 @@ module rc_raygen (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(slot_ready_o));
 
   // Ray number and direction wait beside the reciprocals.
-  logic [Latency-1:0]             valid_q;
-  (* mem2reg *) logic [I-1:0]     ray_q [Latency];
-  (* mem2reg *) logic [3*M-1:0]   dir_q [Latency];
+  logic [Latency-1:0] valid_q;
+  logic [I-1:0]       end_ray;
+  logic [3*M-1:0]     s1_dir, s2_dir_q, end_dir;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= {valid_q[Latency-2:0], admit};
-    if (admit) ray_q[0] <= slot_i.ray;
-    for (int i = 1; i < Latency; i++) if (valid_q[i-1]) ray_q[i] <= ray_q[i-1];
-    if (valid_q[0]) dir_q[1] <= s1_dir;
-    for (int i = 2; i < Latency; i++) if (valid_q[i-1]) dir_q[i] <= dir_q[i-1];
+    if (valid_q[0]) s2_dir_q <= s1_dir;
   end
+  rc_delay #(.Width(I), .Stages(Latency)) u_ray (
+    .clk_i, .valid_i({valid_q[Latency-2:0], admit}), .data_i(slot_i.ray), .data_o(end_ray));
+  rc_delay #(.Width(3 * M), .Stages(Latency - 2)) u_dir (
+    .clk_i, .valid_i(valid_q[Latency-2:1]), .data_i(s2_dir_q), .data_o(end_dir));
 
-  logic [3*M-1:0]  s1_dir;
   logic [3*R1-1:0] recip;
   logic [3*E-1:0]  len;
   logic [3*G-1:0]  corner, right, down;
@@ -66,7 +66,7 @@ module rc_raygen (
                   + $signed({{(M){1'b0}}, 1'b1, {(rc_pkg::GuardBits-1){1'b0}}});
     assign s1_dir[k*M +: M] = s1_sum[G-1 -: M];
     rc_recip u_recip (
-      .clk_i, .valid_i(valid_q[1]), .d_i($signed(dir_q[1][k*M +: M])),
+      .clk_i, .valid_i(valid_q[1]), .d_i($signed(s2_dir_q[k*M +: M])),
       .recip_o(recip[k*R1 +: R1]), .len_o(len[k*E +: E]));
     logic unused;
     assign unused = ^s1_sum[G-M-1:0];
@@ -74,7 +74,7 @@ module rc_raygen (
 
   logic                      queue_ready;
   logic [rc_pkg::RayW-1:0]   queue_data, ray_data;
-  assign queue_data = {ray_q[Latency-1], frame_i.eye, dir_q[Latency-1], recip, len};
+  assign queue_data = {end_ray, frame_i.eye, end_dir, recip, len};
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));

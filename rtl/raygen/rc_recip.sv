@@ -55,19 +55,15 @@ module rc_recip (
     .quo_o(quo), .inexact_o(inexact));
 
   // Bit length and top bit wait beside the divider.
-  logic [Stages:0]             wait_valid_q;
-  (* mem2reg *) logic [E:0]    wait_q [Stages];
-  always_ff @(posedge clk_i) begin
-    wait_valid_q <= {wait_valid_q[Stages-1:0], s1_valid_q};
-    if (s1_valid_q) wait_q[0] <= {s1_top_q, s1_len_q};
-    for (int i = 1; i < Stages; i++) if (wait_valid_q[i-1]) wait_q[i] <= wait_q[i-1];
-  end
+  logic [Stages-1:0] wait_valid_q;
+  logic              top;
+  always_ff @(posedge clk_i) wait_valid_q <= {wait_valid_q[Stages-2:0], s1_valid_q};
+  rc_delay #(.Width(E + 1), .Stages(Stages)) u_wait (
+    .clk_i, .valid_i({wait_valid_q[Stages-2:0], s1_valid_q}), .data_i({s1_top_q, s1_len_q}), .data_o({top, len_o}));
 
-  logic top;
-  assign {top, len_o} = wait_q[Stages-1];
   assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[2*Stages-1 -: R]};
 
   logic unused;
-  assign unused = ^{inexact, quo[0], wait_valid_q[Stages:Stages-1]};
+  assign unused = ^{inexact, quo[0], wait_valid_q[Stages-1]};
 endmodule
 `default_nettype wire

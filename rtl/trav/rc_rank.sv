@@ -11,7 +11,8 @@ module rc_rank #(
   localparam int unsigned C      = rc_pkg::CountBits,
   localparam int unsigned O      = rc_pkg::OffsetBits,
   localparam int unsigned G      = rc_pkg::GroupBits,
-  localparam int unsigned KeyW   = 2 + T + O + C  // {missed, leaf, t_near, offset, count}
+  localparam int unsigned KeyW   = 2 + T + O + C,  // {missed, leaf, t_near, offset, count}
+  localparam int unsigned PadW   = 64              // a key's place in a vector
 ) (
   input  logic                 clk_i,
   input  logic                 s4_valid_i,
@@ -23,12 +24,12 @@ module rc_rank #(
   output logic [G-1:0]         s6_leaves_o,
   output logic [W*(T+O+C)-1:0] s6_entries_o
 );
-  // Exchanges entries i and i ^ J where they stand in the wrong order for blocks of K.
-  // Unrolled by hand below: the subset has no functions on arrays.
+  // A level exchanges entries i and i ^ J where they stand in the wrong order for blocks
+  // of K; levels are written out, since the subset has no functions on arrays.
 
   // s4: where each child lies in the block, its key, and how many of each kind are hit.
   (* mem2reg *) logic [KeyW-1:0] s4_key [W];
-  (* mem2reg *) logic [KeyW-1:0] s5_key_q [W];
+  logic [W*PadW-1:0]             s5_keys;
   logic [KeyW-1:0] s4_swap;
   logic [O-1:0]    s4_inner, s4_triangles;
   logic [C-1:0]    s4_count;
@@ -76,10 +77,15 @@ module rc_rank #(
   end
   always_ff @(posedge clk_i) begin
     if (s4_valid_i) begin
-      for (int i = 0; i < W; i++) s5_key_q[i] <= s4_key[i];
       s5_inner_q  <= s4_inners;
       s5_leaves_q <= s4_leaves;
     end
+  end
+
+  for (genvar i = 0; i < W; i++) begin : gen_key
+    logic [KeyW-1:0] s5_key_q;
+    always_ff @(posedge clk_i) if (s4_valid_i) s5_key_q <= s4_key[i];
+    assign s5_keys[i*PadW +: PadW] = {{(PadW-KeyW){1'b0}}, s5_key_q};
   end
 
   // s5: the other half of the network, needed for eight children.
@@ -87,7 +93,7 @@ module rc_rank #(
   logic [KeyW-1:0] s5_swap;
   always_comb begin
     s5_swap = '0;
-    for (int i = 0; i < W; i++) s5_key[i] = s5_key_q[i];
+    for (int i = 0; i < W; i++) s5_key[i] = s5_keys[i*PadW +: KeyW];
     if (W == 8 && s5_valid_i) begin
       for (int i = 0; i < W; i++)
         if ((i ^ 4) > i && s5_key[i] > s5_key[(i ^ 4) % W]) begin
@@ -126,6 +132,6 @@ module rc_rank #(
   assign s6_entries_o = {s6_t_q, s6_offset_q, s6_count_q};
 
   logic unused;
-  assign unused = ^{s5_key[0][KeyW-2], s5_key[W-1][KeyW-2]};
+  assign unused = ^{s5_key[0][KeyW-2], s5_keys};
 endmodule
 `default_nettype wire

@@ -71,8 +71,6 @@ module rc_slab #(
   end
 
   // s3: the children's planes, still in units of 2^-shift.
-  (* mem2reg *) logic signed [V-1:0] s3_near_q [W];
-  (* mem2reg *) logic signed [V-1:0] s3_far_q [W];
   logic                s3_zero_q;
   logic [5:0]          s3_left_q, s3_right_q;   // one of them is zero
   logic [R1-1:0]       s3_up_q;                 // 2^right - 1: what rounding up adds
@@ -80,12 +78,6 @@ module rc_slab #(
   assign s2_right = s2_shift_q[S-1] ? -s2_shift_q : '0;
   always_ff @(posedge clk_i) begin
     if (s2_valid_i) begin
-      for (int i = 0; i < W; i++) begin
-        s3_near_q[i] <= s2_neg_q ? V'(s2_near_q) - step(s2_hi_i[i*B +: B], s2_r_q)
-                                 : V'(s2_near_q) + step(s2_lo_i[i*B +: B], s2_r_q);
-        s3_far_q[i]  <= s2_neg_q ? V'(s2_far_q) - step(s2_lo_i[i*B +: B], s2_r_up)
-                                 : V'(s2_far_q) + step(s2_hi_i[i*B +: B], s2_r_up);
-      end
       s3_zero_q  <= s2_zero_q;
       s3_left_q  <= s2_shift_q[S-1] ? 6'd0 : s2_shift_q[5:0];
       s3_right_q <= s2_right[5:0];
@@ -104,19 +96,31 @@ module rc_slab #(
     scale = |moved[63:T] ? '1 : moved[T-1:0];
   endfunction
 
-  always_comb begin
-    s3_near_o = '0;
-    s3_far_o  = '0;
-    s3_miss_o = '0;
-    if (s3_valid_i) begin
-      for (int i = 0; i < W; i++) begin
-        if (!s3_zero_q && !s3_near_q[i][V-1])
-          s3_near_o[i*T +: T] = scale($unsigned(s3_near_q[i]), s3_left_q, s3_right_q);
-        s3_far_o[i*T +: T] = s3_zero_q ? '1
-          : scale($unsigned(s3_far_q[i]) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q, s3_right_q);
-        s3_miss_o[i] = s3_far_q[i][V-1] || (s3_zero_q && !s3_near_q[i][V-1] && s3_near_q[i] != '0);
+  for (genvar i = 0; i < W; i++) begin : gen_child
+    logic signed [V-1:0] s3_near_q, s3_far_q;
+    always_ff @(posedge clk_i) begin
+      if (s2_valid_i) begin
+        s3_near_q <= s2_neg_q ? V'(s2_near_q) - step(s2_hi_i[i*B +: B], s2_r_q)
+                              : V'(s2_near_q) + step(s2_lo_i[i*B +: B], s2_r_q);
+        s3_far_q  <= s2_neg_q ? V'(s2_far_q) - step(s2_lo_i[i*B +: B], s2_r_up)
+                              : V'(s2_far_q) + step(s2_hi_i[i*B +: B], s2_r_up);
       end
     end
+    logic [T-1:0] near, far;
+    logic         miss;
+    always_comb begin
+      near = '0;
+      far  = '0;
+      miss = 1'b0;
+      if (s3_valid_i) begin
+        if (!s3_zero_q && !s3_near_q[V-1]) near = scale($unsigned(s3_near_q), s3_left_q, s3_right_q);
+        far  = s3_zero_q ? '1 : scale($unsigned(s3_far_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q, s3_right_q);
+        miss = s3_far_q[V-1] || (s3_zero_q && !s3_near_q[V-1] && s3_near_q != '0);
+      end
+    end
+    assign s3_near_o[i*T +: T] = near;
+    assign s3_far_o[i*T +: T]  = far;
+    assign s3_miss_o[i]        = miss;
   end
 
   logic unused;
