@@ -30,9 +30,11 @@ module rc_edges #(
   localparam int unsigned X = 2 * D + 1;  // component of e1 x e2
 
   // s1: edges from a, and a to the origin.
-  logic signed [D-1:0] s1_e1x_q, s1_e1y_q, s1_e1z_q, s1_e2x_q, s1_e2y_q, s1_e2z_q, s1_sx_q, s1_sy_q, s1_sz_q;
+  logic signed [D-1:0] s1_e1x_q, s1_e1y_q, s1_e1z_q, s1_e2x_q, s1_e2y_q, s1_e2z_q, s1_sx_q,
+      s1_sy_q, s1_sz_q;
   logic signed [M-1:0] s1_dx_q, s1_dy_q, s1_dz_q;
-  logic signed [N-1:0] s0_ox, s0_oy, s0_oz, s0_ax, s0_ay, s0_az, s0_bx, s0_by, s0_bz, s0_cx, s0_cy, s0_cz;
+  logic signed [N-1:0] s0_ox, s0_oy, s0_oz, s0_ax, s0_ay, s0_az, s0_bx, s0_by, s0_bz, s0_cx, s0_cy,
+      s0_cz;
   assign {s0_oz, s0_oy, s0_ox} = s0_o_i;
   assign {s0_az, s0_ay, s0_ax} = s0_a_i;
   assign {s0_bz, s0_by, s0_bx} = s0_b_i;
@@ -79,9 +81,12 @@ module rc_edges #(
   logic signed [C-1:0] s3_p1x_q, s3_p1y_q, s3_p1z_q, s3_p2x_q, s3_p2y_q, s3_p2z_q;
   always_ff @(posedge clk_i) begin
     if (s2_valid_i) begin
-      s3_det_q <= E'(s2_p2x_q) * E'(s2_e1x_q) + E'(s2_p2y_q) * E'(s2_e1y_q) + E'(s2_p2z_q) * E'(s2_e1z_q);
-      s3_u_q   <= E'(s2_p2x_q) * E'(s2_sx_q) + E'(s2_p2y_q) * E'(s2_sy_q) + E'(s2_p2z_q) * E'(s2_sz_q);
-      s3_v_q   <= -(E'(s2_p1x_q) * E'(s2_sx_q) + E'(s2_p1y_q) * E'(s2_sy_q) + E'(s2_p1z_q) * E'(s2_sz_q));
+      s3_det_q <= E'(s2_p2x_q) * E'(s2_e1x_q) + E'(s2_p2y_q) * E'(s2_e1y_q)
+          + E'(s2_p2z_q) * E'(s2_e1z_q);
+      s3_u_q   <= E'(s2_p2x_q) * E'(s2_sx_q) + E'(s2_p2y_q) * E'(s2_sy_q)
+          + E'(s2_p2z_q) * E'(s2_sz_q);
+      s3_v_q   <= -(E'(s2_p1x_q) * E'(s2_sx_q) + E'(s2_p1y_q) * E'(s2_sy_q)
+          + E'(s2_p1z_q) * E'(s2_sz_q));
       s3_num_q <= U'(s2_nx_q) * U'(s2_sx_q) + U'(s2_ny_q) * U'(s2_sy_q) + U'(s2_nz_q) * U'(s2_sz_q);
       {s3_p1x_q, s3_p1y_q, s3_p1z_q} <= {s2_p1x_q, s2_p1y_q, s2_p1z_q};
       {s3_p2x_q, s3_p2y_q, s3_p2z_q} <= {s2_p2x_q, s2_p2y_q, s2_p2z_q};
@@ -106,7 +111,8 @@ module rc_edges #(
 
   always_ff @(posedge clk_i) begin
     if (s3_valid_i) begin
-      s4_hit_o <= s3_det_q != '0 && s3_u_neg == s3_flip && s3_v_neg == s3_flip && s3_w_neg == s3_flip
+      s4_hit_o <= s3_det_q != '0 && s3_u_neg == s3_flip && s3_v_neg == s3_flip
+               && s3_w_neg == s3_flip
                && s3_num_q != '0 && s3_num_q[U-1] == s3_flip;
       s4_det_o <= s3_flip ? -s3_det_q : s3_det_q;
       s4_u_o   <= s3_flip ? -s3_u_q : s3_u_q;

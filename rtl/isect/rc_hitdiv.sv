@@ -23,8 +23,10 @@ module rc_hitdiv #(
   localparam int unsigned Q       = 2 * Stages;           // quotient bits made, at least T and B
   // num * 2^(M-1+F) * 2^(Q-T) / det in Q bits: the dividend above the quotient's bits is
   // num * 2^(M-1+F-T), that is num moved left by M - N - 3, or right if that is negative.
-  localparam int unsigned Left    = rc_pkg::DirBits > rc_pkg::CoordBits + 3 ? rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;
-  localparam int unsigned Right   = rc_pkg::CoordBits + 3 > rc_pkg::DirBits ? rc_pkg::CoordBits + 3 - rc_pkg::DirBits : 0;
+  localparam int unsigned Left    = rc_pkg::DirBits > rc_pkg::CoordBits + 3
+                                 ? rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;
+  localparam int unsigned Right   = rc_pkg::CoordBits + 3 > rc_pkg::DirBits
+                                 ? rc_pkg::CoordBits + 3 - rc_pkg::DirBits : 0;
   localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;
 
   logic [WideW-1:0] num_wide, num_above;
@@ -67,7 +69,8 @@ module rc_hitdiv #(
   logic [2*B-1:0]    short_uv, end_uv;
   always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
   rc_delay #(.Width(3), .Stages(Stages)) u_flags (
-    .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
+    .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i({beyond, u_top, v_top}),
+    .data_o(end_flags));
   assign short_uv = {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
   if (Rest == 0) begin : gen_no_wait
     assign end_uv = short_uv;

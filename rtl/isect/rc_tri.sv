@@ -41,7 +41,8 @@ module rc_tri (
   logic signed [E-1:0] s4_det, s4_u, s4_v;
   logic signed [U-1:0] s4_num;
   rc_edges u_edges (
-    .clk_i, .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]), .s3_valid_i(valid_q[2]),
+    .clk_i, .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]),
+    .s3_valid_i(valid_q[2]),
     .s0_o_i(req_i.o), .s0_d_i(req_i.d), .s0_a_i(req_i.a), .s0_b_i(req_i.b), .s0_c_i(req_i.c),
     .s4_hit_o(s4_hit), .s4_det_o(s4_det), .s4_num_o(s4_num), .s4_u_o(s4_u), .s4_v_o(s4_v));
 
@@ -50,7 +51,8 @@ module rc_tri (
   logic [BestW-1:0] s4_best;
   rc_delay #(.Width(BestW), .Stages(4)) u_best (
     .clk_i, .valid_i({valid_q[2:0], admit}),
-    .data_i({req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim}), .data_o(s4_best));
+    .data_i({req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim}),
+    .data_o(s4_best));
 
   logic [P-1:0]        s4_prim, s4_best_prim;
   logic                s4_found;
@@ -113,7 +115,8 @@ module rc_tri (
   logic [TailW-2:0] tail;
   always_ff @(posedge clk_i) closer_q <= {closer_q[D-2:0], s6_divide};
   rc_delay #(.Width(TailW - 1), .Stages(D)) u_tail (
-    .clk_i, .valid_i({closer_q[D-2:0], s6_divide}), .data_i({s6_num_q, s6_det_q, s6_prim_q}), .data_o(tail));
+    .clk_i, .valid_i({closer_q[D-2:0], s6_divide}), .data_i({s6_num_q, s6_det_q, s6_prim_q}),
+    .data_o(tail));
 
   logic                       queue_ready, closer;
   logic [rc_pkg::TriRspW-1:0] queue_data, rsp_data;
@@ -126,7 +129,8 @@ module rc_tri (
   assign rsp_o = rsp_data;
 
 `ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni) valid_q[L-1] |-> queue_ready)
+  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
+      valid_q[L-1] |-> queue_ready)
     else $error("an answer met a full queue");
 `endif
 

@@ -93,7 +93,8 @@ module rc_list (
   logic [C-1:0] cursor_triangle, next_triangle;
   logic [S+C-1:0] cursor;
   rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
-    .clk_i, .write_i(tri_fires), .write_addr_i(tri_rsp_i.ray), .write_data_i({next_leaf, next_triangle}),
+    .clk_i, .write_i(tri_fires), .write_addr_i(tri_rsp_i.ray),
+    .write_data_i({next_leaf, next_triangle}),
     .read_addr_i(tri_rsp_i.ray), .read_data_o(cursor));
   always_ff @(posedge clk_i) begin
     if (in_fires)  moved_q[in.ray] <= 1'b0;
@@ -134,7 +135,8 @@ module rc_list (
   logic         next_valid, next_ready, first_valid, first_ready;
   logic [I+A:0] next_data, first_data;
   logic [A:0]   next_addr, first_addr;
-  assign next_addr  = {group_base, 1'b0} + {{(A+1-O){1'b0}}, group_offset[at*O +: O]} + {{(A+1-C){1'b0}}, next_triangle};
+  assign next_addr  = {group_base, 1'b0} + {{(A+1-O){1'b0}}, group_offset[at*O +: O]}
+      + {{(A+1-C){1'b0}}, next_triangle};
   assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in_offset[in_first*O +: O]};
   rc_queue #(.Width(I + A + 1), .Depth(T)) u_next (
     .clk_i, .rst_ni, .push_i(tri_fires && tri_prim), .data_i({tri_rsp_i.ray, next_addr}),
@@ -192,7 +194,8 @@ module rc_list (
   assign tri_found        = found_q[prim_rsp_i.ray];
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
-  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c, prim_rsp_i.prim,
+  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c,
+                      prim_rsp_i.prim,
                       tri_found, tri_found ? tri_best : {BestW{1'b0}}};
 
   // ---- The answer for a ray that trav has finished.

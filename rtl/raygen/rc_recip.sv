@@ -59,7 +59,8 @@ module rc_recip (
   logic              top;
   always_ff @(posedge clk_i) wait_valid_q <= {wait_valid_q[Stages-2:0], s1_valid_q};
   rc_delay #(.Width(E + 1), .Stages(Stages)) u_wait (
-    .clk_i, .valid_i({wait_valid_q[Stages-2:0], s1_valid_q}), .data_i({s1_top_q, s1_len_q}), .data_o({top, len_o}));
+    .clk_i, .valid_i({wait_valid_q[Stages-2:0], s1_valid_q}), .data_i({s1_top_q, s1_len_q}),
+    .data_o({top, len_o}));
 
   assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[2*Stages-1 -: R]};
 

@@ -79,7 +79,8 @@ module rc_box (
       .s0_o_i($signed(s0_o[k*N +: N])), .s0_org_i($signed(s0_org[k*N +: N])), .s0_neg_i(s0_neg[k]),
       .s0_recip_i(s0_recip[k*R1 +: R1]), .s0_len_i(s0_len[k*E +: E]), .s0_exp_i(s0_exp[k*E +: E]),
       .s2_lo_i(s2_axis_lo[k*W*B +: W*B]), .s2_hi_i(s2_axis_hi[k*W*B +: W*B]),
-      .s3_near_o(s3_near[k*W*T +: W*T]), .s3_far_o(s3_far[k*W*T +: W*T]), .s3_miss_o(s3_miss[k*W +: W]));
+      .s3_near_o(s3_near[k*W*T +: W*T]), .s3_far_o(s3_far[k*W*T +: W*T]),
+      .s3_miss_o(s3_miss[k*W +: W]));
   end
 
   // Memory holds planes child by child; a slab wants those of its axis.
@@ -135,7 +136,8 @@ module rc_box (
   assign rsp_o = rsp_data;
 
 `ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni) valid_q[L-1] |-> queue_ready)
+  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
+      valid_q[L-1] |-> queue_ready)
     else $error("an answer met a full queue");
 `endif
 

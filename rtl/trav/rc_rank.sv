@@ -62,7 +62,8 @@ module rc_rank #(
           s4_key[i ^ 1] = s4_swap;
         end
       for (int i = 0; i < W; i++)
-        if (W > 2 && (i ^ 2) > i && (s4_key[i] > s4_key[(i ^ 2) % W]) == ((i & 4) == 0 || W == 4)) begin
+        if (W > 2 && (i ^ 2) > i && (s4_key[i] > s4_key[(i ^ 2) % W])
+            == ((i & 4) == 0 || W == 4)) begin
           s4_swap             = s4_key[i];
           s4_key[i]           = s4_key[(i ^ 2) % W];
           s4_key[(i ^ 2) % W] = s4_swap;

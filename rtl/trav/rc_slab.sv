@@ -33,7 +33,8 @@ module rc_slab #(
   localparam int unsigned V  = P + 1;       // plus plane * r, signed
   localparam int unsigned S  = 8;           // shift, signed; within +-63 (model/core/config.cpp)
   // shift = x + e = F + M - len - R + e; the constant part:
-  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::DirBits) - S'(rc_pkg::RecipBits);
+  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::DirBits)
+      - S'(rc_pkg::RecipBits);
 
   // s1: distance from the ray's origin to the node's, along the ray.
   logic signed [D-1:0] s1_distance_q;
@@ -48,7 +49,8 @@ module rc_slab #(
       s1_neg_q      <= s0_neg_i;
       s1_zero_q     <= s0_len_i == '0;
       s1_exp_q      <= s0_exp_i;
-      s1_shift_q    <= ShiftBase - $signed({{(S-E){1'b0}}, s0_len_i}) + $signed({{(S-E){1'b0}}, s0_exp_i});
+      s1_shift_q    <= ShiftBase - $signed({{(S-E){1'b0}}, s0_len_i})
+          + $signed({{(S-E){1'b0}}, s0_exp_i});
     end
   end
 
@@ -90,7 +92,8 @@ module rc_slab #(
   endfunction
 
   // Distance of a non-negative v, moved to its place and saturated at all ones.
-  function automatic logic [T-1:0] scale(input logic [V-1:0] v, input logic [5:0] left, input logic [5:0] right);
+  function automatic logic [T-1:0] scale(input logic [V-1:0] v, input logic [5:0] left,
+      input logic [5:0] right);
     logic [63:0] moved;
     moved = ({{(64-V){1'b0}}, v} >> right) << left;
     scale = |moved[63:T] ? '1 : moved[T-1:0];
@@ -113,8 +116,10 @@ module rc_slab #(
       far  = '0;
       miss = 1'b0;
       if (s3_valid_i) begin
-        if (!s3_zero_q && !s3_near_q[V-1]) near = scale($unsigned(s3_near_q), s3_left_q, s3_right_q);
-        far  = s3_zero_q ? '1 : scale($unsigned(s3_far_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q, s3_right_q);
+        if (!s3_zero_q && !s3_near_q[V-1])
+          near = scale($unsigned(s3_near_q), s3_left_q, s3_right_q);
+        far  = s3_zero_q ? '1
+             : scale($unsigned(s3_far_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q, s3_right_q);
         miss = s3_far_q[V-1] || (s3_zero_q && !s3_near_q[V-1] && s3_near_q != '0);
       end
     end

@@ -110,7 +110,8 @@ module rc_stack (
 
 `ifndef SYNTHESIS
   a_room: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                           s1_valid_i && forward && s1_step_i.inner != G'(1) |-> s1_height_q != H'(D))
+                           s1_valid_i && forward && s1_step_i.inner != G'(1)
+                               |-> s1_height_q != H'(D))
     else $error("the scene needs a deeper stack than its compilation said");
   a_one_stage: assert property (@(posedge clk_i) disable iff (!rst_ni)
                                 s0_valid_i && s1_valid_i |-> s0_ray_i != s1_step_i.ray)

@@ -83,7 +83,8 @@ module rc_trav (
   rc_stack u_stack (
     .clk_i, .rst_ni, .s0_valid_i(again_q || step_fires), .s0_ray_i(s0_ray),
     .s1_valid_i(s1_valid_q), .s1_step_i(s1_step),
-    .visit_o(visit), .visit_base_o(visit_base), .visit_slot_o(visit_slot), .done_o(done), .again_o(again));
+    .visit_o(visit), .visit_base_o(visit_base), .visit_slot_o(visit_slot), .done_o(done),
+    .again_o(again));
   always_ff @(posedge clk_i) begin
     if (!rst_ni) again_q <= 1'b0;
     else         again_q <= again;
@@ -95,7 +96,8 @@ module rc_trav (
   logic [I+A-1:0] visit_data;
   logic [I-1:0]   spawn_ray;
   rc_queue #(.Width(I + A), .Depth(T)) u_visit (
-    .clk_i, .rst_ni, .push_i(visit), .data_i({s1_step.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
+    .clk_i, .rst_ni, .push_i(visit),
+    .data_i({s1_step.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
     .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
   rc_fifo #(.Width(I), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
@@ -103,7 +105,8 @@ module rc_trav (
   rc_merge #(.Width(I + A)) u_node (
     .clk_i, .rst_ni,
     .first_valid_i(visit_valid), .first_ready_o(visit_ready), .first_i(visit_data),
-    .second_valid_i(spawn_valid), .second_ready_o(spawn_ready), .second_i({spawn_ray, frame_i.root}),
+    .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
+    .second_i({spawn_ray, frame_i.root}),
     .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
   rc_queue #(.Width(I), .Depth(T)) u_done (
@@ -111,6 +114,7 @@ module rc_trav (
     .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
 
   logic unused;
-  assign unused = ^{frame_i.width, frame_i.height, frame_i.eye, frame_i.corner, frame_i.right, frame_i.down, ray_d};
+  assign unused = ^{frame_i.width, frame_i.height, frame_i.eye, frame_i.corner, frame_i.right,
+      frame_i.down, ray_d};
 endmodule
 `default_nettype wire

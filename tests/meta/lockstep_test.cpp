@@ -1,0 +1,157 @@
+// Lockstep itself: it must see wrong values and wrong cycles, and name the first of them.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+#include "model/machine.hpp"
+#include "sim/load/load.hpp"
+#include "sim/lockstep/lockstep.hpp"
+
+using namespace rayclock;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// While it lives, the RTL is a copy with one text replaced.
+class Mutant {
+public:
+    Mutant(const std::string& file, const std::string& old, const std::string& fresh)
+        : folder_(fs::temp_directory_path() / ("rayclock-meta-" + std::to_string(getpid()))) {
+        fs::remove_all(folder_);
+        fs::copy(RAYCLOCK_SOURCE_DIR "/rtl", folder_, fs::copy_options::recursive);
+        std::ostringstream bytes;
+        bytes << std::ifstream(folder_ / file).rdbuf();
+        std::string text = bytes.str();
+        const std::size_t at = text.find(old);
+        REQUIRE(at != std::string::npos);
+        REQUIRE(text.find(old, at + 1) == std::string::npos);
+        std::ofstream(folder_ / file) << text.replace(at, old.size(), fresh);
+        setenv("RAYCLOCK_RTL", folder_.c_str(), 1);
+    }
+    ~Mutant() {
+        unsetenv("RAYCLOCK_RTL");
+        fs::remove_all(folder_);
+    }
+    Mutant(const Mutant&) = delete;
+
+private:
+    fs::path folder_;
+};
+
+Job small_job() {
+    Config config = named_config("small");   // builds fastest
+    Scene scene = load_scene("icosphere:2");
+    scene.camera = fit_camera(scene, 4.0 / 3);
+    return make_job(scene, *scene.camera, {24, 18}, config);
+}
+
+/// What the model does first on a channel that satisfies `wanted`: cycle, ray and pixel.
+struct Event {
+    std::uint64_t cycle = 0;
+    std::uint32_t ray = 0, x = 0, y = 0;
+};
+template <class Payload, class Wanted> Event first_event(const Job& job, Channel channel, Wanted wanted) {
+    Machine machine(job.image, job.frame, job.config);
+    Event found;
+    for (bool done = false; !done && !machine.done();) {
+        const std::uint64_t now = machine.cycle();
+        machine.step([&](Channel c, const auto& payload) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(payload)>, Payload>) {
+                if (done || c != channel || !wanted(payload)) return;
+                const Slot pixel = machine.sched().pixel(payload.ray);
+                found = {now, payload.ray, pixel.x, pixel.y};
+                done = true;
+            }
+        });
+    }
+    return found;
+}
+
+void check_first(const LockstepResult& result, const Event& event, const std::string& unit, const std::string& channel) {
+    REQUIRE(result.first);
+    INFO(result.first->expected << " / " << result.first->got);
+    CHECK_FALSE(result.agrees());
+    CHECK(result.first->cycle == event.cycle);
+    CHECK(result.first->unit == unit);
+    CHECK(result.first->channel == channel);
+    CHECK(result.first->ray == event.ray);
+    CHECK(result.first->x == event.x);
+    CHECK(result.first->y == event.y);
+}
+
+} // namespace
+
+TEST_CASE("lockstep agrees where nothing is wrong") {
+    const LockstepResult result = run_lockstep(small_job());
+    CHECK(result.agrees());
+    CHECK_FALSE(result.first);
+    CHECK(result.events_compared > 1000);
+}
+
+TEST_CASE("lockstep names the first wrong value") {
+    const Job job = small_job();
+    const Event event = first_event<TriRsp>(job, Channel::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
+    REQUIRE(event.cycle > 0);
+    const Mutant mutant("isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (B+1)'(1) + {");
+    const LockstepResult result = run_lockstep(job);
+    check_first(result, event, "tri", "tri_rsp");
+    CHECK(result.value_mismatches > 1);
+    CHECK(result.cycle_gap == 0);   // nothing depends on v
+    CHECK(result.first->expected.starts_with("v="));
+    CHECK(std::stoul(result.first->got.substr(2)) == std::stoul(result.first->expected.substr(2)) + 1);
+    CHECK(result.model.hits.hits != result.rtl.hits.hits);
+    CHECK(result.model.digest != result.rtl.digest);
+}
+
+TEST_CASE("lockstep names the pixel whose ray is wrong") {
+    const Job job = small_job();
+    const Event event = first_event<Ray>(job, Channel::ray, [](const Ray& ray) { return ray.ray == 5; });
+    const Mutant mutant("raygen/rc_raygen.sv", "assign ray_o = ray_data;",
+                        "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: I] == I'(5)};");
+    const LockstepResult result = run_lockstep(job);
+    check_first(result, event, "raygen", "ray");
+    CHECK(event.x == 5);
+    CHECK(event.y == 0);
+    CHECK(result.first->expected.find("len[0]=") != std::string::npos);
+}
+
+TEST_CASE("lockstep names the first cycle in which the RTL is late") {
+    const Job job = small_job();
+    const Event event = first_event<BoxRsp>(job, Channel::box_rsp, [](const BoxRsp&) { return true; });
+    const Mutant mutant("trav/rc_box.sv", "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),",
+                        "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n    late_q <= rst_ni && valid_q[L-1];\n    data_q <= queue_data;\n  end\n"
+                        "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
+    const LockstepResult result = run_lockstep(job);
+    REQUIRE(result.first);
+    CHECK(result.first->cycle == event.cycle);
+    CHECK(result.first->unit == "box");
+    CHECK(result.first->channel == "box_rsp");
+    CHECK(result.first->expected == "a transfer");
+    CHECK(result.first->got == "no offer");
+    CHECK(result.first->ray == event.ray);
+    CHECK(result.cycle_gap > 0);
+    CHECK_FALSE(result.agrees());
+    // Late, but right: the machines ran on alone, and the pictures are the same.
+    CHECK(result.model.hits.hits == result.rtl.hits.hits);
+    CHECK(result.rtl.cycles > result.model.cycles);
+    CHECK(result.value_mismatches == 0);
+}
+
+TEST_CASE("lockstep ends when the RTL never gives a pixel") {
+    const Job job = small_job();
+    LockstepResult result;
+    const Mutant hanging("sched/rc_sched.sv", "assign hit_valid_o     = closest_valid_i;", "assign hit_valid_o     = closest_valid_i && pixel != (2*P)'(12 << P | 9);");
+    CHECK_NOTHROW(result = run_lockstep(job));
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "sched");
+    CHECK(result.first->channel == "hit");
+    CHECK(result.first->got == "no offer");
+    CHECK(result.first->x == 12);
+    CHECK(result.first->y == 9);
+    CHECK(result.value_mismatches == 1);   // a pixel of the sphere that never came out
+    CHECK(result.cycle_gap > 0);
+}

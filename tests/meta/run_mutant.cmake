@@ -1,0 +1,32 @@
+# cmake -DNAME= -DFOLDER= -DSOURCE= -DFILE= -DPROGRAM= -DFILTER= [-DCACHE=] [-DEXPECT=pass] -P run_mutant.cmake
+# Runs a test program on a mutant; the program must fail, and not because the mutant cannot be built. For an RTL mutant a
+# copy of rtl/ is changed here; for one of the model, PROGRAM was built with the change.
+if(FILE MATCHES "^rtl/")
+  file(REMOVE_RECURSE ${FOLDER}/rtl ${FOLDER}/cache)
+  file(COPY ${SOURCE}/rtl DESTINATION ${FOLDER})
+  execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/old -DNEW=${FOLDER}/new -DFROM=${SOURCE}/${FILE} -DTO=${FOLDER}/${FILE}
+    -P ${CMAKE_CURRENT_LIST_DIR}/apply.cmake COMMAND_ERROR_IS_FATAL ANY)
+  set(ENV{RAYCLOCK_RTL} ${FOLDER}/rtl)
+  set(ENV{RAYCLOCK_CACHE} ${FOLDER}/cache)
+else()
+  set(ENV{RAYCLOCK_CACHE} ${CACHE})
+endif()
+execute_process(COMMAND ${PROGRAM} ${FILTER} --abort WORKING_DIRECTORY ${SOURCE} TIMEOUT 600
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+file(REMOVE_RECURSE ${FOLDER}/rtl ${FOLDER}/cache)
+if(output MATCHES "verilator on [a-z_]+ failed|the C\\+\\+ compiler on|verilator -Wall warns")
+  message(FATAL_ERROR "${NAME} cannot be built, so it proves nothing:\n${output}")
+elseif(output MATCHES "No test cases matched|No tests ran")
+  message(FATAL_ERROR "${NAME}: there is no test ${FILTER}")
+elseif(result MATCHES "timeout")
+  message(FATAL_ERROR "${NAME}: the test did not end")
+elseif(EXPECT STREQUAL "pass")
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "without any change ${FILTER} fails on the copy:\n${output}")
+  endif()
+elseif(result EQUAL 0)
+  message(FATAL_ERROR "${NAME} SURVIVED: ${FILE} is wrong, and ${FILTER} did not notice")
+else()
+  string(REGEX MATCH "\n[^\n]+\n-----*\n[^\n]*_test\\.cpp:[0-9]+" where "${output}")
+  message(STATUS "${NAME}: noticed by${where}")
+endif()
