@@ -1,6 +1,7 @@
 #include "sim/image/golden.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -14,7 +15,12 @@ std::string golden_path(const std::string& folder, const std::string& scene_spec
     return (std::filesystem::path(folder) / fmt::format("{}_{}x{}.png", name, size.width, size.height)).string();
 }
 
-GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture) {
+GoldenBounds golden_bounds(int coord_bits) {
+    const double coarser = std::exp2(std::max(0, golden_coord_bits - coord_bits));
+    return {golden_min_psnr_db - 10 * std::log10(coarser), golden_max_beyond * coarser};
+}
+
+GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture, int coord_bits) {
     GoldenResult result;
     const std::string path = golden_path(folder, scene_spec, picture.size);
     std::error_code error;
@@ -24,7 +30,8 @@ GoldenResult check_golden(const std::string& folder, const std::string& scene_sp
     result.psnr_db = difference.psnr_db;
     result.pixels_beyond = difference.pixels_beyond;
     const double beyond = static_cast<double>(difference.pixels_beyond) / static_cast<double>(picture.pixels.size());
-    result.within = difference.psnr_db >= golden_min_psnr_db && beyond <= golden_max_beyond;
+    const GoldenBounds bounds = golden_bounds(coord_bits);
+    result.within = difference.psnr_db >= bounds.min_psnr_db && beyond <= bounds.max_beyond;
     return result;
 }
 

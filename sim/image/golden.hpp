@@ -21,6 +21,14 @@ namespace rayclock {
 constexpr double golden_min_psnr_db = 40;
 constexpr int golden_tolerance = 8;
 constexpr double golden_max_beyond = 0.005;
+constexpr int golden_coord_bits = 16;   ///< for lattices at least so fine
+
+/// Below that, each bit less moves silhouettes twice as far and so changes twice as many pixels: 3 dB.
+struct GoldenBounds {
+    double min_psnr_db = golden_min_psnr_db;
+    double max_beyond = golden_max_beyond;
+};
+GoldenBounds golden_bounds(int coord_bits);
 
 struct GoldenResult {
     bool found = false;                ///< there is a golden picture of that scene and size
@@ -33,6 +41,7 @@ struct GoldenResult {
 std::string golden_path(const std::string& folder, const std::string& scene_spec, FrameSize size);
 
 /// Compares with the golden picture of that scene and size. Throws UserError if the file is there but unreadable.
-GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture);
+GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture,
+                          int coord_bits = golden_coord_bits);
 
 } // namespace rayclock

@@ -113,3 +113,10 @@ TEST_CASE("golden pictures are found by scene and size, and hold within their bo
     CHECK_FALSE(check(spots).within);
     CHECK(folder.files() == 1);
 }
+
+TEST_CASE("golden bounds: 3 dB and twice the pixels for each bit below sixteen", "[golden]") {
+    CHECK(golden_bounds(20).min_psnr_db == golden_min_psnr_db);
+    CHECK(golden_bounds(16).max_beyond == golden_max_beyond);
+    CHECK(golden_bounds(15).min_psnr_db == Approx(golden_min_psnr_db - 3.0103));
+    CHECK(golden_bounds(12).max_beyond == Approx(16 * golden_max_beyond));
+}
