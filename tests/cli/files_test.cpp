@@ -80,7 +80,8 @@ TEST_CASE("a directory, a device or nothing in place of a scene") {
 }
 
 TEST_CASE("configuration files that make no sense") {
-    const std::vector<std::vector<std::string>> commands{{"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"}, {"config", "FILE"}, {"rtl", "--config", "FILE"}};
+    const std::vector<std::vector<std::string>> commands{
+        {"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"}, {"config", "FILE"}, {"rtl", "--config", "FILE"}};
     check_input({{"empty.json", "", {}},
                  {"text.json", "coord_bits = 18", {}},
                  {"list.json", "[1, 2]", {"object"}},

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -56,7 +57,8 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::vector
     std::vector<std::string> texts = arguments, variables = environment;
     for (char** v = environ; *v; ++v) {
         const std::string text = *v, name = text.substr(0, text.find('=') + 1);
-        if (std::none_of(environment.begin(), environment.end(), [&](const std::string& e) { return e.starts_with(name); })) variables.push_back(text);
+        const auto is_it = [&](const std::string& e) { return e.starts_with(name); };
+        if (std::none_of(environment.begin(), environment.end(), is_it)) variables.push_back(text);
     }
     std::vector<char*> argv{program.data()}, envp;
     for (std::string& text : texts) argv.push_back(text.data());

@@ -122,9 +122,11 @@ TEST_CASE("lockstep names the pixel whose ray is wrong") {
 TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const Job job = small_job();
     const Event event = first_event<BoxRsp>(job, Channel::box_rsp, [](const BoxRsp&) { return true; });
-    const Mutant mutant("trav/rc_box.sv", "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),",
-                        "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n    late_q <= rst_ni && valid_q[L-1];\n    data_q <= queue_data;\n  end\n"
-                        "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
+    const std::string queue = "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
+    const Mutant mutant("trav/rc_box.sv", queue + ".valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),",
+                        "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
+                        "    late_q <= rst_ni && valid_q[L-1];\n    data_q <= queue_data;\n  end\n" +
+                            queue + ".valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
     const LockstepResult result = run_lockstep(job);
     REQUIRE(result.first);
     CHECK(result.first->cycle == event.cycle);
@@ -144,7 +146,8 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
 TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     const Job job = small_job();
     LockstepResult result;
-    const Mutant hanging("sched/rc_sched.sv", "assign hit_valid_o     = closest_valid_i;", "assign hit_valid_o     = closest_valid_i && pixel != (2*P)'(12 << P | 9);");
+    const Mutant hanging("sched/rc_sched.sv", "assign hit_valid_o     = closest_valid_i;",
+                         "assign hit_valid_o     = closest_valid_i && pixel != (2*P)'(12 << P | 9);");
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);
     CHECK(result.first->unit == "sched");

@@ -33,8 +33,8 @@ int side(const Vec& o, const Vec& d, const Vec& p, const Vec& q) {
 } // namespace
 
 ExactScene::ExactScene(const Scene& scene, const Lattice& lattice) {
-    for (const Triangle& t : scene.triangles)
-        triangles_.push_back({lattice.snap(scene.vertices[t.vertex[0]]), lattice.snap(scene.vertices[t.vertex[1]]), lattice.snap(scene.vertices[t.vertex[2]])});
+    const auto corner = [&](const Triangle& t, std::size_t k) { return lattice.snap(scene.vertices[t.vertex[k]]); };
+    for (const Triangle& t : scene.triangles) triangles_.push_back({corner(t, 0), corner(t, 1), corner(t, 2)});
 }
 
 ExactHit ExactScene::closest(const Vec3i& origin, const Vec3i& direction) const {

@@ -80,7 +80,9 @@ TEST_CASE("every pixel holds the primitive that exact arithmetic finds: camera o
     const glm::dvec3 eye = GENERATE(glm::dvec3{0, 0, 3}, glm::dvec3{3, 0, 0}, glm::dvec3{0, -3, 0}, glm::dvec3{0, 0, 0}, glm::dvec3{2, 2, 2});
     const std::string name = GENERATE("icosphere:2", "tetra:3");
     Shot shot = make_shot(name, {33, 33}, named_config("default"));
-    shot.scene.camera = Camera{eye, eye == glm::dvec3{0} ? glm::dvec3{0, 0, -1} : glm::dvec3{0}, std::abs(eye.y) > 2.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0}, 40};
+    const glm::dvec3 at = eye == glm::dvec3{0} ? glm::dvec3{0, 0, -1} : glm::dvec3{0};
+    const glm::dvec3 up = std::abs(eye.y) > 2.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
+    shot.scene.camera = Camera{eye, at, up, 40};
     INFO(name << " from " << eye.x << " " << eye.y << " " << eye.z);
     for (const char* config : {"default", "narrow"})
         check_exact(shot.scene, make_job(shot.scene, *shot.scene.camera, {33, 33}, quick_config(config)));

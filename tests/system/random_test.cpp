@@ -65,7 +65,8 @@ TEST_CASE("every node width with every coordinate width", "[slow]") {
 
 TEST_CASE("one and two contexts, queues of two", "[slow]") {
     const int contexts = GENERATE(1, 2), queue = GENERATE(2, 4);
-    check_config_in_lockstep(with(named_config("default"), {{"contexts", contexts}, {"raygen_queue", queue}, {"box_queue", queue}, {"tri_queue", queue}, {"stack_depth", 32}}));
+    check_config_in_lockstep(with(named_config("default"), {{"contexts", contexts}, {"raygen_queue", queue}, {"box_queue", queue},
+                                                            {"tri_queue", queue}, {"stack_depth", 32}}));
 }
 
 TEST_CASE("the least and the most of every other width", "[slow]") {

@@ -89,7 +89,8 @@ private:
 } // namespace
 
 TEST_CASE("pixels that differ from the reference lie within rounding of an edge or of a tie") {
-    const std::string name = GENERATE("tetra:4", "mount:4", "gears:1", "gears:2", "balls:1", "balls:2", "teapot:6", "cornell", "icosphere:3", "rings:1", "tree:6");
+    const std::string name = GENERATE("tetra:4", "mount:4", "gears:1", "gears:2", "balls:1", "balls:2", "teapot:6", "cornell", "icosphere:3",
+                                      "rings:1", "tree:6");
     const int bits = GENERATE(12, 16, 18, 20);
     const FrameSize size{96, 72};
     const Config config = with(named_config("default"), {{"coord_bits", bits}, {"dir_bits", bits == 12 ? 16 : 20}, {"stack_depth", 32}});
