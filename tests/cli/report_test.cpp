@@ -115,7 +115,7 @@ TEST_CASE("verify compares with the golden picture where there is one") {
     CHECK(report["golden"]["within"] == true);
 }
 
-TEST_CASE("--json - prints JSON and nothing else") {
+TEST_CASE("with --json - JSON is printed and nothing else") {
     const Folder folder;
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"scenes"}, {"doctor"}, {"render", "tetra:2", "--size", "8x8", "-o", folder.name("x.png")},
