@@ -32,16 +32,16 @@ mutant(edges_zero_is_inside QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][loc
 mutant(edges_tie_turned FILE rtl/isect/rc_edges.sv TEST unit [tri]
   OLD [[s3_p1x_q != s3_p2x_q ? s3_p1x_q < s3_p2x_q :]]
   NEW [[s3_p1x_q != s3_p2x_q ? s3_p1x_q > s3_p2x_q :]])
-mutant(edges_normal_one_bit_short QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri]
+mutant(edges_normal_one_bit_short QUICK FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned X = 2 * D + 1;]]
-  NEW [[localparam int unsigned X = 2 * D - 1;]])
-mutant(edges_product_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit [tri]
+  NEW [[localparam int unsigned X = 2 * D - 2;]])
+mutant(edges_product_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned C = M + D + 1;]]
   NEW [[localparam int unsigned C = M + D - 1;]])
 mutant(edges_origin_counts FILE rtl/isect/rc_edges.sv TEST unit [tri]
   OLD [[&& s3_num_q != '0 && s3_num_q[U-1] == s3_flip]]
   NEW [[&& (s3_num_q == '0 || s3_num_q[U-1] == s3_flip)]])
-mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri]
+mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
   OLD [[s5_first_q <= s4_prim <= s4_best_prim;]]
   NEW [[s5_first_q <= s4_prim >= s4_best_prim;]])
 mutant(tri_equal_is_not_closer FILE rtl/isect/rc_tri.sv TEST unit [tri]
@@ -82,9 +82,9 @@ mutant(sched_frees_another_context QUICK FILE rtl/sched/rc_sched.sv TEST unit [s
 mutant(sched_one_row_more FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[assign last_y = {1'b0, y_q} + 1'b1 == frame_i.height;]]
   NEW [[assign last_y = {1'b0, y_q} == frame_i.height;]])
-mutant(top_listens_to_offers FILE rtl/rc_top.sv TEST system "model and RTL agree for every memory and every back-pressure"
-  OLD [[.ray_fires_i(ray_valid && ray_ready)]]
-  NEW [[.ray_fires_i(ray_valid)]])
+mutant(top_pops_without_asking FILE rtl/rc_top.sv TEST system "model and RTL agree for every memory and every back-pressure"
+  OLD [[.closest_ready_i(closest_ready)]]
+  NEW [[.closest_ready_i(closest_ready || closest.found)]])
 
 # ---- doors and queues.
 mutant(fifo_full_one_early QUICK FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]
@@ -208,3 +208,14 @@ mutant(model_lattice_rounds_down FILE model/accel/lattice.cpp TEST accel ~[none]
 mutant(model_frame_one_row_less FILE model/sched/sched.cpp TEST unit [sched]
   OLD [[if (++y_ == height_) more_ = false;]]
   NEW [[if (++y_ + 1 == height_) more_ = false;]])
+
+# ---- The same, judged by whole frames against exact integers: that test has an edge of its own.
+mutant(frames_tri_tie_turned FILE model/isect/tri.cpp TEST system "every pixel*"
+  OLD [[edge != 0 ? edge : gradient[0] != 0 ? gradient[0] :]]
+  NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
+mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "every pixel*"
+  OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
+  NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
+mutant(frames_list_skips_last_triangle FILE model/list/list.cpp TEST system "every pixel*"
+  OLD [[if (at.triangle + 1 < group.count]]
+  NEW [[if (at.triangle + 2 < group.count]])
