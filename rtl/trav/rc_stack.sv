@@ -42,9 +42,7 @@ module rc_stack (
 
   localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
   function automatic logic [AddrW-1:0] address(input logic [I-1:0] ray, input logic [H-1:0] at);
-    logic [I+DB-1:0] full;
-    full    = ({{DB{1'b0}}, ray} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)};
-    address = full[AddrW-1:0];
+    address = AddrW'(({{DB{1'b0}}, ray} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
   endfunction
 
   logic [T-1:0]       top_below, below;

@@ -19,8 +19,8 @@ public:
 
     /// Signed number of n bits.
     std::int64_t number(int n) {
-        const std::int64_t most = (std::int64_t(1) << (n - 1)) - 1, least = -most - 1;
-        std::int64_t value = std::int64_t(bits(n)) + least;
+        const std::int64_t most = std::int64_t((std::uint64_t(1) << (n - 1)) - 1), least = -most - 1;
+        std::int64_t value = std::int64_t(bits(n) << (64 - n)) >> (64 - n);
         if (coin()) {
             const std::int64_t power = std::int64_t(1) << below(n - 1);
             const std::int64_t corners[] = {0, 1, -1, least, most, least + 1, most - 1, power, -power, power - 1, last_};

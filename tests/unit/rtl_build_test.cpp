@@ -31,3 +31,15 @@ TEST_CASE("the units' rtl is built", "[.build]") {
         if (e) std::rethrow_exception(e);
     SUCCEED("all are there");
 }
+
+TEST_CASE("the rtl of the smallest shapes builds without a warning", "[rtl][slow]") {
+    Config config;
+    config.leaf_size = 6;
+    config.contexts = GENERATE(1, 2);
+    config.stack_depth = config.contexts;
+    config.node_width = 2 * config.contexts;
+    config.raygen_queue = config.box_queue = config.tri_queue = 2;
+    config.box_bits = config.bary_bits = 4 * config.contexts;
+    check_config(config, "test");
+    REQUIRE_NOTHROW(build_rtl(config));
+}
