@@ -1,4 +1,5 @@
 #pragma once
+#include <cstring>
 #include <memory>
 #include <string>
 
@@ -36,7 +37,12 @@ private:
 
 /// Copies a packed payload to a port, or reads one from it.
 template <class P> void set_data(const RcPort& port, const P& payload, const Config& config);
-template <class P> P get_data(const RcPort& port, const Config& config) { return unpack<P>(port.data, config); }
+template <class P> P get_data(const RcPort& port, const Config& config) {
+    if (port.bytes >= 4) return unpack<P>(port.data, config);
+    std::uint32_t word = 0;   // a port of up to 16 bits is shorter than a word
+    std::memcpy(&word, port.data, port.bytes);
+    return unpack<P>(&word, config);
+}
 void copy_words(const RcPort& port, const Words& words);
 
 template <class P> void set_data(const RcPort& port, const P& payload, const Config& config) {
