@@ -19,6 +19,25 @@ int Config::raygen_latency() const { return 3 + (recip_bits + 1) / 2; }
 int Config::box_latency() const { return 6; }
 int Config::tri_latency() const { return 6 + (std::max(t_bits(), bary_bits) + 1) / 2; }
 
+namespace {
+int miss_bits(int mshrs, int line) { return index_bits(mshrs) + (line > line_bytes ? index_bits(line / line_bytes) : 0); }
+} // namespace
+int Config::node_miss_bits() const { return miss_bits(node_mshrs, node_line); }
+int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
+int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
+int Config::client_bits() const { return index_bits(2 * pipelines); }
+int Config::client_id_bits() const { return client_bits() + std::max(node_miss_bits(), prim_miss_bits()); }
+int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }
+
+const std::vector<std::string>& dram_names() {
+    static const std::vector<std::string> names{"ideal", "sdr", "ddr3", "rpu"};
+    return names;
+}
+
+std::string value_text(const Config& config, const Parameter& p) {
+    return p.names ? (*p.names)[std::size_t(config.*p.member)] : std::to_string(config.*p.member);
+}
+
 const std::vector<Parameter>& parameters() {
     static const std::vector<Parameter> all{
         {"coord_bits", &Config::coord_bits, 12, 20, false, "N: bits of a lattice coordinate"},
@@ -34,8 +53,24 @@ const std::vector<Parameter>& parameters() {
         {"raygen_queue", &Config::raygen_queue, 2, 256, true, "answers raygen may hold"},
         {"box_queue", &Config::box_queue, 2, 256, true, "answers box may hold"},
         {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
-        {"mem_latency", &Config::mem_latency, 1, 10000, false, "cycles from memory request to answer"},
-        {"mem_interval", &Config::mem_interval, 1, 1000, false, "cycles between requests on a memory port"},
+        {"pipelines", &Config::pipelines, 1, 8, true, "P: pipelines"},
+        {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
+        {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},
+        {"node_ways", &Config::node_ways, 1, 8, true, "ways"},
+        {"node_line", &Config::node_line, 64, 256, true, "bytes a line, at least one node"},
+        {"node_mshrs", &Config::node_mshrs, 1, 64, true, "lines on their way"},
+        {"prim_sets", &Config::prim_sets, 1, 4096, true, "primitive cache of a pipeline: sets"},
+        {"prim_ways", &Config::prim_ways, 1, 8, true, "ways"},
+        {"prim_line", &Config::prim_line, 64, 256, true, "bytes a line"},
+        {"prim_mshrs", &Config::prim_mshrs, 1, 64, true, "lines on their way"},
+        {"l2_sets", &Config::l2_sets, 0, 16384, true, "shared cache: sets, 0 for none"},
+        {"l2_ways", &Config::l2_ways, 1, 8, true, "ways"},
+        {"l2_line", &Config::l2_line, 64, 256, true, "bytes a line"},
+        {"l2_mshrs", &Config::l2_mshrs, 1, 64, true, "lines on their way"},
+        {"cache_queue", &Config::cache_queue, 2, 256, true, "answers a cache may hold"},
+        {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false, "memory: ideal, sdr, ddr3 or rpu", &dram_names()},
+        {"mem_latency", &Config::mem_latency, 1, 10000, false, "ideal memory: cycles from request to answer"},
+        {"mem_interval", &Config::mem_interval, 1, 1000, false, "ideal memory: cycles between requests"},
     };
     return all;
 }
@@ -64,6 +99,12 @@ Config named_config(const std::string& name) {
 void set_parameter(Config& config, const std::string& key, const std::string& value, const std::string& where) {
     for (const Parameter& p : parameters()) {
         if (key != p.key) continue;
+        if (p.names) {
+            const auto at = std::find(p.names->begin(), p.names->end(), value);
+            if (at == p.names->end()) throw UserError(where + ": no " + key + " is called '" + value + "'" + did_you_mean(value, *p.names));
+            config.*p.member = int(at - p.names->begin());
+            return;
+        }
         int number = 0;
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
         if (error != std::errc{} || end != value.data() + value.size())

@@ -25,8 +25,26 @@ struct Config {
     int raygen_queue = 16;   ///< answers raygen may hold, a power of two
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
-    int mem_latency = 8;     ///< cycles from a memory request to its answer
-    int mem_interval = 1;    ///< cycles between two requests on one memory port
+    int pipelines = 1;       ///< P: pipelines of one machine
+    int tile_bits = 3;       ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by row
+    int node_sets = 64;      ///< node cache of a pipeline: sets,
+    int node_ways = 4;       ///< ways,
+    int node_line = 64;      ///< bytes a line,
+    int node_mshrs = 8;      ///< lines that may be on their way
+    int prim_sets = 64;      ///< primitive cache of a pipeline, the same
+    int prim_ways = 4;
+    int prim_line = 64;
+    int prim_mshrs = 8;
+    int l2_sets = 0;         ///< cache that all pipelines share, the same; 0: there is none
+    int l2_ways = 4;
+    int l2_line = 64;
+    int l2_mshrs = 16;
+    int cache_queue = 4;     ///< answers a cache may hold, a power of two
+
+    // Beside the chip.
+    int dram = 0;            ///< memory, see dram_names()
+    int mem_latency = 8;     ///< cycles from a request to its answer, if the memory is `ideal`
+    int mem_interval = 1;    ///< cycles between two requests, if the memory is `ideal`
 
     // Derived.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }      ///< distance, saturating, all ones: beyond
@@ -40,6 +58,12 @@ struct Config {
     int raygen_latency() const;
     int box_latency() const;
     int tri_latency() const;
+    int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way, word in it
+    int prim_miss_bits() const;
+    int l2_miss_bits() const;
+    int client_bits() const;      ///< index of a cache among all of the pipelines': 2 p for nodes, 2 p + 1 for primitives
+    int client_id_bits() const;   ///< a cache's request, told apart from all other caches'
+    int mem_id_bits() const;      ///< a request at the memory port
 };
 
 constexpr int guard_bits = 14;      ///< fraction bits of the camera's pixel steps, dropped by one rounding
@@ -51,6 +75,7 @@ constexpr int offset_bits = 6;      ///< child within its block, in steps of 32 
 constexpr int count_bits = 3;       ///< triangles of a leaf, 1..6; 0 for an inner node
 constexpr int line_bits = 512;      ///< a memory line, one node
 constexpr int half_line_bits = 256; ///< one triangle
+constexpr int line_bytes = 64;      ///< what memory gives in one answer
 
 /// One parameter as files, `--set` and reports know it.
 struct Parameter {
@@ -59,8 +84,15 @@ struct Parameter {
     int lo, hi;
     bool power_of_two;
     const char* meaning;
+    const std::vector<std::string>* names = nullptr;   ///< of the values 0, 1 ..., if they are named
 };
 const std::vector<Parameter>& parameters();
+
+/// Memories that can lie beside the chip, by the value of Config::dram.
+const std::vector<std::string>& dram_names();
+
+/// A parameter's value as files and reports give it: a number or a name.
+std::string value_text(const Config& config, const Parameter& parameter);
 
 /// The named configurations that ship with the program.
 const std::vector<std::string>& config_names();
