@@ -13,6 +13,21 @@ package rc_pkg;
   localparam int unsigned RaygenQueue = 16;
   localparam int unsigned BoxQueue = 16;
   localparam int unsigned TriQueue = 32;
+  localparam int unsigned Pipelines = 1;
+  localparam int unsigned TileBits = 3;
+  localparam int unsigned NodeSets = 64;
+  localparam int unsigned NodeWays = 4;
+  localparam int unsigned NodeWords = 1;
+  localparam int unsigned NodeMshrs = 8;
+  localparam int unsigned PrimSets = 64;
+  localparam int unsigned PrimWays = 4;
+  localparam int unsigned PrimWords = 1;
+  localparam int unsigned PrimMshrs = 8;
+  localparam int unsigned L2Sets = 0;
+  localparam int unsigned L2Ways = 4;
+  localparam int unsigned L2Words = 1;
+  localparam int unsigned L2Mshrs = 16;
+  localparam int unsigned CacheQueue = 4;
 
   localparam int unsigned TBits = 24;
   localparam int unsigned EdgeBits = 58;
@@ -29,6 +44,10 @@ package rc_pkg;
   localparam int unsigned PrimBits = 32;
   localparam int unsigned OffsetBits = 6;
   localparam int unsigned CountBits = 3;
+  localparam int unsigned LineBits = 512;
+  localparam int unsigned ClientBits = 1;
+  localparam int unsigned ClientIdBits = 4;
+  localparam int unsigned MemIdBits = 4;
   localparam int unsigned RaygenLatency = 11;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TriLatency = 18;
@@ -78,6 +97,18 @@ package rc_pkg;
   localparam int unsigned NodeRspW = 507;
 
   typedef struct packed {
+    logic [2:0] id;
+    logic [23:0] addr;
+  } node_miss_t;
+  localparam int unsigned NodeMissW = 27;
+
+  typedef struct packed {
+    logic [2:0] id;
+    logic [511:0] line;
+  } node_fill_t;
+  localparam int unsigned NodeFillW = 515;
+
+  typedef struct packed {
     logic [5:0] ray;
     logic [53:0] o;
     logic [2:0] neg;
@@ -119,6 +150,18 @@ package rc_pkg;
   localparam int unsigned PrimRspW = 200;
 
   typedef struct packed {
+    logic [2:0] id;
+    logic [23:0] addr;
+  } prim_miss_t;
+  localparam int unsigned PrimMissW = 27;
+
+  typedef struct packed {
+    logic [2:0] id;
+    logic [511:0] line;
+  } prim_fill_t;
+  localparam int unsigned PrimFillW = 515;
+
+  typedef struct packed {
     logic [5:0] ray;
     logic [53:0] o;
     logic [59:0] d;
@@ -144,6 +187,30 @@ package rc_pkg;
     logic [16:0] v;
   } tri_rsp_t;
   localparam int unsigned TriRspW = 211;
+
+  typedef struct packed {
+    logic [3:0] id;
+    logic [23:0] addr;
+  } l2_req_t;
+  localparam int unsigned L2ReqW = 28;
+
+  typedef struct packed {
+    logic [3:0] id;
+    logic [511:0] line;
+  } l2_rsp_t;
+  localparam int unsigned L2RspW = 516;
+
+  typedef struct packed {
+    logic [3:0] id;
+    logic [23:0] addr;
+  } mem_req_t;
+  localparam int unsigned MemReqW = 28;
+
+  typedef struct packed {
+    logic [3:0] id;
+    logic [511:0] line;
+  } mem_rsp_t;
+  localparam int unsigned MemRspW = 516;
 
   typedef struct packed {
     logic [5:0] ray;

@@ -131,6 +131,35 @@ struct PrimRsp {
     }
 };
 
+/// What memory gives in one answer: 64 bytes.
+using Line = std::array<std::uint32_t, 16>;
+
+/// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see model/mem/cache.hpp.
+template <int (Config::*id_bits)() const> struct LineReq {
+    std::uint32_t id = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("id", id, (c.*id_bits)());
+        v("addr", addr, addr_bits);
+    }
+};
+/// Memory -> a cache.
+template <int (Config::*id_bits)() const> struct LineRsp {
+    std::uint32_t id = 0;
+    Line line{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("id", id, (c.*id_bits)());
+        v("line", line, 32, 16);
+    }
+};
+using NodeMiss = LineReq<&Config::node_miss_bits>;
+using NodeFill = LineRsp<&Config::node_miss_bits>;
+using PrimMiss = LineReq<&Config::prim_miss_bits>;
+using PrimFill = LineRsp<&Config::prim_miss_bits>;
+using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
+using L2Rsp = LineRsp<&Config::client_id_bits>;
+using MemReq = LineReq<&Config::mem_id_bits>;     ///< chip -> DRAM
+using MemRsp = LineRsp<&Config::mem_id_bits>;
+
 /// trav -> box: the ray and the node that came from memory.
 struct BoxReq {
     std::uint32_t ray = 0;

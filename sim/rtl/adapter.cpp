@@ -39,6 +39,8 @@ std::vector<PortSpec> ports_of(const std::string& module) {
     if (module == "rc_list")
         return {{"ray", listen}, {"box_rsp", in}, {"prim_req", out}, {"prim_rsp", in}, {"tri_req", out}, {"tri_rsp", in},
                 {"step", out}, {"done", in}, {"closest", out}};
+    if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
+        return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }
 
