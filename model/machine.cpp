@@ -1,145 +1,190 @@
 #include "model/machine.hpp"
 
-#include "model/isect/tri.hpp"
-#include "model/raygen/raygen.hpp"
+#include <algorithm>
 
 namespace rayclock {
 
-Machine::Machine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic)
-    : config_(config), frame_(frame), image_(image), decoder_(image, config),
-      sched_(frame, config),
-      raygen_(config.raygen_latency(), config.raygen_queue),
-      trav_(frame, config),
-      node_port_(config, node_traffic(traffic)),
-      box_(config.box_latency(), config.box_queue),
-      list_(config),
-      prim_port_(config, prim_traffic(traffic)),
-      tri_(config.tri_latency(), config.tri_queue),
-      sink_(traffic),
-      pixels_(std::uint64_t(frame.width) * frame.height) {}
+Machine::Machine(const Config& config, int khz, Traffic traffic)
+    : config_(config), has_l2_(config.l2_sets > 0), dispatch_(config), arbiter_(2 * config.pipelines), memory_(config, khz, traffic),
+      undisturbed_(traffic.none()), shared_moves_(std::size_t(config.pipelines)), masks_(std::size_t(config.pipelines)) {
+    for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
+    if (has_l2_) l2_.emplace(l2_shape(config));
+}
 
-void Machine::settle(Moves& m) {
-    const std::uint32_t valid = std::uint32_t(sched_.slot_valid()) << index(Channel::slot)
-        | std::uint32_t(raygen_.valid(now_)) << index(Channel::ray)
-        | std::uint32_t(trav_.node_valid()) << index(Channel::node_req)
-        | std::uint32_t(node_port_.valid()) << index(Channel::box_req)
-        | std::uint32_t(box_.valid(now_)) << index(Channel::box_rsp)
-        | std::uint32_t(list_.prim_valid()) << index(Channel::prim_req)
-        | std::uint32_t(prim_port_.valid()) << index(Channel::tri_req)
-        | std::uint32_t(tri_.valid(now_)) << index(Channel::tri_rsp)
-        | std::uint32_t(list_.step_valid()) << index(Channel::step)
-        | std::uint32_t(trav_.done_valid()) << index(Channel::hit);
-    const std::uint32_t ready = std::uint32_t(raygen_.ready()) << index(Channel::slot)
-        | std::uint32_t(trav_.ray_ready()) << index(Channel::ray)
-        | std::uint32_t(node_port_.ready()) << index(Channel::node_req)
-        | std::uint32_t(box_.ready()) << index(Channel::box_req)
-        | bit(Channel::box_rsp)
-        | std::uint32_t(prim_port_.ready()) << index(Channel::prim_req)
-        | std::uint32_t(tri_.ready()) << index(Channel::tri_req)
-        | bit(Channel::tri_rsp)
-        | std::uint32_t(trav_.step_ready()) << index(Channel::step)
-        | std::uint32_t(sink_.ready()) << index(Channel::hit);
-    valid_ = valid;
-    fire_ = valid & ready;
-    counter_.add(valid_, fire_);
+void Machine::start(const Frame& frame, const Trace& trace) {
+    dispatch_.start(frame);
+    for (Pipeline& pipeline : pipelines_) pipeline.start(frame, trace);
+    pixels_ = std::uint64_t(frame.width) * frame.height;
+    hits_ = 0;
+    moved_at_ = now_;
+}
 
-    if (fires(Channel::slot)) m.slot = sched_.slot();
-    if (fires(Channel::ray)) m.ray = &raygen_.front();
-    if (fires(Channel::node_req)) m.node_req = {trav_.node().ray, trav_.node().addr};
-    if (fires(Channel::box_req)) m.node = node_port_.answer();
-    if (fires(Channel::box_rsp)) m.boxes = &box_.front();
-    if (fires(Channel::prim_req)) m.prim_req = {list_.prim().ray, list_.prim().addr};
-    if (fires(Channel::tri_req)) m.prim = prim_port_.answer();
-    if (fires(Channel::tri_rsp)) m.tri = &tri_.front();
-    if (fires(Channel::step)) m.step = list_.step();
-    if (fires(Channel::hit)) {
-        hit_ = sched_.hit(list_.closest(trav_.done()));
-        ++hits_;
+// Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the cache that asked.
+// All of it follows from registered state.
+void Machine::settle_shared() {
+    std::uint32_t want = 0, misses = 0;
+    for (std::uint32_t p = 0; p < pipelines_.size(); ++p) {
+        const Pipeline& pipeline = pipelines_[p];
+        want |= std::uint32_t(pipeline.tile_ready()) << p;
+        misses |= (std::uint32_t(pipeline.node_miss_valid()) | std::uint32_t(pipeline.prim_miss_valid()) << 1) << 2 * p;
+        shared_moves_[p] = {};
+    }
+    granted_ = dispatch_.grant(want);
+    if (granted_ >= 0) shared_moves_[std::size_t(granted_)].tile = &dispatch_.tile();
+    client_valid_ = misses;
+    client_ = misses ? arbiter_.choose(misses) : -1;
+
+    const bool memory_valid = memory_.valid();
+    valid_ = std::uint32_t(memory_valid) << index(Channel::mem_rsp);
+    fire_ = valid_;
+    const auto link = [&](Channel c, bool valid, bool ready) {
+        valid_ |= std::uint32_t(valid) << index(c);
+        fire_ |= std::uint32_t(valid && ready) << index(c);
+    };
+    if (has_l2_) {
+        link(Channel::l2_req, client_ >= 0, l2_->ready());
+        link(Channel::l2_rsp, l2_->valid(now_), true);
+        link(Channel::mem_req, l2_->miss_valid(), memory_.ready());
+        if (l2_->miss_valid()) l2_miss_ = l2_->miss();
+        route(fires(Channel::l2_rsp), fires(Channel::l2_rsp) ? l2_->answer() : 0);
+    } else {
+        if (client_ >= 0) link(Channel::mem_req, true, memory_.ready());
+        route(memory_valid, memory_valid ? memory_.answer().id : 0);
+    }
+    const bool taken = fires(has_l2_ ? Channel::l2_req : Channel::mem_req);
+    if (client_ >= 0) {
+        const std::size_t p = std::size_t(client_ >> 1);
+        const bool prim = client_ & 1;
+        const Cache::Miss miss = prim ? pipelines_[p].prim_miss() : pipelines_[p].node_miss();
+        client_request_ = {std::uint32_t(client_) << (config_.client_id_bits() - config_.client_bits()) | miss.id, miss.addr};
+        (prim ? shared_moves_[p].prim_miss : shared_moves_[p].node_miss) = taken;
+    }
+    const std::uint32_t dispatch = granted_ >= 0 ? 0 : dispatch_.more() ? 2 : 1;
+    last_shared_ = dispatch | (client_ < 0 ? 1u : taken ? 0u : 2u) << 2;
+    ++shared_counts_[last_shared_];
+}
+
+void Machine::route(bool answered, std::uint32_t id) {
+    fill_client_ = -1;
+    if (!answered) return;
+    const int shift = config_.client_id_bits() - config_.client_bits();
+    fill_client_ = int(id >> shift);
+    fill_id_ = id & ((1u << shift) - 1);
+    SharedMoves& moves = shared_moves_[std::size_t(fill_client_ >> 1)];
+    (fill_client_ & 1 ? moves.prim_fill : moves.node_fill) = &fill_id_;
+}
+
+void Machine::settle_pipelines() {
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        pipelines_[p].settle(now_);
+        masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p], now_), pipelines_[p].fire_mask(shared_moves_[p])};
     }
 }
 
-// A ray has one request under way: what trav and list keep about it does not change in the cycle of its test, so that it
-// does not matter whether they have had their clock edge.
-void Machine::admit_box(const Memport::Answer& from) {
-    const WideNode& node = decoder_.node(from.addr);
-    BoxRsp& answer = box_.admit(now_);
-    answer.ray = from.ray;
-    box_children(trav_.box_ray(from.ray), node, config_, answer);
-    box_tests_ += std::uint64_t(node.children);
+void Machine::clock_pipelines() {
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        if (masks_[p].fire) moved_at_ = now_ + 1;
+        hits_ += masks_[p].fire >> index(Channel::hit) & 1;
+        pipelines_[p].clock(now_, shared_moves_[p]);
+    }
 }
 
-void Machine::admit_tri(const Memport::Answer& from) {
-    const Ray& ray = list_.ray(from.ray);
-    TriRsp& answer = tri_.admit(now_);
-    answer.ray = from.ray;
-    tri_test(ray.o, ray.d, decoder_.prim(from.addr), list_.best(from.ray), config_, answer);
-}
-
-void Machine::clock_sched() {
-    sched_.clock(fires(Channel::slot), fires(Channel::hit) ? &hit_.closest.ray : nullptr);
-    sink_.clock();
-}
-
-void Machine::clock_raygen(const Moves& m) {
-    if (fires(Channel::ray)) raygen_.leave();
-    if (fires(Channel::slot)) raygen_.admit(now_) = raygen(m.slot, frame_, config_);
-}
-
-void Machine::clock_trav(const Moves& m) {
-    trav_.clock(fires(Channel::ray) ? m.ray : nullptr, fires(Channel::step) ? &m.step : nullptr, fires(Channel::node_req),
-                fires(Channel::hit));
-}
-
-void Machine::clock_memory(const Moves& m) {
-    node_port_.clock(fires(Channel::node_req) ? &m.node_req : nullptr, fires(Channel::box_req));
-    prim_port_.clock(fires(Channel::prim_req) ? &m.prim_req : nullptr, fires(Channel::tri_req));
-}
-
-void Machine::clock_box(const Moves& m) {
-    if (fires(Channel::box_rsp)) box_.leave();
-    if (fires(Channel::box_req)) admit_box(m.node);
-}
-
-void Machine::clock_list(const Moves& m) {
-    list_.clock(fires(Channel::ray) ? m.ray : nullptr, fires(Channel::box_rsp) ? m.boxes : nullptr,
-                fires(Channel::tri_rsp) ? m.tri : nullptr, fires(Channel::prim_req), fires(Channel::step));
-}
-
-void Machine::clock_tri(const Moves& m) {
-    if (fires(Channel::tri_rsp)) tri_.leave();
-    if (fires(Channel::tri_req)) admit_tri(m.prim);
-}
-
-void Machine::clock_all(const Moves& m) {
-    clock_sched();
-    clock_raygen(m);
-    clock_trav(m);
-    clock_memory(m);
-    clock_box(m);
-    clock_list(m);
-    clock_tri(m);
+void Machine::clock_shared() {
+    dispatch_.clock(granted_);
+    const bool taken = fires(has_l2_ ? Channel::l2_req : Channel::mem_req);
+    arbiter_.clock(client_valid_, client_, taken);
+    if (has_l2_) {
+        const std::uint32_t filled = fires(Channel::mem_rsp) ? memory_.answer().id : 0;
+        l2_deed_ = l2_->clock(now_, taken ? &client_request_ : nullptr, fires(Channel::l2_rsp), fires(Channel::mem_rsp) ? &filled : nullptr,
+                              fires(Channel::mem_req));
+        ++l2_counts_[std::size_t(l2_deed_)];
+    }
+    const Memory::Answer request{asked().id, asked().addr};
+    memory_.clock(fires(Channel::mem_req) ? &request : nullptr);
     ++now_;
+    if (fire_) moved_at_ = now_;
+}
+
+// In most cycles nothing moves between the pipelines and what they share.
+bool Machine::shared_is_still() const {
+    if (has_l2_ || memory_.valid()) return false;
+    std::uint32_t busy = 0;
+    for (const Pipeline& pipeline : pipelines_)
+        busy |= std::uint32_t(pipeline.node_miss_valid() | pipeline.prim_miss_valid() | (pipeline.tile_ready() && dispatch_.more()));
+    return !busy;
 }
 
 void Machine::step() {
-    Moves m;
-    settle(m);
-    clock_all(m);
+    static constexpr SharedMoves nothing{};
+    const bool still = shared_is_still();
+    if (!still) settle_shared();
+    bool asleep = true;
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        hits_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
+        asleep = asleep && pipelines_[p].slept();
+    }
+    if (still) {
+        last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of units that wait
+        ++shared_counts_[last_shared_];
+        valid_ = fire_ = 0;
+        memory_.clock(nullptr);
+        ++now_;
+    } else {
+        clock_shared();
+    }
+    if (!asleep) moved_at_ = now_;
 }
 
-void Machine::step_in_order(const std::array<int, 7>& order) {
-    Moves m;
-    settle(m);
-    for (const int unit : order) switch (unit) {
-        case 0: clock_sched(); break;
-        case 1: clock_raygen(m); break;
-        case 2: clock_trav(m); break;
-        case 3: clock_memory(m); break;
-        case 4: clock_box(m); break;
-        case 5: clock_list(m); break;
-        default: clock_tri(m); break;
-        }
-    ++now_;
+void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
+    settle_shared();
+    settle_pipelines();
+    for (std::size_t p = pipelines_.size(); p-- > 0;) {
+        hits_ += masks_[p].fire >> index(Channel::hit) & 1;
+        pipelines_[p].clock_in_order(now_, shared_moves_[p], order);
+    }
+    clock_shared();
+}
+
+void Machine::run(std::uint64_t until) {
+    while (!done() && now_ < until) {
+        step();
+        if (moved_at_ < now_ && undisturbed_) sleep(until);
+    }
+}
+
+// If nothing can change before an answer of a pipe or of memory comes, the cycles until then are like the last one.
+void Machine::sleep(std::uint64_t until) {
+    // In the next cycle, an answer is there, or a request that waits is taken.
+    if (memory_.valid() || ((valid_ & bit(Channel::mem_req)) && memory_.ready())) return;
+    std::uint64_t wake = until;
+    for (const Pipeline& pipeline : pipelines_) {
+        if (!pipeline.slept()) return;
+        wake = std::min(wake, pipeline.wakes());
+    }
+    if (has_l2_) {
+        if (l2_deed_ <= CacheDeed::drain) return;
+        wake = std::min(wake, l2_->due());
+    }
+    wake = std::min(wake, memory_.quiet_until());
+    if (wake <= now_) return;
+    const std::uint64_t cycles = wake - now_;
+    for (Pipeline& pipeline : pipelines_) pipeline.skip(cycles);
+    shared_counts_[last_shared_] += cycles;
+    if (has_l2_) l2_counts_[std::size_t(l2_deed_)] += cycles;
+    memory_.skip(cycles);
+    now_ = wake;
+}
+
+Accounts Machine::accounts() const {
+    Accounts sums;
+    for (const Pipeline& pipeline : pipelines_) sums += pipeline.accounts();
+    for (std::size_t i = 0; i < shared_counts_.size(); ++i) {
+        sums.units[index(Unit::dispatch)][i & 3] += shared_counts_[i];
+        sums.units[index(Unit::memport)][i >> 2] += shared_counts_[i];
+    }
+    sums.units[index(Unit::l2)] = l2_counts_;
+    sums.units[index(Unit::memory)] = memory_.deeds();
+    return sums;
 }
 
 } // namespace rayclock

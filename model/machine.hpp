@@ -1,111 +1,130 @@
 #pragma once
-// The machine, cycle by cycle: mirror of rtl/rc_top.sv with the memory ports that lie under both.
-#include <memory>
+// The machine, cycle by cycle: mirror of rtl/rc_top.sv with the memory that lies under both.
+#include <bit>
+#include <optional>
 #include <vector>
 
-#include "model/accel/memory_image.hpp"
-#include "model/core/channels.hpp"
-#include "model/core/ring.hpp"
-#include "model/list/list.hpp"
-#include "model/mem/decoder.hpp"
-#include "model/mem/memport.hpp"
-#include "model/sched/sched.hpp"
-#include "model/trav/trav.hpp"
+#include "model/mem/arbiter.hpp"
+#include "model/mem/memory.hpp"
+#include "model/pipeline.hpp"
+#include "model/sched/dispatch.hpp"
 
 namespace rayclock {
 
+/// A transfer on a link: whose and what, as far as time goes. What the payload holds beyond that is a Witness' business.
+struct Move {
+    int pipeline = 0;          ///< of the links that all share: 0
+    Channel channel{};
+    std::uint32_t id = 0;      ///< ray on a pipeline's links, request on the memory's
+    std::uint32_t addr = 0;    ///< of requests, and of the line that comes back
+    std::uint32_t x = 0, y = 0;   ///< tile, pixel
+};
+
 class Machine {
 public:
-    /// The image must outlive the machine. `traffic` disturbs memory and sink, for tests.
-    Machine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic = {});
+    /// khz: clock of the chip. `traffic` disturbs memory and sinks, for tests.
+    Machine(const Config& config, int khz, Traffic traffic = {});
+
+    /// A new frame; the machine must be fresh or done. What lies in the caches stays. The trace must outlive the frame.
+    void start(const Frame& frame, const Trace& trace);
 
     /// One clock cycle.
     void step();
-
-    /// One clock cycle; `observe(Channel, payload)` sees every transfer before the clock edge, in channel order.
+    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in channel order, and the masks are set.
     template <class Observer> void step(Observer&& observe) {
-        Moves m;
-        settle(m);
-        show(m, observe);
-        clock_all(m);
+        settle_shared();
+        settle_pipelines();
+        show(observe);
+        clock_pipelines();
+        clock_shared();
     }
+    /// Clocks until the frame is done, at most up to cycle `until`; passes over idle times.
+    void run(std::uint64_t until);
+    /// One clock cycle with the pipelines' clock edges in another order of units.
+    void step_in_order(const std::array<int, pipeline_units>& order);
 
-    /// One clock cycle with the units' clock edges taken in the given order (a permutation of 0..6), for the test that
-    /// it does not matter.
-    void step_in_order(const std::array<int, 7>& order);
-
+    const Config& config() const { return config_; }
     bool done() const { return hits_ == pixels_; }
-    std::uint64_t cycle() const { return now_; }
-    std::uint64_t hits() const { return hits_; }
-    std::uint32_t valid_mask() const { return valid_; }   ///< of the last cycle
-    std::uint32_t fire_mask() const { return fire_; }
-    /// The hit that left in the last cycle, if bit(Channel::hit) is set in fire_mask().
-    const HitOut& last_hit() const { return hit_; }
-    ChannelCounts counts() const { return counter_.counts(); }
-    std::uint64_t box_tests() const { return box_tests_; }
-    std::uint64_t recirculations() const { return trav_.recirculations(); }
-    const Sched& sched() const { return sched_; }
+    std::uint64_t cycle() const { return now_; }        ///< since the machine was made
+    std::uint64_t hits() const { return hits_; }        ///< of the frame
+    std::uint64_t quiet() const { return now_ - moved_at_; }   ///< cycles since anything moved
+    const Slot& pixel(int pipeline, std::uint32_t ray) const { return pipelines_[std::size_t(pipeline)].pixel(ray); }
+    Accounts accounts() const;
+    const Memory& memory() const { return memory_; }
+    std::string where(int pipeline, std::uint32_t ray) const { return pipelines_[std::size_t(pipeline)].where(ray); }
+
+    /// Valid and fire masks of the last observed cycle, of a pipeline and of what all share.
+    std::uint32_t valid_mask(int pipeline) const { return masks_[std::size_t(pipeline)].valid; }
+    std::uint32_t fire_mask(int pipeline) const { return masks_[std::size_t(pipeline)].fire; }
+    std::uint32_t shared_valid() const { return valid_; }
+    std::uint32_t shared_fire() const { return fire_; }
 
 private:
-    /// What moves in this cycle, settled from registered state before any unit sees the clock edge.
-    struct Moves {
-        Slot slot;
-        const Ray* ray;
-        Memport::Answer node_req, prim_req, node, prim;
-        const BoxRsp* boxes;
-        const TriRsp* tri;
-        Step step;
+    struct Masks {
+        std::uint32_t valid = 0, fire = 0;
     };
-
-    void settle(Moves& m);
-    void clock_all(const Moves& m);
-    void clock_sched();
-    void clock_raygen(const Moves& m);
-    void clock_trav(const Moves& m);
-    void clock_memory(const Moves& m);
-    void clock_box(const Moves& m);
-    void clock_list(const Moves& m);
-    void clock_tri(const Moves& m);
-    void admit_box(const Memport::Answer& from);
-    void admit_tri(const Memport::Answer& from);
-    template <class Observer> void show(const Moves& m, Observer& observe) const;
+    void settle_shared();
+    bool shared_is_still() const;
+    void settle_pipelines();
+    void clock_pipelines();
+    void clock_shared();
+    void route(bool answered, std::uint32_t id);
+    void sleep(std::uint64_t until);
+    template <class Observer> void show(Observer& observe) const;
     bool fires(Channel c) const { return fire_ >> index(c) & 1; }
+    const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }   ///< of memory
 
     Config config_;
-    Frame frame_;
-    const MemoryImage& image_;
-    Decoder decoder_;
-    Sched sched_;
-    Pipe<Ray> raygen_;
-    Trav trav_;
-    Memport node_port_;
-    Pipe<BoxRsp> box_;
-    List list_;
-    Memport prim_port_;
-    Pipe<TriRsp> tri_;
-    Sink sink_;
+    bool has_l2_;
+    Dispatch dispatch_;
+    std::vector<Pipeline> pipelines_;
+    Arbiter arbiter_;
+    std::optional<Cache> l2_;
+    Memory memory_;
+    bool undisturbed_;
 
-    std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
-    std::uint32_t valid_ = 0, fire_ = 0;
-    HitOut hit_{};
-    ChannelCounter counter_;
+    // The cycle, once settled.
+    std::vector<SharedMoves> shared_moves_;   // [pipeline]
+    std::vector<Masks> masks_;
+    std::uint32_t valid_ = 0, fire_ = 0;      // of the shared links
+    int granted_ = -1, client_ = -1, fill_client_ = -1;   // pipeline that gets a tile; caches that ask for and that get a word
+    std::uint32_t client_valid_ = 0, fill_id_ = 0;
+    Cache::Request client_request_{}, l2_miss_{};
+
+    std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
+    std::uint32_t last_shared_ = 0;           // codes of dispatch and memport
+    CacheDeed l2_deed_{};
+    std::array<std::uint64_t, 16> shared_counts_{};
+    CauseCounts l2_counts_{};
 };
 
-template <class Observer> void Machine::show(const Moves& m, Observer& observe) const {
-    if (fires(Channel::slot)) observe(Channel::slot, m.slot);
-    if (fires(Channel::ray)) observe(Channel::ray, *m.ray);
-    if (fires(Channel::node_req)) observe(Channel::node_req, trav_.node());
-    if (fires(Channel::box_req)) {
-        const BoxRay& r = trav_.box_ray(m.node.ray);
-        observe(Channel::box_req, BoxReq{m.node.ray, r.o, r.neg, r.recip, r.len, unpack<Node>(image_.line(m.node.addr), config_)});
+template <class Observer> void Machine::show(Observer& observe) const {
+    for (int p = 0; p < config_.pipelines; ++p) {
+        const Pipeline& pipeline = pipelines_[std::size_t(p)];
+        for (std::uint32_t left = masks_[std::size_t(p)].fire; left; left &= left - 1) {
+            const Channel c = Channel(std::countr_zero(left));
+            Move move{p, c, 0, 0, 0, 0};
+            switch (c) {
+            case Channel::tile: move.x = dispatch_.tile().x, move.y = dispatch_.tile().y; break;
+            case Channel::node_miss: move.id = pipeline.node_miss().id, move.addr = pipeline.node_miss().addr; break;
+            case Channel::prim_miss: move.id = pipeline.prim_miss().id, move.addr = pipeline.prim_miss().addr; break;
+            case Channel::node_fill:
+            case Channel::prim_fill: move.id = fill_id_; break;
+            default: {
+                move.id = pipeline.ray_on(c);
+                const Slot& pixel = c == Channel::slot ? pipeline.slot() : pipeline.pixel(move.id);
+                move.x = pixel.x, move.y = pixel.y;
+                if (c == Channel::node_req) move.addr = pipeline.node_addr(move.id);
+                if (c == Channel::prim_req) move.addr = pipeline.prim_addr(move.id);
+            }
+            }
+            observe(move);
+        }
     }
-    if (fires(Channel::box_rsp)) observe(Channel::box_rsp, *m.boxes);
-    if (fires(Channel::prim_req)) observe(Channel::prim_req, list_.prim());
-    if (fires(Channel::tri_req))
-        observe(Channel::tri_req, list_.tri_req(m.prim.ray, unpack<PrimData>(image_.half_line(m.prim.addr), config_)));
-    if (fires(Channel::tri_rsp)) observe(Channel::tri_rsp, *m.tri);
-    if (fires(Channel::step)) observe(Channel::step, m.step);
-    if (fires(Channel::hit)) observe(Channel::hit, hit_);
+    if (fires(Channel::l2_req)) observe(Move{0, Channel::l2_req, client_request_.id, client_request_.addr, 0, 0});
+    if (fires(Channel::l2_rsp)) observe(Move{0, Channel::l2_rsp, l2_->answer(), 0, 0, 0});
+    if (fires(Channel::mem_req)) observe(Move{0, Channel::mem_req, asked().id, asked().addr, 0, 0});
+    if (fires(Channel::mem_rsp)) observe(Move{0, Channel::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
 }
 
 } // namespace rayclock

@@ -14,7 +14,7 @@ package rc_pkg;
   localparam int unsigned BoxQueue = 16;
   localparam int unsigned TriQueue = 32;
   localparam int unsigned Pipelines = 1;
-  localparam int unsigned TileBits = 3;
+  localparam int unsigned TileBits = 4;
   localparam int unsigned NodeSets = 64;
   localparam int unsigned NodeWays = 4;
   localparam int unsigned NodeWords = 1;
@@ -45,6 +45,7 @@ package rc_pkg;
   localparam int unsigned OffsetBits = 6;
   localparam int unsigned CountBits = 3;
   localparam int unsigned LineBits = 512;
+  localparam int unsigned TileCoordBits = 10;
   localparam int unsigned ClientBits = 1;
   localparam int unsigned ClientIdBits = 4;
   localparam int unsigned MemIdBits = 4;
@@ -62,6 +63,12 @@ package rc_pkg;
     logic [101:0] down;
   } frame_t;
   localparam int unsigned FrameW = 414;
+
+  typedef struct packed {
+    logic [9:0] x;
+    logic [9:0] y;
+  } tile_t;
+  localparam int unsigned TileW = 20;
 
   typedef struct packed {
     logic [5:0] ray;

@@ -1,88 +1,91 @@
-// The ray tracer: only wiring, in the order a ray meets the units.
+// The ray tracer: only wiring. Pipelines that share the picture's tiles and the memory.
 //
-// Reads the memory image over two ports (nodes of 64 bytes, triangles of 32), answers
-// matched by ray number in any order, and gives out one hit per pixel of frame_i, in
-// the order in which rays end. frame_i is set before reset is released and kept.
+// A frame begins in the cycle after start_i is high, with all rays of the last one done;
+// frame_i is kept until the last hit. Each pipeline gives out the hits of its tiles. The
+// memory image is read 64 bytes at a time, answers matched by id in any order and
+// always taken. Reset is held for as many cycles as the largest cache has sets.
 // Model: model/machine.hpp.
 `default_nettype none
 module rc_top (
-  input  logic              clk_i,
-  input  logic              rst_ni,
-  input  rc_pkg::frame_t    frame_i,
-  output logic              node_req_valid_o,
-  input  logic              node_req_ready_i,
-  output rc_pkg::node_req_t node_req_o,
-  input  logic              node_rsp_valid_i,
-  output logic              node_rsp_ready_o,
-  input  rc_pkg::node_rsp_t node_rsp_i,
-  output logic              prim_req_valid_o,
-  input  logic              prim_req_ready_i,
-  output rc_pkg::prim_req_t prim_req_o,
-  input  logic              prim_rsp_valid_i,
-  output logic              prim_rsp_ready_o,
-  input  rc_pkg::prim_rsp_t prim_rsp_i,
-  output logic              hit_valid_o,
-  input  logic              hit_ready_i,
-  output rc_pkg::hit_t      hit_o
+  input  logic                                      clk_i,
+  input  logic                                      rst_ni,
+  input  logic                                      start_i,
+  input  rc_pkg::frame_t                            frame_i,
+  output logic                                      mem_req_valid_o,
+  input  logic                                      mem_req_ready_i,
+  output rc_pkg::mem_req_t                          mem_req_o,
+  input  logic                                      mem_rsp_fires_i,
+  input  rc_pkg::mem_rsp_t                          mem_rsp_i,
+  output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
+  input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
+  output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o
 );
-  logic             slot_valid, slot_ready;
-  rc_pkg::slot_t    slot;
-  logic             ray_valid, ray_ready;
-  rc_pkg::ray_t     ray;
-  logic             box_req_valid, box_req_ready;
-  rc_pkg::box_req_t box_req;
-  logic             box_rsp_valid, box_rsp_ready;
-  rc_pkg::box_rsp_t box_rsp;
-  logic             tri_req_valid, tri_req_ready;
-  rc_pkg::tri_req_t tri_req;
-  logic             tri_rsp_valid, tri_rsp_ready;
-  rc_pkg::tri_rsp_t tri_rsp;
-  logic             step_valid, step_ready;
-  rc_pkg::step_t    step;
-  logic             done_valid, done_ready;
-  rc_pkg::done_t    done;
-  logic             closest_valid, closest_ready;
-  rc_pkg::closest_t closest;
+  localparam int unsigned P  = rc_pkg::Pipelines;
+  localparam int unsigned CB = rc_pkg::ClientBits;
+  localparam int unsigned MB = rc_pkg::ClientIdBits - CB;  // a cache's own id
+  localparam int unsigned A  = rc_pkg::AddrBits;
+  localparam int unsigned NB = rc_pkg::NodeMissW - A;
+  localparam int unsigned PB = rc_pkg::PrimMissW - A;
 
-  rc_sched u_sched (
-    .clk_i, .rst_ni, .frame_i,
-    .slot_valid_o(slot_valid), .slot_ready_i(slot_ready), .slot_o(slot),
-    .closest_valid_i(closest_valid), .closest_ready_o(closest_ready), .closest_i(closest),
-    .hit_valid_o, .hit_ready_i, .hit_o);
+  logic [P-1:0]  tile_ready, tile_fires;
+  rc_pkg::tile_t tile;
+  logic [2:0]    dispatch_cause;
+  rc_dispatch u_dispatch (
+    .clk_i, .rst_ni, .start_i, .frame_i,
+    .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
-  rc_raygen u_raygen (
-    .clk_i, .rst_ni, .frame_i,
-    .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
-    .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray));
+  // Caches are clients of memory: 2 p reads nodes, 2 p + 1 primitives.
+  logic [2*P-1:0]             miss_valid, miss_ready, fill_fires;
+  logic [2*P*(MB+A)-1:0]      miss;
+  logic                       fill_valid;
+  logic [rc_pkg::L2RspW-1:0]  fill;
+  for (genvar p = 0; p < P; p++) begin : gen_pipeline
+    rc_pkg::node_miss_t node_miss;
+    rc_pkg::prim_miss_t prim_miss;
+    rc_pipeline u_pipeline (
+      .clk_i, .rst_ni, .start_i, .frame_i,
+      .tile_ready_o(tile_ready[p]), .tile_fires_i(tile_fires[p]), .tile_i(tile),
+      .node_miss_valid_o(miss_valid[2*p]), .node_miss_ready_i(miss_ready[2*p]),
+      .node_miss_o(node_miss), .node_fill_fires_i(fill_fires[2*p]),
+      .node_fill_i({fill[rc_pkg::LineBits +: NB], fill[rc_pkg::LineBits-1:0]}),
+      .prim_miss_valid_o(miss_valid[2*p+1]), .prim_miss_ready_i(miss_ready[2*p+1]),
+      .prim_miss_o(prim_miss), .prim_fill_fires_i(fill_fires[2*p+1]),
+      .prim_fill_i({fill[rc_pkg::LineBits +: PB], fill[rc_pkg::LineBits-1:0]}),
+      .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
+      .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]));
+    assign miss[2*p*(MB+A) +: MB+A]     = {MB'(node_miss.id), node_miss.addr};
+    assign miss[(2*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss.id), prim_miss.addr};
+  end
 
-  rc_trav u_trav (
-    .clk_i, .rst_ni, .frame_i,
-    .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
-    .step_valid_i(step_valid), .step_ready_o(step_ready), .step_i(step),
-    .node_req_valid_o, .node_req_ready_i, .node_req_o,
-    .node_rsp_valid_i, .node_rsp_ready_o, .node_rsp_i,
-    .box_req_valid_o(box_req_valid), .box_req_ready_i(box_req_ready), .box_req_o(box_req),
-    .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done));
+  logic          client_valid, client_ready;
+  logic [CB-1:0] client;
+  logic [MB+A-1:0] client_miss;
+  rc_arbiter #(.Sources(2 * P), .Width(MB + A)) u_arbiter (
+    .clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
+    .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
+  assign fill_fires = {{(2*P-1){1'b0}}, fill_valid} << fill[rc_pkg::L2RspW-1 -: CB];
 
-  rc_box u_box (
-    .clk_i, .rst_ni,
-    .req_valid_i(box_req_valid), .req_ready_o(box_req_ready), .req_i(box_req),
-    .rsp_valid_o(box_rsp_valid), .rsp_ready_i(box_rsp_ready), .rsp_o(box_rsp));
+  logic [2:0] memport_cause;
+  assign memport_cause = !client_valid ? 3'd1 : client_ready ? 3'd0 : 3'd2;
+  rc_tally u_dispatch_tally (.clk_i, .cause_i(dispatch_cause));
+  rc_tally u_memport_tally (.clk_i, .cause_i(memport_cause));
 
-  rc_list u_list (
-    .clk_i, .rst_ni, .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
-    .box_rsp_valid_i(box_rsp_valid), .box_rsp_ready_o(box_rsp_ready), .box_rsp_i(box_rsp),
-    .prim_req_valid_o, .prim_req_ready_i, .prim_req_o,
-    .prim_rsp_valid_i, .prim_rsp_ready_o, .prim_rsp_i,
-    .tri_req_valid_o(tri_req_valid), .tri_req_ready_i(tri_req_ready), .tri_req_o(tri_req),
-    .tri_rsp_valid_i(tri_rsp_valid), .tri_rsp_ready_o(tri_rsp_ready), .tri_rsp_i(tri_rsp),
-    .step_valid_o(step_valid), .step_ready_i(step_ready), .step_o(step),
-    .done_valid_i(done_valid), .done_ready_o(done_ready), .done_i(done),
-    .closest_valid_o(closest_valid), .closest_ready_i(closest_ready), .closest_o(closest));
-
-  rc_tri u_tri (
-    .clk_i, .rst_ni,
-    .req_valid_i(tri_req_valid), .req_ready_o(tri_req_ready), .req_i(tri_req),
-    .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
+  if (rc_pkg::L2Sets == 0) begin : gen_direct
+    assign mem_req_valid_o = client_valid;
+    assign client_ready    = mem_req_ready_i;
+    assign mem_req_o       = {client, client_miss};
+    assign fill_valid      = mem_rsp_fires_i;
+    assign fill            = mem_rsp_i;
+  end else begin : gen_shared
+    logic       unused;
+    logic [2:0] l2_cause;
+    rc_l2 u_l2 (
+      .clk_i, .rst_ni,
+      .req_valid_i(client_valid), .req_ready_o(client_ready), .req_i({client, client_miss}),
+      .rsp_valid_o(fill_valid), .rsp_ready_i(1'b1), .rsp_o(fill),
+      .miss_valid_o(mem_req_valid_o), .miss_ready_i(mem_req_ready_i), .miss_o(mem_req_o),
+      .fill_fires_i(mem_rsp_fires_i), .fill_i(mem_rsp_i), .waits_o(unused), .deed_o(l2_cause));
+    rc_tally u_l2_tally (.clk_i, .cause_i(l2_cause));
+  end
 endmodule
 `default_nettype wire

@@ -1,5 +1,5 @@
 #pragma once
-// The links between units, in the order a ray meets them: one name each for lockstep, counters, reports and tests.
+// The links between units, in the order a ray meets them: one name each for lockstep, reports and tests.
 #include <array>
 #include <cstdint>
 #include <tuple>
@@ -8,60 +8,45 @@
 
 namespace rayclock {
 
-enum class Channel : std::uint8_t { slot, ray, node_req, box_req, box_rsp, prim_req, tri_req, tri_rsp, step, hit };
-constexpr std::size_t channel_count = 10;
+/// Links of one pipeline; then those that all pipelines share.
+enum class Channel : std::uint8_t {
+    tile, slot, ray, node_req, node_miss, node_fill, box_req, box_rsp, prim_req, prim_miss, prim_fill, tri_req, tri_rsp, step, hit,
+    l2_req, l2_rsp, mem_req, mem_rsp,
+};
+constexpr std::size_t pipeline_channels = 15, channel_count = 19;
 
 /// Payload of each channel, by its number.
-using ChannelPayloads = std::tuple<Slot, Ray, NodeReq, BoxReq, BoxRsp, PrimReq, TriReq, TriRsp, Step, HitOut>;
+using ChannelPayloads = std::tuple<Tile, Slot, Ray, NodeReq, NodeMiss, NodeFill, BoxReq, BoxRsp, PrimReq, PrimMiss, PrimFill, TriReq, TriRsp,
+                                   Step, HitOut, L2Req, L2Rsp, MemReq, MemRsp>;
 
 struct ChannelInfo {
     const char* name;
     const char* from;   ///< unit that offers
     const char* to;     ///< unit that accepts
+    bool fires_only;    ///< always accepted: there is no ready
 };
 constexpr std::array<ChannelInfo, channel_count> channels{{
-    {"slot", "sched", "raygen"},
-    {"ray", "raygen", "trav"},
-    {"node_req", "trav", "memport"},
-    {"box_req", "memport", "box"},
-    {"box_rsp", "box", "list"},
-    {"prim_req", "list", "memport"},
-    {"tri_req", "memport", "tri"},
-    {"tri_rsp", "tri", "list"},
-    {"step", "list", "trav"},
-    {"hit", "sched", "sink"},
+    {"tile", "dispatch", "sched", true},
+    {"slot", "sched", "raygen", false},
+    {"ray", "raygen", "trav", false},
+    {"node_req", "trav", "node_cache", false},
+    {"node_miss", "node_cache", "memport", false},
+    {"node_fill", "memport", "node_cache", true},
+    {"box_req", "node_cache", "box", false},
+    {"box_rsp", "box", "list", false},
+    {"prim_req", "list", "prim_cache", false},
+    {"prim_miss", "prim_cache", "memport", false},
+    {"prim_fill", "memport", "prim_cache", true},
+    {"tri_req", "prim_cache", "tri", false},
+    {"tri_rsp", "tri", "list", false},
+    {"step", "list", "trav", false},
+    {"hit", "sched", "sink", false},
+    {"l2_req", "memport", "l2", false},
+    {"l2_rsp", "l2", "memport", true},
+    {"mem_req", "memport", "memory", false},
+    {"mem_rsp", "memory", "memport", true},
 }};
 constexpr std::size_t index(Channel c) { return std::size_t(c); }
 constexpr std::uint32_t bit(Channel c) { return 1u << index(c); }
-
-/// Cycles in which a link moved something, and in which it offered something that was not accepted. In the remaining
-/// cycles of a run it had nothing to offer: the three sum to the run's cycles by construction of valid and ready.
-struct ChannelCount {
-    std::uint64_t moved = 0, refused = 0;
-    friend bool operator==(const ChannelCount&, const ChannelCount&) = default;
-};
-using ChannelCounts = std::array<ChannelCount, channel_count>;
-
-/// Adds up valid and fire masks of cycles without a branch per channel.
-class ChannelCounter {
-public:
-    void add(std::uint32_t valid, std::uint32_t fire) {
-        ++moved_[fire];
-        ++refused_[valid & ~fire];
-    }
-    ChannelCounts counts() const {
-        ChannelCounts sums{};
-        for (std::uint32_t mask = 0; mask < moved_.size(); ++mask)
-            for (std::size_t c = 0; c < channel_count; ++c)
-                if (mask >> c & 1) {
-                    sums[c].moved += moved_[mask];
-                    sums[c].refused += refused_[mask];
-                }
-        return sums;
-    }
-
-private:
-    std::array<std::uint64_t, 1u << channel_count> moved_{}, refused_{};
-};
 
 } // namespace rayclock

@@ -27,6 +27,7 @@ int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
 int Config::client_bits() const { return index_bits(2 * pipelines); }
 int Config::client_id_bits() const { return client_bits() + std::max(node_miss_bits(), prim_miss_bits()); }
+int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }
 
 const std::vector<std::string>& dram_names() {
@@ -75,23 +76,64 @@ const std::vector<Parameter>& parameters() {
     return all;
 }
 
+namespace {
+
+enum Memory { ideal, sdr, ddr3, rpu };   // in the order of dram_names()
+
+void set_cache(int& sets, int& ways, int& mshrs, int new_sets, int new_ways, int new_mshrs) {
+    sets = new_sets;
+    ways = new_ways;
+    mshrs = new_mshrs;
+}
+
+/// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats have no like here;
+/// 18 bits of lattice are kept.
+void make_binary(Config& c) {
+    c.node_width = 2;
+    c.stack_depth = 64;
+}
+
+} // namespace
+
 const std::vector<std::string>& config_names() {
-    static const std::vector<std::string> names{"default", "small"};
+    static const std::vector<std::string> names{"default", "small", "wide", "saarcor", "rpu"};
     return names;
 }
 
+// Where the figures come from: docs/configurations.md.
 Config named_config(const std::string& name) {
-    Config config;
-    config.name = name;
-    if (name == "default") return config;
-    if (name == "small") {  // fits a small FPGA: four children at a time, 16 rays, 16-bit coordinates
-        config.coord_bits = 16;
-        config.dir_bits = 18;
-        config.recip_bits = 14;
-        config.node_width = 4;
-        config.contexts = 16;
-        config.stack_depth = 32;
-        return config;
+    Config c;
+    c.name = name;
+    if (name == "default") return c;
+    if (name == "small") {
+        c.coord_bits = 16;
+        c.dir_bits = 18;
+        c.recip_bits = 14;
+        c.node_width = 4;
+        c.contexts = 16;
+        c.stack_depth = 32;
+        set_cache(c.node_sets, c.node_ways, c.node_mshrs, 32, 2, 4);
+        set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 32, 2, 4);
+        c.dram = sdr;
+        return c;
+    }
+    if (name == "wide") {
+        c.pipelines = 4;
+        c.l2_sets = 512;
+        return c;
+    }
+    if (name == "saarcor") {
+        make_binary(c);
+        c.dram = rpu;
+        return c;
+    }
+    if (name == "rpu") {
+        make_binary(c);
+        c.contexts = 128;
+        set_cache(c.node_sets, c.node_ways, c.node_mshrs, 128, 1, 8);
+        set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 128, 1, 8);
+        c.dram = rpu;
+        return c;
     }
     throw UserError("no configuration is called '" + name + "'" + did_you_mean(name, config_names()));
 }
@@ -120,6 +162,9 @@ void set_parameter(Config& config, const std::string& key, const std::string& va
 void check_config(const Config& c, const std::string& where) {
     for (const Parameter& p : parameters()) {
         const int value = c.*p.member;
+        const std::string key = p.key;
+        if (key.ends_with("_line") && value < line_bytes)
+            throw UserError(where + ": " + key + " must be at least 64 bytes, since a node of the tree takes 64, not " + std::to_string(value));
         if (value < p.lo || value > p.hi)
             throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." + std::to_string(p.hi) +
                             ", not " + std::to_string(value));

@@ -26,7 +26,7 @@ struct Config {
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
     int pipelines = 1;       ///< P: pipelines of one machine
-    int tile_bits = 3;       ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by row
+    int tile_bits = 4;       ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by row
     int node_sets = 64;      ///< node cache of a pipeline: sets,
     int node_ways = 4;       ///< ways,
     int node_line = 64;      ///< bytes a line,
@@ -42,7 +42,7 @@ struct Config {
     int cache_queue = 4;     ///< answers a cache may hold, a power of two
 
     // Beside the chip.
-    int dram = 0;            ///< memory, see dram_names()
+    int dram = 2;            ///< memory, see dram_names()
     int mem_latency = 8;     ///< cycles from a request to its answer, if the memory is `ideal`
     int mem_interval = 1;    ///< cycles between two requests, if the memory is `ideal`
 
@@ -63,6 +63,7 @@ struct Config {
     int l2_miss_bits() const;
     int client_bits() const;      ///< index of a cache among all of the pipelines': 2 p for nodes, 2 p + 1 for primitives
     int client_id_bits() const;   ///< a cache's request, told apart from all other caches'
+    int tile_coord_bits() const;  ///< a tile's coordinate, in tiles
     int mem_id_bits() const;      ///< a request at the memory port
 };
 

@@ -34,6 +34,15 @@ struct Frame {
     }
 };
 
+/// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels; coordinates in such squares.
+struct Tile {
+    std::uint32_t x = 0, y = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("x", x, c.tile_coord_bits());
+        v("y", y, c.tile_coord_bits());
+    }
+};
+
 /// sched -> raygen: a context gets a pixel.
 struct Slot {
     std::uint32_t ray = 0;

@@ -1,7 +1,5 @@
 #include "model/isect/tri.hpp"
 
-#include <algorithm>
-
 namespace rayclock {
 
 namespace {
@@ -21,10 +19,6 @@ std::int64_t dot(const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b
 bool inside(std::int64_t edge, const Vec3l& gradient, bool flip) {
     const std::int64_t decides = edge != 0 ? edge : gradient[0] != 0 ? gradient[0] : gradient[1] != 0 ? gradient[1] : gradient[2];
     return flip ? decides < 0 : decides > 0;
-}
-
-std::uint32_t barycentric(std::int64_t edge, std::int64_t det, int bits) {
-    return std::uint32_t((Wide(edge) << bits) / det);
 }
 
 } // namespace
@@ -60,10 +54,9 @@ void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Be
     out.num = num;
     out.det = size;
     out.prim = triangle.prim;
-    const Wide scaled = Wide(num) << (config.dir_bits - 1 + config.t_frac_bits);
-    out.t = std::uint32_t(std::min<Wide>((scaled + size - 1) / size, (Wide(1) << config.t_bits()) - 1));
-    out.u = barycentric(flip ? -u : u, size, config.bary_bits);
-    out.v = barycentric(flip ? -v : v, size, config.bary_bits);
+    out.t = distance(num, size, config);
+    out.u = barycentric(flip ? -u : u, size, config);
+    out.v = barycentric(flip ? -v : v, size, config);
 }
 
 TriRsp tri(const TriReq& req, const Config& config) {

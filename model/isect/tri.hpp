@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "model/core/payloads.hpp"
 
 namespace rayclock {
@@ -19,5 +21,37 @@ namespace rayclock {
 /// Mirror of rtl/isect/rc_tri.sv, latency Config::tri_latency() + 1, one triangle per cycle.
 void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out);
 TriRsp tri(const TriReq& req, const Config& config);
+
+/// floor(num 2^shift / det) and whether something is left over, for 0 <= num, 0 < det < 2^63;
+/// saturates at 2^33 - 1 with nothing left over.
+struct Quotient {
+    std::uint64_t whole = 0;
+    bool rest = false;
+};
+inline Quotient quotient(std::int64_t num, int shift, std::int64_t det) {
+    // Double precision is right to within 2^-17. The remainder, modulo 2^64, then tells whether it is one off.
+    const double near = double(num) * double(std::int64_t(1) << shift) / double(det);
+    constexpr std::uint64_t most = (std::uint64_t(1) << 33) - 1;
+    if (near >= 0x1p34) return {most, false};
+    std::uint64_t whole = std::uint64_t(std::int64_t(near)), size = std::uint64_t(det);
+    std::uint64_t rest = (std::uint64_t(num) << shift) - whole * size;
+    if (rest >= std::uint64_t(3) << 62) {   // negative, and by little
+        --whole;
+        rest += size;
+    } else if (rest >= size) {
+        ++whole;
+        rest -= size;
+    }
+    return whole < most ? Quotient{whole, rest != 0} : Quotient{most, false};
+}
+
+/// t, u and v as TriRsp has them.
+inline std::uint32_t distance(std::int64_t num, std::int64_t det, const Config& config) {
+    const Quotient q = quotient(num, config.dir_bits - 1 + config.t_frac_bits, det);
+    return std::uint32_t(std::min(q.whole + q.rest, (std::uint64_t(1) << config.t_bits()) - 1));
+}
+inline std::uint32_t barycentric(std::int64_t edge, std::int64_t det, const Config& config) {
+    return std::uint32_t(quotient(edge, config.bary_bits, det).whole);
+}
 
 } // namespace rayclock

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "model/core/config.hpp"
@@ -62,35 +63,79 @@ public:
     }
 
     /// One clock edge at the end of cycle `now`: what came in (null if nothing), and which outputs were taken.
-    CacheDeed clock(std::uint64_t now, const Request* request, bool answer_taken, const std::uint32_t* fill_id, bool miss_taken);
+    CacheDeed clock(std::uint64_t now, const Request* request, bool answer_taken, const std::uint32_t* fill_id, bool miss_taken) {
+        // What is looked up or drained was there at the beginning of the cycle; a place in the answers' queue, too.
+        const bool room = answers_.ready(), draining = !filled_.empty();
+        CacheDeed deed = CacheDeed::starved;
+        if (draining || !in_.empty()) deed = !room ? CacheDeed::answers : draining ? drain(now) : look_up(now);
+        if (answer_taken) answers_.leave();
+        if (miss_taken) next_word();
+        if (fill_id) fill(*fill_id);
+        if (request) in_.push(*request);
+        return deed;
+    }
 
-    /// True while clock() without input and output would change nothing and find nothing to do.
-    bool idle() const { return in_.empty() && filled_.empty(); }
-    bool waits() const { return busy_ > 0; }   ///< lines are on their way
+    std::uint64_t due() const { return answers_.due(); }   ///< cycle of the next answer
+    bool waits() const { return busy_ > 0; }               ///< lines are on their way
+    /// Where a request is, for people; empty if not here.
+    std::string where(std::uint32_t id) const;
 
 private:
     struct Mshr {
         bool busy = false;
         std::uint32_t line = 0, set = 0, way = 0, head = 0, tail = 0, words = 0;
     };
+    /// A way of a set: the line that it holds, and the MSHR that it waits for.
+    struct Way {
+        std::uint32_t line = 0;   ///< + 1; 0: nothing
+        std::uint32_t mshr = 0;   ///< + 1; 0: the line is there
+    };
     CacheDeed look_up(std::uint64_t now);
     CacheDeed drain(std::uint64_t now);
     CacheDeed ask(const Request& request, std::uint32_t line, std::uint32_t set);
-    Mshr* on_its_way(std::uint32_t set, std::uint32_t way);
+    void next_word();
+    void fill(std::uint32_t id);
     int victim(std::uint32_t set) const;
-    void touch(std::uint32_t set, std::uint32_t way);
+
+    // A bit of the tree points to the half that was used longer ago: using a way turns the bits above it away from it.
+    void touch(std::uint32_t set, std::uint32_t way) {
+        recent_[set] = std::uint8_t((recent_[set] & keep_[way]) | turn_[way]);
+        last_[set] = std::uint8_t(way);
+    }
 
     CacheShape shape_;
-    int word_bits_, set_bits_;
-    std::vector<std::uint32_t> tags_;    ///< [set * ways + way]: line + 1, 0: nothing
+    int word_bits_, way_bits_;
+    std::uint32_t set_mask_;
+    std::vector<Way> ways_;              ///< [set * ways + way]
     std::vector<std::uint8_t> recent_;   ///< [set]: bits of the tree, node 1 at bit 1
+    std::vector<std::uint8_t> last_;     ///< [set]: way used last; where to look first, nothing more
+    std::array<std::uint8_t, 8> keep_{}, turn_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
     std::vector<std::uint32_t> next_;    ///< [id]: who waits after it
-    Ring<Request> in_{2};
-    Ring<std::uint32_t> misses_, filled_;
+    Ring<Request, 2> in_{2};
+    Ring<std::uint32_t, 64> misses_, filled_;
     std::uint32_t miss_word_ = 0;
     Pipe<std::uint32_t> answers_;
 };
+
+inline CacheDeed Cache::look_up(std::uint64_t now) {
+    const Request request = in_.front();
+    const std::uint32_t line = request.addr >> word_bits_, set = line & set_mask_;
+    const Way* ways = &ways_[std::size_t(set) << way_bits_];
+    std::uint32_t way = last_[set];   // a guess
+    if (ways[way].line != line + 1) way = 0;
+    while (way < std::uint32_t(shape_.ways) && ways[way].line != line + 1) ++way;
+    if (way == std::uint32_t(shape_.ways)) return ask(request, line, set);
+    in_.pop();
+    touch(set, way);
+    if (const std::uint32_t m = ways[way].mshr) {
+        next_[mshrs_[m - 1].tail] = request.id;
+        mshrs_[m - 1].tail = request.id;
+        return CacheDeed::merge;
+    }
+    answers_.admit(now) = request.id;
+    return CacheDeed::hit;
+}
 
 } // namespace rayclock

@@ -7,12 +7,13 @@
 
 namespace rayclock {
 
-/// Traffic that tests put on a memory port or a sink, on top of its fixed figures. Seeded: two machines that make the same
-/// requests in the same cycles see the same traffic.
+/// Traffic that tests put on the memory port and on the sinks, on top of their fixed figures. Seeded: two machines that make
+/// the same requests in the same cycles see the same traffic.
 struct Traffic {
-    int jitter = 0;           ///< extra cycles of latency, 0..jitter, drawn per request: answers overtake each other
+    int jitter = 0;           ///< extra cycles of latency, 0..jitter, drawn per answer: they overtake each other
     int stall_percent = 0;    ///< share of cycles in which no request is accepted
     std::uint64_t seed = 1;
+    bool none() const { return jitter == 0 && stall_percent == 0; }
 };
 
 /// SplitMix64 (Steele, Lea, Flood 2014): the same numbers on every machine.
@@ -31,49 +32,46 @@ private:
     std::uint64_t state_;
 };
 
-/// A memory port with a stated latency and bandwidth: a request accepted in cycle c is answered in cycle c + mem_latency
-/// (plus jitter), at most one request every mem_interval cycles. It keeps only who asked for which address; whoever owns the
-/// port reads the memory image. At most one request per ray context may be under way. The same class lies under the model
-/// and under the RTL.
+/// The ideal memory: a request accepted in cycle c is answered in cycle c + mem_latency, at most one request every
+/// mem_interval cycles, at any clock. It keeps only who asked for which address; whoever owns the port reads the memory
+/// image. Requests are told apart by id, and one with the same id is made only after the answer. Answers are always taken.
+/// The same class lies under the model and under the RTL.
 class Memport {
 public:
-    Memport(const Config& config, Traffic traffic);
+    Memport(const Config& config, int ids);
 
     struct Answer {
-        std::uint32_t ray = 0, addr = 0;
+        std::uint32_t id = 0, addr = 0;
     };
-    bool ready() const { return ready_; }
-    bool valid() const { return valid_; }
-    Answer answer() const { return answer_; }
+    bool ready() const { return now_ >= next_free_; }
+    bool valid() const { return !pending_.empty() && pending_.front().due <= now_; }
+    Answer answer() const { return pending_.front().what; }
+    bool waits() const { return !pending_.empty(); }
 
-    /// One clock edge: the request that was accepted (null if none) and whether the answer was taken.
-    void clock(const Answer* request, bool taken);
+    /// One clock edge: the request that was accepted, null if none. An answer on offer goes.
+    void clock(const Answer* request);
+
+    /// The first cycle, in calls of clock(), in which ready() or valid() could change without a request; and the same as
+    /// clock(nullptr) `cycles` times up to there.
+    std::uint64_t quiet_until() const {
+        const std::uint64_t answer = pending_.empty() ? ~std::uint64_t(0) : pending_.front().due;
+        return now_ < next_free_ && next_free_ < answer ? next_free_ : answer;
+    }
+    void skip(std::uint64_t cycles) { now_ += cycles; }
 
 private:
     struct Pending {
         Answer what;
         std::uint64_t due = 0;
     };
-    void offer();
-
-    std::uint64_t latency_, interval_;
-    Traffic traffic_;
-    Rng rng_;
-    Ring<Pending> in_order_;            // without jitter
-    std::vector<Pending> overtaking_;   // with it; oldest first
-    std::uint64_t now_ = 0, next_free_ = 0;
-    bool ready_ = true, valid_ = false;
-    Answer answer_{};
+    std::uint64_t latency_, interval_, now_ = 0, next_free_ = 0;
+    Ring<Pending> pending_;
 };
 
-/// Each port draws from a stream of its own.
-inline Traffic node_traffic(Traffic t) { t.seed = t.seed * 4 + 1; return t; }
-inline Traffic prim_traffic(Traffic t) { t.seed = t.seed * 4 + 2; return t; }
-
-/// Where hits go: always ready, or not in a share of the cycles.
+/// Where hits go: always ready, or not in a share of the cycles. Each sink draws from a stream of its own.
 class Sink {
 public:
-    explicit Sink(Traffic traffic) : stall_percent_(traffic.stall_percent), rng_(traffic.seed * 4 + 3) {}
+    Sink(Traffic traffic, int number) : stall_percent_(traffic.stall_percent), rng_(traffic.seed * 16 + 3 + std::uint64_t(number)) {}
     bool ready() const { return ready_; }
     void clock() { ready_ = stall_percent_ == 0 || rng_.below(100) >= stall_percent_; }
 

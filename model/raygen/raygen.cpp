@@ -9,8 +9,10 @@ Recip reciprocal(std::int32_t d, const Config& config) {
     if (d == 0) return {};
     const std::uint32_t magnitude = std::uint32_t(std::abs(d));
     const int len = std::bit_width(magnitude);
-    const std::uint64_t m = std::uint64_t(magnitude) << (config.dir_bits - len);   // M bits, top bit set
-    return {std::uint32_t((std::uint64_t(1) << (config.dir_bits + config.recip_bits - 1)) / m), std::uint32_t(len)};
+    const std::uint32_t m = magnitude << (config.dir_bits - len);   // M bits, top bit set
+    // Exact: a quotient that is no whole number misses the next one by 1 / m at least, far more than a double rounds.
+    const double power = double(std::uint64_t(1) << (config.dir_bits + config.recip_bits - 1));
+    return {std::uint32_t(std::int64_t(power / double(m))), std::uint32_t(len)};
 }
 
 Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame) {

@@ -4,28 +4,79 @@
 
 namespace rayclock {
 
-/// Gives pixels, row by row, to free contexts, and puts the pixel to the hit when its ray is done.
+/// Gives the pixels of its tiles, in Morton order, to free contexts, and puts the pixel to the hit when its ray is done.
+/// Holds two tiles. A pixel of a tile that lies outside the picture costs a cycle in which nothing is given.
 /// A fresh machine uses contexts 0..T-1 first; after that the one that has been free longest.
 /// Mirror of rtl/sched/rc_sched.sv.
 class Sched {
 public:
-    Sched(const Frame& frame, const Config& config);
+    explicit Sched(const Config& config)
+        : tile_bits_(config.tile_bits), last_((1u << 2 * config.tile_bits) - 1), contexts_(std::uint32_t(config.contexts)), tiles_(2),
+          free_(config.contexts), pixels_(std::size_t(config.contexts)) {}
 
-    bool slot_valid() const { return more_ && (started_ < contexts_ || !free_.empty()); }
+    /// A new frame. What is left of the last one's tiles, pixels outside its picture, is dropped.
+    void start(const Frame& frame) {
+        while (!tiles_.empty()) tiles_.pop();   // pixels outside the last picture
+        at_ = 0;
+        width_ = frame.width;
+        height_ = frame.height;
+        look();
+    }
+    bool tile_ready() const { return !tiles_.full(); }
+    /// A pixel of the picture is at hand; passing: one that lies outside.
+    bool pixel_valid() const { return inside_; }
+    bool passing() const { return outside_; }
+    bool context_free() const { return started_ < contexts_ || !free_.empty(); }
+    bool slot_valid() const { return inside_ && context_free(); }
     Slot slot() const { return {started_ < contexts_ ? started_ : free_.front(), x_, y_}; }
-    HitOut hit(const Closest& closest) const { return {pixels_[closest.ray].x, pixels_[closest.ray].y, closest}; }
+    const Slot& pixel(std::uint32_t ray) const { return pixels_[ray]; }
+    bool in_use(std::uint32_t ray) const { return ray < started_ && !free_.contains(RayNumber(ray)); }
 
-    /// One clock edge: whether the slot was taken, and the context whose hit left, if one did.
-    void clock(bool slot_taken, const std::uint32_t* freed);
-
-    bool all_issued() const { return !more_; }
-    Slot pixel(std::uint32_t ray) const { return pixels_[ray]; }
+    /// One clock edge: whether the slot was taken, the tile that came and the context whose hit left (null if none).
+    void clock(bool slot_taken, const Tile* tile, const std::uint32_t* freed) {
+        if (slot_taken) {
+            const Slot given = slot();
+            pixels_[given.ray] = given;
+            if (started_ < contexts_) ++started_;
+            else free_.pop();
+        }
+        if (slot_taken || outside_) {
+            if (at_ == last_) tiles_.pop();
+            at_ = (at_ + 1) & last_;
+            look();
+        }
+        if (tile) {
+            tiles_.push(*tile);
+            if (tiles_.size() == 1) look();
+        }
+        if (freed) free_.push(RayNumber(*freed));
+    }
 
 private:
-    std::uint32_t width_, height_, contexts_;
-    std::uint32_t x_ = 0, y_ = 0, started_ = 0;
-    bool more_ = true;
-    Ring<std::uint32_t> free_;
+    /// Every second bit of a number, from the lowest on.
+    static std::uint32_t even_bits(std::uint32_t m) {
+        m &= 0x555;
+        m = (m | m >> 1) & 0x333;
+        m = (m | m >> 2) & 0xf0f;
+        return (m | m >> 4) & 0x3f;
+    }
+    /// At the pixel that is now at hand.
+    void look() {
+        inside_ = outside_ = false;
+        if (tiles_.empty()) return;
+        x_ = tiles_.front().x << tile_bits_ | even_bits(at_);
+        y_ = tiles_.front().y << tile_bits_ | even_bits(at_ >> 1);
+        inside_ = x_ < width_ && y_ < height_;
+        outside_ = !inside_;
+    }
+
+    int tile_bits_;
+    std::uint32_t last_, contexts_, width_ = 0, height_ = 0;
+    std::uint32_t at_ = 0, started_ = 0;   // pixel of the tile, contexts used so far
+    std::uint32_t x_ = 0, y_ = 0;
+    bool inside_ = false, outside_ = false;
+    Ring<Tile, 2> tiles_;
+    RayRing free_;
     std::vector<Slot> pixels_;
 };
 

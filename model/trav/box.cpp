@@ -1,167 +1,149 @@
 #include "model/trav/box.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <cstring>
-
-// Wider vectors where the processor has them; the results are the same, since every operation is exact.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define RAYCLOCK_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define RAYCLOCK_CLONES
-#endif
+#include "model/trav/slab.hpp"
 
 namespace rayclock {
 
 namespace {
 
-// Four children at a time, in double precision: every value is a whole number below 2^53 times a power of two, so that
-// products, sums and comparisons are exact and no rounding is left to the machine.
-using Planes = float __attribute__((vector_size(16)));
-using Whole = std::int32_t __attribute__((vector_size(16)));
-using Lanes = double __attribute__((vector_size(32)));
-using Mask = std::int64_t __attribute__((vector_size(32)));
-constexpr std::size_t halves = max_width / 4;
+/// Where a child's triangles or its node lie, once its kind is known and those before it are in place.
+void place_child(WideNode& node, std::uint32_t kind, std::uint32_t inner, std::uint32_t& triangles) {
+    const std::size_t i = node.children;
+    node.count[i] = std::uint8_t(kind - 1);
+    node.offset[i] = std::uint8_t(kind == 1 ? 2 * i : 2 * inner + triangles);
+    triangles += kind - 1;
+    ++node.children;
+}
+void set_masks(WideNode& node, std::uint32_t inner) {
+    node.children_mask = std::uint8_t((1u << node.children) - 1);
+    node.inner_mask = std::uint8_t((1u << inner) - 1);
+}
 
-/// 2^exponent, exact.
-double power_of_two(int exponent) { return std::bit_cast<double>(std::uint64_t(1023 + exponent) << 52); }
+/// `width` <= 32 bits from bit `at` of a line on.
+std::uint32_t bits_at(const std::uint32_t* line, int at, int width) {
+    const int word = at / 32;
+    const std::uint64_t two = line[word] | std::uint64_t(word < 15 ? line[word + 1] : 0) << 32;
+    return std::uint32_t(two >> at % 32 & ((std::uint64_t(1) << width) - 1));
+}
 
-/// One axis of the slab test, ready for the children's planes.
-struct Axis {
-    double near, far;             // D r / 2^e down, D (r + 1) / 2^e up
-    double near_step, far_step;   // signed r and r + 1
-    double scale;                 // to t's unit
-    const float* near_q;
-    const float* far_q;
-    bool zero;
+/// Notes where Node::fields puts each field.
+struct PlaceVisitor {
+    int at;
+    std::array<int, 6> lowest{};
+    std::size_t next = 0;
+    template <class T> void operator()(const char*, const T&, int width) { lowest[next++] = at -= width; }
+    template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>&, int width, int count) {
+        lowest[next++] = at -= width * count;
+    }
 };
 
-Axis make_axis(const BoxRay& ray, const WideNode& node, std::size_t k, const Config& c) {
-    const bool neg = ray.neg[k] != 0;
-    const int e = int(node.exp[k]);
-    const std::int64_t distance = neg ? std::int64_t(ray.o[k]) - node.org[k] : std::int64_t(node.org[k]) - ray.o[k];
-    const std::int64_t r = ray.recip[k], r_up = r + (ray.len[k] != 0);
-    Axis axis;
-    axis.near = double((distance * r) >> e);
-    axis.far = double(-((-distance * r_up) >> e));
-    axis.near_step = double(neg ? -r : r);
-    axis.far_step = double(neg ? -r_up : r_up);
-    axis.scale = power_of_two(c.t_frac_bits + c.dir_bits - int(ray.len[k]) - c.recip_bits + e);
-    axis.near_q = neg ? node.hi[k].data() : node.lo[k].data();
-    axis.far_q = neg ? node.lo[k].data() : node.hi[k].data();
-    axis.zero = ray.len[k] == 0;
-    return axis;
-}
-
-
-/// A child's place in the order: leaf, t_near, offset, with the count riding along. Children that are missed come last.
-/// Below 2^42, so that it is exact in a double.
-using Keys = std::array<double, max_width>;
-constexpr double leaf_key = 0x1p40, missed_key = 0x1p50;
-constexpr int near_shift = 9;   // above offset (6 bits) and count (3 bits)
-
-/// Keys of the children whose interval on the ray is not empty: near rounded down <= far rounded up, and far >= 0.
-/// floor(near) <= ceil(far) is floor(near) - 1 < far.
-RAYCLOCK_CLONES void intersect(const std::array<Axis, 3>& axes, const WideNode& node, double beyond, Keys& keys) {
-    for (std::size_t h = 0; h < halves; ++h) {
-        Lanes near{}, far = near + (beyond + 1);
-        for (const Axis& a : axes) {
-            Planes near_q, far_q;
-            std::memcpy(&near_q, a.near_q + 4 * h, sizeof near_q);
-            std::memcpy(&far_q, a.far_q + 4 * h, sizeof far_q);
-            const Lanes n = (a.near + __builtin_convertvector(near_q, Lanes) * a.near_step) * a.scale;
-            const Lanes f = (a.far + __builtin_convertvector(far_q, Lanes) * a.far_step) * a.scale;
-            if (a.zero) {
-                const Mask outside = n > 0.0 || f < 0.0;
-                far = outside ? Lanes{} - 1.0 : far;
-            } else {
-                near = n > near ? n : near;
-                far = f < far ? f : far;
-            }
-        }
-        near = near < beyond ? near : Lanes{} + beyond;
-        const Lanes down = __builtin_convertvector(__builtin_convertvector(near, Whole), Lanes);
-        Lanes key;
-        std::memcpy(&key, &node.key[4 * h], sizeof key);
-        const Mask hit = down - 1.0 < far && far >= 0.0;
-        key = hit ? key + down * double(1 << near_shift) : Lanes{} + missed_key;
-        std::memcpy(&keys[4 * h], &key, sizeof key);
+/// Answers with the children met: inner ones, then leaves.
+void answer(std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node, BoxRsp& out) {
+    std::array<std::uint64_t, 2 * max_width> sorted;
+    out.base = node.base;
+    out.inner = sort_children(hits & node.inner_mask, t_near, sorted.data());
+    out.leaves = sort_children(hits & ~std::uint32_t(node.inner_mask), t_near, &sorted[out.inner]);
+    out.t_near.fill(0);
+    out.offset.fill(0);
+    out.count.fill(0);
+    for (std::size_t i = 0; i < out.inner + out.leaves; ++i) {
+        const std::size_t child = sorted[i] & (max_width - 1);
+        out.t_near[i] = std::uint32_t(sorted[i] >> 3);
+        out.offset[i] = node.offset[child];
+        out.count[i] = node.count[child];
     }
-}
-
-/// Puts two keys in order without a branch, which no predictor could guess.
-void order(std::uint64_t& a, std::uint64_t& b) {
-    const std::uint64_t exchange = (a ^ b) & -std::uint64_t(b < a);
-    a ^= exchange;
-    b ^= exchange;
-}
-
-/// Batcher's merge sort of the first four or of all eight.
-void sort_four(std::uint64_t* k) {
-    order(k[0], k[1]), order(k[2], k[3]);
-    order(k[0], k[2]), order(k[1], k[3]);
-    order(k[1], k[2]);
-}
-void sort_eight(std::uint64_t* k) {
-    sort_four(k);
-    sort_four(k + 4);
-    order(k[0], k[4]), order(k[1], k[5]), order(k[2], k[6]), order(k[3], k[7]);
-    order(k[2], k[4]), order(k[3], k[5]);
-    order(k[1], k[2]), order(k[3], k[4]), order(k[5], k[6]);
 }
 
 } // namespace
 
+namespace plain {
+#include "model/trav/slab.inl"
+} // namespace plain
+
+void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
+    std::array<std::uint32_t, max_width> t_near;
+    const SlabRay slab = slab_ray(ray, config);
+    const std::uint32_t hits = plain::slab_test(slab, node, plain::lanes_of(node.org) - slab.o, node.children, t_near.data());
+    answer(hits, t_near.data(), node, out);
+}
+
+#ifdef RAYCLOCK_AVX2
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#define RAYCLOCK_WITH_AVX2
+namespace avx2 {
+#include "model/trav/slab.inl"
+static void test(const SlabRay& ray, const WideNode& node, std::uint32_t* t_near, std::uint32_t& hits) {
+    hits = slab_test(ray, node, lanes_of(node.org) - ray.o, node.children, t_near);
+}
+} // namespace avx2
+#undef RAYCLOCK_WITH_AVX2
+#pragma GCC pop_options
+
+void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
+    if (!__builtin_cpu_supports("avx2")) return box_children_plain(ray, node, config, out);
+    std::array<std::uint32_t, max_width> t_near;
+    std::uint32_t hits = 0;
+    avx2::test(slab_ray(ray, config), node, t_near.data(), hits);
+    answer(hits, t_near.data(), node, out);
+}
+#else
+void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
+    box_children_plain(ray, node, config, out);
+}
+#endif
+
 WideNode widen(const Node& node, int node_width) {
     WideNode wide;
-    wide.org = node.org;
-    wide.exp = node.exp;
     wide.base = node.base;
-    wide.key.fill(missed_key);
+    for (std::size_t k = 0; k < 3; ++k) {
+        wide.org[k] = node.org[k];
+        wide.exp[k] = std::uint8_t(node.exp[k]);
+    }
     std::uint32_t inner = 0, triangles = 0;
     for (int i = 0; i < node_width; ++i) inner += node.kind[std::size_t(i)] == 1;
-    for (std::size_t i = 0; i < std::size_t(node_width) && node.kind[i] != 0; ++i, ++wide.children) {
+    for (std::size_t i = 0; i < std::size_t(node_width) && node.kind[i] != 0; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-            wide.lo[k][i] = float(node.lo[3 * i + k]);
-            wide.hi[k][i] = float(node.hi[3 * i + k]);
+            wide.planes[k * max_width + i] = std::uint8_t(node.lo[3 * i + k]);
+            wide.planes[(3 + k) * max_width + i] = std::uint8_t(node.hi[3 * i + k]);
         }
-        const std::uint32_t count = node.kind[i] - 1;
-        const std::uint32_t offset = count == 0 ? std::uint32_t(2 * i) : 2 * inner + triangles;
-        wide.key[i] = (count == 0 ? 0 : leaf_key) + double(offset << 3 | count);
-        triangles += count;
+        place_child(wide, node.kind[i], inner, triangles);
     }
+    set_masks(wide, inner);
     return wide;
 }
 
-void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
-    const double beyond = double((1u << config.t_bits()) - 1);
-    Keys keys;
-    intersect({make_axis(ray, node, 0, config), make_axis(ray, node, 1, config), make_axis(ray, node, 2, config)}, node, beyond, keys);
+NodeReader::NodeReader(const Config& config)
+    : coord_bits_(config.coord_bits), box_bits_(config.box_bits), node_width_(config.node_width) {
+    PlaceVisitor place{bits_of<Node>(config), {}, 0};
+    Node{}.fields(place, config);
+    org_ = place.lowest[0], exp_ = place.lowest[1], base_ = place.lowest[2];
+    kind_ = place.lowest[3], lo_ = place.lowest[4], hi_ = place.lowest[5];
+}
 
-    // Those that are hit, packed; most nodes have few.
-    std::array<std::uint64_t, max_width> hit;
-    hit.fill(~std::uint64_t(0));
-    std::uint32_t hits = 0, inner = 0;
-    for (const double key : keys) {
-        hit[hits & (max_width - 1)] = std::uint64_t(std::int64_t(key));
-        hits += key < missed_key;
-        inner += key < leaf_key;
+WideNode NodeReader::operator()(const std::uint32_t* line) const {
+    WideNode wide;
+    wide.base = bits_at(line, base_, addr_bits);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t org = bits_at(line, org_ + int(k) * coord_bits_, coord_bits_);
+        wide.org[k] = std::int32_t(org << (32 - coord_bits_)) >> (32 - coord_bits_);
+        wide.exp[k] = std::uint8_t(bits_at(line, exp_ + int(k) * exp_bits, exp_bits));
     }
-    if (hits < max_width) hit[hits] = ~std::uint64_t(0);
-    if (hits > 4) sort_eight(hit.data());
-    else if (hits > 1) sort_four(hit.data());
-
-    out.base = node.base;
-    out.inner = inner;
-    out.leaves = hits - inner;
-    out.t_near.fill(0);
-    out.offset.fill(0);
-    out.count.fill(0);
-    for (std::size_t i = 0; i < hits; ++i) {
-        out.t_near[i] = std::uint32_t(hit[i] >> near_shift & 0x7fff'ffff);
-        out.offset[i] = std::uint32_t(hit[i] >> 3 & 63);
-        out.count[i] = std::uint32_t(hit[i] & 7);
+    const auto kind = [&](int i) { return bits_at(line, kind_ + i * count_bits, count_bits); };
+    std::uint32_t inner = 0, triangles = 0;
+    for (int i = 0; i < node_width_; ++i) inner += kind(i) == 1;
+    for (int i = 0; i < node_width_ && kind(i) != 0; ++i) place_child(wide, kind(i), inner, triangles);
+    const std::uint32_t plane = (1u << box_bits_) - 1;
+    for (std::size_t i = 0; i < wide.children; ++i) {
+        const int at = int(3 * i) * box_bits_;
+        std::uint32_t lo = bits_at(line, lo_ + at, 3 * box_bits_), hi = bits_at(line, hi_ + at, 3 * box_bits_);
+        for (std::size_t k = 0; k < 3; ++k, lo >>= box_bits_, hi >>= box_bits_) {
+            wide.planes[k * max_width + i] = std::uint8_t(lo & plane);
+            wide.planes[(3 + k) * max_width + i] = std::uint8_t(hi & plane);
+        }
     }
+    set_masks(wide, inner);
+    return wide;
 }
 
 BoxRsp box(const BoxReq& req, const Config& config) {

@@ -3,14 +3,24 @@
 
 namespace rayclock {
 
-/// A node unpacked for the model: planes by axis, and where each child lies in the block.
-struct WideNode {
-    Vec3i org{};
-    std::array<std::uint32_t, 3> exp{};
+/// A node unpacked for the model: planes by axis, and where each child lies in the block. Inner children come first.
+struct alignas(32) WideNode {
+    std::array<std::int32_t, 4> org{};                          ///< the fourth is 0, here and in exp
+    std::array<std::uint8_t, 4> exp{};
     std::uint32_t base = 0;
-    int children = 0;
-    std::array<std::array<float, max_width>, 3> lo{}, hi{};   ///< whole numbers
-    std::array<double, max_width> key{};                      ///< place in the order but for t_near; see box.cpp
+    std::uint8_t children = 0, children_mask = 0, inner_mask = 0;
+    std::array<std::uint8_t, 2 * 3 * max_width> planes{};       ///< [(3 * hi + axis) * 8 + child]
+    std::array<std::uint8_t, max_width> offset{}, count{};      ///< as BoxRsp has them
+};
+/// A node's fields from its line, without a detour through Node.
+class NodeReader {
+public:
+    explicit NodeReader(const Config& config);
+    WideNode operator()(const std::uint32_t* line) const;
+
+private:
+    int coord_bits_, box_bits_, node_width_;
+    int org_ = 0, exp_ = 0, base_ = 0, kind_ = 0, lo_ = 0, hi_ = 0;   ///< lowest bit of each
 };
 WideNode widen(const Node& node, int node_width);
 
@@ -29,6 +39,8 @@ struct BoxRay {
 /// miss; both saturate at all ones. A zero component only asks whether o lies between the planes (rounded outward).
 /// Mirror of rtl/trav/rc_box.sv, latency Config::box_latency() + 1, one node per cycle.
 void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
+/// The same without the processor's wider vectors, whether it has them or not: for the tests.
+void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
 BoxRsp box(const BoxReq& req, const Config& config);
 
 } // namespace rayclock

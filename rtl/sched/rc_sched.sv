@@ -1,15 +1,20 @@
-// Gives pixels, row by row, to free contexts, and puts the pixel to the hit when its
-// ray is done. A fresh machine uses contexts 0..Contexts-1 first; after that the one
-// that has been free longest.
+// Gives the pixels of its tiles, in Morton order, to free contexts, and puts the pixel
+// to the hit when its ray is done. Holds two tiles. A pixel of a tile that lies outside
+// the picture costs a cycle in which nothing is given. A fresh machine uses contexts
+// 0..Contexts-1 first; after that the one that has been free longest. A new frame drops
+// what is left of the last one's tiles: pixels outside that picture.
 //
-// A slot is offered from the cycle after reset until the last pixel of frame_i is
-// given. A hit passes through in the same cycle and frees its context. Model:
-// model/sched/sched.hpp.
+// A tile's first pixel is offered in the cycle after the tile came. A hit passes through
+// in the same cycle and frees its context. Model: model/sched/sched.hpp.
 `default_nettype none
 module rc_sched (
   input  logic             clk_i,
   input  logic             rst_ni,
+  input  logic             start_i,
   input  rc_pkg::frame_t   frame_i,
+  output logic             tile_ready_o,
+  input  logic             tile_fires_i,
+  input  rc_pkg::tile_t    tile_i,
   output logic             slot_valid_o,
   input  logic             slot_ready_i,
   output rc_pkg::slot_t    slot_o,
@@ -18,41 +23,58 @@ module rc_sched (
   input  rc_pkg::closest_t closest_i,
   output logic             hit_valid_o,
   input  logic             hit_ready_i,
-  output rc_pkg::hit_t     hit_o
+  output rc_pkg::hit_t     hit_o,
+  output logic [2:0]       cause_o
 );
-  localparam int unsigned I = rc_pkg::RayBits;
-  localparam int unsigned P = rc_pkg::PixelBits;
-  localparam int unsigned T = rc_pkg::Contexts;
+  localparam int unsigned I  = rc_pkg::RayBits;
+  localparam int unsigned P  = rc_pkg::PixelBits;
+  localparam int unsigned T  = rc_pkg::Contexts;
+  localparam int unsigned K  = rc_pkg::TileBits;
+  localparam int unsigned AW = K == 0 ? 1 : 2 * K;
 
-  logic [P-1:0] x_q, y_q;
-  logic         more_q;
+  // The pixel at hand: at_q counts through the tile, its even bits go to x, its odd to y.
+  logic          tile_valid, last, in_frame, pixel_valid, pass, give;
+  rc_pkg::tile_t tile;
+  logic [AW-1:0] at_q;
+  rc_fifo #(.Width(rc_pkg::TileW), .Depth(2)) u_tiles (
+    .clk_i, .rst_ni(rst_ni && !start_i),
+    .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i(tile_i),
+    .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o(tile));
+  logic [P-1:0] x, y;
+  if (K == 0) begin : gen_single
+    assign x    = tile.x;
+    assign y    = tile.y;
+    assign last = 1'b1;
+  end else begin : gen_morton
+    for (genvar i = 0; i < K; i++) begin : gen_bit
+      assign x[i] = at_q[2*i];
+      assign y[i] = at_q[2*i+1];
+    end
+    assign x[P-1:K] = tile.x;
+    assign y[P-1:K] = tile.y;
+    assign last     = at_q == '1;
+  end
+  assign in_frame      = {1'b0, x} < frame_i.width && {1'b0, y} < frame_i.height;
+  assign pixel_valid = tile_valid && in_frame && !start_i;
+  assign pass        = tile_valid && !in_frame;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || start_i) at_q <= '0;
+    else if (give || pass)  at_q <= last ? '0 : at_q + 1'b1;
+  end
+
+  // A context for it.
   logic [I:0]   started_q;  // contexts used so far, 0..Contexts
-  logic         fresh, give, freed, free_valid;
+  logic         fresh, freed, free_valid;
   logic [I-1:0] free_ray, slot_ray;
   assign fresh        = started_q != (I+1)'(T);
-  assign slot_valid_o = more_q && (fresh || free_valid);
+  assign slot_valid_o = pixel_valid && (fresh || free_valid);
   assign slot_ray     = fresh ? started_q[I-1:0] : free_ray;
-  assign slot_o       = {slot_ray, x_q, y_q};
+  assign slot_o       = {slot_ray, x, y};
   assign give         = slot_valid_o && slot_ready_i;
   assign freed        = hit_valid_o && hit_ready_i;
-
-  logic last_x, last_y;
-  assign last_x = {1'b0, x_q} + 1'b1 == frame_i.width;
-  assign last_y = {1'b0, y_q} + 1'b1 == frame_i.height;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      x_q       <= '0;
-      y_q       <= '0;
-      more_q    <= 1'b1;
-      started_q <= '0;
-    end else if (give) begin
-      if (fresh) started_q <= started_q + 1'b1;
-      x_q <= last_x ? '0 : x_q + 1'b1;
-      if (last_x) begin
-        y_q    <= y_q + 1'b1;
-        more_q <= !last_y;
-      end
-    end
+    if (!rst_ni)            started_q <= '0;
+    else if (give && fresh) started_q <= started_q + 1'b1;
   end
 
   rc_queue #(.Width(I), .Depth(T)) u_free (
@@ -61,14 +83,16 @@ module rc_sched (
 
   logic [2*P-1:0] pixel;
   rc_ram #(.Width(2 * P), .Depth(T)) u_pixel (
-    .clk_i, .write_i(give), .write_addr_i(slot_ray), .write_data_i({x_q, y_q}),
+    .clk_i, .write_i(give), .write_addr_i(slot_ray), .write_data_i({x, y}),
     .read_addr_i(closest_i.ray), .read_data_o(pixel));
 
   assign hit_valid_o     = closest_valid_i;
   assign closest_ready_o = hit_ready_i;
   assign hit_o           = {pixel, closest_i};
 
+  assign cause_o = give ? 3'd0 : slot_valid_o ? 3'd3 : pixel_valid ? 3'd1 : 3'd2;
+
   logic unused;
-  assign unused = ^{frame_i.root, frame_i.eye, frame_i.corner, frame_i.right, frame_i.down};
+  assign unused = ^{frame_i.root, frame_i.eye, frame_i.corner, frame_i.right, frame_i.down, at_q};
 endmodule
 `default_nettype wire

@@ -28,10 +28,14 @@ module rc_stack (
   // {below, base, count, t_near of W - 1 siblings, their slots}
   localparam int unsigned GroupW = T + A + G + (W - 1) * (T + S);
 
-  // Height of every ray's stack; each is empty again when its ray is done.
-  (* mem2reg *) logic [H-1:0] height_q [rc_pkg::Contexts];
-  logic [H-1:0] s0_height, s1_height_q, height_d, level;
-  assign s0_height = height_q[s0_ray_i];
+  // Height of every ray's stack; each is empty again when its ray is done, and before the
+  // first one: used_q says whether the memory holds a context's.
+  logic [rc_pkg::Contexts-1:0] used_q;
+  logic [H-1:0] s0_kept, s0_height, s1_height_q, height_d, level;
+  rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
+    .clk_i, .write_i(s1_valid_i), .write_addr_i(s1_step_i.ray), .write_data_i(height_d),
+    .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
+  assign s0_height = used_q[s0_ray_i] ? s0_kept : '0;
 
   logic              write;
   logic [GroupW-1:0] group_d, group;
@@ -99,11 +103,8 @@ module rc_stack (
 
   always_ff @(posedge clk_i) begin
     if (s0_valid_i) s1_height_q <= s0_height;
-    if (!rst_ni) begin
-      for (int i = 0; i < rc_pkg::Contexts; i++) height_q[i] <= '0;
-    end else if (s1_valid_i) begin
-      height_q[s1_step_i.ray] <= height_d;
-    end
+    if (!rst_ni)         used_q <= '0;
+    else if (s1_valid_i) used_q[s1_step_i.ray] <= 1'b1;
   end
 
 `ifndef SYNTHESIS

@@ -39,7 +39,15 @@ int bench_command(const Options& o) {
     double compile = best_seconds([&] { make_job(scene, *scene.camera, size, config); });
     const Job job = make_job(scene, *scene.camera, size, config);
     const FrameRun frame = run_model(job);
-    const double model = best_seconds([&] { run_model(job); });
+    std::vector<FrameTrace> traces;
+    traces.push_back(record_frame(job, job.frame, o.threads));
+    const double record = best_seconds([&] { record_frame(job, job.frame, o.threads); });
+    const double again = best_seconds([&] { replay(config, job.khz, traces); });
+    const double model = best_seconds([&] {
+        std::vector<FrameTrace> fresh;
+        fresh.push_back(record_frame(job, job.frame, o.threads));
+        replay(config, job.khz, fresh);
+    });
     const double rtl = best_seconds([&] { run_rtl(job); });
     const Reference tracer(scene);
     const double reference = best_seconds([&] { tracer.frame(*scene.camera, size, 1); });
@@ -54,6 +62,8 @@ int bench_command(const Options& o) {
         };
         row("rtl", rtl, true);
         row("model", model, true);
+        row("  rays recorded", record, false);
+        row("  trace replayed", again, true);
         row("reference, 1 thread", reference, false);
         fmt::print("{}  scene compilation {:.2f} s\n", table.text(), compile);
     }
@@ -62,6 +72,8 @@ int bench_command(const Options& o) {
             {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
             {"cycles", frame.cycles}, {"rtl", {{"seconds", rtl}, {"cycles_per_second", cycles / rtl}}},
             {"model", {{"seconds", model}, {"cycles_per_second", cycles / model}, {"times_rtl", rtl / model}}},
+            {"record", {{"seconds", record}, {"rays_per_second", rays / record}}},
+            {"replay", {{"seconds", again}, {"cycles_per_second", cycles / again}, {"times_rtl", rtl / again}}},
             {"reference", {{"seconds", reference}, {"rays_per_second", rays / reference}}}, {"compile", {{"seconds", compile}}}};
         write_file(o.json, json.dump(2) + "\n");
     }

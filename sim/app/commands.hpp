@@ -7,6 +7,8 @@ namespace rayclock {
 int render_command(const Options& options);
 int simulate_command(const Options& options);
 int verify_command(const Options& options);
+int sweep_command(const Options& options);
+int yardstick_command(const Options& options);
 int bench_command(const Options& options);
 int scenes_command(const Options& options);
 int config_command(const Options& options);

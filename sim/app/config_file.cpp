@@ -1,4 +1,5 @@
 // Configurations by name, by file, and with single parameters set over them.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -8,6 +9,7 @@
 #include "model/core/error.hpp"
 #include "model/core/nearest.hpp"
 #include "sim/app/setup.hpp"
+#include "sim/report/json.hpp"
 
 namespace rayclock {
 
@@ -45,7 +47,8 @@ Config read_config(const std::string& path) {
             config.name = value.get<std::string>();
             continue;
         }
-        set_parameter(config, key, value.dump(), path);
+        const bool named = std::any_of(parameters().begin(), parameters().end(), [&](const Parameter& p) { return key == p.key && p.names; });
+        set_parameter(config, key, named && value.is_string() ? value.get<std::string>() : value.dump(), path);
     }
     for (const Parameter& p : parameters())
         if (!like && !json.contains(p.key))
@@ -70,10 +73,7 @@ Config load_config(const std::string& name_or_file, const std::vector<std::strin
 }
 
 std::string config_json(const Config& config) {
-    ordered_json json;
-    json["name"] = config.name;
-    for (const Parameter& p : parameters()) json[p.key] = config.*p.member;
-    return json.dump(2) + "\n";
+    return config_json_object(config).dump(2) + "\n";
 }
 
 } // namespace rayclock

@@ -17,12 +17,16 @@ void scene_option(CLI::App& app, Options& o) {
 }
 void size_option(CLI::App& app, Options& o) { app.add_option("--size", o.size, "picture, WIDTHxHEIGHT")->capture_default_str(); }
 void config_options(CLI::App& app, Options& o) {
-    app.add_option("--config", o.config, "hardware configuration: default, small, or a JSON file")->capture_default_str();
+    app.add_option("--config", o.config, "hardware configuration: default, small, wide, saarcor, rpu, or a JSON file")->capture_default_str();
     app.add_option("--set", o.set, "key=value: one parameter over the configuration; may be repeated");
 }
 void json_option(CLI::App& app, Options& o) { app.add_option("--json", o.json, "report as JSON to a file, - for standard output"); }
 void clock_option(CLI::App& app, Options& o) { app.add_option("--clock", o.clock, "clock rates in MHz, with commas")->capture_default_str(); }
-void threads_option(CLI::App& app, Options& o) { app.add_option("--threads", o.threads, "threads of the reference, 0 for all cores")->check(CLI::Range(0, 1024)); }
+void threads_option(CLI::App& app, Options& o) { app.add_option("--threads", o.threads, "threads, 0 for all cores")->check(CLI::Range(0, 1024)); }
+void frames_options(CLI::App& app, Options& o) {
+    app.add_option("--frames", o.frames, "frames on one machine, one after the other: the caches are warm from the second on")->capture_default_str();
+    app.add_option("--pan", o.pan, "degrees that the camera turns from frame to frame");
+}
 void traffic_options(CLI::App& app, Options& o) {
     app.add_option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start")->check(CLI::Range(1, 1 << 30));
     app.add_option("--jitter", o.jitter, "random extra memory latency, up to this many cycles");
@@ -60,6 +64,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     clock_option(simulate, o);
     config_options(simulate, o);
     simulate.add_option("--engine", o.engine, "model or rtl")->capture_default_str();
+    frames_options(simulate, o);
     simulate.add_flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
     threads_option(simulate, o);
     traffic_options(simulate, o);
@@ -71,10 +76,27 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     size_option(verify, o);
     clock_option(verify, o);
     config_options(verify, o);
+    frames_options(verify, o);
     verify.add_option("-o,--output", o.output, "folder for the pictures of the three engines and their difference");
     threads_option(verify, o);
     traffic_options(verify, o);
     json_option(verify, o);
+
+    CLI::App& sweep = add("sweep", "one scene on many configurations and clocks; what differs in timing only shares one trace",
+                          "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", sweep_command);
+    scene_option(sweep, o);
+    sweep.add_option("--axis", o.axes, "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; may be repeated")->required();
+    size_option(sweep, o);
+    clock_option(sweep, o);
+    config_options(sweep, o);
+    sweep.add_option("-o,--output", o.output, "table as CSV");
+    threads_option(sweep, o);
+    json_option(sweep, o);
+
+    CLI::App& yardstick = add("yardstick", "the page that sets this machine beside the published figures of SaarCOR and RPU",
+                              "rayclock yardstick -o docs/yardstick.md", yardstick_command);
+    yardstick.add_option("-o,--output", o.output, "Markdown file to write")->required();
+    threads_option(yardstick, o);
 
     CLI::App& bench = add("bench", "speed of the simulator itself: model, RTL and reference on one frame", "rayclock bench gears:8", bench_command);
     scene_option(bench, o);
@@ -84,7 +106,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     json_option(bench, o);
 
     CLI::App& config = add("config", "print a configuration with every parameter", "rayclock config small > mine.json", config_command);
-    config.add_option("NAME", o.config, "default, small, or a JSON file")->capture_default_str();
+    config.add_option("NAME", o.config, "default, small, wide, saarcor, rpu, or a JSON file")->capture_default_str();
     config.add_option("--set", o.set, "key=value: one parameter over the configuration; may be repeated");
 
     CLI::App& rtl = add("rtl", "build the RTL of a configuration now and say where it is kept", "rayclock rtl --config small", rtl_command);

@@ -3,8 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "model/core/error.hpp"
 #include "sim/image/image.hpp"
@@ -33,18 +35,34 @@ FrameSize parse_size(const std::string& text) {
     return size;
 }
 
-std::vector<double> parse_clocks(const std::string& text) {
-    std::vector<double> clocks;
+std::vector<int> parse_clocks(const std::string& text) {
+    std::vector<int> clocks;
     for (std::size_t from = 0; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
         const std::string_view item = std::string_view(text).substr(from, comma - from);
         double mhz = 0;
-        if (!parse_whole(item, mhz) || !(mhz > 0) || mhz > 100000)
-            throw UserError(fmt::format("--clock: '{}' is not a clock in MHz above 0 and up to 100000, in '{}'", item, text));
-        clocks.push_back(mhz);
+        if (!parse_whole(item, mhz) || !(mhz >= 1) || mhz > 100000)
+            throw UserError(fmt::format("--clock: '{}' is not a clock in MHz from 1 to 100000, in '{}'", item, text));
+        clocks.push_back(int(std::lround(mhz * 1000)));
         from = comma + 1;
     }
+    if (clocks.size() > 64) throw UserError(fmt::format("--clock: {} clocks are more than 64", clocks.size()));
     return clocks;
+}
+
+std::vector<Camera> camera_path(const Options& options, const Camera& camera) {
+    if (options.frames < 1 || options.frames > 1000) throw UserError(fmt::format("--frames must lie in 1..1000, not {}", options.frames));
+    if (!(std::abs(options.pan) <= 360)) throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", options.pan));
+    std::vector<Camera> path;
+    for (int i = 0; i < options.frames; ++i) {
+        // Rodrigues' rotation of the view direction about the up axis.
+        const double angle = options.pan * i * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+        const glm::dvec3 axis = glm::normalize(camera.up), view = camera.at - camera.eye;
+        Camera turned = camera;
+        if (i > 0) turned.at = camera.eye + view * c + glm::cross(axis, view) * s + axis * glm::dot(axis, view) * (1 - c);
+        path.push_back(turned);
+    }
+    return path;
 }
 
 Traffic traffic_of(const Options& options) {

@@ -27,13 +27,20 @@ struct Options {
     std::uint64_t seed = 1;
     int jitter = 0;
     int stall = 0;
+    int frames = 1;
+    double pan = 0;
+    std::vector<std::string> axes;
 };
 
 /// "512x384". Throws UserError.
 FrameSize parse_size(const std::string& text);
 
-/// "66,90,200": MHz, each above 0 and at most 100,000. Throws UserError.
-std::vector<double> parse_clocks(const std::string& text);
+/// "66,90,200": MHz, each from 1 to 100,000 with at most three decimals, as kHz. Throws UserError.
+std::vector<int> parse_clocks(const std::string& text);
+
+/// The camera of each frame: the first is the scene's, each next one is turned by `pan` degrees about its up axis. The eye
+/// stays, so that all see the same lattice. Throws UserError.
+std::vector<Camera> camera_path(const Options& options, const Camera& camera);
 
 /// Memory and sink disturbed as asked. Throws UserError.
 Traffic traffic_of(const Options& options);

@@ -1,45 +1,128 @@
-// rayclock simulate: cycles, frames per second, work and accounts of a frame.
+// rayclock simulate: cycles, frames per second, work and accounts of frames, at each clock.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <mutex>
+
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/tables.hpp"
+#include "sim/report/accounts.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock {
 
+namespace {
+
+/// One replay per clock, on all cores, from the same trace.
+std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks, const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
+                                    const Progress& progress) {
+    std::vector<ClockRun> runs(clocks.size());
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::vector<std::uint64_t> done(clocks.size());
+    const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
+    const auto work = [&] {
+        for (std::size_t i = next++; i < clocks.size(); i = next++) {
+            const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
+                const std::lock_guard lock(mutex);
+                done[i] = std::max(done[i], n);
+                std::uint64_t sum = 0;
+                for (const std::uint64_t d : done) sum += d;
+                progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
+            };
+            runs[i].khz = clocks[i];
+            const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
+            for (std::size_t f = 0; f < timings.size(); ++f) runs[i].frames.push_back(frame_run(traces[f], timings[f]));
+        }
+    };
+    const std::size_t cores = threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::future<void>> helpers;
+    for (std::size_t i = 1; i < std::min(cores, clocks.size()); ++i) helpers.push_back(std::async(std::launch::async, work));
+    work();
+    for (auto& helper : helpers) helper.get();
+    return runs;
+}
+
+std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clocks, const std::vector<FrameTrace>& traces, Traffic traffic, int seed,
+                                     const Progress& progress) {
+    std::vector<Frame> frames;
+    for (const FrameTrace& trace : traces) frames.push_back(trace.frame);
+    std::vector<ClockRun> runs;
+    for (const int khz : clocks) {
+        runs.push_back({khz, run_rtl(job, khz, frames, traffic, progress, seed)});
+        if (runs.back().partial()) break;
+    }
+    return runs;
+}
+
+} // namespace
+
 int simulate_command(const Options& o) {
+    const auto start = std::chrono::steady_clock::now();
+    catch_interrupts();
     const FrameSize size = parse_size(o.size);
-    const std::vector<double> clocks = parse_clocks(o.clock);
+    const std::vector<int> clocks = parse_clocks(o.clock);
     if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: '" + o.engine + "' is not model or rtl");
     const Config config = load_config(o.config, o.set);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o, size, progress);
-    const Job job = make_job(scene, *scene.camera, size, config, progress);
-    const FrameRun run = o.engine == "model" ? run_model(job, traffic, progress) : run_rtl(job, traffic, progress, int(o.seed));
-    std::optional<FrameError> error;
-    if (!o.no_reference) error = frame_error(scene, run.hits, Reference(scene).frame(*scene.camera, size, o.threads, progress));
+    const std::vector<Camera> path = camera_path(o, *scene.camera);
+    const Job job = make_job(scene, path[0], size, config, progress);
+    std::vector<FrameTrace> traces;
+    for (const Camera& camera : path) traces.push_back(record_frame(job, make_frame(camera, size, job.image.lattice, config), o.threads, progress));
 
+    const std::vector<ClockRun> runs = o.engine == "model" ? replay_clocks(job, clocks, traces, traffic, o.threads, progress)
+                                                           : run_rtl_clocks(job, clocks, traces, traffic, int(o.seed), progress);
+    const bool partial = runs.size() < clocks.size() || std::any_of(runs.begin(), runs.end(), [](const ClockRun& r) { return r.partial(); });
+    std::uint64_t cycles = 0;
+    double machine_seconds = 0, record_seconds = 0;
+    Digest digest;
+    for (const ClockRun& run : runs)
+        for (const FrameRun& frame : run.frames) {
+            cycles += frame.cycles;
+            machine_seconds += frame.seconds;
+            digest.add(frame.digest);
+        }
+    for (const FrameTrace& trace : traces) record_seconds += trace.trace.seconds;
+    const double engine_seconds = machine_seconds + (o.engine == "model" ? record_seconds : 0);
+    std::optional<FrameError> error;
+    if (!o.no_reference && !partial) {
+        const HitFrame picture = o.engine == "model" ? hits_of(job, traces.back()) : runs.back().last().hits;
+        error = frame_error(scene, picture, Reference(scene).frame(path.back(), size, o.threads, progress));
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const FrameRun& frame = runs[0].last();
     if (o.json != "-") {
-        fmt::print("{}\n{}\n{}\n{}", heading(scene, size, job), clock_table(run, clocks), work_table(run), unit_table(run));
+        fmt::print("{}\n{}\n{}\n{}", heading(scene, size, job), clock_table(config, runs), work_table(config, runs[0]), unit_table(config, runs));
         if (error) fmt::print("\n{}", error_line("against the reference", *error));
-        fmt::print("  host: {:.2f} s, {:.2f} M cycles/s\n", run.seconds, double(run.cycles) / run.seconds / 1e6);
+        fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n", seconds, record_seconds, grouped(cycles),
+                   machine_seconds, double(cycles) / machine_seconds / 1e6);
+        if (partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
     }
     if (!o.json.empty()) {
+        nlohmann::ordered_json clocks_json = nlohmann::ordered_json::array();
+        for (const ClockRun& run : runs) clocks_json.push_back(clock_json(config, run));
         const nlohmann::ordered_json json{
             {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"engine", o.engine}, {"compile", compile_json(job.image.report)},
-            {"rays", {{"primary", run.hits.hits.size()}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}},
-            {"work", work_json(run)}, {"clocks", clocks_json(run, clocks)}, {"units", units_json(run)}, {"memory", memory_json(run)},
+            {"frames", o.frames}, {"pan", o.pan}, {"engine", o.engine}, {"partial", partial}, {"compile", compile_json(job.image.report)},
+            {"rays", {{"primary", frame.pixels}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}},
+            {"work", work_json(frame)}, {"clocks", clocks_json}, {"units", units_json(config, frame)}, {"memory", memory_json(config, runs[0].khz, frame)},
             {"error", error_json(error)},
-            {"host", {{"seconds", run.seconds}, {"cycles_per_second", double(run.cycles) / run.seconds}, {"rays_per_second", double(run.hits.hits.size()) / run.seconds}}},
-            {"digest", digest_text(run.digest)}};
+            {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
+                      {"rays_per_second", double(frame.pixels * runs.size() * runs[0].frames.size()) / engine_seconds}}},
+            {"digest", digest_text(digest.value())}};
         write_file(o.json, json.dump(2) + "\n");
     }
-    return 0;
+    return partial ? 1 : 0;
 }
 
 } // namespace rayclock

@@ -1,5 +1,6 @@
 #include "sim/app/tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -19,36 +20,63 @@ std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     return text + "\n";
 }
 
-std::string work_table(const FrameRun& run) {
-    const double rays = double(run.hits.hits.size());
-    const Bound bound = bound_of(run);
-    const auto per_ray = [&](std::uint64_t n) { return fmt::format("{:.2f}", double(n) / rays); };
+std::string work_table(const Config& config, const ClockRun& run) {
+    const FrameRun& frame = run.last();
+    const double rays = std::max(1.0, double(frame.pixels));
     Table table({"work", "frame", "per ray"});
-    table.add({"rays", grouped(run.hits.hits.size()), "1"});
-    table.add({"cycles", grouped(run.cycles), per_ray(run.cycles)});
-    table.add({"node visits", grouped(node_steps(run)), per_ray(node_steps(run))});
-    table.add({"box tests", grouped(run.box_tests), per_ray(run.box_tests)});
-    table.add({"triangle tests", grouped(triangle_tests(run)), per_ray(triangle_tests(run))});
-    table.add({"bytes read", grouped(bytes_read(run)), per_ray(bytes_read(run))});
-    return table.text() + fmt::format("  bound: {} {}, {:.0f} % of it reached\n", grouped(bound.cycles),
-                                      bound.unit == "trav" ? "node visits" : "triangle tests", bound.reached * 100);
+    const auto add = [&](const char* what, std::uint64_t n) { table.add({what, grouped(n), fmt::format("{:.2f}", double(n) / rays)}); };
+    table.add({"rays", grouped(frame.pixels), "1"});
+    add("node visits", frame.visits);
+    add("box tests", frame.box_tests);
+    add("triangle tests", frame.triangle_tests);
+    add("bytes from memory", bytes_read(frame));
+    return table.text() + fmt::format("  at {:g} MHz {}\n", run.khz / 1e3, bottleneck(config, run.khz, frame));
 }
 
-std::string clock_table(const FrameRun& run, const std::vector<double>& clocks) {
-    Table table({"clock MHz", "cycles", "fps", "Mrays/s", "memory GB/s"});
-    for (const double mhz : clocks) {
-        const double fps = mhz * 1e6 / double(run.cycles);
-        table.add({fmt::format("{:g}", mhz), grouped(run.cycles), fmt::format("{:.2f}", fps),
-                   fmt::format("{:.2f}", fps * double(run.hits.hits.size()) / 1e6), fmt::format("{:.3f}", fps * double(bytes_read(run)) / 1e9)});
-    }
+std::string clock_table(const Config& config, const std::vector<ClockRun>& runs) {
+    Table table({"clock MHz", "frame", "cycles", "fps", "Mrays/s", "cycles/ray", "node hits", "tri hits", "bytes/ray", "memory GB/s", "of peak", "bound", "reached"});
+    const auto row = [&](const ClockRun& run, std::size_t i) {
+        const FrameRun& f = run.frames[i];
+        const double fps = per_second(f, run.khz), bytes = double(bytes_read(f)), rays = std::max(1.0, double(f.pixels));
+        const Bound bound = bound_of(config, run.khz, f);
+        const auto percent = [](double share) { return fmt::format("{:.1f} %", share * 100); };
+        table.add({fmt::format("{:g}", run.khz / 1e3), std::to_string(i + 1) + (f.partial ? " (partial)" : ""), grouped(f.cycles), fmt::format("{:.2f}", fps),
+                   fmt::format("{:.2f}", fps * double(f.pixels) / 1e6), fmt::format("{:.2f}", double(f.cycles) / rays),
+                   percent(cache_account(f, Unit::node_cache).hit_rate()), percent(cache_account(f, Unit::prim_cache).hit_rate()),
+                   fmt::format("{:.1f}", bytes / rays), fmt::format("{:.3f}", fps * bytes / 1e9), percent(fps * bytes / peak_bytes_per_second(config, run.khz)),
+                   bound.unit, fmt::format("{:.0f} %", bound.reached * 100)});
+    };
+    for (const ClockRun& run : runs)
+        for (std::size_t i = 0; i < run.frames.size(); ++i) row(run, i);
     return table.text();
 }
 
-std::string unit_table(const FrameRun& run) {
-    const auto percent = [&](std::uint64_t n) { return fmt::format("{:.1f} %", 100 * double(n) / double(run.cycles)); };
-    Table table({"unit", "count", "busy", "starved", "stalled", "by"});
-    for (const UnitAccount& a : unit_accounts(run.counts, run.cycles))
-        table.add({a.unit, grouped(a.count), percent(a.busy), percent(a.starved), percent(a.stalled), a.stalled ? a.cause : ""});
+std::string unit_table(const Config& config, const std::vector<ClockRun>& runs) {
+    std::vector<std::string> head{"unit", "cycles spent"};
+    for (const ClockRun& run : runs) head.push_back(fmt::format("{:g} MHz", run.khz / 1e3));
+    Table table(head, 2);
+    std::vector<std::vector<UnitAccount>> accounts;
+    for (const ClockRun& run : runs) accounts.push_back(unit_accounts(config, run.last()));
+    for (std::size_t u = 0; u < accounts[0].size(); ++u) {
+        bool named = false;
+        const auto row = [&](const std::string& what, auto cycles) {
+            std::vector<std::string> cells{named ? "" : accounts[0][u].unit, what};
+            bool matters = false;
+            for (std::size_t r = 0; r < runs.size(); ++r) {
+                const double share = double(cycles(accounts[r][u])) / std::max(1.0, double(runs[r].last().cycles) * accounts[r][u].instances);
+                matters = matters || share >= 0.0005;
+                cells.push_back(fmt::format("{:.1f} %", 100 * share));
+            }
+            if (!matters) return;
+            table.add(cells);
+            named = true;
+        };
+        row("busy", [](const UnitAccount& a) { return a.busy; });
+        for (std::size_t i = 0; i < accounts[0][u].starved_by.size(); ++i)
+            row("starved by " + accounts[0][u].starved_by[i].cause, [&](const UnitAccount& a) { return a.starved_by[i].cycles; });
+        for (std::size_t i = 0; i < accounts[0][u].stalled_by.size(); ++i)
+            row("stalled by " + accounts[0][u].stalled_by[i].cause, [&](const UnitAccount& a) { return a.stalled_by[i].cycles; });
+    }
     return table.text();
 }
 

@@ -9,9 +9,10 @@
 namespace rayclock {
 
 std::string heading(const Scene& scene, FrameSize size, const Job& job);
-std::string work_table(const FrameRun& run);
-std::string clock_table(const FrameRun& run, const std::vector<double>& clocks);
-std::string unit_table(const FrameRun& run);
+std::string work_table(const Config& config, const ClockRun& run);
+std::string clock_table(const Config& config, const std::vector<ClockRun>& runs);
+/// What every unit did, a column per clock.
+std::string unit_table(const Config& config, const std::vector<ClockRun>& runs);
 std::string error_line(const char* who, const FrameError& error);
 
 } // namespace rayclock

@@ -52,8 +52,8 @@ void write_pictures(const std::string& folder, const Scene& scene, const HitFram
 }
 
 void print_lockstep(const LockstepResult& r) {
-    fmt::print("  model and RTL: {} transfers compared in {} cycles, {} values differ, cycle gap {}\n", grouped(r.events_compared),
-               grouped(r.model.cycles), grouped(r.value_mismatches), r.cycle_gap);
+    fmt::print("  model and RTL: {} transfers compared in {} cycles, {} values differ, cycle gap {}, counters {}\n", grouped(r.events_compared),
+               grouped(r.model.cycles), grouped(r.value_mismatches), r.cycle_gap, r.account_mismatches ? "DIFFER" : "equal");
     if (!r.first) return;
     const Divergence& d = *r.first;
     fmt::print("  FIRST DIVERGENCE at cycle {}: unit {}, channel {}, ray {}, pixel ({}, {})\n    expected {}\n    got      {}\n", grouped(d.cycle),
@@ -64,43 +64,51 @@ void print_lockstep(const LockstepResult& r) {
 
 int verify_command(const Options& o) {
     const auto start = std::chrono::steady_clock::now();
+    catch_interrupts();
     const FrameSize size = parse_size(o.size);
-    const std::vector<double> clocks = parse_clocks(o.clock);
+    const std::vector<int> clocks = parse_clocks(o.clock);
     const Config config = load_config(o.config, o.set);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o, size, progress);
     if (!o.output.empty()) check_folder(o.output);
-    const Job job = make_job(scene, *scene.camera, size, config, progress);
+    const std::vector<Camera> path = camera_path(o, *scene.camera);
+    Job job = make_job(scene, path[0], size, config, progress);
+    job.khz = clocks[0];
+    std::vector<FrameTrace> traces;
+    for (const Camera& camera : path) traces.push_back(record_frame(job, make_frame(camera, size, job.image.lattice, config), o.threads, progress));
 
     // The reference works beside the lockstep, which has one thread.
-    auto reference_work = std::async(std::launch::async, [&] { return Reference(scene).frame(*scene.camera, size, o.threads); });
-    const LockstepResult result = run_lockstep(job, traffic, progress, int(o.seed));
+    auto reference_work = std::async(std::launch::async, [&] { return Reference(scene).frame(path.back(), size, o.threads); });
+    const LockstepResult result = run_lockstep(job, traces, traffic, progress, int(o.seed));
+    const ClockRun run{job.khz, {result.model}};
     const HitFrame reference = reference_work.get();
     const FrameError model = frame_error(scene, result.model.hits, reference), rtl = frame_error(scene, result.rtl.hits, reference);
     const GoldenResult golden = golden_result(o, scene, config);
     if (!o.output.empty()) write_pictures(o.output, scene, reference, result);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const bool good = result.agrees() && (!golden.found || golden.within);
+    const bool partial = result.model.partial;
+    const bool good = result.agrees() && !partial && (!golden.found || golden.within);
 
     if (o.json != "-") {
-        fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(result.model, clocks), work_table(result.model), unit_table(result.model));
+        fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
         print_lockstep(result);
         fmt::print("{}", error_line("model against reference", model));
         if (!result.agrees()) fmt::print("{}", error_line("RTL against reference", rtl));
         if (golden.found) fmt::print("  golden picture: {}, {}\n", std::isfinite(golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", golden.psnr_db) : "equal", golden.within ? "within bounds" : "OUT OF BOUNDS");
         if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", o.output);
-        fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : "FAILED", seconds);
+        fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : partial ? "PARTIAL: interrupted" : "FAILED", seconds);
     }
     if (!o.json.empty()) {
         const nlohmann::ordered_json json{
             {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"compile", compile_json(job.image.report)}, {"pixels", model.pixels}, {"events_compared", result.events_compared},
-            {"value_mismatches", result.value_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
+            {"compile", compile_json(job.image.report)}, {"partial", partial}, {"pixels", model.pixels}, {"events_compared", result.events_compared},
+            {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
             {"reference", {{"pixels_other_primitive", model.pixels_other_primitive}, {"psnr_db", decibel(model.psnr_db)}, {"max_abs_depth", model.max_abs_depth}}},
             {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
-            {"work", work_json(result.model)}, {"clocks", clocks_json(result.model, clocks)}, {"units", units_json(result.model)},
+            {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
+            {"memory", memory_json(config, job.khz, result.model)},
             {"host", {{"seconds", seconds}}}, {"digest", digest_text(result.model.digest)}};
         write_file(o.json, json.dump(2) + "\n");
     }

@@ -1,44 +1,48 @@
 #include "sim/engine/engine.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "model/core/error.hpp"
 #include "model/hits.hpp"
 #include "model/machine.hpp"
+#include "model/where.hpp"
 #include "sim/rtl/rtl_machine.hpp"
 
 namespace rayclock {
 
 namespace {
 
-constexpr std::uint64_t cycles_between_reports = 1 << 15;
+using Clock = std::chrono::steady_clock;
+constexpr std::uint64_t cycles_between_reports = 1 << 16;
 
-/// Clocks a machine until its frame is done.
-template <class AnyMachine> FrameRun run(AnyMachine& machine, const Job& job, const char* what, Traffic traffic, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
-    FrameCollector collector(job);
-    const std::uint64_t limit = patience(job.config, traffic), pixels = job.frame.width * std::uint64_t(job.frame.height);
-    std::uint64_t quiet = 0;
-    while (!machine.done()) {
-        machine.step();
-        const std::uint32_t fire = machine.fire_mask();
-        if (fire & bit(Channel::hit)) collector.add(machine.last_hit());
-        quiet = fire ? 0 : quiet + 1;
-        if (quiet > limit)
-            throw std::runtime_error(fmt::format("{}: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done", what, limit,
-                                                 machine.cycle(), machine.hits(), pixels));
-        if (progress && machine.cycle() % cycles_between_reports == 0) progress(what, machine.hits(), pixels);
-    }
-    if (progress) progress(what, pixels, pixels);
-    FrameRun result;
-    result.cycles = machine.cycle();
-    result.counts = machine.counts();
-    result.box_tests = machine.box_tests();
-    collector.finish(result);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+volatile std::sig_atomic_t interrupt_seen = 0;
+
+} // namespace
+
+void catch_interrupts() {
+    // The second Ctrl-C ends the program at once.
+    std::signal(SIGINT, [](int) {
+        interrupt_seen = 1;
+        std::signal(SIGINT, SIG_DFL);
+    });
+}
+bool interrupted() { return interrupt_seen != 0; }
+
+namespace {
+
+/// The image must fit into the memory that the configuration names.
+void check_capacity(const MemoryImage& image, const Config& config) {
+    if (config.dram == 0) return;
+    const DramPart& part = dram_part(dram_names()[std::size_t(config.dram)]);
+    if (std::int64_t(image.report.bytes) > capacity_bytes(part))
+        throw UserError(fmt::format("the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} holds it", image.report.bytes,
+                                    part.name, capacity_bytes(part), std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
 } // namespace
@@ -46,43 +50,127 @@ template <class AnyMachine> FrameRun run(AnyMachine& machine, const Job& job, co
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress) {
     check_frame_size(size);
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
+    check_capacity(job.image, config);
     job.frame = make_frame(camera, size, job.image.lattice, config);
     return job;
 }
 
+FrameTrace record_frame(const Job& job, const Frame& frame, int threads, const Progress& progress) {
+    return {frame, record_trace(job.image, frame, job.config, threads, progress)};
+}
+
+std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic, const Progress& progress) {
+    const std::uint64_t limit = patience(config, traffic);
+    Machine machine(config, khz, traffic);
+    std::vector<FrameTiming> timings;
+    for (const FrameTrace& frame : frames) {
+        const auto start = Clock::now();
+        const std::uint64_t first = machine.cycle(), pixels = frame.trace.rays.size();
+        const Accounts accounts = machine.accounts();
+        const MemoryStats memory = machine.memory().stats();
+        machine.start(frame.frame, frame.trace);
+        do {
+            machine.run(machine.cycle() + cycles_between_reports);
+            if (machine.quiet() > limit)
+                throw std::runtime_error(fmt::format("model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}", machine.quiet(),
+                                                     machine.cycle(), machine.hits(), pixels, where_rays_are(machine)));
+            if (progress) progress("model", machine.hits(), pixels);
+        } while (!machine.done() && !interrupted());
+        FrameTiming timing{machine.cycle() - first, machine.hits(), machine.accounts() - accounts, machine.memory().stats() - memory, seconds_since(start),
+                           !machine.done()};
+        timings.push_back(timing);
+        if (timing.partial) break;
+    }
+    return timings;
+}
+
+FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
+    FrameRun run{timing, {}};
+    run.visits = frame.trace.visits;
+    run.box_tests = frame.trace.box_tests;
+    run.triangle_tests = frame.trace.triangle_tests;
+    run.digest = digest_of(frame.trace.hits, timing.cycles);
+    return run;
+}
+
 FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
-    Machine machine(job.image, job.frame, job.config, traffic);
-    return run(machine, job, "model", traffic, progress);
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame, 0, progress));
+    FrameRun run = frame_run(frames[0], replay(job.config, job.khz, frames, traffic, progress)[0]);
+    run.seconds += frames[0].trace.seconds;
+    run.hits = hits_of(job, frames[0]);
+    return run;
+}
+
+namespace {
+
+FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit, const Progress& progress) {
+    const auto start = Clock::now();
+    const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
+    const MemoryStats memory = machine.memory().stats();
+    FrameCollector collector(frame);
+    machine.start(frame);
+    std::uint64_t quiet = 0;
+    while (!machine.done() && !interrupted()) {
+        machine.step([&](const HitOut& hit) { collector.add(hit); });
+        quiet = machine.moved() ? 0 : quiet + 1;
+        if (quiet > limit)
+            throw std::runtime_error(fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done", limit, machine.cycle(),
+                                                 machine.hits(), pixels));
+        if (progress && machine.cycle() % cycles_between_reports == 0) progress("rtl", machine.hits(), pixels);
+    }
+    if (progress) progress("rtl", pixels, pixels);
+    FrameRun run{{machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()}, {}};
+    run.hits = scaled(job, frame, collector.hits());
+    const auto lookups = [&](Unit cache) {
+        const CauseCounts& c = run.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
+        return c[0] + c[1] + c[2];
+    };
+    run.visits = lookups(Unit::node_cache);
+    run.triangle_tests = lookups(Unit::prim_cache);
+    run.box_tests = machine.box_tests();
+    run.digest = digest_of(collector.hits(), run.cycles);
+    return run;
+}
+
+} // namespace
+
+std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic, const Progress& progress, int seed) {
+    RtlMachine machine(job.image, job.config, khz, traffic, seed);
+    std::vector<FrameRun> runs;
+    for (const Frame& frame : frames) {
+        runs.push_back(run_rtl_frame(machine, job, frame, patience(job.config, traffic), progress));
+        if (runs.back().partial) break;
+    }
+    return runs;
 }
 
 FrameRun run_rtl(const Job& job, Traffic traffic, const Progress& progress, int seed) {
-    RtlMachine machine(job.image, job.frame, job.config, traffic, seed);
-    return run(machine, job, "rtl", traffic, progress);
+    return std::move(run_rtl(job, job.khz, {job.frame}, traffic, progress, seed)[0]);
 }
 
-FrameCollector::FrameCollector(const Job& job) : job_(job), outs_(std::size_t(job.size.width) * std::size_t(job.size.height)) {}
-
-void FrameCollector::add(const HitOut& out) {
-    if (out.x < job_.frame.width && out.y < job_.frame.height) outs_[std::size_t(out.y) * job_.frame.width + out.x] = out;
+HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits) {
+    HitFrame picture{job.size, {}};
+    picture.hits.reserve(hits.size());
+    const HitScale scale(frame, job.image.lattice, job.config);
+    for (std::uint32_t i = 0; i < hits.size(); ++i) picture.hits.push_back(scale({i % frame.width, i / frame.width, hits[i]}));
+    return picture;
 }
 
-void FrameCollector::finish(FrameRun& run) {
-    run.hits.size = job_.size;
-    run.hits.hits.reserve(outs_.size());
-    const HitScale scale(job_.frame, job_.image.lattice, job_.config);
+HitFrame hits_of(const Job& job, const FrameTrace& frame) { return scaled(job, frame.frame, frame.trace.hits); }
+
+std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles) {
     Digest digest;
-    digest.add(run.cycles);
-    for (const HitOut& out : outs_) {
-        const Closest& c = out.closest;
+    digest.add(cycles);
+    for (const Closest& c : hits) {
         digest.add(c.found ? c.prim : no_primitive);
         digest.add(std::uint64_t(c.t) << 32 ^ std::uint64_t(c.u) << 16 ^ c.v);
-        run.hits.hits.push_back(scale(out));
     }
-    run.digest = digest.value();
+    return digest.value();
 }
 
 std::uint64_t patience(const Config& config, const Traffic& traffic) {
-    return 1000 + 10 * std::uint64_t(config.mem_latency + traffic.jitter + config.mem_interval);
+    return 20000 + 10 * std::uint64_t(config.mem_latency + traffic.jitter + config.mem_interval);
 }
 
 } // namespace rayclock

@@ -3,48 +3,89 @@
 #include <string>
 
 #include "model/accel/memory_image.hpp"
-#include "model/core/channels.hpp"
+#include "model/core/accounts.hpp"
 #include "model/core/progress.hpp"
-#include "model/mem/memport.hpp"
+#include "model/mem/memory.hpp"
 #include "model/scene/hit.hpp"
+#include "model/trace/trace.hpp"
 
 namespace rayclock {
 
-/// A scene compiled for one configuration and one picture: all that a machine needs.
+constexpr int default_khz = 66000;
+
+/// A scene compiled for one configuration and one picture, and the chip's clock: all that a machine needs.
 struct Job {
     Config config;
     Frame frame;
     MemoryImage image;
     FrameSize size;
+    int khz = default_khz;
 };
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress = {});
 
-/// A frame that a machine made.
-struct FrameRun {
-    HitFrame hits;
+/// What a frame took.
+struct FrameTiming {
     std::uint64_t cycles = 0;
-    ChannelCounts counts{};
-    std::uint64_t box_tests = 0;
-    double seconds = 0;        ///< of the host
-    std::uint64_t digest = 0;  ///< over every pixel's primitive, t, u and v, and the cycles
+    std::uint64_t pixels = 0;      ///< finished
+    Accounts accounts;
+    MemoryStats memory;
+    double seconds = 0;            ///< of the host
+    bool partial = false;          ///< stopped before the end
 };
+
+/// A frame that a machine made.
+struct FrameRun : FrameTiming {
+    HitFrame hits;
+    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
+    std::uint64_t digest = 0;      ///< over every pixel's primitive, t, u and v, and the cycles
+};
+
+/// A frame of a sequence, and what its rays do.
+struct FrameTrace {
+    Frame frame;
+    Trace trace;
+};
+FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, const Progress& progress = {});
+
+/// Runs frames on one machine, one after the other: what lies in the caches stays. `khz` and `config`'s timing may differ
+/// from the job's that was recorded. Stops early, with the last frame partial, when interrupted().
+std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic = {},
+                                const Progress& progress = {});
+
+/// The same on the RTL, which makes its frames by itself.
+std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+
+/// A replayed frame with what its rays did; hits are left out.
+FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
+
+/// One frame, recorded and replayed; or made by the RTL.
 FrameRun run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
 FrameRun run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
-/// Gathers hits as they come out.
+/// A recorded frame as hits, and the digest of a frame that took so many cycles.
+HitFrame hits_of(const Job& job, const FrameTrace& frame);
+std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles);
+
+/// Gathers an RTL's hits as they come out.
 class FrameCollector {
 public:
-    explicit FrameCollector(const Job& job);
-    void add(const HitOut& out);
-    /// Finishes a run: picture, digest.
-    void finish(FrameRun& run);
+    explicit FrameCollector(const Frame& frame) : width_(frame.width), height_(frame.height), hits_(std::size_t(frame.width) * frame.height) {}
+    void add(const HitOut& out) {
+        if (out.x < width_ && out.y < height_) hits_[std::size_t(out.y) * width_ + out.x] = out.closest;
+    }
+    const std::vector<Closest>& hits() const { return hits_; }
 
 private:
-    const Job& job_;
-    std::vector<HitOut> outs_;
+    std::uint32_t width_, height_;
+    std::vector<Closest> hits_;
 };
+HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 
 /// Cycles without any transfer after which a run is given up: longer than any memory request can take.
 std::uint64_t patience(const Config& config, const Traffic& traffic);
+
+/// Ctrl-C makes long runs stop with what they have, once catch_interrupts() was called.
+void catch_interrupts();
+bool interrupted();
 
 } // namespace rayclock

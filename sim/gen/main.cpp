@@ -1,5 +1,6 @@
-// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION]]. Without a file, or for "-", to standard output; the configuration
-// is one that ships with the program, or `default`.
+// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to standard output; the
+// configuration is one that ships with the program, or `default`, with parameters changed.
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -9,7 +10,14 @@
 int main(int argc, char** argv) {
     std::string text;
     try {
-        text = rayclock::rc_package(rayclock::named_config(argc > 2 ? argv[2] : "default"));
+        rayclock::Config config = rayclock::named_config(argc > 2 ? argv[2] : "default");
+        for (int i = 3; i < argc; ++i) {
+            const std::string setting = argv[i];
+            const std::size_t at = std::min(setting.find('='), setting.size() - 1);
+            rayclock::set_parameter(config, setting.substr(0, at), setting.substr(at + 1), setting);
+        }
+        rayclock::check_config(config, "rc_pkg_gen");
+        text = rayclock::rc_package(config);
     } catch (const rayclock::UserError& e) {
         std::cerr << "rc_pkg_gen: " << e.what() << "\n";
         return 2;

@@ -83,6 +83,7 @@ std::string rc_package(const Config& c) {
     constant("OffsetBits", offset_bits);
     constant("CountBits", count_bits);
     constant("LineBits", line_bits);
+    constant("TileCoordBits", c.tile_coord_bits());
     constant("ClientBits", c.client_bits());
     constant("ClientIdBits", c.client_id_bits());
     constant("MemIdBits", c.mem_id_bits());
@@ -90,6 +91,7 @@ std::string rc_package(const Config& c) {
     constant("BoxLatency", c.box_latency());
     constant("TriLatency", c.tri_latency());
     text += record<Frame>("frame_t", "FrameW", c);
+    text += record<Tile>("tile_t", "TileW", c);
     text += record<Slot>("slot_t", "SlotW", c);
     text += record<Ray>("ray_t", "RayW", c);
     text += record<NodeReq>("node_req_t", "NodeReqW", c);

@@ -1,5 +1,6 @@
 #include "sim/lockstep/lockstep.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cstring>
@@ -8,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "model/machine.hpp"
+#include "model/trace/witness.hpp"
+#include "model/where.hpp"
 #include "sim/rtl/rtl_machine.hpp"
 
 namespace rayclock {
@@ -36,118 +39,148 @@ template <class P> void describe(P model, P rtl, const Config& config, Divergenc
     }
 }
 
-std::uint32_t ray_of(const HitOut& p) { return p.closest.ray; }
-template <class P> std::uint32_t ray_of(const P& p) { return p.ray; }
+template <class P> std::uint32_t id_of(const P& p) {
+    if constexpr (requires { p.closest; }) return p.closest.ray;
+    else if constexpr (requires { p.ray; }) return p.ray;
+    else if constexpr (requires { p.id; }) return p.id;
+    else return 0;
+}
 
 class Lockstep {
 public:
-    Lockstep(const Job& job, Traffic traffic, int seed)
-        : job_(job), traffic_(traffic), model_(job.image, job.frame, job.config, traffic),
-          rtl_(job.image, job.frame, job.config, traffic, seed), model_hits_(job), rtl_hits_(job) {}
+    Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed)
+        : job_(job), frames_(frames), traffic_(traffic), model_(job.config, job.khz, traffic),
+          rtl_(job.image, job.config, job.khz, traffic, seed), witness_(job.image, job.config) {}
 
     LockstepResult run(const Progress& progress) {
         const auto start = std::chrono::steady_clock::now();
-        const std::uint64_t pixels = std::uint64_t(job_.frame.width) * job_.frame.height, limit = patience(job_.config, traffic_);
-        for (std::uint64_t quiet = 0; !parted_ && !(model_.done() && rtl_.done());) {
-            cycle();
-            quiet = model_.fire_mask() ? 0 : quiet + 1;
-            if (quiet > limit) throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}", limit, model_.cycle()));
-            if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
+        for (const FrameTrace& frame : frames_) {
+            run_frame(frame, progress);
+            if (parted_ || interrupted()) break;
         }
-        if (parted_) run_apart(limit);
-        if (progress) progress("model and rtl", pixels, pixels);
-        finish(result_.model, model_, model_hits_);
-        finish(result_.rtl, rtl_, rtl_hits_);
-        result_.cycle_gap = model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
-        if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
-        for (std::size_t i = 0; parted_ && i < result_.model.hits.hits.size(); ++i)
-            result_.value_mismatches += !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]);
-        result_.model.seconds = result_.rtl.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        for (FrameRun* run : {&result_.model, &result_.rtl})
+            run->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return std::move(result_);
     }
 
 private:
-    void cycle() {
-        rtl_.settle();
-        rtl_fire_ = rtl_.fire_mask();
-        const std::uint64_t now = model_.cycle();
-        model_.step([&](Channel c, const auto& payload) { compare(now, c, payload); });
-        const std::uint32_t differ = (model_.valid_mask() ^ rtl_.valid_mask()) | (model_.fire_mask() ^ rtl_fire_);
-        if (differ) part(now, differ);
-        if (model_.fire_mask() & bit(Channel::hit)) model_hits_.add(model_.last_hit());
-        rtl_.clock();
-        if (rtl_fire_ & bit(Channel::hit)) rtl_hits_.add(rtl_.last_hit());
+    void run_frame(const FrameTrace& frame, const Progress& progress) {
+        const std::uint64_t pixels = frame.trace.rays.size(), limit = patience(job_.config, traffic_);
+        const std::uint64_t first = model_.cycle();
+        const Accounts accounts = model_.accounts();
+        const MemoryStats memory = model_.memory().stats();
+        FrameCollector hits(frame.frame);
+        model_.start(frame.frame, frame.trace);
+        rtl_.start(frame.frame);
+        witness_.start(frame.frame);
+        while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
+            cycle(hits);
+            if (model_.quiet() > limit)
+                throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit, model_.cycle(), where_rays_are(model_)));
+            if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
+        }
+        if (parted_) run_apart(limit, hits);
+        if (progress) progress("model and rtl", pixels, pixels);
+        finish(result_.model, model_.cycle() - first, model_.hits(), model_.accounts() - accounts, model_.memory().stats() - memory, frame.trace.hits, frame);
+        finish(result_.rtl, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(), rtl_.memory().stats() - memory, hits.hits(), frame);
+        result_.cycle_gap += model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
+        if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
+        if (!result_.model.partial)
+            for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
+                result_.value_mismatches += !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]);
+        result_.account_mismatches += !parted_ && !(result_.model.accounts == result_.rtl.accounts);
     }
 
-    template <class P> void compare(std::uint64_t now, Channel c, const P& payload) {
-        model_ray_[index(c)] = ray_of(payload);
-        if (!(rtl_fire_ & bit(c))) return;
+    void cycle(FrameCollector& hits) {
+        rtl_.settle();
+        const std::uint64_t now = model_.cycle();
+        model_.step([&](const Move& move) {
+            last_ray_[index(move.channel)] = move.id;
+            witness_(move, [&](int pipeline, Channel c, const auto& payload) { compare(now, pipeline, c, payload); });
+        });
+        for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
+            if (const std::uint32_t differ = (model_.valid_mask(p) ^ rtl_.valid_mask(p)) | (model_.fire_mask(p) ^ rtl_.fire_mask(p)))
+                part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)}, {rtl_.valid_mask(p), rtl_.fire_mask(p)});
+        if (const std::uint32_t differ = (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire()); differ && !parted_)
+            part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()}, {rtl_.shared_valid(), rtl_.shared_fire()});
+        rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
+    }
+
+    bool rtl_fires(int pipeline, Channel c) const {
+        return (index(c) < pipeline_channels ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
+    }
+
+    template <class P> void compare(std::uint64_t now, int pipeline, Channel c, const P& payload) {
+        if (!rtl_fires(pipeline, c)) return;
         pack(payload, job_.config, words_);
         ++result_.events_compared;
-        if (std::memcmp(words_.data(), rtl_.data(c), words_.size() * 4) == 0) return;
+        const RcPort& port = rtl_.link(pipeline, c);
+        if (std::memcmp(words_.data(), port.data, std::min<std::size_t>(words_.size() * 4, port.bytes)) == 0) return;
         ++result_.value_mismatches;
         if (result_.first) return;
-        const P got = unpack<P>(rtl_.data(c), job_.config);
-        Divergence d = at(now, c, ray_of(payload));
+        const P got = get_data<P>(port, job_.config);
+        Divergence d = at(now, pipeline, c, id_of(payload));
         describe(payload, got, job_.config, d);
         result_.first = d;
     }
 
+    struct Masks {
+        std::uint32_t valid, fire;
+    };
     /// The machines no longer move in step: one of them offers or accepts what the other does not.
-    void part(std::uint64_t now, std::uint32_t differ) {
+    void part(std::uint64_t now, int pipeline, std::uint32_t differ, Masks model, Masks rtl) {
         parted_ = true;
         if (result_.first) return;
         const Channel c = Channel(std::countr_zero(differ));
-        const auto tell = [&](std::uint32_t valid, std::uint32_t fire) {
-            return fire & bit(c) ? "a transfer" : valid & bit(c) ? "an offer that is not accepted" : "no offer";
+        const auto tell = [&](const Masks& m) {
+            return m.fire & bit(c) ? "a transfer" : m.valid & bit(c) ? "an offer that is not accepted" : "no offer";
         };
-        result_.first = at(now, c, rtl_.valid_mask() & bit(c) ? rtl_ray(c) : model_ray_[index(c)]);
-        result_.first->expected = tell(model_.valid_mask(), model_.fire_mask());
-        result_.first->got = tell(rtl_.valid_mask(), rtl_fire_);
+        result_.first = at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
+        result_.first->expected = tell(model);
+        result_.first->got = tell(rtl);
     }
 
-    std::uint32_t rtl_ray(Channel c) const { return ray_in<0>(c); }
-    template <std::size_t i> std::uint32_t ray_in(Channel c) const {
+    template <std::size_t i> std::uint32_t rtl_id(int pipeline, Channel c) const {
         if constexpr (i < channel_count) {
-            if (index(c) == i) return ray_of(unpack<std::tuple_element_t<i, ChannelPayloads>>(rtl_.data(c), job_.config));
-            return ray_in<i + 1>(c);
+            if (index(c) == i) return id_of(get_data<std::tuple_element_t<i, ChannelPayloads>>(rtl_.link(pipeline, c), job_.config));
+            return rtl_id<i + 1>(pipeline, c);
         } else {
             return 0;
         }
     }
 
-    Divergence at(std::uint64_t now, Channel c, std::uint32_t ray) const {
-        const Slot pixel = ray < std::uint32_t(job_.config.contexts) ? model_.sched().pixel(ray) : Slot{};
-        return {now, channels[index(c)].from, channels[index(c)].name, ray, pixel.x, pixel.y, "", ""};
+    Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
+        const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only && c != Channel::node_miss && c != Channel::prim_miss;
+        const Slot pixel = is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
+        const bool several = job_.config.pipelines > 1 && index(c) < pipeline_channels;
+        const std::string unit = channels[index(c)].from;
+        return {now, several ? fmt::format("{}[{}]", unit, pipeline) : unit, channels[index(c)].name, id, pixel.x, pixel.y, "", ""};
     }
 
-    void run_apart(std::uint64_t limit) {
-        std::uint64_t quiet = 0;
-        for (; !model_.done() && quiet <= limit; quiet = model_.fire_mask() ? 0 : quiet + 1) {
-            model_.step();
-            if (model_.fire_mask() & bit(Channel::hit)) model_hits_.add(model_.last_hit());
-        }
+    void run_apart(std::uint64_t limit, FrameCollector& hits) {
+        while (!model_.done() && model_.quiet() <= limit) model_.step();
         const std::uint64_t give_up = 4 * model_.cycle() + limit;
-        for (quiet = 0; !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up; quiet = rtl_.fire_mask() ? 0 : quiet + 1) {
-            rtl_.step();
-            if (rtl_.fire_mask() & bit(Channel::hit)) rtl_hits_.add(rtl_.last_hit());
-        }
+        for (std::uint64_t quiet = 0; !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up; quiet = rtl_.moved() ? 0 : quiet + 1)
+            rtl_.step([&](const HitOut& hit) { hits.add(hit); });
     }
 
-    template <class AnyMachine> static void finish(FrameRun& run, const AnyMachine& machine, FrameCollector& hits) {
-        run.cycles = machine.cycle();
-        run.counts = machine.counts();
-        run.box_tests = machine.box_tests();
-        hits.finish(run);
+    void finish(FrameRun& run, std::uint64_t cycles, std::uint64_t pixels, const Accounts& accounts, const MemoryStats& memory,
+                const std::vector<Closest>& hits, const FrameTrace& frame) const {
+        static_cast<FrameTiming&>(run) = {cycles, pixels, accounts, memory, 0, pixels < frame.trace.rays.size() && !parted_};
+        run.hits = scaled(job_, frame.frame, hits);
+        run.visits = frame.trace.visits;
+        run.box_tests = frame.trace.box_tests;
+        run.triangle_tests = frame.trace.triangle_tests;
+        run.digest = digest_of(hits, cycles);
     }
 
     const Job& job_;
+    const std::vector<FrameTrace>& frames_;
     Traffic traffic_;
     Machine model_;
     RtlMachine rtl_;
-    FrameCollector model_hits_, rtl_hits_;
-    std::uint32_t rtl_fire_ = 0;
-    std::array<std::uint32_t, channel_count> model_ray_{};   // of the last transfer on each channel
+    Witness witness_;
+    std::array<std::uint32_t, channel_count> last_ray_{};   // of the model's last transfer on each channel
     Words words_;
     bool parted_ = false;
     LockstepResult result_;
@@ -155,8 +188,14 @@ private:
 
 } // namespace
 
+LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, const Progress& progress, int seed) {
+    return Lockstep(job, frames, traffic, seed).run(progress);
+}
+
 LockstepResult run_lockstep(const Job& job, Traffic traffic, const Progress& progress, int seed) {
-    return Lockstep(job, traffic, seed).run(progress);
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame));
+    return run_lockstep(job, frames, traffic, progress, seed);
 }
 
 } // namespace rayclock

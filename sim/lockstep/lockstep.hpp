@@ -21,13 +21,16 @@ struct LockstepResult {
     FrameRun model, rtl;                     ///< seconds: the time of each machine's own share
     std::uint64_t events_compared = 0;       ///< transfers (cycle, channel, payload) seen on both sides
     std::uint64_t value_mismatches = 0;      ///< transfers whose payload differs, and pixels that differ in the end
+    std::uint64_t account_mismatches = 0;    ///< frames whose counters differ
     std::uint64_t cycle_gap = 0;             ///< difference of the frame's cycles, or of the first cycle with other moves
     std::optional<Divergence> first;
-    bool agrees() const { return value_mismatches == 0 && cycle_gap == 0 && !first; }
+    bool agrees() const { return value_mismatches == 0 && account_mismatches == 0 && cycle_gap == 0 && !first; }
 };
 
-/// Runs a frame on model and RTL side by side and compares, in every cycle and on every channel, valid, ready and the packed
-/// payload of what moves. After the first difference in time each machine runs on alone, and pixels are compared.
+/// Runs frames on model and RTL side by side and compares, in every cycle and on every channel, valid, ready and the packed
+/// payload of what moves; at the end of a frame the RTL's counters with the model's accounts. After the first difference in
+/// time each machine runs on alone, and pixels are compared. The result's runs are those of the last frame.
+LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
 } // namespace rayclock

@@ -2,37 +2,94 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "model/mem/dram_parts.hpp"
+
 namespace rayclock {
 
-std::vector<UnitAccount> unit_accounts(const ChannelCounts& counts, std::uint64_t cycles) {
-    // Each unit is judged by the link through which its work comes in; sched, where rays begin, by the one it feeds.
-    struct Row {
-        const char* unit;
-        Channel link;
-        const char* cause;
-    };
-    constexpr Row rows[] = {
-        {"sched", Channel::slot, "raygen"},          // its door is closed: trav takes no new rays
-        {"raygen", Channel::ray, "trav"},            // nodes of older rays go first
-        {"trav", Channel::step, "recirculation"},    // a culled group costs another turn
-        {"node_port", Channel::node_req, "memory"},
-        {"box", Channel::box_req, "list"},
-        {"list", Channel::box_rsp, "none"},          // takes an answer in every cycle
-        {"prim_port", Channel::prim_req, "memory"},
-        {"tri", Channel::tri_req, "list"},
-    };
+namespace {
+
+std::uint64_t count_of(Unit unit, const FrameRun& run) {
+    switch (unit) {
+    case Unit::trav:
+    case Unit::node_cache:
+    case Unit::box:
+    case Unit::list: return run.visits;
+    case Unit::prim_cache:
+    case Unit::tri: return run.triangle_tests;
+    case Unit::memport:
+    case Unit::memory: return run.memory.reads;
+    case Unit::l2: return cache_account(run, Unit::l2).accesses;
+    default: return run.accounts.units[index(unit)][0];   // one a cycle
+    }
+}
+
+} // namespace
+
+std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run) {
     std::vector<UnitAccount> accounts;
-    for (const Row& row : rows) {
-        const ChannelCount& c = counts[index(row.link)];
-        accounts.push_back({row.unit, c.moved, c.moved, cycles - c.moved - c.refused, c.refused, row.cause});
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        if (Unit(u) == Unit::l2 && config.l2_sets == 0) continue;
+        UnitAccount account{unit_infos[u].name, u < pipeline_units ? config.pipelines : 1, count_of(Unit(u), run), 0, 0, 0, {}, {}, {}};
+        for (std::size_t i = 0; i < cause_count; ++i) {
+            const Cause& cause = unit_infos[u].causes[i];
+            const std::uint64_t cycles = run.accounts.units[u][i];
+            const auto add = [&](std::uint64_t& sum, std::vector<UnitAccount::Part>& parts) {
+                sum += cycles;
+                parts.push_back({cause.name, cycles});
+            };
+            if (cause.kind == Kind::busy) add(account.busy, account.busy_by);
+            if (cause.kind == Kind::starved) add(account.starved, account.starved_by);
+            if (cause.kind == Kind::stalled) add(account.stalled, account.stalled_by);
+        }
+        accounts.push_back(std::move(account));
     }
     return accounts;
 }
 
-Bound bound_of(const FrameRun& run) {
-    const std::uint64_t nodes = node_steps(run), tests = triangle_tests(run);
-    const std::uint64_t least = std::max(nodes, tests);
-    return {nodes >= tests ? "trav" : "tri", least, run.cycles ? double(least) / double(run.cycles) : 0};
+CacheAccount cache_account(const FrameRun& run, Unit cache) {
+    const CauseCounts& c = run.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
+    return {c[0] + c[1] + c[2], c[0], c[2]};
+}
+
+double peak_bytes_per_second(const Config& config, int khz) {
+    if (config.dram == 0) return 64.0 * khz * 1e3 / config.mem_interval;
+    return double(peak_bytes_per_second(dram_part(dram_names()[std::size_t(config.dram)])));
+}
+
+Bound bound_of(const Config& config, int khz, const FrameRun& run) {
+    Bound bound;
+    bound.nodes = double(run.visits) / config.pipelines;
+    bound.triangles = double(run.triangle_tests) / config.pipelines;
+    bound.memory = double(bytes_read(run)) / peak_bytes_per_second(config, khz) * khz * 1e3;
+    bound.cycles = std::max({bound.nodes, bound.triangles, bound.memory});
+    bound.unit = bound.cycles == bound.memory ? "memory" : bound.cycles == bound.nodes ? "trav" : "tri";
+    bound.reached = run.cycles ? bound.cycles / double(run.cycles) : 0;
+    return bound;
+}
+
+std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
+    const Bound bound = bound_of(config, khz, run);
+    const char* work = bound.unit == "trav" ? "node visits, one a cycle and pipeline" : bound.unit == "tri" ? "triangle tests, one a cycle and pipeline"
+                                                                                                              : "the memory's data bus";
+    std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work, bound.unit == "memory" ? "s" : "", bound.reached * 100);
+    // What keeps the unit that bounds it from working in every cycle.
+    const std::string unit = bound.unit == "trav" ? "box" : bound.unit;
+    std::vector<UnitAccount::Part> losses;
+    std::uint64_t cycles = 0;
+    for (const UnitAccount& a : unit_accounts(config, run)) {
+        if (a.unit != unit) continue;
+        cycles = run.cycles * std::uint64_t(a.instances);
+        for (const auto& part : a.starved_by) losses.push_back({"waits for " + part.cause, part.cycles});
+        for (const auto& part : a.stalled_by) losses.push_back({"is held up by " + part.cause, part.cycles});
+    }
+    std::sort(losses.begin(), losses.end(), [](const auto& a, const auto& b) { return a.cycles > b.cycles; });
+    std::string rest;
+    for (const auto& loss : losses)
+        if (double(loss.cycles) > 0.005 * double(cycles))
+            rest += fmt::format("{} {} in {:.1f} %", rest.empty() ? "; " + unit : " and", loss.cause, 100.0 * double(loss.cycles) / double(cycles));
+    return text + rest + (rest.empty() ? "" : " of the cycles");
 }
 
 } // namespace rayclock

@@ -6,28 +6,44 @@
 
 namespace rayclock {
 
-/// What a unit did in every cycle of a run: took in work, had none, or had some and could not take it. Sums to the cycles.
+/// What a unit did in every cycle of a frame, summed over the pipelines: busy + starved + stalled = instances * cycles.
 struct UnitAccount {
+    struct Part {
+        std::string cause;
+        std::uint64_t cycles = 0;
+    };
     std::string unit;
-    std::uint64_t count = 0;     ///< pieces of work taken in
+    int instances = 1;
+    std::uint64_t count = 0;     ///< pieces of work done
     std::uint64_t busy = 0, starved = 0, stalled = 0;
-    std::string cause;           ///< what a stall waits for
+    std::vector<Part> busy_by, starved_by, stalled_by;
 };
-std::vector<UnitAccount> unit_accounts(const ChannelCounts& counts, std::uint64_t cycles);
+std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run);
 
-/// The least cycles that one pipeline can need for this work: one node and one triangle per cycle.
+/// Look-ups of a cache.
+struct CacheAccount {
+    std::uint64_t accesses = 0, hits = 0;
+    std::uint64_t merged = 0;    ///< of the others: the line was on its way already
+    double hit_rate() const { return accesses ? double(hits) / double(accesses) : 0; }
+};
+CacheAccount cache_account(const FrameRun& run, Unit cache);
+
+/// The least cycles that the machine can need for a frame's work: a node and a triangle a cycle in each pipeline, and what the
+/// memory's data bus can carry.
 struct Bound {
-    std::string unit;            ///< "trav" (node visits) or "tri" (triangle tests)
-    std::uint64_t cycles = 0;
-    double reached = 0;          ///< bound / cycles of the run
+    double nodes = 0, triangles = 0, memory = 0;   ///< cycles
+    std::string unit;            ///< "trav", "tri" or "memory": the largest of the three
+    double cycles = 0;           ///< of it
+    double reached = 0;          ///< bound / cycles of the frame
 };
-Bound bound_of(const FrameRun& run);
+Bound bound_of(const Config& config, int khz, const FrameRun& run);
+/// The memory's peak, bytes per second; 64 bytes every mem_interval cycles for the ideal one.
+double peak_bytes_per_second(const Config& config, int khz);
 
-inline std::uint64_t node_steps(const FrameRun& run) { return run.counts[index(Channel::node_req)].moved; }
-inline std::uint64_t triangle_tests(const FrameRun& run) { return run.counts[index(Channel::tri_req)].moved; }
-/// Bytes read from memory: 64 a node, 32 a triangle.
-inline std::uint64_t bytes_read(const FrameRun& run) {
-    return node_steps(run) * 64 + run.counts[index(Channel::prim_req)].moved * 32;
-}
+/// What limits a frame, in words.
+std::string bottleneck(const Config& config, int khz, const FrameRun& run);
+
+inline std::uint64_t bytes_read(const FrameTiming& run) { return run.memory.reads * 64; }
+inline double per_second(const FrameTiming& run, int khz) { return run.cycles ? khz * 1e3 / double(run.cycles) : 0; }   ///< frames
 
 } // namespace rayclock

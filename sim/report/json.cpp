@@ -28,7 +28,7 @@ ordered_json scene_json(const Scene& scene) {
 
 ordered_json config_json_object(const Config& config) {
     ordered_json json{{"name", config.name}};
-    for (const Parameter& p : parameters()) json[p.key] = config.*p.member;
+    for (const Parameter& p : parameters()) json[p.key] = p.names ? ordered_json(value_text(config, p)) : ordered_json(config.*p.member);
     return json;
 }
 
@@ -38,31 +38,50 @@ ordered_json compile_json(const CompileReport& r) {
 }
 
 ordered_json work_json(const FrameRun& run) {
-    return {{"node_steps", node_steps(run)}, {"box_tests", run.box_tests}, {"triangle_tests", triangle_tests(run)}};
+    return {{"node_steps", run.visits}, {"box_tests", run.box_tests}, {"triangle_tests", run.triangle_tests}};
 }
 
-ordered_json clocks_json(const FrameRun& run, const std::vector<double>& clocks) {
-    ordered_json json = ordered_json::array();
-    for (const double mhz : clocks) {
-        const double fps = mhz * 1e6 / double(run.cycles);
-        json.push_back({{"mhz", mhz}, {"cycles", run.cycles}, {"fps", fps}, {"mrays_per_s", fps * double(run.hits.hits.size()) / 1e6},
-                        {"dram_bytes", bytes_read(run)}, {"dram_gb_per_s", fps * double(bytes_read(run)) / 1e9}, {"bound", bound_of(run).unit}});
-    }
-    return json;
+ordered_json clock_json(const Config& config, const ClockRun& run) {
+    const FrameRun& frame = run.last();
+    const double fps = per_second(frame, run.khz), gb = fps * double(bytes_read(frame)) / 1e9;
+    const Bound bound = bound_of(config, run.khz, frame);
+    ordered_json frames = ordered_json::array();
+    for (const FrameRun& f : run.frames)
+        frames.push_back({{"cycles", f.cycles}, {"fps", per_second(f, run.khz)}, {"dram_bytes", bytes_read(f)},
+                          {"node_hit_rate", cache_account(f, Unit::node_cache).hit_rate()}, {"prim_hit_rate", cache_account(f, Unit::prim_cache).hit_rate()}});
+    return {{"mhz", run.khz / 1e3}, {"cycles", frame.cycles}, {"fps", fps}, {"mrays_per_s", fps * double(frame.pixels) / 1e6},
+            {"dram_bytes", bytes_read(frame)}, {"dram_gb_per_s", gb}, {"dram_share_of_peak", gb * 1e9 / peak_bytes_per_second(config, run.khz)},
+            {"bytes_per_ray", frame.pixels ? double(bytes_read(frame)) / double(frame.pixels) : 0}, {"bound", bound.unit},
+            {"bounds", {{"trav", bound.nodes}, {"tri", bound.triangles}, {"memory", bound.memory}}}, {"bound_reached", bound.reached},
+            {"bottleneck", bottleneck(config, run.khz, frame)}, {"units", units_json(config, frame)}, {"memory", memory_json(config, run.khz, frame)},
+            {"frames", frames}};
 }
 
-ordered_json units_json(const FrameRun& run) {
+ordered_json units_json(const Config& config, const FrameRun& run) {
     ordered_json json = ordered_json::object();
-    for (const UnitAccount& a : unit_accounts(run.counts, run.cycles))
-        json[a.unit] = {{"count", a.count}, {"busy", a.busy}, {"starved", a.starved}, {"stalled", {{a.cause, a.stalled}}}};
+    const auto parts = [](const std::vector<UnitAccount::Part>& list) {
+        ordered_json object = ordered_json::object();
+        for (const UnitAccount::Part& part : list) object[part.cause] = part.cycles;
+        return object;
+    };
+    for (const UnitAccount& a : unit_accounts(config, run))
+        json[a.unit] = {{"instances", a.instances}, {"count", a.count}, {"busy", a.busy}, {"starved", a.starved}, {"stalled", parts(a.stalled_by)},
+                        {"busy_with", parts(a.busy_by)}, {"starved_by", parts(a.starved_by)}};
     return json;
 }
 
-ordered_json memory_json(const FrameRun& run) {
-    // No caches yet: every access goes to the memory port.
-    const std::uint64_t nodes = node_steps(run), prims = run.counts[index(Channel::prim_req)].moved;
-    return {{"node_cache", {{"accesses", nodes}, {"hits", 0}}}, {"prim_cache", {{"accesses", prims}, {"hits", 0}}},
-            {"dram", {{"reads", nodes + prims}, {"row_hits", 0}}}};
+ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
+    ordered_json json;
+    const auto add = [&](const char* name, Unit unit) {
+        const CacheAccount c = cache_account(run, unit);
+        json[name] = {{"accesses", c.accesses}, {"hits", c.hits}, {"merged", c.merged}};
+    };
+    add("node_cache", Unit::node_cache);
+    add("prim_cache", Unit::prim_cache);
+    if (config.l2_sets > 0) add("l2", Unit::l2);
+    json["dram"] = {{"reads", run.memory.reads}, {"row_hits", run.memory.row_hits}, {"row_conflicts", run.memory.row_conflicts},
+                    {"refreshes", run.memory.refreshes}, {"peak_gb_per_s", peak_bytes_per_second(config, khz) / 1e9}};
+    return json;
 }
 
 ordered_json decibel(double psnr_db) { return std::isfinite(psnr_db) ? ordered_json(psnr_db) : ordered_json(nullptr); }

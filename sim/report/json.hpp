@@ -11,6 +11,14 @@
 
 namespace rayclock {
 
+/// The frames that a machine made at one clock. Reports are of the last, when caches are warm.
+struct ClockRun {
+    int khz = 0;
+    std::vector<FrameRun> frames;
+    const FrameRun& last() const { return frames.back(); }
+    bool partial() const { return frames.back().partial; }
+};
+
 /// How a machine's frame differs from the reference's.
 struct FrameError {
     std::uint64_t pixels = 0, pixels_other_primitive = 0;
@@ -23,9 +31,9 @@ nlohmann::ordered_json scene_json(const Scene& scene);
 nlohmann::ordered_json config_json_object(const Config& config);
 nlohmann::ordered_json compile_json(const CompileReport& report);
 nlohmann::ordered_json work_json(const FrameRun& run);
-nlohmann::ordered_json clocks_json(const FrameRun& run, const std::vector<double>& clocks);
-nlohmann::ordered_json units_json(const FrameRun& run);
-nlohmann::ordered_json memory_json(const FrameRun& run);
+nlohmann::ordered_json clock_json(const Config& config, const ClockRun& run);
+nlohmann::ordered_json units_json(const Config& config, const FrameRun& run);
+nlohmann::ordered_json memory_json(const Config& config, int khz, const FrameRun& run);
 nlohmann::ordered_json error_json(const std::optional<FrameError>& error);
 nlohmann::ordered_json divergence_json(const std::optional<Divergence>& divergence);
 

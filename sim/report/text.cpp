@@ -33,7 +33,7 @@ std::string Table::text(int indent) const {
     for (const auto& row : rows_) {
         std::string line(std::size_t(indent), ' ');
         for (std::size_t c = 0; c < row.size(); ++c)
-            line += c == 0 ? fmt::format("{:<{}}", row[c], width[c]) : fmt::format("  {:>{}}", row[c], width[c]);
+            line += (c ? "  " : "") + (c < left_ ? fmt::format("{:<{}}", row[c], width[c]) : fmt::format("{:>{}}", row[c], width[c]));
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }

@@ -10,14 +10,15 @@ namespace rayclock {
 /// 1234567 -> "1,234,567".
 std::string grouped(std::uint64_t n);
 
-/// A table with aligned columns: the first to the left, all others to the right.
+/// A table with aligned columns: the first `left` ones to the left, all others to the right.
 class Table {
 public:
-    explicit Table(std::vector<std::string> head) : rows_{std::move(head)} {}
+    explicit Table(std::vector<std::string> head, std::size_t left = 1) : left_(left), rows_{std::move(head)} {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
     std::string text(int indent = 2) const;
 
 private:
+    std::size_t left_;
     std::vector<std::vector<std::string>> rows_;
 };
 

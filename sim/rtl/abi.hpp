@@ -4,7 +4,7 @@
 
 extern "C" {
 
-/// One valid/ready link, or a static input (valid and ready null). The pointers go straight into the verilated model and
+/// One valid/ready link, or data alone: a static input or a plain output (valid and ready null). The pointers go straight into the verilated model and
 /// stay good while the handle is open. Data is little-endian 32-bit words, in Verilator's order.
 struct RcPort {
     const char* name;

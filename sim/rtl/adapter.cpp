@@ -1,5 +1,6 @@
 #include "sim/rtl/adapter.hpp"
 
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -18,20 +19,53 @@ std::string port_line(const std::string& module, const PortSpec& p) {
     case PortKind::out: return line("&top." + n + "_valid_o", "&top." + n + "_ready_i", "top." + n + "_o");
     case PortKind::fixed: return line("nullptr", "nullptr", "top." + n + "_i");
     case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
+    case PortKind::granted: return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
+    case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
     case PortKind::tap: break;
     }
-    const std::string inner = "top.rootp->" + module + "__DOT__" + n;
-    return line("&" + inner + "_valid", "&" + inner + "_ready", inner);
+    return fmt::format("        tap(\"{}\", \"TOP.{}{}\", \"{}\", \"{}\", \"{}\");\n", n, module, p.path, p.valid, p.ready, p.data);
+}
+
+/// The links and counters inside rc_top.
+std::vector<PortSpec> taps_of_top(const Config& config) {
+    using enum PortKind;
+    std::vector<PortSpec> taps;
+    const auto tally = [&](const char* unit, const std::string& path, const std::string& index) {
+        taps.push_back({fmt::format("tally.{}{}", unit, index), tap, fmt::format("{}.u_{}_tally", path, unit), "rc_tally", "", "", "count_q"});
+    };
+    for (int p = 0; p < config.pipelines; ++p) {
+        const std::string index = fmt::format("[{}]", p), path = fmt::format(".gen_pipeline[{}].u_pipeline", p);
+        const auto add = [&](const std::string& name, const std::string& valid, const std::string& ready, const std::string& data) {
+            taps.push_back({name + index, tap, path, "rc_pipeline", valid, ready, data});
+        };
+        for (const char* name : {"slot", "ray", "node_req", "box_req", "box_rsp", "prim_req", "tri_req", "tri_rsp", "step"})
+            add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
+        for (const char* name : {"node_miss", "prim_miss", "hit"})
+            add(name, fmt::format("{}_valid_o", name), fmt::format("{}_ready_i", name), fmt::format("{}_o", name));
+        for (const char* name : {"tile", "node_fill", "prim_fill"}) add(name, fmt::format("{}_fires_i", name), "", fmt::format("{}_i", name));
+        for (const char* unit : {"sched", "raygen", "trav", "node_cache", "box", "list", "prim_cache", "tri"}) tally(unit, path, index);
+    }
+    tally("dispatch", "", "");
+    tally("memport", "", "");
+    if (config.l2_sets == 0) return taps;
+    tally("l2", ".gen_shared", "");
+    taps.push_back({"l2_req", tap, ".gen_shared.u_l2", "rc_l2", "req_valid_i", "req_ready_o", "req_i"});
+    taps.push_back({"l2_rsp", tap, ".gen_shared.u_l2", "rc_l2", "rsp_valid_o", "", "rsp_o"});
+    return taps;
 }
 
 } // namespace
 
-std::vector<PortSpec> ports_of(const std::string& module) {
+std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
     using enum PortKind;
-    if (module == "rc_top")
-        return {{"frame", fixed}, {"slot", tap}, {"ray", tap}, {"node_req", out}, {"node_rsp", in}, {"box_req", tap}, {"box_rsp", tap},
-                {"prim_req", out}, {"prim_rsp", in}, {"tri_req", tap}, {"tri_rsp", tap}, {"step", tap}, {"hit", out}};
-    if (module == "rc_sched") return {{"frame", fixed}, {"slot", out}, {"closest", in}, {"hit", out}};
+    if (module == "rc_top") {
+        std::vector<PortSpec> ports = taps_of_top(config);
+        for (const PortSpec& p : {PortSpec{"frame", fixed}, {"start", fixed}, {"mem_req", out}, {"mem_rsp", listen}, {"hit_ready", fixed}})
+            ports.push_back(p);
+        return ports;
+    }
+    if (module == "rc_dispatch") return {{"frame", fixed}, {"start", fixed}, {"want", fixed}, {"tile_fires", plain}, {"tile", plain}, {"cause", plain}};
+    if (module == "rc_sched") return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out}, {"closest", in}, {"hit", out}, {"cause", plain}};
     if (module == "rc_raygen") return {{"frame", fixed}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav")
         return {{"frame", fixed}, {"ray", in}, {"step", in}, {"node_req", out}, {"node_rsp", in}, {"box_req", out}, {"done", out}};
@@ -40,18 +74,20 @@ std::vector<PortSpec> ports_of(const std::string& module) {
         return {{"ray", listen}, {"box_rsp", in}, {"prim_req", out}, {"prim_rsp", in}, {"tri_req", out}, {"tri_rsp", in},
                 {"step", out}, {"done", in}, {"closest", out}};
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
-        return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}};
+        return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }
 
-std::string adapter_source(const std::string& module) {
+std::string adapter_source(const std::string& module, const Config& config) {
     std::string ports;
-    for (const PortSpec& p : ports_of(module)) ports += port_line(module, p);
+    for (const PortSpec& p : ports_of(module, config)) ports += port_line(module, p);
     return fmt::format(R"(// Generated: the library's side of sim/rtl/abi.hpp for {0}.
+#include <stdexcept>
+#include <string>
 #include <vector>
 #include "Vrc.h"
-#include "Vrc___024root.h"
 #include "verilated.h"
+#include "verilated_sym_props.h"
 #include "sim/rtl/abi.hpp"
 
 namespace {{
@@ -69,6 +105,21 @@ struct Handle {{
     }}
     void add(const char* name, unsigned char* valid, unsigned char* ready, void* data, unsigned bytes) {{
         list.push_back({{name, valid, ready, static_cast<unsigned*>(data), bytes}});
+    }}
+    /// A signal inside, wherever Verilator has put it.
+    void tap(const char* name, const char* path, const char* valid, const char* ready, const char* data) {{
+        const VerilatedScope* scope = context.scopeFind(path);
+        const auto find = [&](const char* signal) -> VerilatedVar* {{
+            VerilatedVar* var = !*signal || !scope ? nullptr : scope->varFind(signal);
+            if (*signal && !var) throw std::runtime_error(std::string("no signal ") + path + "." + signal);
+            return var;
+        }};
+        const auto flag = [&](const char* signal) -> unsigned char* {{
+            VerilatedVar* var = find(signal);
+            return var ? static_cast<unsigned char*>(var->datap()) : nullptr;
+        }};
+        VerilatedVar* var = find(data);
+        add(name, flag(valid), flag(ready), var->datap(), static_cast<unsigned>(var->totalSize()));
     }}
 }};
 Handle& of(void* handle) {{ return *static_cast<Handle*>(handle); }}
@@ -95,12 +146,15 @@ extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
 )", module, ports);
 }
 
-std::string adapter_vlt(const std::string& module) {
+std::string adapter_vlt(const std::string& module, const Config& config) {
+    std::set<std::string> lines;
+    for (const PortSpec& p : ports_of(module, config))
+        for (const std::string& signal : {p.valid, p.ready, p.data})
+            if (!signal.empty()) lines.insert(fmt::format("public_flat_rd -module \"{}\" -var \"{}\"\n", p.module, signal));
     std::string text = "`verilator_config\n";
-    for (const PortSpec& p : ports_of(module))
-        if (p.kind == PortKind::tap)
-            for (const char* end : {"", "_valid", "_ready"})
-                text += fmt::format("public_flat_rd -module \"{}\" -var \"{}{}\"\n", module, p.name, end);
+    for (const std::string& line : lines) text += line;
+    // Several pipelines share their code, which is then a module of its own: names in it hide those around them.
+    if (module == "rc_top" && config.pipelines > 1) text += "no_inline -module \"rc_pipeline\"\nlint_off -rule VARHIDDEN\n";
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/rtl/builder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -24,7 +25,8 @@ namespace {
 
 // --x-assign/--x-initial unique: registers without reset start at seeded random values.
 constexpr const char* verilator_flags = "--cc -Wall --assert -O3 --x-assign unique --x-initial unique --prefix Vrc";
-constexpr const char* compiler_flags = "-std=c++17 -O2 -fPIC -shared -fvisibility=default -w";
+constexpr const char* compiler_flags = "-std=c++17 -O2 -fPIC -fvisibility=default -w";
+constexpr std::size_t parts = 2;   // compiled at the same time
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -108,7 +110,7 @@ private:
 
 void make_library(const fs::path& folder, const Config& config, const std::string& module) {
     write_text(folder / "rc_pkg.sv", rc_package(config));
-    write_text(folder / "taps.vlt", adapter_vlt(module));
+    write_text(folder / "taps.vlt", adapter_vlt(module, config));
     std::string files = quoted(rtl_sources() / "lint.vlt") + " " + quoted(folder / "taps.vlt") + " " + quoted(folder / "rc_pkg.sv");
     for (const fs::path& file : sources()) files += " " + quoted(file);
     run(fmt::format("verilator {} --top-module {} --Mdir {} {}", verilator_flags, module, quoted(folder / "obj"), files),
@@ -116,18 +118,30 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     if (const std::string log = text_of(folder / "verilator.log"); log.find("%Warning") != std::string::npos)
         throw std::runtime_error("verilator -Wall warns about " + module + ":\n" + log.substr(0, 2000));
 
-    std::string all = adapter_source(module);
-    std::vector<fs::path> made;
+    std::vector<std::pair<std::uintmax_t, fs::path>> made;   // large ones first, so that both halves take about as long
     for (const auto& entry : fs::directory_iterator(folder / "obj"))
-        if (entry.path().extension() == ".cpp") made.push_back(entry.path());
-    std::sort(made.begin(), made.end());
-    for (const fs::path& file : made) all += fmt::format("#include \"{}\"\n", file.string());
-    for (const char* part : {"verilated", "verilated_threads"}) all += fmt::format("#include \"{}/include/{}.cpp\"\n", verilator_root(), part);
-    write_text(folder / "all.cpp", all);
-    run(fmt::format("c++ {} -I{} -I{} -I{} -I{} {} -o {}", compiler_flags, quoted(RAYCLOCK_SOURCE_DIR), quoted(folder / "obj"),
-                    quoted(fs::path(verilator_root()) / "include"), quoted(fs::path(verilator_root()) / "include/vltstd"),
-                    quoted(folder / "all.cpp"), quoted(folder / "module.so")),
-        folder / "compiler.log", "the C++ compiler on the verilated " + module);
+        if (entry.path().extension() == ".cpp") made.emplace_back(entry.file_size(), entry.path());
+    std::sort(made.rbegin(), made.rend());
+    std::array<std::string, parts> texts{adapter_source(module, config)};
+    std::array<std::uintmax_t, parts> sizes{};
+    for (const auto& [size, file] : made) {
+        const std::size_t part = std::size_t(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
+        sizes[part] += size;
+        texts[part] += fmt::format("#include \"{}\"\n", file.string());
+    }
+    for (const char* part : {"verilated", "verilated_threads"}) texts[0] += fmt::format("#include \"{}/include/{}.cpp\"\n", verilator_root(), part);
+    const std::string includes = fmt::format("-I{} -I{} -I{} -I{}", quoted(RAYCLOCK_SOURCE_DIR), quoted(folder / "obj"),
+                                             quoted(fs::path(verilator_root()) / "include"), quoted(fs::path(verilator_root()) / "include/vltstd"));
+    std::string compile, objects;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const fs::path source = folder / fmt::format("part{}.cpp", i), object = folder / fmt::format("part{}.o", i);
+        write_text(source, texts[i]);
+        objects += " " + quoted(object);
+        compile += fmt::format("c++ {} {} -c {} -o {} & p{}=$!; ", compiler_flags, includes, quoted(source), quoted(object), i);
+    }
+    for (std::size_t i = 0; i < parts; ++i) compile += fmt::format("{}wait $p{}", i ? " && " : "", i);
+    run(fmt::format("({} && c++ -shared {} -o {})", compile, objects, quoted(folder / "module.so")), folder / "compiler.log",
+        "the C++ compiler on the verilated " + module);
 }
 
 } // namespace
@@ -146,7 +160,7 @@ fs::path rtl_cache() {
 
 RtlBuild build_rtl(const Config& config, const std::string& module) {
     const auto start = std::chrono::steady_clock::now();
-    std::string everything = rc_package(config) + adapter_source(module) + adapter_vlt(module) + verilator_flags + compiler_flags + verilator_root();
+    std::string everything = rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + verilator_flags + compiler_flags + verilator_root();
     for (const fs::path& file : sources()) everything += text_of(file);
     const fs::path folder = rtl_cache() / fmt::format("{}-{:016x}", module, hash(everything));
     RtlBuild result{folder / "module.so", true, 0};
@@ -166,7 +180,8 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
         throw;
     }
     fs::remove_all(work / "obj", error);
-    fs::remove(work / "all.cpp", error);
+    for (std::size_t i = 0; i < parts; ++i)
+        for (const char* end : {"cpp", "o"}) fs::remove(work / fmt::format("part{}.{}", i, end), error);
     fs::rename(work, folder);
     result.was_cached = false;
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -2,77 +2,122 @@
 
 #include <cstring>
 
+#include <fmt/format.h>
+
 namespace rayclock {
 
-namespace {
-
-/// Puts a memory answer on its port: the line as it lies in memory, and the ray's number above it.
-void offer(const RcPort& port, const std::uint32_t* line, int bits, std::uint32_t ray) {
-    const std::size_t whole = std::size_t(bits / 32);
-    std::memcpy(port.data, line, whole * 4);
-    const int rest = bits % 32;
-    const std::uint64_t top = (std::uint64_t(rest ? line[whole] : 0) & ((std::uint64_t(1) << rest) - 1)) | std::uint64_t(ray) << rest;
-    port.data[whole] = std::uint32_t(top);
-    if (port.bytes > 4 * (whole + 1)) port.data[whole + 1] = std::uint32_t(top >> 32);
-}
-
-} // namespace
-
-RtlMachine::RtlMachine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic, int seed)
-    : config_(config), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed),
-      node_rsp_(&rtl_.port("node_rsp")), prim_rsp_(&rtl_.port("prim_rsp")),
-      node_bits_(bits_of<Node>(config)), prim_bits_(bits_of<PrimData>(config)),
-      node_port_(config, node_traffic(traffic)), prim_port_(config, prim_traffic(traffic)), sink_(traffic),
-      pixels_(std::uint64_t(frame.width) * frame.height) {
-    for (std::size_t c = 0; c < channel_count; ++c) links_[c] = &rtl_.port(channels[c].name);
-    set_data(rtl_.port("frame"), frame, config);
-    *node_rsp_->valid = *prim_rsp_->valid = 0;
-    *links_[index(Channel::node_req)]->ready = *links_[index(Channel::prim_req)]->ready = *links_[index(Channel::hit)]->ready = 0;
+RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
+    : config_(config), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed), links_(std::size_t(config.pipelines)),
+      start_(&rtl_.port("start")), mem_req_(&rtl_.port("mem_req")), mem_rsp_(&rtl_.port("mem_rsp")), hit_ready_(&rtl_.port("hit_ready")),
+      memory_(config, khz, traffic), valid_(links_.size()), fire_(links_.size()) {
+    for (int p = 0; p < config.pipelines; ++p) {
+        auto& links = links_[std::size_t(p)];
+        links.fill(nullptr);
+        for (std::size_t c = 0; c < pipeline_channels; ++c) links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
+        sinks_.emplace_back(traffic, p);
+    }
+    links_[0][index(Channel::mem_req)] = mem_req_;
+    links_[0][index(Channel::mem_rsp)] = mem_rsp_;
+    if (config.l2_sets > 0)
+        for (const Channel c : {Channel::l2_req, Channel::l2_rsp}) links_[0][index(c)] = &rtl_.port(channels[index(c)].name);
+    std::memset(start_->data, 0, start_->bytes);
+    std::memset(hit_ready_->data, 0, hit_ready_->bytes);
+    *mem_req_->ready = *mem_rsp_->valid = 0;
     rtl_.reset();
 }
 
+void RtlMachine::start(const Frame& frame) {
+    set_data(rtl_.port("frame"), frame, config_);
+    const unsigned char on = 1, off = 0;
+    std::memcpy(start_->data, &on, 1);
+    *mem_req_->ready = *mem_rsp_->valid = 0;
+    rtl_.settle();
+    rtl_.clock();
+    std::memcpy(start_->data, &off, 1);
+    pixels_ = std::uint64_t(frame.width) * frame.height;
+    hits_ = box_tests_ = 0;
+    at_start_ = read_counters();
+    at_start_.units[index(Unit::memory)] = memory_.deeds();
+}
+
 void RtlMachine::drive() {
-    *links_[index(Channel::node_req)]->ready = node_port_.ready();
-    *links_[index(Channel::prim_req)]->ready = prim_port_.ready();
-    *links_[index(Channel::hit)]->ready = sink_.ready();
-    *node_rsp_->valid = node_port_.valid();
-    if (node_port_.valid()) offer(*node_rsp_, image_.line(node_port_.answer().addr), node_bits_, node_port_.answer().ray);
-    *prim_rsp_->valid = prim_port_.valid();
-    if (prim_port_.valid()) offer(*prim_rsp_, image_.half_line(prim_port_.answer().addr), prim_bits_, prim_port_.answer().ray);
+    unsigned char ready = 0;
+    for (std::size_t p = 0; p < sinks_.size(); ++p) ready |= static_cast<unsigned char>(unsigned(sinks_[p].ready()) << p);
+    std::memcpy(hit_ready_->data, &ready, 1);
+    *mem_req_->ready = memory_.ready();
+    *mem_rsp_->valid = memory_.valid();
+    if (!memory_.valid()) return;
+    const Memory::Answer answer = memory_.answer();
+    std::memcpy(mem_rsp_->data, image_.line(answer.addr), line_bytes);   // MemRsp: the line at the bottom, the id above
+    mem_rsp_->data[line_bytes / 4] = answer.id;
 }
 
 void RtlMachine::settle() {
     drive();
     rtl_.settle();
-    valid_ = fire_ = 0;
-    for (std::size_t c = 0; c < channel_count; ++c) {
-        const std::uint32_t valid = *links_[c]->valid;
-        valid_ |= valid << c;
-        fire_ |= (valid & *links_[c]->ready) << c;
+    moved_ = false;
+    for (std::size_t p = 0; p < links_.size(); ++p) {
+        std::uint32_t valid = 0, fire = 0;
+        for (std::size_t c = 0; c < pipeline_channels; ++c) {
+            const RcPort& link = *links_[p][c];
+            valid |= std::uint32_t(*link.valid) << c;
+            fire |= std::uint32_t(link.ready ? *link.valid & *link.ready : *link.valid) << c;
+        }
+        valid_[p] = valid;
+        fire_[p] = fire;
+        moved_ = moved_ || fire;
     }
-    counter_.add(valid_, fire_);
+    shared_valid_ = shared_fire_ = 0;
+    for (std::size_t c = pipeline_channels; c < channel_count; ++c) {
+        const RcPort* link = links_[0][c];
+        if (!link) continue;
+        shared_valid_ |= std::uint32_t(*link->valid) << c;
+        shared_fire_ |= std::uint32_t(link->ready ? *link->valid & *link->ready : *link->valid) << c;
+    }
+    moved_ = moved_ || shared_fire_;
 }
 
 void RtlMachine::clock() {
-    Memport::Answer node{}, prim{};
-    if (fires(Channel::node_req)) {
-        const NodeReq req = get_data<NodeReq>(*links_[index(Channel::node_req)], config_);
-        node = {req.ray, req.addr};
+    Memory::Answer request{};
+    const bool asks = shared_fire_ & bit(Channel::mem_req);
+    if (asks) {
+        const MemReq req = get_data<MemReq>(*mem_req_, config_);
+        request = {req.id, req.addr};
     }
-    if (fires(Channel::prim_req)) {
-        const PrimReq req = get_data<PrimReq>(*links_[index(Channel::prim_req)], config_);
-        prim = {req.ray, req.addr};
-    }
-    if (fires(Channel::box_req)) box_tests_ += std::uint64_t(decoder_.node(node_port_.answer().addr).children);
-    if (fires(Channel::hit)) {
-        hit_ = get_data<HitOut>(*links_[index(Channel::hit)], config_);
-        ++hits_;
+    for (std::size_t p = 0; p < links_.size(); ++p) {
+        hits_ += fire_[p] >> index(Channel::hit) & 1;
+        if (fire_[p] & bit(Channel::node_req))
+            box_tests_ += std::uint64_t(decoder_.node(get_data<NodeReq>(*links_[p][index(Channel::node_req)], config_).addr).children);
     }
     rtl_.clock();
-    node_port_.clock(fires(Channel::node_req) ? &node : nullptr, fires(Channel::box_req));
-    prim_port_.clock(fires(Channel::prim_req) ? &prim : nullptr, fires(Channel::tri_req));
-    sink_.clock();
+    memory_.clock(asks ? &request : nullptr);
+    for (Sink& sink : sinks_) sink.clock();
     ++now_;
+}
+
+Accounts RtlMachine::read_counters() const {
+    Accounts sums;
+    const auto add = [&](std::size_t unit, const std::string& name) {
+        std::uint64_t counts[cause_count];
+        std::memcpy(counts, rtl_.port(name).data, sizeof counts);
+        for (std::size_t i = 0; i < cause_count; ++i) sums.units[unit][i] += counts[i];
+    };
+    for (std::size_t u = 0; u < pipeline_units; ++u)
+        for (int p = 0; p < config_.pipelines; ++p) add(u, fmt::format("tally.{}[{}]", unit_infos[u].name, p));
+    add(index(Unit::dispatch), "tally.dispatch");
+    add(index(Unit::memport), "tally.memport");
+    if (config_.l2_sets > 0) add(index(Unit::l2), "tally.l2");
+    return sums;
+}
+
+Accounts RtlMachine::accounts() const {
+    Accounts sums = read_counters();
+    sums.units[index(Unit::memory)] = memory_.deeds();
+    sums = sums - at_start_;
+    // The counters have 40 bits and are never cleared.
+    for (std::size_t u = 0; u < unit_count; ++u)
+        for (std::uint64_t& count : sums.units[u]) count &= (std::uint64_t(1) << 40) - 1;
+    return sums;
 }
 
 } // namespace rayclock

@@ -1,51 +1,67 @@
 #pragma once
 #include "model/accel/memory_image.hpp"
+#include "model/core/accounts.hpp"
 #include "model/core/channels.hpp"
-#include "model/mem/decoder.hpp"
-#include "model/mem/memport.hpp"
+#include "model/mem/memory.hpp"
+#include "model/trace/decoder.hpp"
 #include "sim/rtl/rtl_module.hpp"
 
 namespace rayclock {
 
-/// rtl/rc_top.sv under Verilator with the same memory ports and sink as the model's Machine has.
+/// rtl/rc_top.sv under Verilator with the same memory and sinks as the model's Machine has.
 class RtlMachine {
 public:
-    RtlMachine(const MemoryImage& image, const Frame& frame, const Config& config, Traffic traffic = {}, int seed = 1);
+    RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1);
 
-    /// First half of a cycle: drives memory answers and the sink's ready; then valid_mask(), fire_mask() and data() tell
-    /// what the cycle moves. Second half: the clock edge. step() does both.
+    /// A new frame; what lies in the caches stays.
+    void start(const Frame& frame);
+
+    /// First half of a cycle: drives memory's answer and the sinks' ready; then the masks and data() tell what the cycle moves.
+    /// Second half: the clock edge; hits go to `take`.
     void settle();
-    void clock();
-    void step() { settle(); clock(); }
+    template <class Take> void clock(Take&& take) {
+        for (int p = 0; p < config_.pipelines; ++p)
+            if (fire_[std::size_t(p)] & bit(Channel::hit)) take(get_data<HitOut>(*links_[std::size_t(p)][index(Channel::hit)], config_));
+        clock();
+    }
+    template <class Take> void step(Take&& take) {
+        settle();
+        clock(take);
+    }
 
     bool done() const { return hits_ == pixels_; }
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
-    std::uint32_t valid_mask() const { return valid_; }
-    std::uint32_t fire_mask() const { return fire_; }
-    /// Packed payload that channel `c` offers in this cycle.
-    const std::uint32_t* data(Channel c) const { return links_[index(c)]->data; }
-    HitOut last_hit() const { return hit_; }
-    ChannelCounts counts() const { return counter_.counts(); }
+    std::uint32_t valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
+    std::uint32_t fire_mask(int pipeline) const { return fire_[std::size_t(pipeline)]; }
+    std::uint32_t shared_valid() const { return shared_valid_; }
+    std::uint32_t shared_fire() const { return shared_fire_; }
+    bool moved() const { return moved_; }
+    /// Packed payload that a channel offers in this cycle; shared ones have pipeline 0.
+    const RcPort& link(int pipeline, Channel c) const { return *links_[std::size_t(pipeline)][index(c)]; }
+    /// From the RTL's own counters, but for the memory, since the last start().
+    Accounts accounts() const;
+    const Memory& memory() const { return memory_; }
     std::uint64_t box_tests() const { return box_tests_; }
 
 private:
-    bool fires(Channel c) const { return fire_ >> index(c) & 1; }
     void drive();
+    void clock();
+    Accounts read_counters() const;
 
     Config config_;
     const MemoryImage& image_;
     Decoder decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
-    std::array<const RcPort*, channel_count> links_{};
-    const RcPort *node_rsp_, *prim_rsp_;
-    int node_bits_, prim_bits_;
-    Memport node_port_, prim_port_;
-    Sink sink_;
+    std::vector<std::array<const RcPort*, channel_count>> links_;
+    const RcPort *start_, *mem_req_, *mem_rsp_, *hit_ready_;
+    Memory memory_;
+    std::vector<Sink> sinks_;
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
-    std::uint32_t valid_ = 0, fire_ = 0;
-    HitOut hit_{};
-    ChannelCounter counter_;
+    std::vector<std::uint32_t> valid_, fire_;
+    std::uint32_t shared_valid_ = 0, shared_fire_ = 0;
+    bool moved_ = false;
+    Accounts at_start_;
 };
 
 } // namespace rayclock

@@ -1,5 +1,6 @@
 #include "sim/rtl/rtl_module.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -9,7 +10,8 @@
 
 namespace rayclock {
 
-RtlModule::RtlModule(const Config& config, const std::string& module, int seed) {
+RtlModule::RtlModule(const Config& config, const std::string& module, int seed)
+    : reset_cycles_(4 + std::max({config.node_sets, config.prim_sets, config.l2_sets})) {
     const RtlBuild build = build_rtl(config, module);
     library_ = dlopen(build.library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library_) throw std::runtime_error(std::string("cannot load the built RTL: ") + dlerror());
@@ -32,7 +34,7 @@ const RcPort& RtlModule::port(const std::string& name) const {
 
 void RtlModule::reset() {
     *module_->reset(handle_) = 0;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < reset_cycles_; ++i) {
         settle();
         clock();
     }

@@ -19,7 +19,7 @@ public:
     /// The link called `name`. Outputs and taps are good after settle(), inputs are set before it.
     const RcPort& port(const std::string& name) const;
 
-    /// Sets a static input, then holds reset for four full cycles.
+    /// Holds reset: four full cycles, or as many as the largest cache takes to clear its sets. Static inputs are set before it.
     void reset();
 
     /// Lets inputs through to outputs; no clock edge.
@@ -33,6 +33,7 @@ private:
     void* handle_ = nullptr;
     const RcPort* ports_ = nullptr;
     unsigned count_ = 0;
+    int reset_cycles_;
 };
 
 /// Copies a packed payload to a port, or reads one from it.

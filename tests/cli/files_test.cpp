@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <unistd.h>
 
+#include "model/core/config.hpp"
 #include "tests/cli/program.hpp"
 
 using namespace rayclock::test;
@@ -45,9 +46,17 @@ const std::vector<std::vector<std::string>> scene_commands{
     {"render", "FILE", "--size", "8x8", "-o", "new.png", "--engine", "reference"},
     {"verify", "FILE", "--size", "8x8", "-o", "pictures", "--json", "report.json"}};
 
-const std::string every_key =
-    R"("coord_bits": 18, "dir_bits": 20, "t_frac_bits": 4, "recip_bits": 16, "box_bits": 8, "bary_bits": 16, "node_width": 8, "leaf_size": 1,
-       "contexts": 64, "stack_depth": 16, "raygen_queue": 16, "box_queue": 16, "tri_queue": 32, "mem_latency": 8)";
+/// Every parameter of `default` as a file states it, but for the last.
+std::string all_but_one() {
+    const rayclock::Config config = rayclock::named_config("default");
+    std::string text;
+    for (const rayclock::Parameter& p : rayclock::parameters()) {
+        const std::string value = value_text(config, p), quote = p.names ? "\"" : "";
+        text += (text.empty() ? "" : ", ") + std::string("\"") + p.key + "\": " + quote + value + quote;
+    }
+    return text.substr(0, text.rfind(", "));
+}
+const std::string every_key = all_but_one();
 
 } // namespace
 

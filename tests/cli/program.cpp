@@ -3,12 +3,15 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace rayclock::test {
@@ -45,7 +48,9 @@ std::map<std::string, std::string> Folder::contents() const {
     return all;
 }
 
-Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+namespace {
+
+Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int interrupt_after) {
     const Folder folder;
     const std::string out = folder.name("out"), err = folder.name("err");
     posix_spawn_file_actions_t actions;
@@ -68,10 +73,19 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::vector
     pid_t child = 0;
     REQUIRE(posix_spawn(&child, RAYCLOCK_PROGRAM, &actions, nullptr, argv.data(), envp.data()) == 0);
     posix_spawn_file_actions_destroy(&actions);
+    if (interrupt_after >= 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after));
+        ::kill(child, SIGINT);
+    }
     int status = 0;
     REQUIRE(waitpid(child, &status, 0) == child);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
 }
+
+} // namespace
+
+Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) { return run(arguments, environment, -1); }
+Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) { return run(arguments, {}, milliseconds); }
 
 void check_refused(const Outcome& outcome, const std::vector<std::string>& words) {
     INFO("standard output: " << outcome.out);

@@ -15,6 +15,9 @@ struct Outcome {
 /// `environment`: NAME=value, over the test's own.
 Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
+/// The same with a Ctrl-C after so many milliseconds.
+Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds);
+
 /// An empty folder of its own, removed in the end.
 class Folder {
 public:

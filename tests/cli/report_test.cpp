@@ -32,21 +32,29 @@ void check_shared(const json& report) {
                         {"host.seconds", "number"}});
     for (const rayclock::Parameter& p : rayclock::parameters()) {
         INFO(p.key);
-        CHECK(report["config"].at(p.key).is_number_integer());
+        CHECK((p.names ? report["config"].at(p.key).is_string() : report["config"].at(p.key).is_number_integer()));
     }
     REQUIRE(!report["clocks"].empty());
     for (const json& clock : report["clocks"]) {
         check_keys(clock, {{"mhz", "number"}, {"cycles", "number"}, {"fps", "number"}, {"mrays_per_s", "number"}, {"dram_bytes", "number"},
-                           {"dram_gb_per_s", "number"}, {"bound", "string"}});
+                           {"dram_gb_per_s", "number"}, {"bound", "string"}, {"bound_reached", "number"}, {"bottleneck", "string"},
+                           {"bytes_per_ray", "number"}, {"dram_share_of_peak", "number"}, {"units", "object"}, {"memory", "object"}, {"frames", "array"}});
         CHECK(clock["fps"].get<double>() == Approx(clock["mhz"].get<double>() * 1e6 / clock["cycles"].get<double>()));
     }
-    REQUIRE(report["units"].size() >= 6);
+    REQUIRE(report["units"].size() >= 11);
     for (const auto& [name, unit] : report["units"].items()) {
         INFO(name);
-        std::uint64_t sum = unit.at("busy").get<std::uint64_t>() + unit.at("starved").get<std::uint64_t>();
+        const auto total = [](const json& parts) {
+            std::uint64_t sum = 0;
+            for (const auto& [cause, cycles] : parts.items()) sum += cycles.get<std::uint64_t>();
+            return sum;
+        };
+        const std::uint64_t busy = unit.at("busy"), starved = unit.at("starved");
         CHECK(unit.at("count").is_number_unsigned());
-        for (const auto& [cause, cycles] : unit.at("stalled").items()) sum += cycles.get<std::uint64_t>();
-        CHECK(sum == report["clocks"][0]["cycles"].get<std::uint64_t>());
+        CHECK(total(unit.at("busy_with")) == busy);
+        CHECK(total(unit.at("starved_by")) == starved);
+        CHECK(busy + starved + total(unit.at("stalled")) ==
+              unit.at("instances").get<std::uint64_t>() * report["clocks"][0]["cycles"].get<std::uint64_t>());
     }
 }
 
@@ -94,7 +102,7 @@ TEST_CASE("verify reports every key and says so in words") {
     CHECK(outcome.out.find("VERIFIED") != std::string::npos);
     const json report = json::parse(bytes_of(file));
     check_shared(report);
-    check_keys(report, {{"pixels", "number"}, {"events_compared", "number"}, {"value_mismatches", "number"}, {"cycle_gap", "number"},
+    check_keys(report, {{"pixels", "number"}, {"events_compared", "number"}, {"value_mismatches", "number"}, {"account_mismatches", "number"}, {"cycle_gap", "number"},
                         {"first_divergence", "null"}, {"reference.pixels_other_primitive", "number"}, {"reference.psnr_db", "number"}});
     CHECK(report.contains("golden"));
     CHECK(report["pixels"] == 24 * 18);
@@ -120,7 +128,7 @@ TEST_CASE("with --json - JSON is printed and nothing else") {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"scenes"}, {"doctor"}, {"render", "tetra:2", "--size", "8x8", "-o", folder.name("x.png")},
                                                {"simulate", "tetra:2", "--size", "8x8"}, {"verify", "tetra:2", "--size", "8x8"},
-                                               {"bench", "tetra:2", "--size", "8x8"}}) {
+                                               {"sweep", "tetra:2", "--size", "8x8", "--axis", "contexts=1,2"}, {"bench", "tetra:2", "--size", "8x8"}}) {
         std::vector<std::string> with_json = arguments;
         with_json.insert(with_json.end(), {"--json", "-"});
         INFO(arguments[0]);
@@ -133,7 +141,7 @@ TEST_CASE("every command has help with an example") {
     const Outcome whole = run_program({"--help"});
     CHECK(whole.code == 0);
     CHECK(whole.err.empty());
-    for (const std::string command : {"scenes", "render", "simulate", "verify", "bench", "config", "rtl", "doctor"}) {
+    for (const std::string command : {"scenes", "render", "simulate", "verify", "sweep", "yardstick", "bench", "config", "rtl", "doctor"}) {
         CHECK(whole.out.find("\n  " + command + " ") != std::string::npos);
         const Outcome help = run_program({command, "--help"});
         INFO(help.out);

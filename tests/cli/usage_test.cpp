@@ -73,6 +73,28 @@ TEST_CASE("parameters that make no sense") {
            {{"simulate", "icosphere:1", "--set", "stack_depth=1"}, {"stack_depth"}}});
 }
 
+TEST_CASE("caches, pipelines and memories that make no sense") {
+    check({simulate({"--set", "node_ways=0"}, {"node_ways", "1..8", "0"}), simulate({"--set", "prim_sets=0"}, {"prim_sets", "0"}),
+           simulate({"--set", "node_sets=48"}, {"node_sets", "power of two", "48"}), simulate({"--set", "prim_ways=3"}, {"power of two", "3"}),
+           simulate({"--set", "node_line=32"}, {"node_line", "64", "node", "32"}), simulate({"--set", "l2_line=0"}, {"l2_line", "64"}),
+           simulate({"--set", "prim_line=96"}, {"power of two", "96"}), simulate({"--set", "node_mshrs=0"}, {"node_mshrs"}),
+           simulate({"--set", "l2_sets=100"}, {"l2_sets", "power of two"}), simulate({"--set", "pipelines=3"}, {"pipelines", "power of two"}),
+           simulate({"--set", "pipelines=16"}, {"pipelines", "16"}), simulate({"--set", "cache_queue=1"}, {"cache_queue"}),
+           simulate({"--set", "dram=ddr"}, {"'ddr'", "did you mean 'sdr'"}), simulate({"--set", "dram=2"}, {"'2'"}),
+           simulate({"--set", "tile_bits=9"}, {"tile_bits"}), {{"rtl", "--set", "node_ways=0"}, {"node_ways"}},
+           {{"simulate", "gears:12", "--set", "dram=rpu", "--set", "coord_bits=20", "--size", "8x8", "--set", "node_width=2", "--set", "stack_depth=64"}, {"'rpu'", "bytes", "dram=ddr3"}}});
+}
+
+TEST_CASE("frames and axes that make no sense") {
+    check({simulate({"--frames", "0"}, {"--frames", "0"}), simulate({"--frames", "1001"}, {"--frames", "1001"}), simulate({"--frames", "x"}, {"--frames"}),
+           simulate({"--pan", "nan"}, {"--pan"}), simulate({"--pan", "361"}, {"--pan", "361"}), simulate({"--pan", "x"}, {"--pan"})});
+    const auto sweep = [](const std::string& axis, std::vector<std::string> words) { return Bad{{"sweep", "tetra:1", "--size", "8x8", "--axis", axis}, std::move(words)}; };
+    check({sweep("contexts", {"'contexts'", "key=values"}), sweep("=1,2", {"'=1,2'"}), sweep("contexts=", {"contexts="}), sweep("contxts=1", {"did you mean 'contexts'"}),
+           sweep("contexts=3", {"power of two", "3"}), sweep("contexts=1:x", {"'x'"}), sweep("contexts=8:4:1", {"8:4:1"}), sweep("contexts=1:4:0", {"1:4:0"}),
+           sweep("clock=0", {"--clock", "'0'"}), sweep("coord_bits=12:2000000000:1", {"10000"}), sweep("dram=ideal,ddr", {"'ddr'"}),
+           {{"sweep", "tetra:1"}, {"--axis"}}, {{"yardstick"}, {"--output"}}, {{"yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});
+}
+
 TEST_CASE("other values that make no sense") {
     check({simulate({"--engine", "gpu"}, {"'gpu'"}), simulate({"--engine", "reference"}, {"'reference'"}), simulate({"--engine", ""}, {"--engine"}),
            {{"render", "tetra:1", "--engine", "gpu", "-o", "never.png"}, {"'gpu'"}}, simulate({"--jitter", "-1"}, {"--jitter", "-1"}),

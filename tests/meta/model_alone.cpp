@@ -13,7 +13,9 @@ int main() {
     const Camera camera = scene.camera ? *scene.camera : fit_camera(scene, 4.0 / 3);
     const MemoryImage image = compile_scene(scene, camera.eye, config);
     const Frame frame = make_frame(camera, size, image.lattice, config);
-    Machine machine(image, frame, config);
-    while (!machine.done()) machine.step();
+    const Trace trace = record_trace(image, frame, config);
+    Machine machine(config, 66000);
+    machine.start(frame, trace);
+    machine.run(~std::uint64_t(0));
     std::printf("%llu cycles\n", static_cast<unsigned long long>(machine.cycle()));
 }

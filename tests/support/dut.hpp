@@ -94,6 +94,11 @@ public:
         *port.valid = link.offer.has_value();
         if (link.offer) set_data(port, *link.offer, config_);
     }
+    template <class P> void drive_listen(const char* name, const std::optional<P>& seen) {
+        const RcPort& port = rtl_.port(name);
+        *port.valid = seen.has_value();
+        if (seen) set_data(port, *seen, config_);
+    }
     template <class P> void drive_out(const char* name, const Link<P>& link) { *rtl_.port(name).ready = link.ready; }
     template <class P> void read_in(const char* name, Link<P>& link) const { link.ready = *rtl_.port(name).ready != 0; }
     template <class P> void read_out(const char* name, Link<P>& link) const {
@@ -104,9 +109,23 @@ public:
         std::memcpy(words.data(), port.data, port.bytes);
         link.offer = unpack<P>(words.data(), config_);
     }
+    /// A plain output of at most 32 bits.
+    std::uint32_t plain(const char* name) const {
+        const RcPort& port = rtl_.port(name);
+        std::uint32_t value = 0;
+        std::memcpy(&value, port.data, port.bytes);
+        return value;
+    }
     void reset() { rtl_.reset(); }
     void settle() { rtl_.settle(); }
     void clock() { rtl_.clock(); }
+
+    // ---- Signals without a valid.
+    void drive_plain(const char* name, std::uint32_t value) {
+        const RcPort& port = rtl_.port(name);
+        std::memcpy(port.data, &value, port.bytes);
+    }
+    template <class P> P payload(const char* name) const { return get_data<P>(rtl_.port(name), config_); }
 
 private:
     Config config_;

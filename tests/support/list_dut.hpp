@@ -1,4 +1,5 @@
 #pragma once
+#include "model/list/leaves.hpp"
 #include "model/list/list.hpp"
 #include "tests/support/dut.hpp"
 
@@ -18,29 +19,40 @@ struct ListLinks {
     Link<Closest> closest;
 };
 
+/// List says when, the Leaves of each context what.
 class ListModel : public ListLinks {
 public:
-    explicit ListModel(const Config& config, int = 1) : list_(config) {}
+    explicit ListModel(const Config& config, int = 1) : list_(config), rays_(std::size_t(config.contexts)), leaves_(rays_.size(), Leaves(config)) {}
     void eval() {
         box_rsp.ready = tri_rsp.ready = true;
         prim_req.offer.reset();
-        if (list_.prim_valid()) prim_req.offer = list_.prim();
+        if (list_.prim_valid()) prim_req.offer = PrimReq{list_.prim_ray(), leaves_[list_.prim_ray()].prim()};
         step.offer.reset();
-        if (list_.step_valid()) step.offer = list_.step();
+        if (list_.step_valid()) step.offer = leaves_[list_.step_ray()].step(list_.step_ray());
         prim_rsp.ready = tri_req.ready;
         tri_req.offer.reset();
-        if (prim_rsp.offer) tri_req.offer = list_.tri_req(prim_rsp.offer->ray, prim_rsp.offer->triangle);
+        if (prim_rsp.offer) {
+            const Ray& r = rays_[prim_rsp.offer->ray];
+            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best()};
+        }
         done.ready = closest.ready;
         closest.offer.reset();
-        if (done.offer) closest.offer = list_.closest(done.offer->ray);
+        if (done.offer) closest.offer = leaves_[done.offer->ray].closest(done.offer->ray);
     }
     void commit() {
-        list_.clock(ray ? &*ray : nullptr, box_rsp.fires() ? &*box_rsp.offer : nullptr, tri_rsp.fires() ? &*tri_rsp.offer : nullptr,
-                    prim_req.fires(), step.fires());
+        const bool boxed = box_rsp.fires(), tested = tri_rsp.fires();
+        list_.clock(boxed ? &box_rsp.offer->ray : nullptr, boxed && leaves_[box_rsp.offer->ray].begin(*box_rsp.offer),
+                    tested ? &tri_rsp.offer->ray : nullptr, tested && leaves_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(),
+                    step.fires());
+        if (!ray) return;
+        rays_[ray->ray] = *ray;
+        leaves_[ray->ray].clear();
     }
 
 private:
     List list_;
+    std::vector<Ray> rays_;
+    std::vector<Leaves> leaves_;
 };
 
 class ListRtl : public ListLinks {

@@ -14,28 +14,53 @@ struct TravLinks {
     Link<Done> done;
 };
 
+/// Trav says when, a Stack for each context where to.
 class TravModel : public TravLinks {
 public:
-    TravModel(const Frame& frame, const Config& config, int = 1) : trav_(frame, config) {}
+    TravModel(const Frame& frame, const Config& config, int = 1)
+        : root_(frame.root), trav_(config), contexts_(std::size_t(config.contexts), Context{{}, {}, Stack(config), 0}) {}
     void eval() {
         ray.ready = trav_.ray_ready();
         step.ready = trav_.step_ready();
         node_req.offer.reset();
-        if (trav_.node_valid()) node_req.offer = trav_.node();
+        if (trav_.node_valid()) {
+            const std::uint32_t number = trav_.node_ray();
+            node_req.offer = NodeReq{number, trav_.spawning() ? root_ : contexts_[number].addr};
+        }
         done.offer.reset();
-        if (trav_.done_valid()) done.offer = Done{trav_.done()};
+        if (trav_.done_valid()) done.offer = Done{trav_.done_ray()};
         node_rsp.ready = box_req.ready;
         box_req.offer.reset();
         if (!node_rsp.offer) return;
-        const BoxRay& r = trav_.box_ray(node_rsp.offer->ray);
-        box_req.offer = BoxReq{node_rsp.offer->ray, r.o, r.neg, r.recip, r.len, node_rsp.offer->node};
+        const Ray& r = contexts_[node_rsp.offer->ray].ray;
+        box_req.offer = BoxReq{r.ray, r.o, {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0}, r.recip, r.len, node_rsp.offer->node};
     }
     void commit() {
-        trav_.clock(ray.fires() ? &*ray.offer : nullptr, step.fires() ? &*step.offer : nullptr, node_req.fires(), done.fires());
+        trav_.clock(ray.fires() ? &ray.offer->ray : nullptr, step.fires() ? &step.offer->ray : nullptr, node_req.fires(), done.fires(),
+                    [&](std::uint32_t number) {
+                        Context& c = contexts_[number];
+                        const Turn turn = c.stack.decide(c.step);
+                        c.addr = turn.addr;
+                        c.step.inner = 0;   // in another turn there are no new children
+                        return turn.kind;
+                    });
+        if (step.fires()) contexts_[step.offer->ray].step = *step.offer;
+        if (ray.fires()) {
+            contexts_[ray.offer->ray].ray = *ray.offer;
+            contexts_[ray.offer->ray].stack.clear();
+        }
     }
 
 private:
+    struct Context {
+        Ray ray;
+        Step step;
+        Stack stack;
+        std::uint32_t addr;   // of the next node
+    };
+    std::uint32_t root_;
     Trav trav_;
+    std::vector<Context> contexts_;
 };
 
 class TravRtl : public TravLinks {

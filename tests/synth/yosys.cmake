@@ -1,9 +1,10 @@
-# cmake -DYOSYS= -DGEN= -DRTL= -DFOLDER= -DCONFIG= -DTOP= -DMODE=check|synth [-DFILE= -DEXPECT=words] -P yosys.cmake
+# cmake -DYOSYS= -DGEN= -DRTL= -DFOLDER= "-DCONFIG=name [key=value ...]" -DTOP= -DMODE=check|synth [-DFILE= -DEXPECT=words] -P yosys.cmake
 # Reads the RTL of a configuration into Yosys. `check`: the hierarchy is complete, nothing is undriven, driven twice or a
 # loop, and there is no latch. `synth`: maps the module to an ECP5 as well. No warning is accepted in either.
 # With EXPECT the RTL is a mutant (OLD and NEW in FOLDER, see tests/meta) that must be refused in these words.
 file(MAKE_DIRECTORY ${FOLDER})
-execute_process(COMMAND ${GEN} ${FOLDER}/rc_pkg.sv ${CONFIG} COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(config UNIX_COMMAND "${CONFIG}")
+execute_process(COMMAND ${GEN} ${FOLDER}/rc_pkg.sv ${config} COMMAND_ERROR_IS_FATAL ANY)
 if(EXPECT)
   file(REMOVE_RECURSE ${FOLDER}/rtl)
   file(COPY ${RTL}/ DESTINATION ${FOLDER}/rtl)

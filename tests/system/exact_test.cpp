@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include "model/accel/memory_image.hpp"
-#include "model/machine.hpp"
 #include "tests/system/exact.hpp"
 #include "tests/system/frames.hpp"
 
@@ -14,22 +13,21 @@ namespace {
 /// Every pixel of a frame against brute force.
 void check_exact(const Scene& scene, const Job& job) {
     const ExactScene exact(scene, job.image.lattice);
-    Machine machine(job.image, job.frame, job.config);
+    const FrameTrace frame = record_frame(job, job.frame);
     const int time_bits = job.config.dir_bits - 1 + job.config.t_frac_bits;
     const Int beyond = (Int(1) << job.config.t_bits()) - 1;
     std::size_t hits = 0, wrong = 0, wrong_t = 0;
-    while (!machine.done()) {
-        machine.step();
-        if (!(machine.fire_mask() & bit(Channel::hit))) continue;
-        const HitOut out = machine.last_hit();
-        const ExactHit truth = exact.closest(job.frame.eye, exact_direction(job.frame, int(out.x), int(out.y)));
-        const std::uint32_t prim = out.closest.found ? out.closest.prim : no_primitive;
+    for (std::size_t i = 0; i < frame.trace.hits.size(); ++i) {
+        const Closest& closest = frame.trace.hits[i];
+        const int x = int(i % job.frame.width), y = int(i / job.frame.width);
+        const ExactHit truth = exact.closest(job.frame.eye, exact_direction(job.frame, x, y));
+        const std::uint32_t prim = closest.found ? closest.prim : no_primitive;
         wrong += prim != truth.primitive;
-        if (prim != truth.primitive) UNSCOPED_INFO("pixel " << out.x << "," << out.y << ": " << prim << ", and truly " << truth.primitive);
+        if (prim != truth.primitive) UNSCOPED_INFO("pixel " << x << "," << y << ": " << prim << ", and truly " << truth.primitive);
         if (truth.primitive == no_primitive) continue;
         ++hits;
         // t rounded up: t - 1 < 2^k num / den <= t, unless saturated.
-        const Int scaled = truth.num << time_bits, t = out.closest.t;
+        const Int scaled = truth.num << time_bits, t = closest.t;
         wrong_t += !(t == beyond ? (t - 1) * truth.den < scaled : (t - 1) * truth.den < scaled && scaled <= t * truth.den);
     }
     CHECK(wrong == 0);

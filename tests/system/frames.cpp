@@ -4,7 +4,6 @@
 
 #include "model/core/error.hpp"
 #include "sim/load/load.hpp"
-#include "sim/report/accounts.hpp"
 
 namespace rayclock::test {
 
@@ -25,14 +24,7 @@ Shot make_deep_shot(const std::string& name, FrameSize size, Config config) {
     }
 }
 
-Config with(Config config, const std::vector<std::pair<std::string, int>>& values) {
-    for (const auto& [key, value] : values) {
-        set_parameter(config, key, std::to_string(value), "test");
-        config.name += " " + key + "=" + std::to_string(value);
-    }
-    check_config(config, config.name);
-    return config;
-}
+Config with(const Config& config, const Values& values) { return shaped(config, values); }
 
 const std::vector<std::string>& quick_configs() {
     static const std::vector<std::string> names{"default", "small", "narrow", "broad"};
@@ -43,37 +35,82 @@ Config quick_config(const std::string& name) {
     if (name == "narrow")
         return with(named_config("small"), {{"coord_bits", 12}, {"dir_bits", 12}, {"t_frac_bits", 0}, {"recip_bits", 8}, {"box_bits", 4},
                                             {"bary_bits", 4}, {"node_width", 2}, {"leaf_size", 3}, {"stack_depth", 64}, {"raygen_queue", 2},
-                                            {"box_queue", 2}, {"tri_queue", 2}});
+                                            {"box_queue", 2}, {"tri_queue", 2}, {"pipelines", 2}, {"tile_bits", 0}, {"node_line", 256},
+                                            {"node_sets", 2}, {"node_ways", 2}, {"node_mshrs", 2}, {"prim_line", 128}, {"prim_sets", 1},
+                                            {"prim_ways", 4}, {"l2_sets", 8}, {"l2_ways", 2}, {"l2_line", 256}, {"l2_mshrs", 4}, {"cache_queue", 2},
+                                            {"dram", 2}});
     if (name == "broad")
         return with(named_config("default"), {{"coord_bits", 20}, {"dir_bits", 22}, {"recip_bits", 24}, {"bary_bits", 24}, {"leaf_size", 6},
-                                              {"contexts", 2}, {"mem_latency", 1}});
+                                              {"contexts", 1}, {"node_sets", 1}, {"node_ways", 1}, {"node_mshrs", 1}, {"prim_sets", 1},
+                                              {"prim_ways", 1}, {"prim_mshrs", 1}, {"cache_queue", 2}, {"dram", 0}, {"mem_latency", 1}});
     return named_config(name);
 }
 
+namespace {
+
+/// Every cycle of every unit has one cause, and what a unit did is what the rays needed.
+void check_accounts(const FrameRun& run, const Config& config, const Trace& trace) {
+    const std::uint64_t pixels = trace.rays.size();
+    const auto code = [&](Unit u, std::size_t c) { return run.accounts.units[index(u)][c]; };
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        INFO("unit " << unit_infos[u].name);
+        std::uint64_t sum = 0;
+        for (std::size_t c = 0; c < cause_count; ++c) {
+            sum += run.accounts.units[u][c];
+            if (unit_infos[u].causes[c].kind == Kind::none) CHECK(run.accounts.units[u][c] == 0);
+        }
+        const std::uint64_t instances = u < pipeline_units ? std::uint64_t(config.pipelines) : Unit(u) == Unit::l2 && config.l2_sets == 0 ? 0 : 1;
+        CHECK(sum == instances * run.cycles);
+    }
+    CHECK(code(Unit::sched, 0) == pixels);
+    CHECK(code(Unit::raygen, 0) == pixels);
+    CHECK(code(Unit::trav, 0) >= run.visits);
+    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == run.visits + trace.turns);   // a turn is work, or holds a step up
+    CHECK(code(Unit::box, 0) == run.visits);
+    CHECK(code(Unit::tri, 0) == run.triangle_tests);
+    CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == run.visits);
+    CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) == run.triangle_tests);
+    for (const Unit cache : {Unit::node_cache, Unit::prim_cache}) CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
+    const std::uint64_t words = code(Unit::node_cache, 1) * std::uint64_t(config.node_line / line_bytes) +
+        code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes);
+    CHECK(code(Unit::memport, 0) == words);
+    if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
+    CHECK(run.memory.reads == (config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words));
+    CHECK(run.box_tests >= run.visits);
+    CHECK(run.box_tests <= run.visits * std::uint64_t(config.node_width));
+}
+
+} // namespace
+
 LockstepResult check_lockstep(const Job& job, Traffic traffic, int seed) {
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame));
+    return check_lockstep(job, frames, traffic, seed);
+}
+
+LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed) {
     INFO("configuration " << job.config.name << ", jitter " << traffic.jitter << ", stall " << traffic.stall_percent << ", seed " << traffic.seed
                           << ", RTL seed " << seed);
-    LockstepResult result = run_lockstep(job, traffic, {}, seed);
+    LockstepResult result = run_lockstep(job, frames, traffic, {}, seed);
     if (result.first) {
         const Divergence& d = *result.first;
         UNSCOPED_INFO("first divergence: cycle " << d.cycle << " unit " << d.unit << " channel " << d.channel << " ray " << d.ray << " pixel "
                                                  << d.x << "," << d.y << " expected " << d.expected << " got " << d.got);
     }
+    const std::uint64_t pixels = frames.back().trace.rays.size();
     CHECK(result.agrees());
     CHECK(result.value_mismatches == 0);
+    CHECK(result.account_mismatches == 0);
     CHECK(result.cycle_gap == 0);
-    CHECK(result.events_compared >= 4 * std::uint64_t(job.size.width) * std::uint64_t(job.size.height));
+    CHECK(result.events_compared >= 4 * pixels);
     CHECK(result.model.digest == result.rtl.digest);
     CHECK(result.model.hits.hits == result.rtl.hits.hits);
-    CHECK(result.model.counts == result.rtl.counts);
-    CHECK(result.model.box_tests == result.rtl.box_tests);
-    for (const FrameRun* run : {&result.model, &result.rtl})
-        for (const UnitAccount& a : unit_accounts(run->counts, run->cycles)) {
-            INFO("unit " << a.unit);
-            CHECK(a.busy + a.stalled <= run->cycles);
-            CHECK(a.busy + a.starved + a.stalled == run->cycles);
-            CHECK(a.count == a.busy);
-        }
+    CHECK(result.model.accounts == result.rtl.accounts);
+    CHECK(result.model.memory == result.rtl.memory);
+    for (const FrameRun* run : {&result.model, &result.rtl}) {
+        CHECK(run->pixels == pixels);
+        check_accounts(*run, job.config, frames.back().trace);
+    }
     return result;
 }
 

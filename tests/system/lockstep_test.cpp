@@ -67,8 +67,57 @@ TEST_CASE("model and RTL agree for every memory and every back-pressure") {
     const Traffic traffic = GENERATE(Traffic{0, 0, 1}, Traffic{1, 0, 2}, Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{7, 20, 5},
                                      Traffic{100, 90, 6}, Traffic{3, 70, 7}, Traffic{200, 5, 8});
     const int latency = GENERATE(1, 8, 61);
-    const Config config = with(quick_config(name), {{"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
+    const Config config = with(quick_config(name), {{"dram", 0}, {"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
     check_lockstep(make_shot("gears:1", {32, 24}, config).job, traffic, int(traffic.seed));
+}
+
+TEST_CASE("model and RTL agree on every DRAM, at every clock, with every back-pressure") {
+    const std::string name = GENERATE("default", "small", "narrow", "broad");
+    const int dram = GENERATE(1, 2, 3), khz = GENERATE(20000, 66000, 533333);
+    Job job = make_shot("gears:1", {32, 24}, with(quick_config(name), {{"dram", dram}})).job;
+    job.khz = khz;
+    INFO(khz << " kHz");
+    for (const Traffic& traffic : {Traffic{}, Traffic{40, 0, 2}, Traffic{25, 60, 3}}) check_lockstep(job, traffic, int(traffic.seed));
+}
+
+TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm") {
+    const Shot shot = make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
+    const Job& job = shot.job;
+    INFO(job.config.name);
+    Camera turned = *shot.scene.camera;
+    turned.fov_degrees *= 0.8;
+    std::vector<FrameTrace> one, two, four;
+    for (auto* frames : {&one, &two, &four}) frames->push_back(record_frame(job, job.frame));
+    for (auto* frames : {&two, &four}) frames->push_back(record_frame(job, make_frame(turned, {32, 24}, job.image.lattice, job.config)));
+    for (const FrameSize size : {FrameSize{19, 30}, FrameSize{50, 33}})   // what was outside one picture is inside the next
+        four.push_back(record_frame(job, make_frame(*shot.scene.camera, size, job.image.lattice, job.config)));
+    CHECK(two[1].trace.hits.size() == one[0].trace.hits.size());
+    for (const Traffic& traffic : {Traffic{}, Traffic{10, 30, 5}}) {
+        std::vector<FrameTrace> cold;
+        cold.push_back(record_frame(job, two[1].frame));
+        const FrameRun first = check_lockstep(job, one, traffic).rtl, second = check_lockstep(job, two, traffic).rtl;
+        const FrameRun alone = check_lockstep(job, cold, traffic).rtl;
+        CHECK(first.hits.hits != second.hits.hits);   // another picture
+        CHECK(second.hits.hits == alone.hits.hits);   // whatever lay in the caches
+        if (job.config.node_sets <= 2) continue;
+        CHECK(second.memory.reads <= alone.memory.reads);
+        CHECK(second.memory.reads < first.memory.reads);
+    }
+    std::vector<FrameTrace> same;
+    for (int i = 0; i < 2; ++i) same.push_back(record_frame(job, job.frame));
+    const LockstepResult again = check_lockstep(job, same);
+    if (job.config.node_sets > 2) CHECK(again.rtl.memory.reads < run_model(job).memory.reads);
+    // The RTL alone: its frames are the model's.
+    const std::vector<FrameRun> runs = run_rtl(job, job.khz, {four[0].frame, four[1].frame, four[2].frame, four[3].frame});
+    const std::vector<FrameTiming> timings = replay(job.config, job.khz, four);
+    check_lockstep(job, four, {3, 20, 7});
+    REQUIRE(runs.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(runs[i].cycles == timings[i].cycles);
+        CHECK(runs[i].accounts == timings[i].accounts);
+        CHECK(runs[i].memory == timings[i].memory);
+        CHECK(runs[i].digest == digest_of(four[i].trace.hits, timings[i].cycles));
+    }
 }
 
 TEST_CASE("model and RTL agree whatever the registers held before reset") {

@@ -1,7 +1,11 @@
-// Lockstep over configurations that nobody chose. Every case builds its RTL (about 15 s), hence slow.
+// Lockstep over configurations that nobody chose, under memory and back-pressure that nobody chose. Every configuration builds
+// its RTL (about 12 s a pipeline): a few are quick, the others slow.
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 #include "model/core/error.hpp"
+#include "sim/rtl/builder.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;
@@ -9,24 +13,35 @@ using namespace rayclock::test;
 
 namespace {
 
-/// Legal configuration; every other value from a corner of its range.
-Config random_config(std::uint64_t seed) {
+/// How large a value is drawn, of those that are legal: no larger than a small frame can tell, or Verilator takes gladly.
+int most_of(const Parameter& p) {
+    const std::string key = p.key;
+    const std::pair<const char*, int> most[] = {{"contexts", 128}, {"mem_latency", 60}, {"mem_interval", 4}, {"raygen_queue", 64}, {"box_queue", 64},
+                                                {"tri_queue", 64}, {"cache_queue", 64}, {"node_sets", 64}, {"prim_sets", 64}, {"l2_sets", 128},
+                                                {"node_mshrs", 16}, {"prim_mshrs", 16}, {"l2_mshrs", 32}};
+    for (const auto& [name, value] : most)
+        if (key == name) return std::min(value, p.hi);
+    return p.hi;
+}
+
+/// Legal configuration; every other value from a corner of its range. One pipeline, or one time in four two; a shared cache
+/// one time in three.
+Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);
-    const auto draw = [&](const Parameter& p, int most) {
-        const int hi = std::min(p.hi, most), pick = rng.below(4);
-        int value = pick == 0 ? p.lo : pick == 1 ? hi : p.lo + rng.below(hi - p.lo + 1);
-        if (p.power_of_two)
-            while (value & (value - 1)) value &= value - 1;
-        return value;
+    const auto draw = [&](const Parameter& p, int hi) {
+        const int pick = rng.below(4);
+        if (!p.power_of_two) return pick == 0 ? p.lo : pick == 1 ? hi : p.lo + rng.below(hi - p.lo + 1);
+        const int lo = std::max(p.lo, 1);
+        int steps = 0;
+        while (lo << (steps + 1) <= hi) ++steps;
+        return pick == 0 ? lo : pick == 1 ? lo << steps : lo << rng.below(steps + 1);
     };
     for (;;) {
         Config config;
         config.name = "random " + std::to_string(seed);
-        for (const Parameter& p : parameters()) {
-            const std::string key = p.key;
-            const int most = key == "contexts" ? 128 : key == "mem_latency" ? 60 : key == "mem_interval" ? 4 : key.ends_with("_queue") ? 64 : p.hi;
-            config.*p.member = draw(p, most);
-        }
+        for (const Parameter& p : parameters()) config.*p.member = draw(p, most_of(p));
+        config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
+        if (rng.below(3) != 0) config.l2_sets = 0;
         try {
             check_config(config, config.name);
             return config;
@@ -36,9 +51,14 @@ Config random_config(std::uint64_t seed) {
     }
 }
 
+Traffic random_traffic(std::uint64_t seed) {
+    Rng rng(seed * 77);
+    return {rng.below(2) * rng.below(100), rng.below(2) * rng.below(80), rng.next() >> 8};
+}
+
 std::string text_of(const Config& config) {
     std::string text;
-    for (const Parameter& p : parameters()) text += std::string(p.key) + "=" + std::to_string(config.*p.member) + " ";
+    for (const Parameter& p : parameters()) text += std::string(p.key) + "=" + value_text(config, p) + " ";
     return text;
 }
 
@@ -51,11 +71,50 @@ void check_config_in_lockstep(const Config& config) {
     }
 }
 
+Shot random_shot(std::uint64_t seed, const Config& config) {
+    return make_deep_shot(seed % 3 == 0 ? "mount:3" : seed % 3 == 1 ? "gears:1" : "teapot:4", {32, 24}, config);
+}
+
+/// Every memory, and draws of latency, interval, clock and traffic.
+void check_random(const Config& config, std::uint64_t seed) {
+    INFO(text_of(config));
+    Rng rng(seed * 1000);
+    const Shot shot = random_shot(seed, config);
+    std::vector<FrameTrace> frames;
+    for (int i = 0; i < 2; ++i) frames.push_back(record_frame(shot.job, shot.job.frame));
+    check_lockstep(shot.job);
+    for (int i = 0; i < 6; ++i) {
+        Job job = shot.job;
+        job.config = with(job.config, {{"dram", (config.dram + i) % int(dram_names().size())}, {"mem_latency", 1 + rng.below(60)}, {"mem_interval", 1 + rng.below(4)}});
+        job.khz = 20000 + rng.below(500000);
+        INFO(job.khz << " kHz");
+        check_lockstep(job, frames, random_traffic(seed * 10 + std::uint64_t(i)), int(seed) * 10 + i);
+    }
+}
+
+// These seeds are quick: one pipeline each.
+constexpr std::uint64_t quick_seeds = 4;
+Config quick_random(std::uint64_t seed) { return random_config(seed, true); }
+
 } // namespace
 
-TEST_CASE("random configuration", "[slow]") {
-    const int seed = GENERATE(range(1, 15));
-    check_config_in_lockstep(random_config(std::uint64_t(seed)));
+// Not a test of its own; see lockstep_test.cpp.
+TEST_CASE("the RTL of the quick random configurations builds", "[.build]") {
+    for (std::uint64_t seed = 1; seed <= quick_seeds; ++seed) {
+        INFO(seed);
+        const Shot shot = random_shot(seed, quick_random(seed));
+        CHECK(std::filesystem::exists(build_rtl(shot.job.config).library));
+    }
+}
+
+TEST_CASE("a few random configurations, memories and back-pressures") {
+    const std::uint64_t seed = GENERATE(range(std::uint64_t(1), quick_seeds + 1));
+    check_random(quick_random(seed), seed);
+}
+
+TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
+    const std::uint64_t seed = GENERATE(range(quick_seeds + 1, std::uint64_t(29)));
+    check_random(random_config(seed, false), seed);
 }
 
 TEST_CASE("every node width with every coordinate width", "[slow]") {

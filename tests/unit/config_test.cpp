@@ -22,16 +22,20 @@ TEST_CASE("every parameter can be set, and is held to its range", "[config]") {
     for (const Parameter& p : parameters()) {
         CAPTURE(p.key);
         Config config;
-        set_parameter(config, p.key, std::to_string(p.lo), "here");
-        REQUIRE(config.*p.member == p.lo);
+        for (const int value : {p.lo, p.hi}) {
+            set_parameter(config, p.key, p.names ? (*p.names)[std::size_t(value)] : std::to_string(value), "here");
+            REQUIRE(config.*p.member == value);
+            REQUIRE(value_text(config, p) == (p.names ? (*p.names)[std::size_t(value)] : std::to_string(value)));
+        }
         for (const int bad : {p.lo - 1, p.hi + 1}) {
             Config wrong;
             wrong.*p.member = bad;
-            REQUIRE_THROWS_WITH(check_config(wrong, "here"), Contains("here: " + std::string(p.key) + " must lie in"));
+            const bool line = std::string(p.key).ends_with("_line") && bad < p.lo;
+            REQUIRE_THROWS_WITH(check_config(wrong, "here"), Contains("here: " + std::string(p.key) + " must " + (line ? "be at least 64 bytes" : "lie in")));
         }
         if (!p.power_of_two) continue;
         Config odd;
-        odd.*p.member = p.lo == 1 ? 3 : p.lo + 1;
+        odd.*p.member = p.lo < 2 ? 3 : p.lo + 1;
         REQUIRE_THROWS_WITH(check_config(odd, "here"), Contains("power of two"));
     }
 }
@@ -42,6 +46,16 @@ TEST_CASE("a parameter that does not exist or is no number is refused", "[config
     for (const char* text : {"", "x", "12x", "1.5", " 12", "99999999999"})
         REQUIRE_THROWS_WITH(set_parameter(config, "coord_bits", text, "f"), Contains("whole number"));
     REQUIRE(config.coord_bits == Config{}.coord_bits);
+}
+
+TEST_CASE("a named value that does not exist is refused with the nearest", "[config]") {
+    Config config;
+    for (const std::string& name : dram_names()) {
+        set_parameter(config, "dram", name, "f");
+        REQUIRE(dram_names()[std::size_t(config.dram)] == name);
+    }
+    REQUIRE_THROWS_WITH(set_parameter(config, "dram", "ddr4", "f"), Contains("f: ") && Contains("'ddr4'") && Contains("ddr3"));
+    REQUIRE_THROWS_WITH(set_parameter(config, "dram", "1", "f"), Contains("'1'"));
 }
 
 TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
@@ -74,6 +88,13 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE((1 << c.ray_bits()) >= c.contexts);
         REQUIRE((1 << c.group_bits()) > c.node_width);
         REQUIRE((1 << c.stack_bits()) > c.stack_depth);
+        REQUIRE((1 << c.node_miss_bits()) >= c.node_mshrs * (c.node_line / line_bytes));
+        REQUIRE((1 << c.prim_miss_bits()) >= c.prim_mshrs * (c.prim_line / line_bytes));
+        REQUIRE((1 << c.l2_miss_bits()) >= c.l2_mshrs * (c.l2_line / line_bytes));
+        REQUIRE((1 << c.client_bits()) >= 2 * c.pipelines);
+        REQUIRE(c.client_id_bits() >= c.client_bits() + std::max(c.node_miss_bits(), c.prim_miss_bits()));
+        REQUIRE(c.client_id_bits() <= 16);
+        REQUIRE((1 << (c.tile_coord_bits() + c.tile_bits)) == 1 << pixel_bits);
         REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves full: 6 half lines each
         REQUIRE(c.leaf_size + 1 < 1 << count_bits);
     }

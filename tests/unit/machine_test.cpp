@@ -1,11 +1,11 @@
-// The machine as a whole: the order in which units see the clock does not matter, and every link's cycles add up.
+// The machine as a whole: the order in which units see the clock does not matter, nor whether idle cycles are passed over;
+// every unit's cycles add up.
 #include <algorithm>
 #include <numeric>
 
 #include "model/machine.hpp"
-#include "model/scene/builtin.hpp"
-#include "sim/engine/engine.hpp"
 #include "sim/rtl/rtl_machine.hpp"
+#include "tests/support/machines.hpp"
 #include "tests/support/traffic.hpp"
 
 using namespace rayclock;
@@ -13,82 +13,164 @@ using namespace rayclock::test;
 
 namespace {
 
-Job small_job(const char* scene, FrameSize size, const Config& config) {
-    const Scene made = make_builtin(scene);
-    return make_job(made, made.camera ? *made.camera : fit_camera(made, double(size.width) / size.height), size, config);
+rayclock::Traffic disturbed(std::uint64_t seed) { return {5, 30, seed}; }
+
+/// All that a machine shows of a cycle that was observed.
+void require_same(const Machine& a, const Machine& b) {
+    REQUIRE(a.cycle() == b.cycle());
+    for (int p = 0; p < a.config().pipelines; ++p) {
+        REQUIRE(a.valid_mask(p) == b.valid_mask(p));
+        REQUIRE(a.fire_mask(p) == b.fire_mask(p));
+    }
+    REQUIRE(a.shared_valid() == b.shared_valid());
+    REQUIRE(a.shared_fire() == b.shared_fire());
 }
 
-rayclock::Traffic disturbed(std::uint64_t seed) { return {5, 30, seed}; }
+std::uint64_t sum(const CauseCounts& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)); }
 
 } // namespace
 
-TEST_CASE("the order in which units see the clock edge does not matter", "[machine]") {
-    const Job job = small_job("tetra:3", {16, 12}, format("small"));
+TEST_CASE("the order in which units see the clock edge does not matter, nor whether a cycle is observed", "[machine]") {
+    const Values values = GENERATE(Values{}, Values{{"pipelines", 2}, {"l2_sets", 4}, {"dram", 2}});
+    const Job job = small_job("tetra:3", {16, 12}, shaped(format("small"), values));
+    const FrameTrace frame = record_frame(job, job.frame);
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const rayclock::Traffic traffic = seed % 2 ? rayclock::Traffic{} : disturbed(seed);
-        Machine plain{job.image, job.frame, job.config, traffic}, shuffled{job.image, job.frame, job.config, traffic};
+        Machine plain{job.config, job.khz, traffic}, shuffled{job.config, job.khz, traffic}, unseen{job.config, job.khz, traffic};
+        for (Machine* machine : {&plain, &shuffled, &unseen}) machine->start(frame.frame, frame.trace);
         Draw draw{seed};
-        std::array<int, 7> order{};
+        std::array<int, pipeline_units> order{};
         std::iota(order.begin(), order.end(), 0);
         while (!plain.done()) {
-            for (int i = 6; i > 0; --i) std::swap(order[std::size_t(i)], order[std::size_t(draw.below(i + 1))]);
-            INFO("seed " << seed << ", cycle " << plain.cycle());
+            for (int i = int(order.size()) - 1; i > 0; --i) std::swap(order[std::size_t(i)], order[std::size_t(draw.below(i + 1))]);
+            INFO(job.config.name << ", seed " << seed << ", cycle " << plain.cycle());
             REQUIRE(plain.cycle() < 100000);
-            plain.step();
+            plain.step([](const Move&) {});
             shuffled.step_in_order(order);
-            REQUIRE(plain.valid_mask() == shuffled.valid_mask());
-            REQUIRE(plain.fire_mask() == shuffled.fire_mask());
-            if (plain.fire_mask() & bit(Channel::hit)) REQUIRE(same(plain.last_hit(), shuffled.last_hit(), job.config));
+            require_same(plain, shuffled);
+            unseen.step();
+            REQUIRE(unseen.hits() == plain.hits());
+            if (plain.cycle() % 64 == 0) REQUIRE(unseen.accounts() == plain.accounts());
         }
-        REQUIRE(shuffled.done());
-        REQUIRE(plain.counts() == shuffled.counts());
-        REQUIRE(plain.box_tests() == shuffled.box_tests());
-        REQUIRE(plain.recirculations() == shuffled.recirculations());
+        for (const Machine* machine : {&shuffled, &unseen}) {
+            REQUIRE(machine->done());
+            REQUIRE(plain.accounts() == machine->accounts());
+            REQUIRE(plain.memory().stats() == machine->memory().stats());
+        }
     }
 }
 
-TEST_CASE("a machine makes every pixel once and its accounts add up", "[machine]") {
-    const Job job = small_job("tetra:3", {16, 12}, format("small"));
+TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[machine]") {
+    const Values values = GENERATE(from_range(shapes()));
     const rayclock::Traffic traffic = GENERATE(rayclock::Traffic{}, disturbed(1), disturbed(2));
-    Machine machine{job.image, job.frame, job.config, traffic};
-    std::vector<int> seen(16 * 12, 0);
+    const Job job = small_job("gears:1", {20, 12}, shaped(format("small"), values));
+    INFO(job.config.name << ", seed " << traffic.seed);
+    const FrameTrace frame = record_frame(job, job.frame);
+    Machine machine{job.config, job.khz, traffic};
+    machine.start(frame.frame, frame.trace);
+    std::vector<int> seen(20 * 12, 0);
     std::array<std::uint64_t, channel_count> moved{};
     while (!machine.done()) {
-        REQUIRE(machine.cycle() < 100000);
-        machine.step([&](Channel c, const auto&) { ++moved[index(c)]; });
-        REQUIRE((machine.fire_mask() & ~machine.valid_mask()) == 0);
-        if (machine.fire_mask() & bit(Channel::hit)) ++seen[machine.last_hit().y * 16 + machine.last_hit().x];
+        REQUIRE(machine.cycle() < 1000000);
+        machine.step([&](const Move& move) {
+            ++moved[index(move.channel)];
+            if (move.channel == Channel::hit) ++seen[move.y * 20 + move.x];
+        });
+        for (int p = 0; p < job.config.pipelines; ++p)
+            if (machine.fire_mask(p) & ~machine.valid_mask(p)) FAIL("a transfer without an offer in cycle " << machine.cycle());
     }
-    REQUIRE(std::count(seen.begin(), seen.end(), 1) == 16 * 12);
-    const ChannelCounts counts = machine.counts();
-    for (std::size_t c = 0; c < channel_count; ++c) {
-        CAPTURE(channels[c].name);
-        REQUIRE(counts[c].moved == moved[c]);
-        REQUIRE(counts[c].moved + counts[c].refused <= machine.cycle());
+    REQUIRE(std::count(seen.begin(), seen.end(), 1) == 20 * 12);
+
+    const Accounts accounts = machine.accounts();
+    const std::uint64_t cycles = machine.cycle();
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        INFO(unit_infos[u].name);
+        const std::uint64_t all = u < pipeline_units ? cycles * std::uint64_t(job.config.pipelines) : cycles;
+        REQUIRE(sum(accounts.units[u]) == (u == index(Unit::l2) && job.config.l2_sets == 0 ? 0 : all));
+        for (std::size_t c = 0; c < cause_count; ++c)
+            if (unit_infos[u].causes[c].kind == Kind::none) REQUIRE(accounts.units[u][c] == 0);
     }
-    // What goes into a loop comes out of it.
-    const auto count = [&](Channel c) { return counts[index(c)].moved; };
-    for (const Channel c : {Channel::slot, Channel::ray, Channel::hit}) REQUIRE(count(c) == 16 * 12);
-    for (const Channel c : {Channel::box_req, Channel::box_rsp, Channel::step}) REQUIRE(count(c) == count(Channel::node_req));
-    for (const Channel c : {Channel::tri_req, Channel::tri_rsp}) REQUIRE(count(c) == count(Channel::prim_req));
+    // What goes into a loop comes out of it, and a unit works whenever its link moves.
+    const auto count = [&](Channel c) { return moved[index(c)]; };
+    const auto code = [&](Unit u, std::size_t c) { return accounts.units[index(u)][c]; };
+    for (const Channel c : {Channel::slot, Channel::ray, Channel::hit}) REQUIRE(count(c) == 20 * 12);
+    for (const Channel c : {Channel::node_req, Channel::box_req, Channel::box_rsp, Channel::step}) REQUIRE(count(c) == frame.trace.visits);
+    for (const Channel c : {Channel::prim_req, Channel::tri_req, Channel::tri_rsp}) REQUIRE(count(c) == frame.trace.triangle_tests);
+    REQUIRE((count(Channel::node_miss) == count(Channel::node_fill) && count(Channel::prim_miss) == count(Channel::prim_fill)));
+    REQUIRE(count(Channel::mem_req) == count(Channel::mem_rsp));
+    REQUIRE(count(Channel::mem_req) == machine.memory().stats().reads);
+    const Channel asked = job.config.l2_sets > 0 ? Channel::l2_req : Channel::mem_req;
+    REQUIRE(count(asked) == count(Channel::node_miss) + count(Channel::prim_miss));
+    REQUIRE(code(Unit::sched, 0) == count(Channel::slot));
+    REQUIRE(code(Unit::raygen, 0) == count(Channel::ray));
+    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == count(Channel::step) + frame.trace.turns);   // a turn is work, or holds a step up
+    REQUIRE(frame.trace.turns > 0);
+    REQUIRE(code(Unit::box, 0) == count(Channel::box_req));
+    REQUIRE(code(Unit::tri, 0) == count(Channel::tri_req));
+    REQUIRE(code(Unit::dispatch, 0) == count(Channel::tile));
+    REQUIRE(code(Unit::memport, 0) == count(asked));
+    for (const auto& [cache, request, miss, line] : {std::tuple{Unit::node_cache, Channel::node_req, Channel::node_miss, job.config.node_line},
+                                                     std::tuple{Unit::prim_cache, Channel::prim_req, Channel::prim_miss, job.config.prim_line}}) {
+        INFO(unit_infos[index(cache)].name);
+        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) == count(request));   // hit, miss, merge: every look-up is one
+        REQUIRE(code(cache, 1) * std::uint64_t(line / line_bytes) == count(miss));
+        REQUIRE(code(cache, 3) == code(cache, 1) + code(cache, 2));                    // whoever waited was answered
+    }
+}
+
+TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[machine]") {
+    const Values values = GENERATE(from_range(shapes()));
+    const char* const scene = GENERATE("tetra:3", "gears:1");
+    const int khz = GENERATE(66000, 400000);
+    const Job job = small_job(scene, {20, 12}, shaped(format("small"), values));
+    INFO(scene << ", " << job.config.name << ", " << khz << " kHz");
+    std::vector<FrameTrace> frames;
+    for (int i = 0; i < 2; ++i) frames.push_back(record_frame(job, job.frame));   // the second with warm caches
+    Machine stepped{job.config, khz}, ran{job.config, khz};
+    Draw draw{3};
+    for (const FrameTrace& frame : frames) {
+        stepped.start(frame.frame, frame.trace);
+        ran.start(frame.frame, frame.trace);
+        while (!ran.done()) {
+            ran.run(ran.cycle() + std::uint64_t(draw.between(1, 500)));
+            while (stepped.cycle() < ran.cycle()) stepped.step();
+            INFO("cycle " << ran.cycle());
+            REQUIRE(ran.cycle() < 2000000);
+            REQUIRE(stepped.hits() == ran.hits());
+            REQUIRE(stepped.quiet() == ran.quiet());
+            REQUIRE(stepped.accounts() == ran.accounts());
+            REQUIRE(stepped.memory().stats() == ran.memory().stats());
+        }
+        REQUIRE(stepped.done());
+        REQUIRE(stepped.cycle() == ran.cycle());
+    }
 }
 
 TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") {
     const Job job = small_job("tetra:3", {16, 12}, format("small"));
+    const FrameTrace frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic : {rayclock::Traffic{}, disturbed(3)}) {
-        Machine model{job.image, job.frame, job.config, traffic};
-        RtlMachine rtl{job.image, job.frame, job.config, traffic};
-        while (!model.done()) {
-            INFO("cycle " << model.cycle());
-            REQUIRE(model.cycle() < 100000);
-            model.step();
-            rtl.step();
-            REQUIRE(model.valid_mask() == rtl.valid_mask());
-            REQUIRE(model.fire_mask() == rtl.fire_mask());
+        Machine model{job.config, job.khz, traffic};
+        RtlMachine rtl{job.image, job.config, job.khz, traffic};
+        for (int i = 0; i < 2; ++i) {
+            const Accounts before = model.accounts();
+            model.start(frame.frame, frame.trace);
+            rtl.start(frame.frame);
+            while (!model.done()) {
+                INFO("frame " << i << ", cycle " << model.cycle());
+                REQUIRE(model.cycle() < 100000);
+                model.step([](const Move&) {});
+                rtl.step([](const HitOut&) {});
+                REQUIRE(model.valid_mask(0) == rtl.valid_mask(0));
+                REQUIRE(model.fire_mask(0) == rtl.fire_mask(0));
+                REQUIRE(model.shared_valid() == rtl.shared_valid());
+                REQUIRE(model.shared_fire() == rtl.shared_fire());
+            }
+            REQUIRE(rtl.done());
+            REQUIRE(rtl.cycle() == model.cycle());
+            REQUIRE(rtl.accounts() == model.accounts() - before);
+            REQUIRE(rtl.box_tests() == frame.trace.box_tests);
+            REQUIRE(rtl.memory().stats() == model.memory().stats());
         }
-        REQUIRE(rtl.done());
-        REQUIRE(rtl.cycle() == model.cycle());
-        REQUIRE(rtl.counts() == model.counts());
-        REQUIRE(rtl.box_tests() == model.box_tests());
     }
 }

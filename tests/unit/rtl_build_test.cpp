@@ -3,25 +3,45 @@
 #include <thread>
 
 #include "sim/rtl/builder.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/cache_dut.hpp"
 #include <catch2/catch.hpp>
 
 using namespace rayclock;
 
+namespace {
+
+Config tiled(const std::string& bits) {
+    Config config = test::format("default");
+    config.tile_bits = std::stoi(bits);
+    return config;
+}
+Config pipelines(const std::string& number) {
+    Config config = test::format("default");
+    config.tile_bits = 3;
+    config.pipelines = std::stoi(number);
+    return config;
+}
+
+} // namespace
+
 TEST_CASE("the units' rtl is built", "[.build]") {
     struct Job {
         const char *module, *format;
+        Config (*config)(const std::string&) = test::format;
     };
     const Job jobs[] = {{"rc_top", "small"}, {"rc_box", "default"}, {"rc_tri", "default"}, {"rc_list", "default"}, {"rc_trav", "default"},
                         {"rc_box", "wide"}, {"rc_tri", "wide"}, {"rc_box", "narrow"}, {"rc_tri", "narrow"}, {"rc_box", "small"},
                         {"rc_tri", "small"}, {"rc_raygen", "default"}, {"rc_raygen", "wide"}, {"rc_raygen", "narrow"}, {"rc_raygen", "small"},
-                        {"rc_sched", "default"}};
+                        {"rc_sched", "default"}, {"rc_node_cache", "default", test::cache_config}, {"rc_prim_cache", "default", test::cache_config},
+                        {"rc_node_cache", "smallest", test::cache_config}, {"rc_prim_cache", "wide", test::cache_config},
+                        {"rc_l2", "direct", test::cache_config},
+                        {"rc_sched", "0", tiled}, {"rc_sched", "3", tiled}, {"rc_dispatch", "1", pipelines}, {"rc_dispatch", "2", pipelines}, {"rc_dispatch", "8", pipelines}};
     std::array<std::exception_ptr, 2> failed;
     std::array<std::thread, 2> builders;
     for (std::size_t b = 0; b < 2; ++b)
         builders[b] = std::thread([&, b] {
             try {
-                for (std::size_t i = b; i < std::size(jobs); i += 2) build_rtl(test::format(jobs[i].format), jobs[i].module);
+                for (std::size_t i = b; i < std::size(jobs); i += 2) build_rtl(jobs[i].config(jobs[i].format), jobs[i].module);
             } catch (...) {
                 failed[b] = std::current_exception();
             }
@@ -42,4 +62,11 @@ TEST_CASE("the rtl of the smallest shapes builds without a warning", "[rtl][slow
     config.box_bits = config.bary_bits = 4 * config.contexts;
     check_config(config, "test");
     REQUIRE_NOTHROW(build_rtl(config));
+}
+
+TEST_CASE("the rtl of the most contexts builds without a warning", "[rtl][slow]") {
+    Config config = test::format("small");
+    config.contexts = 1024;
+    const char* const module = GENERATE("rc_sched", "rc_trav", "rc_list");
+    REQUIRE_NOTHROW(build_rtl(config, module));
 }

@@ -51,6 +51,10 @@ TEST_CASE("rtl modules can be closed in any order", "[rtl]") {
         (older_first ? older : newer).reset();
         SchedRtl& left = older_first ? *newer : *older;
         left.slot.ready = true;
+        left.tile.offer = Tile{0, 0};
+        left.eval();
+        left.commit();
+        left.tile.offer.reset();
         for (std::uint32_t i = 0; i < 16; ++i) {
             left.eval();
             REQUIRE((left.slot.offer && left.slot.offer->ray == i));

@@ -1,79 +1,29 @@
 // sched: which pixel goes to which context, and which pixel a hit belongs to.
-#include "tests/support/sched_dut.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/sched_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
 
 namespace {
 
-Frame frame_of(std::uint32_t width, std::uint32_t height) {
+Frame frame_of(int width, int height) {
     Frame frame;
-    frame.width = width;
-    frame.height = height;
+    frame.width = std::uint32_t(width);
+    frame.height = std::uint32_t(height);
     return frame;
 }
 
-/// Rays that end in any order, and the plain rule: pixels row by row; contexts 0, 1, 2 ... and then as they came free.
-class SchedWorld {
-public:
-    SchedWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow)
-        : frame_(frame), config_(config), flow_(flow), draw_(seed) {
-        for (std::uint32_t ray = 0; ray < std::uint32_t(config.contexts); ++ray) free_.push_back(ray);
-    }
-    bool finished() const { return hits_ == frame_.width * frame_.height; }
-
-    void drive(SchedLinks& dut) {
-        if (!closest_ && !running_.empty() && !draw_.percent(flow_.idle_percent) && draw_.coin()) {
-            const auto at = running_.begin() + draw_.below(int(running_.size()));
-            closest_ = random_payload<Closest>(draw_, config_);
-            closest_->ray = at->ray;
-            pixel_ = *at;
-            running_.erase(at);
-        }
-        dut.closest.offer = closest_;
-        dut.slot.ready = !draw_.percent(flow_.idle_percent);
-        dut.hit.ready = !draw_.percent(flow_.stall_percent);
-    }
-
-    void watch(const SchedLinks& dut) {
-        const bool more = given_ < frame_.width * frame_.height;
-        REQUIRE(dut.slot.offer.has_value() == (more && !free_.empty()));
-        REQUIRE(dut.closest.ready == dut.hit.ready);
-        REQUIRE(dut.hit.offer.has_value() == closest_.has_value());
-        if (closest_) REQUIRE(same(*dut.hit.offer, HitOut{pixel_.x, pixel_.y, *closest_}, config_));
-        if (dut.slot.offer) {
-            const Slot& slot = *dut.slot.offer;
-            REQUIRE((slot.x == given_ % frame_.width && slot.y == given_ / frame_.width && slot.ray == free_.front()));
-        }
-        if (dut.slot.fires()) {
-            running_.push_back(*dut.slot.offer);
-            free_.pop_front();
-            ++given_;
-        }
-        if (dut.hit.fires()) {   // free from the next cycle on
-            free_.push_back(closest_->ray);
-            closest_.reset();
-            ++hits_;
-        }
-    }
-
-private:
-    Frame frame_;
-    Config config_;
-    Flow flow_;
-    Draw draw_;
-    std::deque<std::uint32_t> free_;
-    std::vector<Slot> running_;
-    std::optional<Closest> closest_;
-    Slot pixel_;
-    std::uint32_t given_ = 0, hits_ = 0;
-};
+Config tiled(int tile_bits) {
+    Config config = format("default");
+    config.name = "tiles of 2^" + std::to_string(tile_bits);
+    config.tile_bits = tile_bits;
+    return config;
+}
 
 constexpr std::pair<int, int> sizes[] = {{1, 1}, {1, 9}, {64, 1}, {13, 5}, {40, 17}};
 
 template <class Dut> void give_pixels(const Config& config, const Frame& frame, unsigned seed, const Flow& flow) {
-    INFO(config.name << ", " << frame.width << " x " << frame.height << ", " << flow.name << ", seed " << seed);
+    INFO(config.name << ", " << config.contexts << " contexts, " << frame.width << " x " << frame.height << ", " << flow.name << ", seed " << seed);
     Dut dut{frame, config, int(seed)};
     SchedWorld world{frame, config, seed, flow};
     for (int cycle = 0; !world.finished(); ++cycle) {
@@ -85,7 +35,8 @@ template <class Dut> void give_pixels(const Config& config, const Frame& frame, 
         dut.commit();
     }
     dut.closest.offer.reset();
-    for (int i = 0; i < 5; ++i) {
+    dut.tile.offer.reset();
+    for (int i = 0; i < 70; ++i) {
         dut.eval();
         REQUIRE_FALSE(dut.slot.offer);
         dut.commit();
@@ -98,83 +49,154 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
     SchedWorld world{frame, config, seed, flow};
     for (int cycle = 0; !world.finished(); ++cycle) {
         INFO(config.name << ", " << frame.width << " x " << frame.height << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
+        REQUIRE(cycle < 100000);
         world.drive(model);
         static_cast<SchedLinks&>(rtl) = model;
         model.eval();
         rtl.eval();
+        REQUIRE(same(model.tile, rtl.tile, config));
         REQUIRE(same(model.slot, rtl.slot, config));
         REQUIRE(same(model.closest, rtl.closest, config));
         REQUIRE(same(model.hit, rtl.hit, config));
-        world.watch(model);
+        world.watch(rtl);
         model.commit();
         rtl.commit();
     }
 }
 
+/// Tiles as they are wanted, row by row, and every ray ends in the next cycle: the order in which pixels are given.
+template <class Dut> std::vector<Pixel> order_of(const Config& config, const Frame& frame) {
+    Dut dut{frame, config};
+    std::deque<Tile> tiles = tiles_of(frame, config.tile_bits);
+    const std::size_t patience = (tiles.size() + 2) << 2 * config.tile_bits;
+    dut.slot.ready = dut.hit.ready = true;
+    std::vector<Pixel> order;
+    for (std::size_t cycle = 0; order.size() < std::size_t(frame.width) * frame.height; ++cycle) {
+        if (cycle > patience) FAIL("no pixel after " << order.size());
+        dut.tile.offer.reset();
+        if (!tiles.empty()) dut.tile.offer = tiles.front();
+        dut.eval();
+        if (dut.tile.fires()) tiles.pop_front();
+        const std::optional<Slot> slot = dut.slot.offer;
+        dut.commit();
+        dut.closest.offer.reset();
+        if (!slot) continue;
+        order.push_back({slot->x, slot->y});
+        dut.closest.offer = Closest{};
+        dut.closest.offer->ray = slot->ray;
+    }
+    return order;
+}
+
 } // namespace
 
-TEMPLATE_TEST_CASE("sched gives pixels row by row to the context longest free", "[sched]", SchedModel, SchedRtl) {
-    for (const auto& [width, height] : sizes)
-        for (const Flow& flow : flows)
-            for (unsigned seed = 1; seed <= 3; ++seed)
-                give_pixels<TestType>(format("default"), frame_of(std::uint32_t(width), std::uint32_t(height)), seed, flow);
+TEMPLATE_TEST_CASE("sched gives a tile's pixels in Morton order to the context longest free", "[sched]", SchedModel, SchedRtl) {
+    for (const int tile_bits : {0, 3})
+        for (const auto& [width, height] : sizes)
+            for (const Flow& flow : flows)
+                for (unsigned seed = 1; seed <= 3; ++seed) give_pixels<TestType>(tiled(tile_bits), frame_of(width, height), seed, flow);
 }
 
-TEMPLATE_TEST_CASE("sched gives pixels with few contexts, and with one", "[sched][slow]", SchedModel, SchedRtl) {
-    Config config = format("small");
+TEMPLATE_TEST_CASE("sched gives pixels with few contexts, and with one, in tiles of every size", "[sched][slow]", SchedModel, SchedRtl) {
+    Config config = tiled(GENERATE(1, 2, 6));
     config.contexts = GENERATE(1, 2, 16);
     for (const auto& [width, height] : sizes)
-        for (const Flow& flow : flows) give_pixels<TestType>(config, frame_of(std::uint32_t(width), std::uint32_t(height)), 7, flow);
+        for (const Flow& flow : flows)
+            for (unsigned seed = 6; seed <= 7; ++seed) give_pixels<TestType>(config, frame_of(width, height), seed, flow);
 }
 
-TEMPLATE_TEST_CASE("sched gives a pixel in every cycle from the first, as long as contexts are free", "[sched]", SchedModel, SchedRtl) {
-    const Config config = format("default");
-    TestType dut{frame_of(100, 100), config};
+TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are free", "[sched]", SchedModel, SchedRtl) {
+    TestType dut{frame_of(100, 100), tiled(3)};
     dut.slot.ready = true;
+    dut.tile.offer = Tile{2, 1};
+    dut.eval();
+    REQUIRE(dut.tile.fires());
+    REQUIRE_FALSE(dut.slot.offer);
+    dut.commit();
+    dut.tile.offer = Tile{3, 1};   // the next waits beside the one at hand, the third outside
+    const std::uint32_t x[] = {16, 17, 16, 17, 18, 19, 18, 19, 16, 17, 16, 17}, y[] = {8, 8, 9, 9, 8, 8, 9, 9, 10, 10, 11, 11};
     for (std::uint32_t i = 0; i < 64; ++i) {
         dut.eval();
+        REQUIRE(dut.tile.ready == (i == 0));
         REQUIRE(dut.slot.fires());
-        REQUIRE(dut.slot.offer->x == i);
+        REQUIRE(dut.slot.offer->ray == i);
+        if (i < std::size(x)) REQUIRE((dut.slot.offer->x == x[i] && dut.slot.offer->y == y[i]));
         dut.commit();
     }
+    dut.tile.offer.reset();
     dut.eval();
-    REQUIRE_FALSE(dut.slot.offer);
+    REQUIRE_FALSE(dut.slot.offer);   // a pixel, and no context
+    REQUIRE(dut.tile.ready);
     dut.closest.offer = Closest{};
     dut.closest.offer->ray = 17;
     dut.hit.ready = true;
     dut.eval();
     REQUIRE(dut.hit.fires());
-    REQUIRE(dut.hit.offer->x == 17);
+    REQUIRE((dut.hit.offer->x == 21 && dut.hit.offer->y == 8));   // the 17th pixel: first row of the second quarter
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
     dut.closest.offer.reset();
     dut.eval();
     REQUIRE(dut.slot.fires());   // in the next cycle
-    REQUIRE(dut.slot.offer->ray == 17);
+    REQUIRE((dut.slot.offer->ray == 17 && dut.slot.offer->x == 24 && dut.slot.offer->y == 8));
 }
 
-TEMPLATE_TEST_CASE("sched reaches the last pixel of the largest picture's row", "[sched]", SchedModel, SchedRtl) {
-    const Frame frame = frame_of(16384, 2);
-    const Config config = format("default");
-    TestType dut{frame, config};
+TEMPLATE_TEST_CASE("sched passes over a pixel outside the picture in one cycle", "[sched]", SchedModel, SchedRtl) {
+    TestType dut{frame_of(9, 9), tiled(3)};   // of tile (1, 1) only the first pixel is inside
+    dut.slot.ready = true;
+    std::vector<int> given;
+    for (int cycle = 0; cycle < 140; ++cycle) {
+        dut.tile.offer.reset();
+        if (cycle < 2) dut.tile.offer = Tile{1, 1};
+        dut.eval();
+        if (dut.slot.fires()) given.push_back(cycle);
+        dut.commit();
+    }
+    REQUIRE(given == std::vector<int>{1, 65});
+}
+
+TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's tiles", "[sched]", SchedModel, SchedRtl) {
+    TestType dut{frame_of(9, 9), tiled(3)};
     dut.slot.ready = dut.hit.ready = true;
-    std::uint32_t given = 0;
-    for (int cycle = 0; given < 2 * 16384; ++cycle) {
-        REQUIRE(cycle < 3 * 16384);
+    const auto cycle = [&](std::optional<Tile> tile) {
+        dut.tile.offer = tile;
         dut.eval();
         const std::optional<Slot> slot = dut.slot.offer;
         dut.commit();
-        dut.closest.offer.reset();
-        if (!slot) continue;
-        if (slot->x != given % 16384 || slot->y != given / 16384) FAIL("pixel " << given);
-        dut.closest.offer = Closest{};
-        dut.closest.offer->ray = slot->ray;   // every ray ends at once
-        ++given;
+        return slot;
+    };
+    for (const int passed : {0, 1, 7, 62}) {
+        dut.start(frame_of(9, 9));
+        cycle(Tile{1, 1});
+        const std::optional<Slot> first = cycle(Tile{1, 1});
+        REQUIRE((first && first->x == 8 && first->y == 8));
+        for (int i = 0; i < passed; ++i) REQUIRE_FALSE(cycle({}));
+        dut.slot.ready = false;
+        dut.start(frame_of(100, 100));   // those pixels would lie inside this one
+        dut.slot.ready = true;
+        for (int i = 0; i < 3; ++i) REQUIRE_FALSE(cycle({}));
+        cycle(Tile{5, 0});
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::optional<Slot> slot = cycle({});
+            REQUIRE((slot && slot->x == 40 + i % 2 && slot->y == i / 2));
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE("sched reaches every pixel of the largest picture's rows", "[sched]", SchedModel, SchedRtl) {
+    for (const int tile_bits : {0, 3}) {
+        const Frame frame = frame_of(16384, 2);
+        std::deque<Pixel> expected;
+        for (const Tile& tile : tiles_of(frame, tile_bits)) in_morton_order(tile.x << tile_bits, tile.y << tile_bits, 1u << tile_bits, expected);
+        std::erase_if(expected, [&](const Pixel& p) { return p.y >= frame.height; });
+        const std::vector<Pixel> order = order_of<TestType>(tiled(tile_bits), frame);
+        REQUIRE((order == std::vector<Pixel>(expected.begin(), expected.end())));
     }
 }
 
 TEST_CASE("model and rtl of sched make the same moves in every cycle", "[sched][lockstep]") {
-    for (const auto& [width, height] : sizes)
-        for (const Flow& flow : flows)
-            for (unsigned seed = 11; seed <= 13; ++seed) lockstep(format("default"), frame_of(std::uint32_t(width), std::uint32_t(height)), seed, flow);
+    for (const int tile_bits : {0, 3})
+        for (const auto& [width, height] : sizes)
+            for (const Flow& flow : flows)
+                for (unsigned seed = 11; seed <= 13; ++seed) lockstep(tiled(tile_bits), frame_of(width, height), seed, flow);
 }

@@ -191,13 +191,16 @@ TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lo
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(format("default"), seed, flow, 3000);
 }
 
-TEST_CASE("model and rtl of trav make the same moves, four children and one context", "[trav][lockstep][slow]") {
-    Config one = format("small");
+TEST_CASE("model and rtl of trav make the same moves, four children, one context and many", "[trav][lockstep][slow]") {
+    Config one = format("small"), many = one;
     one.name = "one context";
     one.contexts = 1;
+    many.name = "128 contexts";
+    many.contexts = 128;
     for (const Flow& flow : flows)
         for (unsigned seed = 21; seed <= 25; ++seed) {
             lockstep(format("small"), seed, flow, 5000);
             lockstep(one, seed, flow, 5000);
+            lockstep(many, seed, flow, 5000);
         }
 }

@@ -1,0 +1,31 @@
+#pragma once
+#include <bit>
+#include <cstdint>
+
+namespace rayclock {
+
+/// Many valid/ready sources on one link, in turn: the first that offers, from the one after the last that was served. An offer
+/// that was not accepted stays. Mirror of rtl/mem/rc_arbiter.sv.
+class Arbiter {
+public:
+    explicit Arbiter(int sources) : mask_(std::uint32_t((std::uint64_t(1) << sources) - 1)) {}
+
+    /// The source on offer, of those set in `valid` (not 0).
+    int choose(std::uint32_t valid) const {
+        if (held_) return chosen_;
+        const std::uint32_t after = valid & ~((2u << last_) - 1) & mask_;
+        return std::countr_zero(after ? after : valid);
+    }
+    void clock(std::uint32_t valid, int chosen, bool taken) {
+        held_ = valid != 0 && !taken;
+        chosen_ = chosen;
+        if (taken) last_ = std::uint32_t(chosen);
+    }
+
+private:
+    std::uint32_t mask_, last_ = 0;
+    bool held_ = false;
+    int chosen_ = 0;
+};
+
+} // namespace rayclock

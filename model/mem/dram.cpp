@@ -1,0 +1,196 @@
+#include "model/mem/dram.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace rayclock {
+namespace {
+
+constexpr std::uint64_t giga = 1'000'000'000;   // ps * kHz
+
+} // namespace
+
+Dram::Dram(const DramPart& part, int khz, int ids)
+    : part_(part), khz_(std::uint64_t(khz)), tck_(std::uint64_t(part.tck)), trefi_(part.trefi / part.tck), banks_(part),
+      refresh_at_(trefi_), answers_(ids), data_(2 * (part.cl / part.burst_clocks() + 2)), under_way_(std::size_t(ids)) {
+    assert(khz >= 1000 && "a cycle of the chip is shorter than the time between refreshes");
+    assert(part.banks <= 32 && "a set of banks fits 32 bits");
+    queue_.reserve(std::size_t(part.queue));
+    plan();
+}
+
+// No product exceeds 64 bits for hours of simulated time.
+std::uint64_t Dram::begin_of(std::uint64_t cycle) const { return cycle * (giga / khz_) + cycle * (giga % khz_) / khz_; }
+std::uint64_t Dram::cycle_from(std::uint64_t ps) const { return ps / giga * khz_ + (ps % giga * khz_ + giga - 1) / giga; }
+
+void Dram::clock(const Answer* request) {
+    const std::uint64_t begin = time_;
+    while (!data_.empty() && data_.front().until <= begin) data_.pop();
+    ++now_;
+    time_ += giga / khz_;
+    rest_ += giga % khz_;
+    if (rest_ >= khz_) {
+        rest_ -= khz_;
+        ++time_;
+    }
+    if (request) accept(*request);
+    if (event_ps_ <= time_) run();
+    last_cause_ = cause(begin);
+    ++causes_[std::size_t(last_cause_)];
+    valid_ = !answers_.empty() && answers_.front().cycle <= now_;
+    if (valid_) {
+        answer_ = answers_.front().what;
+        answers_.pop();
+        under_way_[answer_.id] = 0;
+    }
+    ready_ = queue_.size() < std::size_t(part_.queue);
+    waiting_ = !queue_.empty();
+}
+
+std::uint64_t Dram::quiet_until() const {
+    if (valid_) return now_ + 1;
+    std::uint64_t until = answers_.empty() ? never : answers_.front().cycle;
+    if (queue_.empty()) return until;
+    // A read that is still to be given comes no earlier than the next event.
+    const std::uint64_t data_ps = std::uint64_t(part_.cl + part_.burst_clocks()) * tck_ + std::uint64_t(part_.answer_ps);
+    until = std::min(until, cycle_from(event_ps_ + data_ps));
+    return ready_ ? until : std::min(until, cycle_from(event_ps_));
+}
+
+void Dram::skip(std::uint64_t cycles) {
+    assert(cycles <= quiet_until() - now_ && "no cycle is skipped in which something could change");
+    for (; cycles > 0 && !idle(); --cycles) clock(nullptr);
+    if (cycles == 0) return;
+    now_ += cycles;
+    time_ = begin_of(now_);
+    rest_ = now_ * (giga % khz_) % khz_;
+    causes_[std::size_t(DramCause::starved)] += cycles;
+    run();
+}
+
+void Dram::accept(const Answer& request) {
+    assert(ready_ && "a request is accepted only when there is room");
+    assert(!under_way_[request.id] && "a request's id is under way once");
+    under_way_[request.id] = 1;
+    Entry entry;
+    entry.what = request;
+    const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes), banks = std::uint32_t(part_.banks);
+    entry.bank = int(request.addr / words % banks);
+    entry.row = request.addr / words / banks;
+    entry.left = part_.bursts();
+    const std::uint64_t arrival = (time_ + std::uint64_t(part_.request_ps) + tck_ - 1) / tck_;
+    entry.arrival = std::int64_t(arrival);
+    queue_.push_back(entry);
+    event_ps_ = std::min(event_ps_, arrival * tck_);
+}
+
+// Events of one clock of the DRAM: a request arrives, then a refresh comes due, then a command is given.
+void Dram::run() {
+    while (event_ps_ <= time_) {
+        clock_ = std::int64_t(event_ps_ / tck_);
+        if (arrived_ < queue_.size() && queue_[arrived_].arrival <= clock_) {
+            ++arrived_;
+        } else if (!refreshing_ && refresh_at_ <= clock_) {
+            refreshing_ = true;
+            refresh_ = {event_ps_, never};
+            refresh_at_ += trefi_;
+        } else {
+            issue();
+        }
+        plan();
+    }
+}
+
+void Dram::plan() {
+    choice_ = Choice{};
+    if (current_ >= 0) consider(DramCommand::read, queue_[std::size_t(current_)].bank, current_);
+    if (!refreshing_) choose();
+    else if (current_ < 0) consider(banks_.has_open() ? DramCommand::precharge_all : DramCommand::refresh, 0, -1);
+    std::int64_t clock = choice_.clock;
+    if (arrived_ < queue_.size()) clock = std::min(clock, queue_[arrived_].arrival);
+    if (!refreshing_) clock = std::min(clock, refresh_at_);
+    event_ps_ = std::uint64_t(clock) * tck_;
+}
+
+/// The earliest command wins, of those at the same time the one considered first.
+void Dram::consider(DramCommand command, int bank, int entry) {
+    const std::int64_t clock = std::max(banks_.earliest(command, bank), clock_);
+    if (clock < choice_.clock) choice_ = {clock, command, bank, entry};
+}
+
+/// Reads first, each kind by age. All requests of a bank for its open row, or for another, could have their command at the
+/// same time: only the oldest is considered.
+void Dram::choose() {
+    std::uint32_t wanted = 0;   // banks whose open row a request waits for
+    std::uint32_t turned = 0;   // banks that a request waits to open or to close,
+    std::array<int, 32> turns;  // and the oldest such request of each, by age
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < arrived_; ++i) {
+        const Entry& e = queue_[i];
+        const std::uint32_t bit = 1u << e.bank;
+        if (banks_.is_open(e.bank) && banks_.row(e.bank) == e.row) {
+            if (current_ < 0 && !(wanted & bit)) consider(DramCommand::read, e.bank, int(i));
+            wanted |= bit;
+        } else if (!(turned & bit)) {
+            turned |= bit;
+            turns[n++] = int(i);
+        }
+        if (e.overtaken >= part_.age_cap) break;   // later ones wait
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        const int bank = queue_[std::size_t(turns[k])].bank;
+        if (!banks_.is_open(bank)) consider(DramCommand::activate, bank, turns[k]);
+        else if (!(wanted & 1u << bank)) consider(DramCommand::precharge, bank, turns[k]);
+    }
+}
+
+void Dram::issue() {
+    Entry* const entry = choice_.entry < 0 ? nullptr : &queue_[std::size_t(choice_.entry)];
+    const std::uint32_t row = entry ? entry->row : 0;
+    banks_.issue(choice_.command, choice_.bank, row, choice_.clock);
+    if (log_) log_->push_back({choice_.clock, choice_.command, choice_.bank, row});
+    if (choice_.command == DramCommand::refresh) {
+        ++statistics_.refreshes;
+        refreshing_ = false;
+        refresh_.until = std::uint64_t(choice_.clock) * tck_ + std::uint64_t(part_.trfc);
+    }
+    if (!entry) return;
+    if (entry->kind == Kind::none) {
+        const bool opens = choice_.command == DramCommand::activate;
+        entry->kind = choice_.command == DramCommand::read ? Kind::hit : opens ? Kind::miss : Kind::conflict;
+    }
+    if (choice_.command == DramCommand::read) read(*entry);
+}
+
+void Dram::read(Entry& entry) {
+    if (current_ < 0) {
+        current_ = choice_.entry;
+        for (int i = 0; i < current_; ++i) ++queue_[std::size_t(i)].overtaken;
+    }
+    const std::uint64_t from = (std::uint64_t(choice_.clock) + std::uint64_t(part_.cl)) * tck_;
+    const std::uint64_t until = from + std::uint64_t(part_.burst_clocks()) * tck_;
+    statistics_.bus_ps += until - from;
+    if (until > time_) data_.push({from, until});
+    else busy_ = true;   // all of it in the cycle that is ending
+    if (--entry.left > 0) return;
+    ++statistics_.reads;
+    if (entry.kind == Kind::hit) ++statistics_.row_hits;
+    else if (entry.kind == Kind::miss) ++statistics_.row_misses;
+    else ++statistics_.row_conflicts;
+    statistics_.bytes += line_bytes;
+    answers_.push({entry.what, cycle_from(until + std::uint64_t(part_.answer_ps))});
+    queue_.erase(queue_.begin() + current_);
+    --arrived_;
+    current_ = -1;
+}
+
+/// Of the cycle that ends at time_.
+DramCause Dram::cause(std::uint64_t begin) {
+    const bool busy = busy_ || (!data_.empty() && data_.front().from < time_);
+    busy_ = false;
+    if (busy) return DramCause::busy;
+    if (!waiting_ && data_.empty()) return DramCause::starved;
+    return refresh_.from < time_ && refresh_.until > begin ? DramCause::refresh : DramCause::row;
+}
+
+} // namespace rayclock

@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/mem/dram.hpp"
+#include "model/mem/dram_parts.hpp"
+#include "model/mem/memport.hpp"
+
+namespace rayclock {
+
+/// What the memory did in a cycle of the chip.
+enum class MemoryDeed : std::uint8_t {
+    busy,      ///< moved data
+    latency,   ///< has requests, and waits for rows and columns
+    refresh,
+    starved,   ///< has no request
+};
+constexpr std::size_t memory_deeds = 4;
+
+/// What the memory has done.
+struct MemoryStats {
+    std::uint64_t reads = 0;                        ///< of 64 bytes
+    std::uint64_t row_hits = 0, row_conflicts = 0;  ///< of these: the row was open; another row was
+    std::uint64_t refreshes = 0;
+    friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
+        return {a.reads - b.reads, a.row_hits - b.row_hits, a.row_conflicts - b.row_conflicts, a.refreshes - b.refreshes};
+    }
+    friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
+};
+
+/// The memory beside the chip as a configuration names it, with the traffic that a test puts on it. The same class lies under
+/// the model and under the RTL. Answers are always taken; at most one comes in a cycle.
+class Memory {
+public:
+    Memory(const Config& config, int khz, Traffic traffic);
+
+    using Answer = Memport::Answer;
+    bool ready() const { return (dram_ ? dram_->ready() : ideal_.ready()) && ready_; }
+    bool valid() const { return disturbed_ ? offer_ >= 0 : comes(); }
+    Answer answer() const { return disturbed_ ? late_[std::size_t(offer_)].what : coming(); }
+
+    /// One clock edge: the request that was accepted, null if none.
+    void clock(const Answer* request) {
+        ++now_;
+        if (!request && sleeping_) ++owed_;
+        else work(request);
+    }
+    /// Cycles by deed.
+    std::array<std::uint64_t, 8> deeds() const;
+
+    MemoryStats stats() const;
+
+    std::uint64_t quiet_until() const {
+        return disturbed_ ? 0 : sleeping_ ? ~std::uint64_t(0) : dram_ ? dram_->quiet_until() : ideal_.quiet_until();
+    }
+    /// The same as so many clock(nullptr), not beyond quiet_until().
+    void skip(std::uint64_t cycles);
+
+private:
+    struct Late {
+        Answer what;
+        std::uint64_t due = 0;
+    };
+    bool comes() const { return dram_ ? dram_->valid() : ideal_.valid(); }
+    Answer coming() const { return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer(); }
+    void work(const Answer* request);
+    void pay();
+    void disturb();
+
+    Memport ideal_;
+    std::optional<Dram> dram_;   // what lies there, if not the ideal memory
+    Traffic traffic_;
+    Rng rng_;
+    bool disturbed_, ready_ = true;
+    std::uint64_t now_ = 0;
+    bool sleeping_ = false;        // the DRAM has nothing to do, and is told of the cycles that pass when it has again:
+    std::uint64_t owed_ = 0;       // so many
+    std::uint64_t reads_ = 0;
+    std::array<std::uint64_t, memory_deeds> ideal_deeds_{};
+    std::vector<Late> late_;   // answers that traffic holds back, oldest first
+    int offer_ = -1;           // of these, the one on offer
+};
+
+} // namespace rayclock

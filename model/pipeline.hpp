@@ -1,0 +1,249 @@
+#pragma once
+#include <string>
+
+#include "model/core/accounts.hpp"
+#include "model/core/channels.hpp"
+#include "model/list/list.hpp"
+#include "model/mem/cache.hpp"
+#include "model/mem/memport.hpp"
+#include "model/sched/sched.hpp"
+#include "model/trace/trace.hpp"
+#include "model/trav/trav.hpp"
+
+namespace rayclock {
+
+/// What a pipeline gets from what all share, in one cycle: a tile, the ids of words that memory sends to its caches (null if
+/// none), and whether the caches' own requests are accepted.
+struct SharedMoves {
+    const Tile* tile = nullptr;
+    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr;
+    bool node_miss = false, prim_miss = false;
+    bool any() const { return tile || node_fill || prim_fill || node_miss || prim_miss; }
+};
+
+/// One pipeline, cycle by cycle: *when* its rays, whose doings are in a trace, move from unit to unit. Mirror of
+/// rtl/rc_pipeline.sv.
+class Pipeline {
+public:
+    Pipeline(const Config& config, Traffic traffic, int number);
+
+    void start(const Frame& frame, const Trace& trace) {
+        sched_.start(frame);
+        trace_ = &trace;
+    }
+
+    /// Cycle `now`: what moves, from registered state, and the clock edge. True if a hit left.
+    bool step(std::uint64_t now, const SharedMoves& shared);
+    /// The two halves, for those who want to see the links in between.
+    void settle(std::uint64_t now);
+    void clock(std::uint64_t now, const SharedMoves& shared);
+    /// The clock edge with the units in the given order (a permutation of 0..7), for the test that it does not matter.
+    void clock_in_order(std::uint64_t now, const SharedMoves& shared, const std::array<int, pipeline_units>& order);
+
+    // ---- What is on the links, between settle() and clock().
+
+    std::uint32_t valid_mask(const SharedMoves& shared, std::uint64_t now) const;
+    std::uint32_t fire_mask(const SharedMoves& shared) const;
+    bool tile_ready() const { return sched_.tile_ready(); }
+    bool node_miss_valid() const { return node_cache_.miss_valid(); }
+    bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
+    Cache::Miss node_miss() const { return node_cache_.miss(); }
+    Cache::Miss prim_miss() const { return prim_cache_.miss(); }
+    std::uint32_t ray_on(Channel c) const;   ///< of links that carry one and move
+    Slot slot() const { return sched_.slot(); }
+    const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
+    std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
+    std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
+
+    // ---- For idle times.
+
+    /// In the last cycle nothing moved and nothing changed: the next will be the same until `wakes()`.
+    bool slept() const { return asleep_; }
+    std::uint64_t wakes() const;
+    void skip(std::uint64_t cycles) {
+        units_[last_units_] += cycles;
+        caches_[last_caches_] += cycles;
+    }
+
+    Accounts accounts() const;
+    std::string where(std::uint32_t ray) const;   ///< the queue or unit that holds a ray, for people
+
+private:
+    /// Where a context's ray is in the trace.
+    struct Place {
+        const std::uint32_t* at = nullptr;   ///< word of the visit, or of the triangle under way
+        std::uint32_t head = 0;              ///< the visit's word; turns count down
+    };
+    /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the caches.
+    struct Moves {
+        bool slot, ray, node_req, box_req, box_rsp, prim_req, tri_req, tri_rsp, step, hit;
+        Slot given;
+        Cache::Request node_out, prim_out;
+        std::uint32_t started, node_in, boxed, prim_in, tested, stepped, ended;
+        bool any() const { return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit; }
+    };
+    Moves moving(std::uint64_t now);
+    void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    Turn::Kind decide(std::uint32_t ray);
+    bool has_tests(std::uint32_t ray);
+    bool has_more(std::uint32_t ray);
+    void account_units(const Moves& m, std::uint64_t now);
+    void account_caches() {
+        last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;
+        ++caches_[last_caches_];
+    }
+    void clock_sched(const Moves& m, const Tile* tile);
+    void clock_raygen(const Moves& m, std::uint64_t now);
+    void clock_trav(const Moves& m);
+    void clock_node_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    void clock_box(const Moves& m, std::uint64_t now);
+    void clock_list(const Moves& m);
+    void clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    void clock_tri(const Moves& m, std::uint64_t now);
+
+    const Trace* trace_ = nullptr;
+    Sched sched_;
+    Pipe<RayNumber> raygen_;
+    Trav trav_;
+    Cache node_cache_;
+    Pipe<RayNumber> box_;
+    List list_;
+    Cache prim_cache_;
+    Pipe<RayNumber> tri_;
+    Sink sink_;
+    std::vector<Place> rays_;
+
+    Moves moves_{};   // of the cycle that was settled
+    CacheDeed node_deed_{}, prim_deed_{};
+    bool asleep_ = false;
+
+    // Cycles by the units' codes, several units to an index; see account_units().
+    std::uint32_t last_units_ = 0, last_caches_ = 0;
+    std::array<std::uint64_t, 1 << 11> units_{};
+    std::array<std::uint64_t, 1 << 6> caches_{};
+};
+
+[[gnu::always_inline]] inline Pipeline::Moves Pipeline::moving(std::uint64_t now) {
+    // What leaves one unit enters another: noted before either sees the clock edge.
+    Moves m;
+    if ((m.slot = sched_.slot_valid() && raygen_.ready())) m.given = sched_.slot();
+    if ((m.ray = raygen_.valid(now) && trav_.ray_ready())) m.started = raygen_.front();
+    if ((m.node_req = trav_.node_valid() && node_cache_.ready())) {
+        const std::uint32_t ray = trav_.node_ray();
+        m.node_out = {ray, node_addr(ray)};
+    }
+    if ((m.box_req = node_cache_.valid(now) && box_.ready())) m.node_in = node_cache_.answer();
+    if ((m.box_rsp = box_.valid(now))) m.boxed = box_.front();
+    if ((m.prim_req = list_.prim_valid() && prim_cache_.ready())) {
+        const std::uint32_t ray = list_.prim_ray();
+        m.prim_out = {ray, prim_addr(ray) >> 1};
+    }
+    if ((m.tri_req = prim_cache_.valid(now) && tri_.ready())) m.prim_in = prim_cache_.answer();
+    if ((m.tri_rsp = tri_.valid(now))) m.tested = tri_.front();
+    if ((m.step = list_.step_valid() && trav_.step_ready())) m.stepped = list_.step_ray();
+    if ((m.hit = trav_.done_valid() && sink_.ready())) m.ended = trav_.done_ray();
+    account_units(m, now);
+    return m;
+}
+
+inline void Pipeline::account_units(const Moves& m, std::uint64_t now) {
+    // Codes of accounts.hpp: 0 where a link moves; a refused offer and an idle link have their own.
+    const std::uint32_t sched = m.slot ? 0 : sched_.slot_valid() ? 3 : sched_.pixel_valid() ? 1 : 2;
+    const std::uint32_t raygen = m.ray ? 0 : raygen_.valid(now) ? 2 : 1;
+    const std::uint32_t trav = m.step ? 0 : list_.step_valid() ? 2 : trav_.step_ready();   // a ray that goes round is work, if no step waits
+    const std::uint32_t box = m.box_req ? 0 : node_cache_.valid(now) ? 3 : node_cache_.waits() ? 1 : 2;
+    const std::uint32_t list = !(m.box_rsp | m.tri_rsp);
+    const std::uint32_t tri = m.tri_req ? 0 : prim_cache_.valid(now) ? 3 : prim_cache_.waits() ? 1 : 2;
+    last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
+    ++units_[last_units_];
+}
+
+inline Turn::Kind Pipeline::decide(std::uint32_t ray) {
+    Place& place = rays_[ray];
+    if (place.head >> Trace::turns_shift) {
+        place.head -= 1u << Trace::turns_shift;
+        return Turn::Kind::again;
+    }
+    if (place.head & Trace::end_flag) return Turn::Kind::done;
+    place.head = *++place.at;
+    return Turn::Kind::visit;
+}
+
+inline bool Pipeline::has_tests(std::uint32_t ray) {
+    Place& place = rays_[ray];
+    const bool tests = place.head & Trace::tests_flag;
+    place.at += tests;
+    return tests;
+}
+
+inline bool Pipeline::has_more(std::uint32_t ray) {
+    Place& place = rays_[ray];
+    const bool more = !(*place.at & Trace::last_flag);
+    place.at += more;
+    return more;
+}
+
+inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
+    if (m.slot) {
+        Place& place = rays_[m.given.ray];
+        place.at = trace_->rays[std::size_t(m.given.y) * trace_->width + m.given.x];
+        place.head = *place.at;
+    }
+    sched_.clock(m.slot, tile, m.hit ? &m.ended : nullptr);
+    sink_.clock();
+}
+
+inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
+    if (m.ray) raygen_.leave();
+    if (m.slot) raygen_.admit(now) = RayNumber(m.given.ray);
+}
+
+inline void Pipeline::clock_trav(const Moves& m) {
+    trav_.clock(m.ray ? &m.started : nullptr, m.step ? &m.stepped : nullptr, m.node_req, m.hit,
+                [this](std::uint32_t ray) { return decide(ray); });
+}
+
+inline void Pipeline::clock_node_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
+    node_deed_ = node_cache_.clock(now, m.node_req ? &m.node_out : nullptr, m.box_req, shared.node_fill, shared.node_miss);
+}
+
+inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
+    if (m.box_rsp) box_.leave();
+    if (m.box_req) box_.admit(now) = RayNumber(m.node_in);
+}
+
+inline void Pipeline::clock_list(const Moves& m) {
+    list_.clock(m.box_rsp ? &m.boxed : nullptr, m.box_rsp && has_tests(m.boxed), m.tri_rsp ? &m.tested : nullptr,
+                m.tri_rsp && has_more(m.tested), m.prim_req, m.step);
+}
+
+inline void Pipeline::clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
+    prim_deed_ = prim_cache_.clock(now, m.prim_req ? &m.prim_out : nullptr, m.tri_req, shared.prim_fill, shared.prim_miss);
+}
+
+inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
+    if (m.tri_rsp) tri_.leave();
+    if (m.tri_req) tri_.admit(now) = RayNumber(m.prim_in);
+}
+
+[[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
+    const bool turning = !trav_.idle() || sched_.passing();
+    clock_sched(m, shared.tile);
+    clock_raygen(m, now);
+    clock_trav(m);
+    clock_node_cache(m, now, shared);
+    clock_box(m, now);
+    clock_list(m);
+    clock_prim_cache(m, now, shared);
+    clock_tri(m, now);
+    account_caches();
+    asleep_ = node_deed_ > CacheDeed::drain && prim_deed_ > CacheDeed::drain && !turning && !m.any() && !shared.any();
+}
+
+inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+    const Moves moves = moving(now);   // by value, so that it lives in registers
+    clock(moves, now, shared);
+    return moves.hit;
+}
+
+} // namespace rayclock

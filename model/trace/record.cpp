@@ -1,0 +1,60 @@
+#include "model/trace/record.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "model/isect/tri.hpp"
+#include "model/raygen/raygen.hpp"
+#include "model/trace/trace.hpp"
+#include "model/trav/slab.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// The rule for a ray through an edge, which needs the triangle itself.
+[[gnu::noinline, gnu::cold]] bool takes_on_edge(const RecordJob& job, std::uint32_t half_line, const Vec3i& d) {
+    TriRsp rsp;
+    tri_test(job.frame().eye, d, job.triangle(half_line), {}, job.config(), rsp);
+    return rsp.closer;
+}
+
+/// Bits 0, 2, 4 ... of a number below 2^8, side by side.
+std::uint32_t every_second_bit(std::uint32_t bits) {
+    return (bits & 1) | (bits >> 1 & 2) | (bits >> 2 & 4) | (bits >> 3 & 8);
+}
+static_assert(RecordBlock::side <= 16);
+
+} // namespace
+
+namespace plain {
+#include "model/trav/slab.inl"
+#include "model/trace/record.inl"
+} // namespace plain
+
+void record_block_plain(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
+                        RecordTotals& totals) {
+    plain::record(job, block, scratch, hits, totals);
+}
+
+#ifdef RAYCLOCK_AVX2
+#pragma GCC push_options
+#pragma GCC target("avx2,bmi,bmi2,lzcnt,popcnt")
+#define RAYCLOCK_WITH_AVX2
+namespace avx2 {
+#include "model/trav/slab.inl"
+#include "model/trace/record.inl"
+} // namespace avx2
+#undef RAYCLOCK_WITH_AVX2
+#pragma GCC pop_options
+
+RecordFunction* record_block() {
+    const bool able = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+                      __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("lzcnt");
+    return able ? avx2::record : record_block_plain;
+}
+#else
+RecordFunction* record_block() { return record_block_plain; }
+#endif
+
+} // namespace rayclock

@@ -1,0 +1,79 @@
+#pragma once
+// One block of pixels, recorded: the inside of record_trace(). The same as a Walk for each of them, but that only the trace
+// and the hits are made, not what the links carry; that all rays begin at the frame's eye is made use of.
+#include "model/accel/memory_image.hpp"
+#include "model/isect/facet.hpp"
+#include "model/trace/line_cache.hpp"
+#include "model/trav/box.hpp"
+
+namespace rayclock {
+
+/// A node as seen from the eye.
+struct SeenNode {
+    WideNode node;
+    alignas(32) std::array<double, 4> distance{};   ///< org - eye; the fourth is 0
+};
+
+/// What all rays of a frame share; for any number of threads.
+class RecordJob {
+public:
+    RecordJob(const MemoryImage& image, const Frame& frame, const Config& config)
+        : image_(image), frame_(frame), config_(config), read_node_(config), nodes_(image.lines()),
+          facets_(std::size_t(image.lines()) * 2) {}
+
+    const Frame& frame() const { return frame_; }
+    const Config& config() const { return config_; }
+    const SeenNode& node(std::uint32_t line) const {
+        return nodes_.get(line, [this, line] { return see(line); });
+    }
+    const Facet& facet(std::uint32_t half_line) const {
+        return facets_.get(half_line, [this, half_line] { return make_facet(triangle(half_line), frame_.eye); });
+    }
+    PrimData triangle(std::uint32_t half_line) const { return unpack<PrimData>(image_.half_line(half_line), config_); }
+
+private:
+    SeenNode see(std::uint32_t line) const {
+        SeenNode seen{read_node_(image_.line(line)), {}};
+        for (std::size_t k = 0; k < 3; ++k) seen.distance[k] = double(seen.node.org[k]) - frame_.eye[k];
+        return seen;
+    }
+
+    const MemoryImage& image_;
+    const Frame& frame_;
+    const Config& config_;
+    NodeReader read_node_;
+    LineCache<SeenNode> nodes_;
+    LineCache<Facet> facets_;
+};
+
+struct RecordTotals {
+    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, turns = 0;
+};
+
+/// Memory that a thread keeps from block to block.
+struct RecordScratch {
+    struct Group {
+        std::array<std::uint64_t, max_width> keys;   ///< t_near << 3 | slot, in order
+        std::uint32_t base, below, next, end;        ///< keys[next..end) are left; for `below` see Stack
+        std::uint32_t t_near() const { return std::uint32_t(keys[next] >> 3); }
+    };
+    std::vector<Group> groups;
+    std::vector<std::uint32_t> words;    ///< of the block's rays, in any order
+    std::vector<std::size_t> starts;     ///< where each ray's words begin, row by row
+    std::size_t used = 0;                ///< words
+};
+
+/// Pixels x0..x1-1 of the rows y0..y1-1.
+struct RecordBlock {
+    static constexpr std::uint32_t side = 16;   ///< most of x1 - x0 and y1 - y0: its rays read the same nodes
+    std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// Fills `scratch` and the block's part of `hits` ([y * width + x]), adds to `totals`.
+using RecordFunction = void(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
+                            RecordTotals& totals);
+RecordFunction record_block_plain;
+/// The same, faster, if this processor can; plain otherwise.
+RecordFunction* record_block();
+
+} // namespace rayclock

@@ -1,0 +1,42 @@
+#include "model/trace/walk.hpp"
+
+#include "model/isect/tri.hpp"
+#include "model/raygen/raygen.hpp"
+
+namespace rayclock {
+
+Walk::Walk(const Frame& frame, const Config& config, const Decoder& decoder)
+    : frame_(&frame), config_(&config), decoder_(&decoder), leaves_(config), stack_(config) {}
+
+const Ray& Walk::start(const Slot& slot) {
+    ray_ = raygen(slot, *frame_, *config_);
+    box_ray_ = {ray_.o, {ray_.d[0] < 0, ray_.d[1] < 0, ray_.d[2] < 0}, ray_.recip, ray_.len};
+    leaves_.clear();
+    stack_.clear();
+    node_ = frame_->root;
+    return ray_;
+}
+
+bool Walk::test_node() {
+    leaves_.group().ray = ray_.ray;
+    box_children(box_ray_, decoder_->node(node_), *config_, leaves_.group());
+    return leaves_.begin();
+}
+
+const TriRsp& Walk::test_triangle() {
+    tri_.ray = ray_.ray;
+    tri_test(ray_.o, ray_.d, decoder_->prim(leaves_.prim()), leaves_.best(), *config_, tri_);
+    return tri_;
+}
+
+int Walk::decide(bool& done) {
+    Step step = leaves_.step(ray_.ray);
+    Turn turn = stack_.decide(step);
+    int dropped = 0;
+    for (step.inner = 0; turn.kind == Turn::Kind::again; ++dropped) turn = stack_.decide(step);
+    done = turn.kind == Turn::Kind::done;
+    if (!done) node_ = turn.addr;
+    return dropped;
+}
+
+} // namespace rayclock

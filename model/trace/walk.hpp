@@ -1,0 +1,52 @@
+#pragma once
+#include "model/list/leaves.hpp"
+#include "model/trace/decoder.hpp"
+#include "model/trav/box.hpp"
+#include "model/trav/stack.hpp"
+
+namespace rayclock {
+
+/// *What* one ray does: the units' pure functions in the order in which a ray meets them. The sequence of nodes, tests and
+/// results does not depend on *when* anything happens, so the same walk serves to record traces and to say what every link
+/// of the machine must carry.
+class Walk {
+public:
+    Walk(const Frame& frame, const Config& config, const Decoder& decoder);
+
+    /// raygen: the camera ray of a pixel; the next node is the root.
+    const Ray& start(const Slot& slot);
+    std::uint32_t node() const { return node_; }
+
+    /// box, on the next node. True if list has a triangle to be tested.
+    bool test_node();
+    std::uint32_t prim() const { return leaves_.prim(); }
+    /// tri, on the next triangle.
+    const TriRsp& test_triangle();
+    /// list, on tri's answer. True if there is another triangle.
+    bool advance() { return leaves_.advance(tri_); }
+
+    /// list -> trav, when no triangle is left.
+    Step step() const { return leaves_.step(ray_.ray); }
+    /// trav: to the next node, or the ray's end. Returns how many groups were dropped on the way.
+    int decide(bool& done);
+
+    const Ray& ray() const { return ray_; }
+    const BoxRay& box_ray() const { return box_ray_; }
+    const BoxRsp& boxes() const { return leaves_.group(); }
+    const Best& best() const { return leaves_.best(); }
+    const TriRsp& tri() const { return tri_; }
+    Closest closest() const { return leaves_.closest(ray_.ray); }
+
+private:
+    const Frame* frame_;
+    const Config* config_;
+    const Decoder* decoder_;
+    Ray ray_;
+    BoxRay box_ray_;
+    Leaves leaves_;
+    Stack stack_;
+    TriRsp tri_;
+    std::uint32_t node_ = 0;
+};
+
+} // namespace rayclock

@@ -1,0 +1,84 @@
+#pragma once
+#include <unordered_map>
+
+#include "model/machine.hpp"
+#include "model/trace/walk.hpp"
+
+namespace rayclock {
+
+/// What the links must carry: makes the payload of every transfer of a machine, ray by ray, from the units' pure functions.
+/// The machine knows only when.
+class Witness {
+public:
+    Witness(const MemoryImage& image, const Config& config)
+        : image_(image), config_(config), decoder_(image, config) {}
+
+    void start(const Frame& frame) {
+        frame_ = frame;
+        walks_.assign(std::size_t(config_.pipelines * config_.contexts), Walk(frame_, config_, decoder_));
+        words_.clear();
+    }
+
+    /// Gives `see(pipeline, channel, payload)` the payload of a transfer. Transfers come in the order of the machine's cycles.
+    template <class See> void operator()(const Move& m, See&& see);
+
+private:
+    Walk& walk(const Move& m) { return walks_[std::size_t(m.pipeline * config_.contexts) + m.id]; }
+    Line line(std::uint32_t addr) const {
+        Line words;
+        std::copy_n(image_.line(addr), words.size(), words.begin());
+        return words;
+    }
+    /// A cache's request is remembered until its answer, which goes by the same id.
+    std::uint32_t& asked(const Move& m, Channel request) { return words_[std::uint64_t(m.pipeline) << 40 | std::uint64_t(index(request)) << 32 | m.id]; }
+
+    const MemoryImage& image_;
+    Config config_;
+    Decoder decoder_;
+    Frame frame_;
+    std::vector<Walk> walks_;   // [pipeline * contexts + context]
+    std::unordered_map<std::uint64_t, std::uint32_t> words_;   // addresses asked for
+};
+
+template <class See> void Witness::operator()(const Move& m, See&& see) {
+    const auto tell = [&](const auto& payload) { see(m.pipeline, m.channel, payload); };
+    switch (m.channel) {
+    case Channel::tile: return tell(Tile{m.x, m.y});
+    case Channel::slot: walk(m).start({m.id, m.x, m.y}); return tell(Slot{m.id, m.x, m.y});
+    case Channel::ray: return tell(walk(m).ray());
+    case Channel::node_req: return tell(NodeReq{m.id, walk(m).node()});
+    case Channel::box_req: {
+        Walk& w = walk(m);
+        const BoxRay& r = w.box_ray();
+        tell(BoxReq{m.id, r.o, r.neg, r.recip, r.len, unpack<Node>(image_.line(w.node()), config_)});
+        w.test_node();
+        return;
+    }
+    case Channel::box_rsp: return tell(walk(m).boxes());
+    case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
+    case Channel::tri_req: {
+        Walk& w = walk(m);
+        tell(TriReq{m.id, w.ray().o, w.ray().d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best()});
+        w.test_triangle();
+        return;
+    }
+    case Channel::tri_rsp: tell(walk(m).tri()); walk(m).advance(); return;
+    case Channel::step: {
+        bool done = false;
+        tell(walk(m).step());
+        walk(m).decide(done);
+        return;
+    }
+    case Channel::hit: return tell(HitOut{m.x, m.y, walk(m).closest()});
+    case Channel::node_miss: asked(m, Channel::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
+    case Channel::prim_miss: asked(m, Channel::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
+    case Channel::l2_req: asked(m, Channel::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});
+    case Channel::mem_req: return tell(MemReq{m.id, m.addr});
+    case Channel::node_fill: return tell(NodeFill{m.id, line(asked(m, Channel::node_miss))});
+    case Channel::prim_fill: return tell(PrimFill{m.id, line(asked(m, Channel::prim_miss))});
+    case Channel::l2_rsp: return tell(L2Rsp{m.id, line(asked(m, Channel::l2_req))});
+    case Channel::mem_rsp: return tell(MemRsp{m.id, line(m.addr)});
+    }
+}
+
+} // namespace rayclock

@@ -1,0 +1,92 @@
+// The slab test of box.hpp for all children of a node. Included inside a namespace, once for each instruction set:
+// with RAYCLOCK_WITH_AVX2 under a pragma that allows AVX2. GCC's own widening of vectors is poor, hence the few intrinsics.
+
+// Children is as long as the machine's own vectors: GCC takes comparisons of longer ones apart, lane by lane.
+#ifdef RAYCLOCK_WITH_AVX2
+using Children = Lanes;
+using Found = Mask;
+RAYCLOCK_INLINE Children planes_at(const std::uint8_t* p) {
+    std::int32_t four;
+    std::memcpy(&four, p, sizeof four);
+    return Lanes(_mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(four))));
+}
+RAYCLOCK_INLINE Lanes lanes_of(const std::array<std::int32_t, 4>& v) {
+    return Lanes(_mm256_cvtepi32_pd(_mm_loadu_si128(reinterpret_cast<const __m128i*>(v.data()))));
+}
+RAYCLOCK_INLINE Mask exponents_of(const std::array<std::uint8_t, 4>& v) {
+    std::int32_t four;
+    std::memcpy(&four, v.data(), sizeof four);
+    return Mask(_mm256_cvtepu8_epi64(_mm_cvtsi32_si128(four))) << 52;
+}
+RAYCLOCK_INLINE Lanes round_down(const Lanes& v) { return Lanes(_mm256_floor_pd(__m256d(v))); }
+RAYCLOCK_INLINE Lanes round_up(const Lanes& v) { return Lanes(_mm256_ceil_pd(__m256d(v))); }
+/// Writes the values, which are from 0 to 2^31 - 1, rounded down; returns them.
+RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
+    const Whole whole = __builtin_convertvector(v, Whole);
+    std::memcpy(to, &whole, sizeof whole);
+    return round_down(v);
+}
+RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) { return std::uint32_t(_mm256_movemask_pd(__m256d(m))); }
+#else
+using Children = double __attribute__((vector_size(16)));
+using Found = std::int64_t __attribute__((vector_size(16)));
+RAYCLOCK_INLINE Children planes_at(const std::uint8_t* p) { return Children{double(p[0]), double(p[1])}; }
+RAYCLOCK_INLINE Lanes lanes_of(const std::array<std::int32_t, 4>& v) {
+    return Lanes{double(v[0]), double(v[1]), double(v[2]), double(v[3])};
+}
+RAYCLOCK_INLINE Mask exponents_of(const std::array<std::uint8_t, 4>& v) { return Mask{v[0], v[1], v[2], v[3]} << 52; }
+/// The whole number nearby, however the machine rounds, is less than 1 off; then it or the one below, in [0], [1] and [2].
+RAYCLOCK_INLINE Lanes round_down(const Lanes& v) {
+    const auto down = [](double x) {
+        const double near = (x + 0x1.8p52) - 0x1.8p52;
+        return near - (near > x ? 1.0 : 0.0);
+    };
+    return Lanes{down(v[0]), down(v[1]), down(v[2]), 0};
+}
+RAYCLOCK_INLINE Lanes round_up(const Lanes& v) { return -round_down(-v); }
+RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
+    const std::int32_t first = std::int32_t(v[0]), second = std::int32_t(v[1]);
+    to[0] = std::uint32_t(first), to[1] = std::uint32_t(second);
+    return Children{double(first), double(second)};
+}
+RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) { return std::uint32_t((m[0] & 1) | (m[1] & 2)); }
+#endif
+
+/// The children that the ray meets (bit i: child i), and the t_near of all eight. `distance` is the node's org - o, lane k
+/// for axis k; children beyond `width` need not be looked at.
+///
+/// Per axis near = (floor(D r / 2^e) + q r) 2^(x + e), where 2^(x + e) is multiplied in beforehand. A child is met if near
+/// rounded down <= far rounded up, and far >= 0; floor(near) <= ceil(far) is floor(near) - 1 < far.
+template <bool zeros>
+RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& node, const Lanes& distance, std::uint32_t width,
+                                           std::uint32_t* t_near) {
+    const Mask e = exponents_of(node.exp);
+    const Lanes shrink = Lanes((std::int64_t(1023) << 52) - e), scale = Lanes(ray.scale + e);
+    const Lanes near_0 = round_down(distance * (ray.near * shrink)) * scale, near_step = ray.near * scale;
+    const Lanes far_0 = round_up(distance * (ray.far * shrink)) * scale, far_step = ray.far * scale;
+    std::uint32_t hits = 0;
+    for (std::uint32_t h = 0; h < width; h += sizeof(Children) / sizeof(double)) {
+        Children near{}, far = ray.past - near;   // in every lane: x - 0 is x, x + 0 is work
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Children n = near_0[k] + planes_at(&node.planes[ray.near_at[k] + h]) * near_step[k];
+            const Children f = far_0[k] + planes_at(&node.planes[ray.far_at[k] + h]) * far_step[k];
+            if (zeros && ray.zero[k]) {
+                const Found outside = n > 0.0 || f < 0.0;
+                far = outside ? Children{} - 1.0 : far;
+            } else {
+                near = n > near ? n : near;
+                far = f < far ? f : far;
+            }
+        }
+        near = near < ray.beyond ? near : ray.beyond - Children{};
+        const Children down = cut(near, t_near + h);
+        hits |= bits_of_mask(down - 1.0 < far && far >= 0.0) << h;
+    }
+    return hits & node.children_mask;
+}
+RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& distance, std::uint32_t width,
+                                        std::uint32_t* t_near) {
+    if (ray.zeros) [[unlikely]] return slab_test_of<true>(ray, node, distance, width, t_near);
+    if (width <= 4) return slab_test_of<false>(ray, node, distance, 4, t_near);
+    return slab_test_of<false>(ray, node, distance, max_width, t_near);
+}

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+namespace rayclock {
+
+class Machine;
+
+/// Where every ray of a machine that no longer moves is: a line each, for the watchdog.
+std::string where_rays_are(const Machine& machine);
+
+} // namespace rayclock

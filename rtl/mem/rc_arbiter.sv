@@ -1,0 +1,45 @@
+// Many valid/ready sources on one link, in turn: the first that offers, from the one
+// after the last that was served. An offer that was not accepted stays.
+//
+// No latency: valid_o follows the sources' valid in the same cycle, and ready goes back
+// to the one on offer. Model: model/mem/arbiter.hpp.
+`default_nettype none
+module rc_arbiter #(
+  parameter  int unsigned Sources = 2,
+  parameter  int unsigned Width   = 1,
+  localparam int unsigned IndexW  = $clog2(Sources)
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  logic [Sources-1:0]       valid_i,
+  output logic [Sources-1:0]       ready_o,
+  input  logic [Sources*Width-1:0] data_i,
+  output logic                     valid_o,
+  input  logic                     ready_i,
+  output logic [IndexW-1:0]        source_o,
+  output logic [Width-1:0]         data_o
+);
+  logic              held_q;
+  logic [IndexW-1:0] last_q, held_source_q, turn;
+  always_comb begin
+    turn = last_q;
+    for (int i = Sources - 1; i >= 1; i--) begin
+      if (valid_i[IndexW'(last_q + IndexW'(i))]) turn = IndexW'(last_q + IndexW'(i));
+    end
+  end
+  assign source_o = held_q ? held_source_q : turn;
+  assign valid_o  = valid_i != '0;
+  assign ready_o  = {{(Sources-1){1'b0}}, valid_o && ready_i} << source_o;
+  assign data_o   = data_i[source_o*Width +: Width];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      held_q <= 1'b0;
+      last_q <= '0;
+    end else begin
+      held_q <= valid_o && !ready_i;
+      if (valid_o && ready_i) last_q <= source_o;
+    end
+    held_source_q <= source_o;
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,210 @@
+// Non-blocking, set-associative cache of read-only memory: what rc_node_cache, rc_prim_cache
+// and rc_l2 have in common.
+//
+// A request waits in a queue of two; its head is looked up, one in every cycle. A hit is
+// answered 3 cycles after it was accepted. A miss takes a free MSHR and a way of its set
+// (rc_tags) and asks for its line's words one by one, from 2 cycles after on, an id of
+// {MSHR, word} with each; the words may come in any order and are always accepted. Requests
+// for a line that is on its way wait with the first, in a chain of any length (rc_mshr). When
+// the line's last word has come, they are answered before anything is looked up: the first of
+// them 3 cycles after that word, then one per cycle. A look-up that cannot go on stays at the
+// head of the queue. deed_o says what happened in a cycle: the codes of CacheDeed.
+// Model: model/mem/cache.hpp.
+//
+// The user holds reset for at least Sets cycles (rc_tags), gives an id again only after its
+// answer was taken, and sends the words that were asked for, each once. Memory never changes.
+`default_nettype none
+module rc_cache #(
+  parameter  int unsigned IdBits   = 6,    // of a request's id
+  parameter  int unsigned AddrBits = 24,   // of a word's address
+  parameter  int unsigned Parts    = 1,    // of a word, 1 or 2; the lowest address bit tells which
+  parameter  int unsigned PartW    = 8,    // bits of a part
+  parameter  int unsigned Sets     = 64,   // all of them powers of two, 1 or more
+  parameter  int unsigned Ways     = 4,
+  parameter  int unsigned Words    = 1,    // of a line
+  parameter  int unsigned Mshrs    = 8,    // lines that may be on their way
+  parameter  int unsigned Queue    = 4,    // answers that may wait, 2 or more
+  localparam int unsigned PartB    = $clog2(Parts),
+  localparam int unsigned WordB    = $clog2(Words),
+  localparam int unsigned MissIdW  = (Mshrs < 2 ? 1 : $clog2(Mshrs)) + WordB
+) (
+  input  logic                             clk_i,
+  input  logic                             rst_ni,
+  input  logic                             req_valid_i,
+  output logic                             req_ready_o,
+  input  logic [IdBits+AddrBits+PartB-1:0] req_i,          // {id, address}
+  output logic                             rsp_valid_o,
+  input  logic                             rsp_ready_i,
+  output logic [IdBits+PartW-1:0]          rsp_o,          // {id, part of a word}
+  output logic                             miss_valid_o,
+  input  logic                             miss_ready_i,
+  output logic [MissIdW+AddrBits-1:0]      miss_o,         // {id, address of a word}
+  input  logic                             fill_fires_i,
+  input  logic [MissIdW-1:0]               fill_id_i,
+  input  logic [Parts*PartW-1:0]           fill_word_i,
+  output logic                             waits_o,        // lines are on their way
+  output logic [2:0]                       deed_o
+);
+  // Where the address ends in parts of zero bits, they are one bit that is always zero.
+  localparam int unsigned SetB  = $clog2(Sets);
+  localparam int unsigned WayB  = $clog2(Ways);
+  localparam int unsigned SetW  = Sets < 2 ? 1 : SetB;
+  localparam int unsigned WayW  = Ways < 2 ? 1 : WayB;
+  localparam int unsigned SelB  = WordB + PartB;
+  localparam int unsigned SelW  = SelB < 1 ? 1 : SelB;   // {word, part}
+  localparam int unsigned MshrW = MissIdW - WordB;
+  localparam int unsigned ReqAW = AddrBits + PartB;
+  localparam int unsigned LineW = AddrBits - WordB;
+  localparam int unsigned TagW  = LineW - SetB;
+  localparam int unsigned DataD = Sets * Ways * Words;
+  localparam int unsigned DataA = DataD < 2 ? 1 : $clog2(DataD);
+  localparam int unsigned WordW = Words < 2 ? 1 : WordB;
+
+  // ---- The request at the head.
+  logic              valid, pop;
+  logic [IdBits-1:0] id;
+  logic [ReqAW-1:0]  addr;
+  rc_fifo #(.Width(IdBits + ReqAW), .Depth(2)) u_in (
+    .clk_i, .rst_ni, .valid_i(req_valid_i), .ready_o(req_ready_o), .data_i(req_i),
+    .valid_o(valid), .ready_i(pop), .data_o({id, addr}));
+  logic [LineW-1:0] line;
+  logic [SetW-1:0]  set;
+  logic [SelW-1:0]  select;
+  assign line   = addr[ReqAW-1 -: LineW];
+  assign set    = line[SetW-1:0] & SetW'(Sets - 1);
+  assign select = addr[SelW-1:0] & SelW'((1 << SelB) - 1);
+
+  // ---- What to do in this cycle.
+  logic            open, draining, look, drain, found, full, conflict;
+  logic            hit, merge, miss, joins;
+  logic [WayW-1:0] way;
+  logic [Ways-1:0] waiting;
+  assign joins = waiting[way];
+  assign drain = draining && open;
+  assign look  = valid && !draining && open;
+  assign hit   = look && found && !joins;
+  assign merge = look && found && joins;
+  assign miss  = look && !found && !full && !conflict;
+  assign pop   = hit || merge || miss;
+  always_comb begin
+    if (!draining && !valid) deed_o = 3'd4;                    // starved
+    else if (!open)          deed_o = 3'd7;                    // answers
+    else if (draining)       deed_o = 3'd3;                    // drain
+    else if (found)          deed_o = joins ? 3'd2 : 3'd0;     // merge, hit
+    else if (full)           deed_o = 3'd5;                    // mshrs
+    else                     deed_o = conflict ? 3'd6 : 3'd1;  // conflict, miss
+  end
+
+  rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways)) u_tags (
+    .clk_i, .rst_ni, .set_i(set), .tag_i(line[LineW-1 -: TagW]), .waiting_i(waiting),
+    .hit_o(found), .conflict_o(conflict), .way_o(way), .touch_i(pop), .take_i(miss));
+
+  logic [MshrW-1:0]  free;
+  logic [IdBits-1:0] drain_id;
+  logic [SetW-1:0]   fill_set, drain_set;
+  logic [WayW-1:0]   fill_way, drain_way;
+  rc_mshr #(.IdBits(IdBits), .SetW(SetW), .Ways(Ways), .Words(Words), .Mshrs(Mshrs)) u_mshr (
+    .clk_i, .rst_ni,
+    .id_i(id), .set_i(set), .waiting_o(waiting), .full_o(full), .waits_o,
+    .free_o(free),
+    .way_i(way), .take_i(miss), .merge_i(merge),
+    .fill_fires_i, .fill_mshr_i(fill_id_i[MissIdW-1 -: MshrW]),
+    .fill_set_o(fill_set), .fill_way_o(fill_way),
+    .drain_valid_o(draining), .drain_id_o(drain_id), .drain_set_o(drain_set),
+    .drain_way_o(drain_way), .drain_i(drain));
+
+  // ---- Words to ask for, line by line.
+  logic             line_asked;
+  logic [MshrW-1:0] miss_mshr;
+  logic [LineW-1:0] miss_line;
+  rc_queue #(.Width(MshrW + LineW), .Depth(Mshrs)) u_misses (
+    .clk_i, .rst_ni, .push_i(miss), .data_i({free, line}),
+    .valid_o(miss_valid_o), .pop_i(line_asked), .data_o({miss_mshr, miss_line}));
+  if (Words == 1) begin : gen_miss_line
+    assign line_asked = miss_valid_o && miss_ready_i;
+    assign miss_o     = {miss_mshr, miss_line};
+  end else begin : gen_miss_word
+    logic [WordW-1:0] word_q;
+    assign line_asked = miss_valid_o && miss_ready_i && word_q == WordW'(Words - 1);
+    assign miss_o     = {miss_mshr, word_q, miss_line, word_q};
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) word_q <= '0;
+      else if (miss_valid_o && miss_ready_i) word_q <= word_q + 1'b1;
+    end
+  end
+
+  // ---- What those who wait want of their line.
+  logic [SelW-1:0] drain_select, read_select;
+  if (SelB == 0) begin : gen_no_select
+    assign drain_select = '0;
+  end else begin : gen_select
+    rc_ram #(.Width(SelB), .Depth(1 << IdBits)) u_select (
+      .clk_i, .write_i(merge || miss), .write_addr_i(id), .write_data_i(select),
+      .read_addr_i(drain_id), .read_data_o(drain_select));
+  end
+  assign read_select = draining ? drain_select : select;
+
+  // ---- s1: data of a hit or of one who waited. The door knows a place for it.
+  function automatic logic [DataA-1:0] place(input logic [SetW-1:0] s, input logic [WayW-1:0] w,
+      input logic [WordW-1:0] word);
+    place = DataA'(s) << (WayB + WordB) | DataA'(w) << WordB | DataA'(word);
+  endfunction
+  logic              admit, s1_valid_q, rsp_place;
+  logic [DataA-1:0]  read_at, fill_at;
+  logic [IdBits-1:0] s1_id_q;
+  logic [WordW-1:0]  read_word;
+  assign admit     = hit || drain;
+  assign read_word = WordW'(read_select >> PartB);
+  assign read_at   = draining ? place(drain_set, drain_way, read_word) : place(set, way, read_word);
+  assign fill_at   = place(fill_set, fill_way, fill_id_i[WordW-1:0] & WordW'(Words - 1));
+  rc_door #(.Credits(Queue)) u_door (
+    .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(open));
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) s1_valid_q <= 1'b0;
+    else         s1_valid_q <= admit;
+    if (admit) s1_id_q <= draining ? drain_id : id;
+  end
+
+  // Each part has a memory of its own, and only the one that is wanted is read.
+  logic [PartW-1:0] s1_data;
+  for (genvar p = 0; p < Parts; p++) begin : gen_part
+    logic [PartW-1:0] data;
+    rc_ram_sync #(.Width(PartW), .Depth(DataD)) u_data (
+      .clk_i, .write_i(fill_fires_i), .write_addr_i(fill_at),
+      .write_data_i(fill_word_i[p*PartW +: PartW]),
+      .read_i(admit && (Parts == 1 || read_select[0] == (p == 1))), .read_addr_i(read_at),
+      .read_data_o(data));
+  end
+  if (Parts == 1) begin : gen_whole
+    assign s1_data = gen_part[0].data;
+  end else begin : gen_half
+    logic s1_part_q;
+    always_ff @(posedge clk_i) if (admit) s1_part_q <= read_select[0];
+    assign s1_data = s1_part_q ? gen_part[1].data : gen_part[0].data;
+  end
+  rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+    .clk_i, .rst_ni, .valid_i(s1_valid_q), .ready_o(rsp_place), .data_i({s1_id_q, s1_data}),
+    .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
+
+`ifndef SYNTHESIS
+  a_answer_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                           s1_valid_q |-> rsp_place)
+    else $error("an answer met a full queue");
+
+  logic [(1<<IdBits)-1:0] asked_q;   // ids between request and answer
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) asked_q <= '0;
+    else begin
+      if (rsp_valid_o && rsp_ready_i) asked_q[rsp_o[PartW +: IdBits]] <= 1'b0;
+      if (req_valid_i && req_ready_o) asked_q[req_i[ReqAW +: IdBits]] <= 1'b1;
+    end
+  end
+  a_id_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)
+      req_valid_i && req_ready_o |-> !asked_q[req_i[ReqAW +: IdBits]])
+    else $error("a request with the id of one that is not answered");
+`endif
+
+  logic unused;
+  assign unused = rsp_place;
+endmodule
+`default_nettype wire

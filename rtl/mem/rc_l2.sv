@@ -1,0 +1,34 @@
+// The cache that all pipelines share, between their caches' misses and memory: rc_cache with
+// whole memory words. In a machine without it (L2Sets = 0) nobody instantiates it.
+//
+// Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
+// Model: model/mem/cache.hpp with l2_shape().
+`default_nettype none
+module rc_l2 (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  input  logic             req_valid_i,
+  output logic             req_ready_o,
+  input  rc_pkg::l2_req_t  req_i,
+  output logic             rsp_valid_o,
+  input  logic             rsp_ready_i,
+  output rc_pkg::l2_rsp_t  rsp_o,
+  output logic             miss_valid_o,
+  input  logic             miss_ready_i,
+  output rc_pkg::mem_req_t miss_o,
+  input  logic             fill_fires_i,
+  input  rc_pkg::mem_rsp_t fill_i,
+  output logic             waits_o,
+  output logic [2:0]       deed_o
+);
+  rc_cache #(
+    .IdBits(rc_pkg::ClientIdBits), .AddrBits(rc_pkg::AddrBits), .Parts(1),
+    .PartW(rc_pkg::LineBits), .Sets(rc_pkg::L2Sets < 1 ? 1 : rc_pkg::L2Sets),
+    .Ways(rc_pkg::L2Ways), .Words(rc_pkg::L2Words), .Mshrs(rc_pkg::L2Mshrs),
+    .Queue(rc_pkg::CacheQueue)
+  ) u_cache (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
+    .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
+    .fill_word_i(fill_i.line), .waits_o, .deed_o);
+endmodule
+`default_nettype wire

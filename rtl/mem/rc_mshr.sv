@@ -1,0 +1,149 @@
+// The lines of a cache that are on their way, and who waits for them. Part of rc_cache.
+//
+// Each has a miss status holding register (MSHR) with its set and way; those who wait for it
+// are a chain through their ids, first to last. A request takes a free MSHR or joins the chain
+// of the line that way_i waits for. Words come in any order; with the last of them the line is
+// filled, and its chain is answered from the next cycle on, one request per drain_i, while no
+// request may take or merge. The MSHR is free after the last of them.
+// Model: Mshr, ask() and drain() in model/mem/cache.cpp.
+`default_nettype none
+module rc_mshr #(
+  parameter  int unsigned IdBits = 6,
+  parameter  int unsigned SetW   = 6,
+  parameter  int unsigned Ways   = 4,
+  parameter  int unsigned Words  = 1,   // of a line
+  parameter  int unsigned Mshrs  = 8,
+  localparam int unsigned WayW   = Ways < 2 ? 1 : $clog2(Ways),
+  localparam int unsigned WordW  = Words < 2 ? 1 : $clog2(Words),
+  localparam int unsigned MshrW  = Mshrs < 2 ? 1 : $clog2(Mshrs)
+) (
+  input  logic              clk_i,
+  input  logic              rst_ni,
+  // The request that is looked up:
+  input  logic [IdBits-1:0] id_i,
+  input  logic [SetW-1:0]   set_i,
+  output logic [Ways-1:0]   waiting_o,     // ways of its set that wait for a line
+  output logic              full_o,        // no MSHR is free
+  output logic              waits_o,       // one is not
+  output logic [MshrW-1:0]  free_o,        // the lowest that is
+  input  logic [WayW-1:0]   way_i,
+  input  logic              take_i,        // takes the free MSHR: way_i waits from now on
+  input  logic              merge_i,       // way_i waits already: joins the chain
+  // A word from memory, and where its line goes:
+  input  logic              fill_fires_i,
+  input  logic [MshrW-1:0]  fill_mshr_i,
+  output logic [SetW-1:0]   fill_set_o,
+  output logic [WayW-1:0]   fill_way_o,
+  // Who is to be answered, and where the line is:
+  output logic              drain_valid_o,
+  output logic [IdBits-1:0] drain_id_o,
+  output logic [SetW-1:0]   drain_set_o,
+  output logic [WayW-1:0]   drain_way_o,
+  input  logic              drain_i
+);
+  logic [MshrW-1:0] drained;   // MSHR at the head of the filled ones
+  logic             is_last;   // it has nobody else
+  logic [MshrW-1:0] joined;    // MSHR of way_i
+
+  for (genvar m = 0; m < Mshrs; m++) begin : gen_mshr
+    logic            busy_q;
+    logic [SetW-1:0] set_q;
+    logic [WayW-1:0] way_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) busy_q <= 1'b0;
+      else if (take_i && free_o == MshrW'(m)) busy_q <= 1'b1;
+      else if (drain_i && is_last && drained == MshrW'(m)) busy_q <= 1'b0;
+      if (take_i && free_o == MshrW'(m)) begin
+        set_q <= set_i;
+        way_q <= way_i;
+      end
+    end
+
+    // Of this MSHR and those below.
+    logic             here, full, some;
+    logic [Ways-1:0]  waiting;
+    logic [MshrW-1:0] free, match;
+    assign here = busy_q && set_q == set_i;
+    if (m == 0) begin : gen_first
+      assign full    = busy_q;
+      assign some    = busy_q;
+      assign waiting = Ways'(here) << way_q;
+      assign free    = '0;
+      assign match   = '0;
+    end else begin : gen_next
+      assign full    = busy_q && gen_mshr[m-1].full;
+      assign some    = busy_q || gen_mshr[m-1].some;
+      assign waiting = Ways'(here) << way_q | gen_mshr[m-1].waiting;
+      assign free    = gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;
+      assign match   = here && way_q == way_i ? MshrW'(m) : gen_mshr[m-1].match;
+    end
+  end
+  assign full_o    = gen_mshr[Mshrs-1].full;
+  assign waits_o   = gen_mshr[Mshrs-1].some;
+  assign waiting_o = gen_mshr[Mshrs-1].waiting;
+  assign free_o    = gen_mshr[Mshrs-1].free;
+  assign joined    = gen_mshr[Mshrs-1].match;
+
+  // Chains.
+  logic [IdBits-1:0] head, tail, next;
+  rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_head (
+    .clk_i, .write_i(take_i || drain_i), .write_addr_i(take_i ? free_o : drained),
+    .write_data_i(take_i ? id_i : next), .read_addr_i(drained), .read_data_o(head));
+  rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_tail (
+    .clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),
+    .write_data_i(id_i), .read_addr_i(drain_valid_o ? drained : joined), .read_data_o(tail));
+  rc_ram #(.Width(IdBits), .Depth(1 << IdBits)) u_next (
+    .clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),
+    .read_addr_i(head), .read_data_o(next));
+  assign is_last    = head == tail;
+  assign drain_id_o = head;
+
+  // Words that have come, modulo Words: zero again when the line is filled.
+  logic filled;
+  if (Words == 1) begin : gen_word
+    assign filled = fill_fires_i;
+  end else begin : gen_words
+    (* mem2reg *) logic [WordW-1:0] words_q [Mshrs < 2 ? 2 : Mshrs];
+    logic [WordW-1:0] words;
+    assign words  = words_q[fill_mshr_i];
+    assign filled = fill_fires_i && words == WordW'(Words - 1);
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        for (int m = 0; m < (Mshrs < 2 ? 2 : Mshrs); m++) words_q[m] <= '0;
+      end else if (fill_fires_i) begin
+        words_q[fill_mshr_i] <= words + 1'b1;
+      end
+    end
+  end
+
+  rc_ram #(.Width(SetW + WayW), .Depth(Mshrs)) u_place (
+    .clk_i, .write_i(take_i), .write_addr_i(free_o), .write_data_i({set_i, way_i}),
+    .read_addr_i(fill_mshr_i), .read_data_o({fill_set_o, fill_way_o}));
+  rc_queue #(.Width(MshrW + SetW + WayW), .Depth(Mshrs)) u_filled (
+    .clk_i, .rst_ni, .push_i(filled), .data_i({fill_mshr_i, fill_set_o, fill_way_o}),
+    .valid_o(drain_valid_o), .pop_i(drain_i && is_last),
+    .data_o({drained, drain_set_o, drain_way_o}));
+
+`ifndef SYNTHESIS
+  logic [Mshrs-1:0] awaits_q;   // words of its line
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) awaits_q <= '0;
+    else begin
+      if (take_i) awaits_q[free_o] <= 1'b1;
+      if (filled) awaits_q[fill_mshr_i] <= 1'b0;
+    end
+  end
+  a_fill_is_awaited: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                      fill_fires_i |-> awaits_q[fill_mshr_i])
+    else $error("a word came for a line that is not on its way");
+  a_one_thing: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                $onehot0({take_i, merge_i, drain_i}))
+    else $error("a request and a filled line at the chains in one cycle");
+  a_take_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni) take_i |-> !full_o)
+    else $error("no free MSHR to take");
+  a_merge_has_line: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                     merge_i |-> waiting_o[way_i])
+    else $error("merged with a line that is not on its way");
+`endif
+endmodule
+`default_nettype wire

@@ -1,0 +1,38 @@
+// Cache of nodes: rc_cache with the node's part of a memory word, and all rays as ids.
+//
+// Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
+// Model: model/mem/cache.hpp with node_cache_shape().
+`default_nettype none
+module rc_node_cache (
+  input  logic               clk_i,
+  input  logic               rst_ni,
+  input  logic               req_valid_i,
+  output logic               req_ready_o,
+  input  rc_pkg::node_req_t  req_i,
+  output logic               rsp_valid_o,
+  input  logic               rsp_ready_i,
+  output rc_pkg::node_rsp_t  rsp_o,
+  output logic               miss_valid_o,
+  input  logic               miss_ready_i,
+  output rc_pkg::node_miss_t miss_o,
+  input  logic               fill_fires_i,
+  input  rc_pkg::node_fill_t fill_i,
+  output logic               waits_o,
+  output logic [2:0]         deed_o
+);
+  localparam int unsigned NodeW = rc_pkg::NodeRspW - rc_pkg::RayBits;
+  logic [rc_pkg::LineBits-1:0] line;
+  assign line = fill_i.line;
+  rc_cache #(
+    .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(NodeW),
+    .Sets(rc_pkg::NodeSets), .Ways(rc_pkg::NodeWays), .Words(rc_pkg::NodeWords),
+    .Mshrs(rc_pkg::NodeMshrs), .Queue(rc_pkg::CacheQueue)
+  ) u_cache (
+    .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
+    .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
+    .fill_word_i(line[NodeW-1:0]), .waits_o, .deed_o);
+
+  logic unused;   // what is beyond a node
+  assign unused = ^(line >> NodeW);
+endmodule
+`default_nettype wire

@@ -1,0 +1,92 @@
+// Tags of a cache, and which way of a set was used longest ago (tree-PLRU). Part of rc_cache.
+//
+// Finds a line, or else names the way that it may have: the set's pseudo-least-recently-used
+// one, or the lowest that does not wait for a line, if that one does. All in one cycle; what
+// touch_i and take_i change is seen in the next. Each way's tags are a memory of their own,
+// so that a new line writes one of them. Sets are cleared one by one while reset is held: the
+// user must hold it for at least Sets cycles. Model: look_up(), victim() and touch() in
+// model/mem/cache.cpp.
+`default_nettype none
+module rc_tags #(
+  parameter  int unsigned TagW = 18,
+  parameter  int unsigned Sets = 64,   // powers of two, 1 or more
+  parameter  int unsigned Ways = 4,
+  localparam int unsigned SetW = Sets < 2 ? 1 : $clog2(Sets),
+  localparam int unsigned WayW = Ways < 2 ? 1 : $clog2(Ways)
+) (
+  input  logic            clk_i,
+  input  logic            rst_ni,
+  input  logic [SetW-1:0] set_i,
+  input  logic [TagW-1:0] tag_i,
+  input  logic [Ways-1:0] waiting_i,   // ways of the set that wait for a line
+  output logic            hit_o,       // the line has a way
+  output logic            conflict_o,  // all ways wait
+  output logic [WayW-1:0] way_o,       // that of the line, or the one it may have
+  input  logic            touch_i,     // way_o is used
+  input  logic            take_i       // way_o gets this line
+);
+  localparam int unsigned Levels = $clog2(Ways);
+
+  // The set that is cleared; may start anywhere.
+  logic [SetW-1:0] clear_q, write_set;
+  always_ff @(posedge clk_i) if (!rst_ni) clear_q <= clear_q + 1'b1;
+  assign write_set = rst_ni ? set_i : clear_q & SetW'(Sets - 1);
+
+  for (genvar w = 0; w < Ways; w++) begin : gen_way
+    logic [TagW:0] entry;   // {valid, tag}
+    rc_ram #(.Width(TagW + 1), .Depth(Sets)) u_tag (
+      .clk_i, .write_i(!rst_ni || (take_i && way_o == WayW'(w))), .write_addr_i(write_set),
+      .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(set_i), .read_data_o(entry));
+
+    // Of this way and those below: one has the line, all wait; the one that has it, the
+    // lowest that does not wait.
+    logic            mine, hit, full;
+    logic [WayW-1:0] found, lowest;
+    assign mine = entry == {1'b1, tag_i};
+    if (w == 0) begin : gen_first
+      assign hit    = mine;
+      assign full   = waiting_i[0];
+      assign found  = '0;
+      assign lowest = '0;
+    end else begin : gen_next
+      assign hit    = mine || gen_way[w-1].hit;
+      assign full   = waiting_i[w] && gen_way[w-1].full;
+      assign found  = mine ? WayW'(w) : gen_way[w-1].found;
+      assign lowest = gen_way[w-1].full ? WayW'(w) : gen_way[w-1].lowest;
+    end
+  end
+  assign hit_o      = gen_way[Ways-1].hit;
+  assign conflict_o = gen_way[Ways-1].full;
+
+  // The tree: bit n points to that half of node n's ways that was used longer ago. Node 1 is
+  // the root, the children of n are 2n and 2n + 1.
+  logic [WayW-1:0] oldest;
+  if (Ways == 1) begin : gen_no_tree
+    assign oldest = '0;
+    logic unused;
+    assign unused = touch_i;
+  end else begin : gen_tree
+    logic [Ways-1:0] recent, recent_d;
+    rc_ram #(.Width(Ways), .Depth(Sets)) u_recent (
+      .clk_i, .write_i(!rst_ni || touch_i), .write_addr_i(write_set),
+      .write_data_i(rst_ni ? recent_d : '0), .read_addr_i(set_i), .read_data_o(recent));
+    always_comb begin
+      oldest = '0;
+      for (int l = 0; l < Levels; l++) oldest = oldest << 1 | WayW'(recent[WayW'(1 << l) | oldest]);
+    end
+    always_comb begin
+      recent_d = recent;
+      for (int l = 0; l < Levels; l++)
+        recent_d[WayW'(1 << l) | way_o >> (Levels - l)] = !way_o[Levels-1-l];
+    end
+  end
+  assign way_o = hit_o ? gen_way[Ways-1].found
+               : waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;
+
+`ifndef SYNTHESIS
+  a_way_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                  take_i |-> !hit_o && !waiting_i[way_o])
+    else $error("a way was given away that waits for a line");
+`endif
+endmodule
+`default_nettype wire

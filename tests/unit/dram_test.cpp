@@ -1,0 +1,456 @@
+// dram: commands by the data sheet, latency and bandwidth by formula, refresh, order, accounts; skipping is the same as clocking.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include <catch2/catch.hpp>
+
+#include "model/mem/dram.hpp"
+#include "model/mem/memport.hpp"
+
+using namespace rayclock;
+
+namespace {
+
+using Command = DramCommand;
+using Issued = Dram::Issued;
+
+std::int64_t clocks(const DramPart& part, int ps) { return (ps + part.tck - 1) / part.tck; }
+std::uint64_t begin_of(std::uint64_t cycle, int khz) { return cycle * 1'000'000'000 / std::uint64_t(khz); }
+std::uint64_t cycle_from(std::uint64_t ps, int khz) {
+    std::uint64_t cycle = ps / 1'000'000 * std::uint64_t(khz) / 1'000;   // no later than that
+    while (begin_of(cycle, khz) < ps) ++cycle;
+    return cycle;
+}
+std::uint32_t row_words(const DramPart& part) { return std::uint32_t(part.row_bytes() / 64); }
+std::uint32_t address(const DramPart& part, std::uint32_t row, std::uint32_t bank, std::uint32_t word) {
+    return (row * std::uint32_t(part.banks) + bank) * row_words(part) + word;
+}
+/// Clocks of the DRAM from one read command of a request to its next.
+std::int64_t read_step(const DramPart& part) { return std::max(clocks(part, part.tccd), std::int64_t(part.burst_clocks())); }
+
+/// What came of some requests, by their number, and what the memory did for them.
+struct Log {
+    std::vector<std::uint64_t> accepted, answered;   // cycles
+    std::vector<std::size_t> order;                  // in which they were answered
+    std::vector<Issued> commands;
+    DramStatistics statistics;
+    std::vector<std::uint64_t> causes;
+    std::uint64_t cycles = 0;
+    friend bool operator==(const Log&, const Log&) = default;
+};
+
+/// Sends the addresses in turn, each as soon as it is accepted and fewer than `most` are under way, or after a pause.
+Log run(const DramPart& part, int khz, const std::vector<std::uint32_t>& addresses, std::size_t most, int most_pause = 0) {
+    Dram dram{part, khz, int(most)};
+    Log log;
+    dram.record(&log.commands);
+    const std::size_t n = addresses.size();
+    log.accepted.resize(n);
+    log.answered.resize(n);
+    std::vector<std::optional<std::size_t>> under_way(most);   // by id: number
+    std::size_t sent = 0;
+    Rng rng{n + most};
+    int pause = 0;
+    while (log.order.size() < n) {
+        const std::uint64_t cycle = dram.now();
+        if (cycle > 5000 * (n + 10)) FAIL("no answer for " << n - log.order.size() << " requests");
+        if (dram.valid()) {
+            auto& own = under_way[dram.answer().id];
+            REQUIRE(own);   // nothing twice
+            REQUIRE(dram.answer().addr == addresses[*own]);
+            log.answered[*own] = cycle;
+            log.order.push_back(*own);
+            own.reset();
+        }
+        const auto free = std::find(under_way.begin(), under_way.end(), std::nullopt);
+        const bool sends = sent < n && free != under_way.end() && dram.ready() && --pause < 0;
+        const Dram::Answer request{std::uint32_t(free - under_way.begin()), sends ? addresses[sent] : 0};
+        if (sends) {
+            *free = sent;
+            log.accepted[sent++] = cycle;
+            if (most_pause > 0) pause = rng.below(most_pause);
+        }
+        dram.clock(sends ? &request : nullptr);
+    }
+    log.statistics = dram.statistics();
+    for (int i = 0; i < dram_causes; ++i) log.causes.push_back(dram.cycles(DramCause(i)));
+    log.cycles = dram.now();
+    return log;
+}
+
+std::vector<std::uint32_t> sequence(std::size_t n) {
+    std::vector<std::uint32_t> all(n);
+    for (std::size_t i = 0; i < n; ++i) all[i] = std::uint32_t(i);
+    return all;
+}
+
+/// Half of them near each other, so that rows are hit too.
+std::vector<std::uint32_t> mixed(std::size_t n, std::uint64_t seed) {
+    Rng rng{seed};
+    std::vector<std::uint32_t> all(n);
+    for (auto& a : all) a = std::uint32_t(rng.below(2) ? rng.below(1 << 20) : rng.below(512));
+    return all;
+}
+
+double bytes_per_second(const Log& log, int khz) {
+    const auto ps = begin_of(log.answered[log.order.back()], khz) - begin_of(log.accepted[0], khz);
+    return 64e12 * double(log.order.size()) / double(ps);
+}
+
+/// Judges a list of commands by the data sheet, in picoseconds and pair by pair; shares nothing with DramBanks.
+void check_commands(const DramPart& part, const std::vector<Issued>& all) {
+    std::map<int, std::uint32_t> open;
+    const auto gate = [&](std::size_t from, std::size_t to, int ps, const char* name) {
+        if ((all[to].clock - all[from].clock) * part.tck < ps) FAIL(name << " of " << part.name << " at clock " << all[to].clock);
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Issued& c = all[i];
+        const bool closes = c.command == Command::precharge || c.command == Command::precharge_all;
+        if (i > 0) REQUIRE(c.clock > all[i - 1].clock);
+        if (c.command == Command::read) REQUIRE((open.count(c.bank) && open[c.bank] == c.row));
+        if (c.command == Command::precharge) REQUIRE(open.erase(c.bank) == 1);
+        if (c.command == Command::precharge_all) open.clear();
+        if (c.command == Command::refresh) REQUIRE(open.empty());
+        if (c.command == Command::activate) REQUIRE(open.emplace(c.bank, c.row).second);
+        int activates = 0;
+        for (std::size_t k = i; k-- > 0 && i - k < 200;) {
+            const bool same = all[k].bank == c.bank || c.command == Command::precharge_all || c.command == Command::refresh;
+            const bool after_close = (all[k].command == Command::precharge && same) || all[k].command == Command::precharge_all;
+            switch (all[k].command) {
+            case Command::activate:
+                if (c.command == Command::activate && ++activates == 4) gate(k, i, part.tfaw, "tFAW");
+                if (c.command == Command::activate) gate(k, i, part.trrd, "tRRD");
+                if ((c.command == Command::activate || c.command == Command::refresh) && same) gate(k, i, part.trc, "tRC");
+                if (c.command == Command::read && same) gate(k, i, part.trcd, "tRCD");
+                if (closes && same) gate(k, i, part.tras, "tRAS");
+                break;
+            case Command::read:
+                if (c.command == Command::read) gate(k, i, std::max(part.tccd, part.burst_clocks() * part.tck), "tCCD");
+                if (closes && same) gate(k, i, part.trtp, "tRTP");
+                break;
+            case Command::refresh: gate(k, i, part.trfc, "tRFC"); break;
+            default:
+                if ((c.command == Command::activate || c.command == Command::refresh) && after_close) gate(k, i, part.trp, "tRP");
+            }
+        }
+    }
+}
+
+std::string any_part() { return GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu"); }
+
+/// Gates that no real part has in this order: a row may close before the next read, short bursts, few banks, a small queue.
+DramPart odd_part() {
+    DramPart part = dram_part("ddr3");
+    part.name = "odd";
+    part.burst_length = 4;
+    part.banks = 3;
+    part.tck = 3'001;
+    part.cl = 9;
+    part.trtp = part.trrd = 1;
+    part.tras = 20'000;
+    part.trc = 60'000;
+    part.tccd = 13'000;
+    part.trefi = 900'000;
+    part.queue = 5;
+    part.request_ps = 0;
+    part.answer_ps = 1;
+    return part;
+}
+
+} // namespace
+
+TEST_CASE("all commands under mixed traffic keep the data sheet, and give each request its reads", "[dram]") {
+    const std::string name = GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu", "odd");
+    const DramPart part = name == "odd" ? odd_part() : dram_part(name);
+    const auto [most, pause] = GENERATE(table<std::size_t, int>({{64, 0}, {5, 0}, {64, 40}, {1, 0}}));
+    const Log log = run(part, 100'000, mixed(3000, most), most, pause);
+    check_commands(part, log.commands);
+    const auto count = [&](Command c) {
+        const auto is = [c](const Issued& i) { return i.command == c; };
+        return std::uint64_t(std::count_if(log.commands.begin(), log.commands.end(), is));
+    };
+    REQUIRE(count(Command::read) == 3000 * std::uint64_t(part.bursts()));
+    const DramStatistics& s = log.statistics;
+    REQUIRE(s.reads == 3000);
+    REQUIRE(s.row_hits + s.row_misses + s.row_conflicts == 3000);
+    REQUIRE(s.refreshes == count(Command::refresh));
+    REQUIRE(s.bytes == 64 * 3000);
+    REQUIRE(s.bus_ps == 3000 * std::uint64_t(part.bursts() * part.burst_clocks() * part.tck));
+    CHECK(s.row_hits > 50);
+    CHECK(s.row_conflicts > 50);
+    REQUIRE(run(part, 100'000, mixed(3000, most), most, pause) == log);   // again the same
+}
+
+TEST_CASE("a lone read takes as long as its row's state says, to the cycle", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    const int khz = GENERATE(25'000, 66'000, 100'000, 133'333, 333'333, 1'000'000);
+    const std::vector<std::uint32_t> addresses{address(part, 0, 1, 3), address(part, 0, 1, 4), address(part, 5, 1, 3)};
+    const Log log = run(part, khz, addresses, 1);
+    const std::int64_t row = clocks(part, part.trcd), close = clocks(part, part.trp);
+    const std::int64_t waits[]{row, 0, close + row};   // closed, open, another row open
+    for (std::size_t i = 0; i < 3; ++i) {
+        CAPTURE(part.name, khz, i);
+        const std::uint64_t arrival = begin_of(log.accepted[i] + 1, khz) + std::uint64_t(part.request_ps);
+        std::int64_t clock = std::int64_t((arrival + std::uint64_t(part.tck) - 1) / std::uint64_t(part.tck)) + waits[i];
+        // A row just opened may have to stay open for tRAS, and a bank to wait for tRC.
+        if (i == 2) {
+            const std::int64_t opened = log.commands[0].clock, last = log.commands[2 * std::size_t(part.bursts())].clock;
+            const std::int64_t may_close = std::max(opened + clocks(part, part.tras), last + clocks(part, part.trtp));
+            clock = std::max({clock, may_close + close + row, opened + clocks(part, part.trc) + row});
+        }
+        clock += (part.bursts() - 1) * read_step(part) + part.cl + part.burst_clocks();
+        REQUIRE(log.answered[i] == cycle_from(std::uint64_t(clock * part.tck + part.answer_ps), khz));
+    }
+    REQUIRE(log.statistics.row_misses == 1);
+    REQUIRE(log.statistics.row_hits == 1);
+    REQUIRE(log.statistics.row_conflicts == 1);
+}
+
+TEST_CASE("reads in sequence reach the peak bandwidth less refresh, and never more", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    const int khz = GENERATE(66'000, 200'000);
+    const Log log = run(part, khz, sequence(20'000), 64);
+    check_commands(part, log.commands);
+    const double peak = double(peak_bytes_per_second(part)), reached = bytes_per_second(log, khz);
+    // Around a refresh: last read, precharge, refresh, activate, first read.
+    const std::int64_t closing = clocks(part, part.trtp) + clocks(part, part.trp);
+    const std::int64_t around = closing + clocks(part, part.trfc) + clocks(part, part.trcd);
+    const double lost = double(around * part.tck);
+    CAPTURE(part.name, khz, reached / peak, lost / part.trefi);
+    CHECK(reached <= peak);
+    CHECK(reached >= peak * (1 - lost / part.trefi) * 0.999);
+    CHECK(reached <= peak * (1 - part.trfc / double(part.trefi)));
+}
+
+TEST_CASE("reads of ever other rows of a bank take a row cycle each, and dependent reads their latency", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    std::vector<std::uint32_t> rows(2000);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = address(part, std::uint32_t(i), 2, 0);
+    const Log log = run(part, 200'000, rows, 64);
+    const std::int64_t reads = (part.bursts() - 1) * read_step(part);
+    const std::int64_t to_close = std::max(clocks(part, part.tras), clocks(part, part.trcd) + reads + clocks(part, part.trtp));
+    const std::int64_t turn = std::max(clocks(part, part.trc), to_close + clocks(part, part.trp));
+    const double bound = 64e12 / double(turn * part.tck), reached = bytes_per_second(log, 200'000);
+    CHECK(reached <= bound);
+    CHECK(reached >= bound * 0.96);   // refresh
+    CHECK(bound < 0.9 * double(peak_bytes_per_second(part)));
+    CHECK(log.statistics.row_hits == 0);
+
+    const double one_by_one = bytes_per_second(run(part, 100'000, mixed(2000, 1), 1), 100'000);
+    const double together = bytes_per_second(run(part, 100'000, mixed(2000, 1), 64), 100'000);
+    CHECK(one_by_one < 0.7 * together);
+    CHECK(together < double(peak_bytes_per_second(part)));
+}
+
+TEST_CASE("a DRAM refreshes every tREFI, busy or idle or skipped, and nothing happens for tRFC", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    const std::int64_t every = part.trefi / part.tck;
+    const bool skips = GENERATE(false, true);
+    Dram dram{part, 100'000, 4};
+    std::vector<Issued> log;
+    dram.record(&log);
+    const std::uint64_t idle = 100'000;   // a millisecond
+    if (skips) {
+        REQUIRE(dram.quiet_until() > idle);
+        dram.skip(idle);
+    } else {
+        for (std::uint64_t i = 0; i < idle; ++i) dram.clock(nullptr);
+    }
+    REQUIRE(dram.now() == idle);
+    REQUIRE(dram.cycles(DramCause::starved) == idle);
+    REQUIRE(log.size() == std::size_t(1'000'000'000 / (every * part.tck)));
+    for (std::size_t k = 0; k < log.size(); ++k) REQUIRE(log[k] == Issued{std::int64_t(k + 1) * every, Command::refresh, 0, 0});
+    REQUIRE(dram.statistics().refreshes == log.size());
+
+    // A request that arrives just when a refresh begins waits for its end.
+    const std::int64_t due = std::int64_t(log.size() + 1) * every;
+    const auto arrival = [&](std::uint64_t cycle) { return begin_of(cycle + 1, 100'000) + std::uint64_t(part.request_ps); };
+    while (arrival(dram.now() + 1) <= std::uint64_t(due * part.tck)) dram.clock(nullptr);
+    log.clear();
+    dram.clock(nullptr);
+    const Dram::Answer request{2, 77};
+    const std::uint64_t accepted = dram.now();
+    dram.clock(&request);
+    while (!dram.valid()) dram.clock(nullptr);
+    REQUIRE(log.size() >= 3);
+    REQUIRE(log[0] == Issued{due, Command::refresh, 0, 0});
+    REQUIRE(log[1].command == Command::activate);
+    REQUIRE(log[1].clock == due + clocks(part, part.trfc));
+    const auto from = std::uint64_t(due * part.tck), until = from + std::uint64_t(part.trfc);
+    std::uint64_t blocked = 0;
+    for (std::uint64_t cycle = accepted + 1; begin_of(cycle, 100'000) < until; ++cycle)
+        blocked += begin_of(cycle + 1, 100'000) > from;
+    REQUIRE(dram.cycles(DramCause::refresh) == blocked);
+
+    // Under load each refresh comes within the longest request and row time after it is due.
+    const Log load = run(part, 100'000, mixed(5000, 3), 64);
+    std::int64_t k = 0;
+    for (const Issued& c : load.commands)
+        if (c.command == Command::refresh) {
+            const std::int64_t late = c.clock - ++k * every;
+            REQUIRE(late >= 0);
+            const std::int64_t to_close = part.bursts() * read_step(part) + clocks(part, part.tras) + clocks(part, part.trtp);
+            REQUIRE(late <= to_close + clocks(part, part.trp) + 2);
+        }
+    REQUIRE(k >= load.commands.back().clock / every - 1);
+}
+
+TEST_CASE("a faster chip waits more cycles but not more time for the same reads", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    std::vector<std::uint64_t> cycles, ps;
+    for (const int khz : {50'000, 100'000, 200'000, 400'000}) {
+        const Log log = run(part, khz, mixed(500, 9), 1);
+        cycles.push_back(log.cycles);
+        ps.push_back(begin_of(log.cycles, khz));
+    }
+    for (std::size_t i = 1; i < cycles.size(); ++i) {
+        CHECK(double(cycles[i]) > 1.7 * double(cycles[i - 1]));
+        CHECK(ps[i] <= ps[i - 1]);
+    }
+    CHECK(double(ps[3]) > 0.8 * double(ps[0]));
+}
+
+TEST_CASE("a read of an open row goes before older reads, but no request is overtaken more often than the cap", "[dram]") {
+    DramPart part = dram_part(any_part());
+    part.age_cap = GENERATE(1, 3, 16, 40);
+    part.trefi = 1'000'000'000;   // a refresh would end the run of hits
+    std::vector<std::uint32_t> addresses(1500);   // now and then another row of the bank that all the others hit
+    for (std::size_t i = 0; i < addresses.size(); ++i)
+        addresses[i] = address(part, i % 60 == 20 ? 1 : 0, 0, std::uint32_t(i) % row_words(part));
+    const auto most_overtaken = [](const Log& log) {
+        std::size_t most = 0;
+        for (std::size_t at = 0; at < log.order.size(); ++at)
+            most = std::max(most, std::size_t(std::count_if(log.order.begin(), log.order.begin() + std::ptrdiff_t(at),
+                                                            [&](std::size_t other) { return other > log.order[at]; })));
+        return most;
+    };
+    const Log log = run(part, 200'000, addresses, 64);
+    CAPTURE(part.name, part.age_cap);
+    REQUIRE(most_overtaken(log) == std::size_t(part.age_cap));
+    const std::size_t mixed_most = most_overtaken(run(part, 200'000, mixed(1500, 5), 64));
+    REQUIRE(mixed_most > 0);
+    REQUIRE(mixed_most <= std::size_t(part.age_cap));
+}
+
+TEST_CASE("a row is not closed while a request for it waits, even if the bus belongs to another bank", "[dram]") {
+    DramPart part = dram_part(any_part());
+    part.trefi = 1'000'000'000;
+    Dram dram{part, 400'000, 8};
+    std::vector<std::uint32_t> order;
+    const auto send = [&](std::vector<std::uint32_t> addresses) {
+        for (const std::uint32_t addr : addresses) {
+            const Dram::Answer request{addr % 8, addr};
+            dram.clock(&request);
+        }
+        for (std::size_t answered = 0; answered < addresses.size(); dram.clock(nullptr))
+            if (dram.valid()) {
+                order.push_back(dram.answer().addr);
+                ++answered;
+            }
+    };
+    send({address(part, 0, 0, 0), address(part, 0, 1, 1)});   // two open rows
+    const std::uint32_t other_row = address(part, 1, 0, 6), same_row = address(part, 0, 0, 7);
+    send({address(part, 0, 1, 2), address(part, 0, 1, 3), address(part, 0, 1, 4), same_row, other_row});
+    REQUIRE(order[5] == same_row);
+    REQUIRE(order[6] == other_row);
+    REQUIRE(dram.statistics().row_hits == 4);
+    REQUIRE(dram.statistics().row_conflicts == 1);
+}
+
+TEST_CASE("the controller takes as many requests as its queue holds, and another when one has its last read", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    Dram dram{part, 400'000, 64};
+    std::vector<Issued> log;
+    dram.record(&log);
+    for (std::uint32_t i = 0; i < std::uint32_t(part.queue); ++i) {
+        REQUIRE(dram.ready());
+        const Dram::Answer request{i, i};
+        dram.clock(&request);
+    }
+    REQUIRE_FALSE(dram.ready());
+    while (!dram.ready()) dram.clock(nullptr);
+    REQUIRE(log.size() == std::size_t(1 + part.bursts()));
+    REQUIRE(dram.now() == cycle_from(std::uint64_t(log.back().clock * part.tck), 400'000));
+}
+
+TEST_CASE("the causes of a DRAM's cycles are a full account, and busy are those with data on the bus", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    const auto [most, pause] = GENERATE(table<std::size_t, int>({{1, 0}, {8, 0}, {64, 0}, {8, 3000}}));
+    const int khz = GENERATE(20'000, 133'333, 700'000);
+    const Log log = run(part, khz, mixed(1500, 11), most, pause);
+    std::uint64_t busy = 0, next = 0, sum = 0;
+    for (const Issued& c : log.commands)
+        if (c.command == Command::read) {
+            const auto from = std::uint64_t((c.clock + part.cl) * part.tck);
+            const auto until = from + std::uint64_t(part.burst_clocks() * part.tck);
+            std::uint64_t cycle = cycle_from(from + 1, khz) - 1;   // the one it begins in
+            for (cycle = std::max(cycle, next); begin_of(cycle, khz) < until; ++cycle) {
+                ++busy;
+                next = cycle + 1;
+            }
+        }
+    for (const std::uint64_t n : log.causes) sum += n;
+    REQUIRE(sum == log.cycles);
+    REQUIRE(log.causes[std::size_t(DramCause::busy)] == busy);
+    REQUIRE(log.causes[std::size_t(DramCause::row)] > 0);
+    if (pause > 0) REQUIRE(log.causes[std::size_t(DramCause::starved)] > log.cycles / 10);
+}
+
+TEST_CASE("skipping quiet cycles of a DRAM is the same as clocking them", "[dram]") {
+    const DramPart part = dram_part(any_part());
+    const int khz = GENERATE(20'000, 133'333, 700'000);
+    const int ids = 40;
+    Dram clocked{part, khz, ids}, skipped{part, khz, ids};
+    std::vector<Issued> one, other;
+    clocked.record(&one);
+    skipped.record(&other);
+    Rng rng{std::uint64_t(khz)};
+    std::vector<char> under_way(std::size_t(ids), 0);
+    std::uint64_t sent = 0, answered = 0, skips = 0;
+    const auto same = [&] {
+        if (clocked.ready() != skipped.ready() || clocked.valid() != skipped.valid())
+            FAIL("doors differ in cycle " << clocked.now());
+        if (clocked.valid() && (clocked.answer().id != skipped.answer().id || clocked.answer().addr != skipped.answer().addr))
+            FAIL("answers differ in cycle " << clocked.now());
+    };
+    const auto take = [&] {
+        if (!clocked.valid()) return;
+        REQUIRE(under_way[clocked.answer().id]);
+        under_way[clocked.answer().id] = 0;
+        ++answered;
+    };
+    for (int turn = 0; turn < 6000; ++turn) {
+        // In bursts, with gaps of any length between.
+        const int gap = turn % 20 ? rng.below(3) : rng.below(rng.below(2) ? 60 : 6000);
+        const std::uint64_t target = clocked.now() + std::uint64_t(gap);
+        while (clocked.now() < target) {
+            const std::uint64_t until = std::min(target, skipped.quiet_until());
+            REQUIRE(until > skipped.now());
+            skips += until - skipped.now() > 1;
+            skipped.skip(until - skipped.now());
+            const bool ready = clocked.ready(), valid = clocked.valid();
+            while (clocked.now() < until) {
+                if (clocked.ready() != ready || clocked.valid() != valid) FAIL("not quiet in cycle " << clocked.now());
+                clocked.clock(nullptr);
+            }
+            same();
+            take();
+        }
+        const auto id = std::uint32_t(rng.below(ids));
+        const bool sends = clocked.ready() && !under_way[id];
+        const Dram::Answer request{id, std::uint32_t(rng.below(2) ? rng.below(1 << 20) : rng.below(512))};
+        under_way[id] |= char(sends);
+        sent += sends;
+        clocked.clock(sends ? &request : nullptr);
+        skipped.clock(sends ? &request : nullptr);
+        same();
+        take();
+    }
+    REQUIRE(sent > 1000);
+    REQUIRE(skips > 200);
+    REQUIRE(sent - answered == std::uint64_t(std::count(under_way.begin(), under_way.end(), 1)));
+    REQUIRE(clocked.statistics() == skipped.statistics());
+    REQUIRE(one == other);
+    for (int i = 0; i < dram_causes; ++i) REQUIRE(clocked.cycles(DramCause(i)) == skipped.cycles(DramCause(i)));
+}

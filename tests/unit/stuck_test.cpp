@@ -1,0 +1,149 @@
+// A machine that stands still: the watchdog sees it, and says where every ray is.
+#include <map>
+
+#include "model/machine.hpp"
+#include "model/where.hpp"
+#include "sim/lockstep/lockstep.hpp"
+#include "tests/support/machines.hpp"
+#include "tests/support/traffic.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+using Catch::Contains;
+
+namespace {
+
+constexpr rayclock::Traffic shut{0, 100, 1};   // memory takes no request and the sink no hit
+
+/// One pipeline whose memory is the test: a word asked for comes in the next cycle, or never.
+struct Alone {
+    Job job;
+    FrameTrace frame;
+    Pipeline pipeline;
+    Dispatch dispatch;
+    std::uint64_t now = 0;
+
+    explicit Alone(const Values& values)
+        : job(small_job("tetra:3", {16, 12}, shaped(format("small"), values))), frame(record_frame(job, job.frame)),
+          pipeline(job.config, shut, 0), dispatch(job.config) {
+        pipeline.start(frame.frame, frame.trace);
+        dispatch.start(frame.frame);
+    }
+    void run(int cycles, bool nodes, bool prims) {
+        std::optional<std::uint32_t> node, prim;   // asked for
+        for (int i = 0; i < cycles; ++i) {
+            SharedMoves shared;
+            const int granted = dispatch.grant(pipeline.tile_ready());
+            const Tile tile = dispatch.tile();
+            if (granted == 0) shared.tile = &tile;
+            const std::optional<std::uint32_t> node_fill = node, prim_fill = prim;
+            if (node_fill) shared.node_fill = &*node_fill;
+            if (prim_fill) shared.prim_fill = &*prim_fill;
+            node.reset();
+            prim.reset();
+            if ((shared.node_miss = nodes && pipeline.node_miss_valid())) node = pipeline.node_miss().id;
+            if ((shared.prim_miss = prims && pipeline.prim_miss_valid())) prim = pipeline.prim_miss().id;
+            pipeline.step(now, shared);
+            dispatch.clock(granted);
+            ++now;
+        }
+    }
+    /// How many rays are where.
+    std::map<std::string, int> places() const {
+        std::map<std::string, int> counts;
+        for (std::uint32_t ray = 0; ray < std::uint32_t(job.config.contexts); ++ray) ++counts[pipeline.where(ray)];
+        return counts;
+    }
+};
+
+int lines_with(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("rays whose hit nobody takes wait for that", "[machine][stuck]") {
+    Alone alone({{"contexts", 16}});
+    REQUIRE(alone.places() == std::map<std::string, int>{{"", 16}});   // no ray is under way
+    alone.run(5000, true, true);
+    INFO(alone.places().begin()->first);
+    REQUIRE(alone.places() == std::map<std::string, int>{{"trav: done, waits for its hit to be taken", 16}});
+}
+
+TEST_CASE("rays whose node never comes are with the node cache, and those behind them where they stand", "[machine][stuck]") {
+    Alone alone({{"contexts", 64}, {"raygen_queue", 4}});
+    alone.run(5000, false, true);
+    int known = 0, cached = 0;
+    for (const auto& [place, count] : alone.places()) {
+        INFO(count << " rays: " << place);
+        CHECK_FALSE((place.empty() || place == "nowhere"));
+        cached += place.starts_with("node_cache: ") ? count : 0;
+        known += count;
+    }
+    REQUIRE(known == 64);
+    REQUIRE(cached == 64);   // any number of requests may wait for one line
+}
+
+TEST_CASE("rays whose triangle never comes are with the primitive cache or done", "[machine][stuck]") {
+    Alone alone({{"contexts", 32}});
+    alone.run(5000, true, false);
+    int cached = 0;
+    for (const auto& [place, count] : alone.places()) {
+        INFO(count << " rays: " << place);
+        CHECK((place.starts_with("prim_cache: ") || place == "trav: done, waits for its hit to be taken" || place.starts_with("list: waits for the link to prim_cache")));
+        cached += place.starts_with("prim_cache: ") ? count : 0;
+    }
+    REQUIRE(cached > 0);
+}
+
+TEST_CASE("at any time every ray under way is somewhere", "[machine][stuck]") {
+    const Job job = small_job("gears:1", {16, 12}, shaped(format("small"), {{"pipelines", 2}, {"dram", 2}}));
+    const FrameTrace frame = record_frame(job, job.frame);
+    Machine machine{job.config, job.khz, {20, 50, 4}};
+    machine.start(frame.frame, frame.trace);
+    REQUIRE_THAT(where_rays_are(machine), Contains("no ray is under way"));
+    std::array<int, 2> under_way{};
+    while (!machine.done()) {
+        REQUIRE(machine.cycle() < 100000);
+        machine.step([&](const Move& move) {
+            if (move.channel == Channel::slot) ++under_way[std::size_t(move.pipeline)];
+            if (move.channel == Channel::hit) --under_way[std::size_t(move.pipeline)];
+        });
+        const std::string text = where_rays_are(machine);
+        INFO("cycle " << machine.cycle() << "\n" << text);
+        if (lines_with(text, "nowhere") > 0) FAIL("a ray is nowhere");
+        for (int p = 0; p < 2; ++p)
+            if (lines_with(text, "pipeline " + std::to_string(p) + " ray") != under_way[std::size_t(p)]) FAIL(under_way[std::size_t(p)] << " rays in " << p);
+    }
+    REQUIRE_THAT(where_rays_are(machine), Contains("no ray is under way"));
+}
+
+TEST_CASE("a run that stands still ends with where every ray is", "[machine][stuck]") {
+    const Job job = small_job("tetra:3", {16, 12}, shaped(format("small"), {{"contexts", 4}}));
+    const auto said = [](auto run) -> std::string {
+        try {
+            run();
+        } catch (const std::runtime_error& e) {
+            return e.what();
+        }
+        return "nothing";
+    };
+    const std::string model = said([&] { run_model(job, shut); });
+    INFO(model);
+    REQUIRE(model.starts_with("model: nothing has moved for "));
+    REQUIRE(model.find("with 0 of 192 pixels done\n") != std::string::npos);
+    REQUIRE(lines_with(model, "  pipeline 0 ray ") == 4);   // all of them
+    REQUIRE(lines_with(model, "): node_cache: ") == 4);
+    REQUIRE(model.find("  pipeline 0 ray 3 pixel (1, 1): ") != std::string::npos);
+    const Job built = small_job("tetra:3", {16, 12}, format("small"));
+    const std::string both = said([&] { run_lockstep(built, shut); });
+    INFO(both);
+    REQUIRE(both.starts_with("nothing has moved for "));
+    REQUIRE(lines_with(both, "): node_cache: ") == built.config.contexts);
+    const std::string rtl = said([&] { run_rtl(built, shut); });
+    INFO(rtl);
+    REQUIRE(rtl.starts_with("rtl: nothing has moved for "));
+    REQUIRE(rtl.find("with 0 of 192 pixels done") != std::string::npos);
+}
