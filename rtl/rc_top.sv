@@ -40,8 +40,8 @@ module rc_top (
   logic                       fill_valid;
   logic [rc_pkg::L2RspW-1:0]  fill;
   for (genvar p = 0; p < P; p++) begin : gen_pipeline
-    rc_pkg::node_miss_t node_miss;
-    rc_pkg::prim_miss_t prim_miss;
+    logic [rc_pkg::NodeMissW-1:0] node_miss;   // {id, address}
+    logic [rc_pkg::PrimMissW-1:0] prim_miss;
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
       .tile_ready_o(tile_ready[p]), .tile_fires_i(tile_fires[p]), .tile_i(tile),
@@ -53,8 +53,8 @@ module rc_top (
       .prim_fill_i({fill[rc_pkg::LineBits +: PB], fill[rc_pkg::LineBits-1:0]}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]));
-    assign miss[2*p*(MB+A) +: MB+A]     = {MB'(node_miss.id), node_miss.addr};
-    assign miss[(2*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss.id), prim_miss.addr};
+    assign miss[2*p*(MB+A) +: MB+A]     = {MB'(node_miss[A +: NB]), node_miss[A-1:0]};
+    assign miss[(2*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss[A +: PB]), prim_miss[A-1:0]};
   end
 
   logic          client_valid, client_ready;
