@@ -147,9 +147,9 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
 }
 
 TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") {
-    const Job job = small_job("tetra:3", {16, 12}, format("small"));
+    const Job job = small_job(GENERATE("tetra:3", "gears:1"), {16, 12}, format("small"));
     const FrameTrace frame = record_frame(job, job.frame);
-    for (const rayclock::Traffic& traffic : {rayclock::Traffic{}, disturbed(3)}) {
+    for (const rayclock::Traffic& traffic : {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // the last: both caches wait
         Machine model{job.config, job.khz, traffic};
         RtlMachine rtl{job.image, job.config, job.khz, traffic};
         for (int i = 0; i < 2; ++i) {

@@ -171,14 +171,13 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
         const std::optional<Slot> first = cycle(Tile{1, 1});
         REQUIRE((first && first->x == 8 && first->y == 8));
         for (int i = 0; i < passed; ++i) REQUIRE_FALSE(cycle({}));
-        dut.slot.ready = false;
-        dut.start(frame_of(100, 100));   // those pixels would lie inside this one
-        dut.slot.ready = true;
+        dut.start(frame_of(100, 100));   // those pixels would lie inside this one; none is given in this cycle either
         for (int i = 0; i < 3; ++i) REQUIRE_FALSE(cycle({}));
         cycle(Tile{5, 0});
         for (std::uint32_t i = 0; i < 4; ++i) {
             const std::optional<Slot> slot = cycle({});
             REQUIRE((slot && slot->x == 40 + i % 2 && slot->y == i / 2));
+            REQUIRE(slot->ray == first->ray + 1 + i);   // no context was used in between
         }
     }
 }

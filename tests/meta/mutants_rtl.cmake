@@ -91,6 +91,9 @@ mutant(sched_order_transposed FILE rtl/sched/rc_sched.sv TEST unit [sched]
 mutant(sched_waits_outside FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[else if (give || pass)  at_q]]
   NEW [[else if (give)          at_q]])
+mutant(sched_gives_a_pixel_at_the_start FILE rtl/sched/rc_sched.sv TEST unit [sched]
+  OLD [[assign pixel_valid = tile_valid && in_frame && !start_i;]]
+  NEW [[assign pixel_valid = tile_valid && in_frame;]])
 mutant(sched_keeps_the_last_frames_tile FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[if (!rst_ni || start_i) at_q <= '0;]]
   NEW [[if (!rst_ni) at_q <= '0;]])
@@ -292,124 +295,3 @@ mutant(mshr_highest_is_taken FILE rtl/mem/rc_mshr.sv TEST unit [cache][lockstep]
   OLD [[assign free    = gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;]]
   NEW [[assign free    = !busy_q || gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;]])
 
-# ---- The model and scene compilation.
-mutant(model_tri_epsilon QUICK FILE model/isect/tri.cpp TEST unit [tri]
-  OLD [[if (num <= 0) return;]]
-  NEW [[if (num <= size >> 12) return;]])
-mutant(model_tri_tie_turned QUICK FILE model/isect/tri.cpp TEST unit [tri]
-  OLD [[edge != 0 ? edge : gradient[0] != 0 ? gradient[0] :]]
-  NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
-mutant(model_tri_higher_number_wins FILE model/isect/tri.cpp TEST unit [tri]
-  OLD [[triangle.prim > best.prim]]
-  NEW [[triangle.prim < best.prim]])
-mutant(model_tri_t_rounded_down FILE model/isect/tri.hpp WITH model/isect/tri.cpp TEST unit [tri]
-  OLD [[q.whole + q.rest]]
-  NEW [[q.whole]])
-mutant(model_box_near_rounded_up FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box]
-  OLD [[near_0 = round_down(]]
-  NEW [[near_0 = round_up(]])
-mutant(model_box_far_with_r QUICK FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box]
-  OLD [[std::int32_t(ray.recip[k]) + (ray.len[k] != 0));]]
-  NEW [[std::int32_t(ray.recip[k]));]])
-mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[(sum + (std::int64_t(1) << (guard_bits - 1))) >> guard_bits]]
-  NEW [[sum >> guard_bits]])
-mutant(model_list_skips_last_triangle FILE model/list/leaves.cpp TEST unit [list]
-  OLD [[if (triangle_ + 1 < group_.count]]
-  NEW [[if (triangle_ + 2 < group_.count]])
-mutant(model_trav_gives_up_early FILE model/trav/stack.cpp TEST unit [trav]
-  OLD [[top.below > t_best]]
-  NEW [[top.below >= t_best]])
-mutant(model_trav_equal_does_not_matter FILE model/trav/stack.cpp TEST unit [trav]
-  OLD [[if (top.t_near[0] <= t_best) {]]
-  NEW [[if (top.t_near[0] < t_best) {]])
-mutant(model_child_box_rounded_inward QUICK FILE model/accel/encode.cpp TEST accel ~[none]
-  OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
-  NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(model_lattice_rounds_down FILE model/accel/lattice.cpp TEST accel ~[none]
-  OLD [[std::round((point[k] - centre[k]) / pitch)]]
-  NEW [[std::floor((point[k] - centre[k]) / pitch)]])
-mutant(model_cache_touch_turned FILE model/mem/cache.cpp TEST unit "a set gives up*"
-  OLD [[if (!(node & 1)) turn_]]
-  NEW [[if (node & 1) turn_]])
-mutant(model_cache_waiting_way_given_away FILE model/mem/cache.cpp TEST unit "a way that waits*"
-  OLD [[if (of_set[way].mshr == 0) return int(way);]]
-  NEW [[if (of_set[way].mshr == 0 || way > 0) return int(way);]])
-mutant(model_cache_chain_turned FILE model/mem/cache.hpp WITH tests/unit/cache_test.cpp model/mem/cache.cpp TEST unit "misses to one line*"
-  OLD [[        next_[mshrs_[m - 1].tail] = request.id;
-        mshrs_[m - 1].tail = request.id;]]
-  NEW [[        Mshr& chain = mshrs_[m - 1];
-        if (chain.head == chain.tail) chain.tail = request.id;
-        next_[request.id] = next_[chain.head];
-        next_[chain.head] = request.id;]])
-
-# ---- The model in time: headers, and the machine around them.
-mutant(model_frame_one_row_less FILE model/sched/dispatch.hpp WITH tests/unit/dispatch_test.cpp TEST unit [dispatch]
-  OLD [[if (++tile_.y == rows_) more_ = false;]]
-  NEW [[if (++tile_.y + 1 == rows_) more_ = false;]])
-mutant(model_sched_order_wrong QUICK FILE model/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
-  OLD [[<< tile_bits_ | even_bits(at_ >> 1);]]
-  NEW [[<< tile_bits_ | even_bits(at_ >> 2);]])
-mutant(model_trav_takes_a_step_in_a_second_turn FILE model/trav/trav.hpp WITH tests/unit/trav_test.cpp TEST unit [trav]
-  OLD [[bool step_ready() const { return !again_; }]]
-  NEW [[bool step_ready() const { return true; }]])
-mutant(model_list_queues_mixed FILE model/list/list.hpp WITH tests/unit/list_test.cpp TEST unit [list][lockstep]
-  OLD [[(tri_prim ? next_ : tested_).push(]]
-  NEW [[(tri_prim ? first_ : tested_).push(]])
-mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit/arbiter_test.cpp TEST unit [arbiter]
-  OLD [[if (held_) return chosen_;]]
-  NEW [[if (held_ && valid == 0) return chosen_;]])
-mutant(model_memport_answers_late FILE model/mem/memport.cpp TEST unit [memport]
-  OLD [[now_ + latency_]]
-  NEW [[now_ + latency_ + 1]])
-mutant(model_sched_keeps_the_last_frames_pixel FILE model/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
-  OLD [[        height_ = frame.height;
-        look();]]
-  NEW [[        height_ = frame.height;]])
-mutant(model_blames_trav FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
-  OLD [[: node_cache_.waits() ? 1 : 2;]]
-  NEW [[: node_cache_.waits() ? 2 : 1;]])
-mutant(model_sleeps_through_an_answer QUICK FILE model/machine.cpp TEST unit "idle cycles that are passed over*"
-  OLD [[wake = std::min(wake, memory_.quiet_until());]]
-  NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])
-mutant(model_sleeps_beside_an_l2 FILE model/machine.cpp TEST unit "idle cycles that are passed over*"
-  OLD [[if (l2_deed_ <= CacheDeed::drain) return;]]
-  NEW [[]])
-mutant(model_where_forgets_trav FILE model/pipeline.cpp TEST unit [stuck]
-  OLD [[    if (const char* place = trav_.where(ray)) return place;
-]]
-  NEW [[]])
-mutant(model_takes_no_hit FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
-  OLD [[if ((m.hit = trav_.done_valid() && sink_.ready()))]]
-  NEW [[if ((m.hit = trav_.done_valid() && sink_.ready() && trav_.done_ray() != 7))]])
-mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
-  OLD [[flags |= turns << Trace::turns_shift;]]
-  NEW [[flags |= std::uint32_t(turns > 0) << Trace::turns_shift;]])
-
-# ---- DRAM: gates between commands, refresh, and the order of requests.
-mutant(dram_trrd_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
-  OLD [[activate_ = clock + trrd_;]]
-  NEW [[activate_ = clock + 1;]])
-mutant(dram_tras_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
-  OLD [[own.precharge = clock + tras_;]]
-  NEW [[own.precharge = clock + 1;]])
-mutant(dram_never_refreshes FILE model/mem/dram.cpp TEST unit [dram]
-  OLD [[refresh_at_(trefi_),]]
-  NEW [[refresh_at_(trefi_ << 24),]])
-mutant(dram_hit_across_rows FILE model/mem/dram.cpp TEST unit [dram]
-  OLD [[if (banks_.is_open(e.bank) && banks_.row(e.bank) == e.row) {]]
-  NEW [[if (banks_.is_open(e.bank)) {]])
-mutant(dram_starves FILE model/mem/dram.cpp TEST unit [dram]
-  OLD [[if (e.overtaken >= part_.age_cap) break;]]
-  NEW [[if (e.overtaken > part_.age_cap) break;]])
-
-# ---- The same, judged by whole frames against exact integers: that test has an edge of its own.
-mutant(frames_tri_tie_turned FILE model/isect/tri.cpp TEST system "every pixel*"
-  OLD [[edge != 0 ? edge : gradient[0] != 0 ? gradient[0] :]]
-  NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
-mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "every pixel*"
-  OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
-  NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(frames_list_skips_last_triangle FILE model/list/leaves.cpp TEST system "every pixel*"
-  OLD [[if (triangle_ + 1 < group_.count]]
-  NEW [[if (triangle_ + 2 < group_.count]])
