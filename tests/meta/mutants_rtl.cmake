@@ -1,7 +1,7 @@
 # Faults that the tests must notice. Each row: a name, the file, the exact text (it must be there once), what takes its
 # place, and the test program with its arguments. QUICK rows run by default, the others under the label slow.
 # How: tests/meta/CMakeLists.txt. RTL rows change a copy of rtl/, model rows one source file of a second test program; a header's
-# row names the sources WITH which it is compiled, and these are the test program.
+# row names the sources WITH which it is compiled; if there are tests among them, they are the test program.
 
 # ---- box: conservative slabs, total order.
 mutant(box_near_below_far QUICK FILE rtl/trav/rc_box.sv TEST unit [box][lockstep]
