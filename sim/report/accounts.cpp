@@ -18,7 +18,6 @@ std::uint64_t count_of(Unit unit, const FrameRun& run) {
     case Unit::list: return run.visits;
     case Unit::prim_cache:
     case Unit::tri: return run.triangle_tests;
-    case Unit::memport:
     case Unit::memory: return run.memory.reads;
     case Unit::l2: return cache_account(run, Unit::l2).accesses;
     default: return run.accounts.units[index(unit)][0];   // one a cycle
