@@ -186,7 +186,7 @@ inline bool Pipeline::has_more(std::uint32_t ray) {
 inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
     if (m.slot) {
         Place& place = rays_[m.given.ray];
-        place.at = trace_->rays[std::size_t(m.given.y) * trace_->width + m.given.x];
+        place.at = ray_at(*trace_, m.given.x, m.given.y);
         place.head = *place.at;
     }
     sched_.clock(m.slot, tile, m.hit ? &m.ended : nullptr);

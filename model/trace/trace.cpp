@@ -1,34 +1,46 @@
 #include "model/trace/trace.hpp"
 
-#include <atomic>
+#include <algorithm>
 #include <chrono>
+#include <exception>
 #include <mutex>
-
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include "model/trace/record.hpp"
 
 namespace rayclock {
 
-Trace record_trace(const MemoryImage& image, const Frame& frame, const Config& config, int threads, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
-    constexpr std::uint32_t block = RecordBlock::side;
-    Trace trace;
-    trace.width = frame.width;
-    trace.height = frame.height;
-    trace.rays.resize(std::size_t(frame.width) * frame.height);
-    trace.hits.resize(trace.rays.size());
-    const std::uint32_t columns = (frame.width + block - 1) / block, rows = (frame.height + block - 1) / block;
-    trace.chunks.resize(std::size_t(columns) * rows);
-    const RecordJob job(image, frame, config);
-    RecordFunction* const record = record_block();
-    std::mutex mutex;
-    std::uint64_t finished = 0;
+/// Threads take blocks in order, so that a machine that replays beside them finds the rays that it wants next.
+struct Recording::Work {
+    static constexpr std::uint32_t block = RecordBlock::side;
 
-    const auto record_chunk = [&](std::size_t chunk) {
-        thread_local RecordScratch scratch;
+    Work(const MemoryImage& image, const Frame& frame_, const Config& config, Trace& trace_, const Progress& progress_)
+        : frame(frame_), trace(trace_), progress(progress_), columns((frame.width + block - 1) / block),
+          rows((frame.height + block - 1) / block), job(image, frame, config), record(record_block()) {
+        trace.width = frame.width;
+        trace.height = frame.height;
+        trace.rays.assign(std::size_t(frame.width) * frame.height, nullptr);
+        trace.hits.resize(trace.rays.size());
+        trace.chunks.resize(std::size_t(columns) * rows);
+    }
+
+    void run() {
+        RecordScratch scratch;
         RecordTotals totals;
+        try {
+            for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++) record_chunk(chunk, scratch, totals);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            error = std::current_exception();
+            trace.failed.store(true);
+        }
+        const std::lock_guard lock(mutex);
+        trace.visits += totals.visits;
+        trace.box_tests += totals.box_tests;
+        trace.triangle_tests += totals.triangle_tests;
+        trace.turns += totals.turns;
+    }
+
+    void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals) {
         RecordBlock pixels;
         pixels.x0 = std::uint32_t(chunk % columns) * block, pixels.y0 = std::uint32_t(chunk / columns) * block;
         pixels.x1 = std::min(pixels.x0 + block, frame.width), pixels.y1 = std::min(pixels.y0 + block, frame.height);
@@ -38,22 +50,47 @@ Trace record_trace(const MemoryImage& image, const Frame& frame, const Config& c
         std::size_t n = 0;
         for (std::uint32_t y = pixels.y0; y < pixels.y1; ++y)
             for (std::uint32_t x = pixels.x0; x < pixels.x1; ++x)
-                trace.rays[std::size_t(y) * frame.width + x] = words.data() + scratch.starts[n++];
+                std::atomic_ref(trace.rays[std::size_t(y) * frame.width + x]).store(words.data() + scratch.starts[n++], std::memory_order_release);
+        if (!progress) return;
         const std::lock_guard lock(mutex);
-        trace.visits += totals.visits;
-        trace.box_tests += totals.box_tests;
-        trace.triangle_tests += totals.triangle_tests;
-        trace.turns += totals.turns;
-        if (progress) progress("rays", ++finished, trace.chunks.size());
-    };
-    const auto record_all = [&] { tbb::parallel_for(std::size_t(0), trace.chunks.size(), record_chunk); };
-    if (threads > 0) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-        record_all();
-    } else {
-        record_all();
+        progress("rays", ++finished, trace.chunks.size());
     }
-    trace.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const Frame frame;
+    Trace& trace;
+    const Progress progress;
+    std::uint32_t columns, rows;
+    RecordJob job;
+    RecordFunction* record;
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::uint64_t finished = 0;
+    std::exception_ptr error;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    std::vector<std::thread> threads;
+};
+
+Recording::Recording(const MemoryImage& image, const Frame& frame, const Config& config, int threads, Trace& trace, const Progress& progress)
+    : work_(std::make_unique<Work>(image, frame, config, trace, progress)) {
+    const std::size_t cores = threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
+    for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i) work_->threads.emplace_back([work = work_.get()] { work->run(); });
+}
+
+Recording::~Recording() {
+    if (!work_->threads.empty()) work_->trace.failed.store(true);   // abandoned: the threads stop soon
+    for (std::thread& thread : work_->threads) thread.join();
+}
+
+void Recording::finish() {
+    for (std::thread& thread : work_->threads) thread.join();
+    work_->threads.clear();
+    if (work_->error) std::rethrow_exception(work_->error);
+    work_->trace.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - work_->start).count();
+}
+
+Trace record_trace(const MemoryImage& image, const Frame& frame, const Config& config, int threads, const Progress& progress) {
+    Trace trace;
+    Recording(image, frame, config, threads, trace, progress).finish();
     return trace;
 }
 

@@ -1,5 +1,9 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "model/accel/memory_image.hpp"
@@ -26,6 +30,16 @@ struct Trace {
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, turns = 0;
     double seconds = 0;                       ///< host time of recording
 
+    /// Set if recording ended early. Moves with the trace as plain data: nobody records while it is moved.
+    struct Flag : std::atomic<bool> {
+        Flag() : std::atomic<bool>(false) {}
+        Flag(Flag&& other) noexcept : std::atomic<bool>(other.load()) {}
+        Flag& operator=(Flag&& other) noexcept {
+            store(other.load());
+            return *this;
+        }
+    } failed;
+
     Trace() = default;
     Trace(Trace&&) = default;
     Trace& operator=(Trace&&) = default;
@@ -33,5 +47,33 @@ struct Trace {
 
 /// Walks every pixel's ray; `threads` 0 for all cores. The same for any number of them.
 Trace record_trace(const MemoryImage& image, const Frame& frame, const Config& config, int threads = 0, const Progress& progress = {});
+
+/// The same beside other work: a machine may replay the trace while it is being recorded, and waits for rays that are not
+/// there yet. `image` and `trace` must stay where they are until finish(), after which totals and hits are good.
+class Recording {
+public:
+    Recording(const MemoryImage& image, const Frame& frame, const Config& config, int threads, Trace& trace, const Progress& progress = {});
+    ~Recording();
+    Recording(const Recording&) = delete;
+    /// Waits for the end; throws what a thread threw.
+    void finish();
+
+private:
+    struct Work;
+    std::unique_ptr<Work> work_;
+};
+
+/// A ray's first word, waiting for it if its trace is still being recorded.
+inline const std::uint32_t* ray_at(const Trace& trace, std::uint32_t x, std::uint32_t y) {
+    auto& place = const_cast<const std::uint32_t*&>(trace.rays[std::size_t(y) * trace.width + x]);
+    const std::atomic_ref<const std::uint32_t*> word(place);
+    const std::uint32_t* first = word.load(std::memory_order_acquire);
+    while (first == nullptr) [[unlikely]] {
+        if (trace.failed.load()) throw std::runtime_error("the rays could not be recorded");
+        std::this_thread::yield();
+        first = word.load(std::memory_order_acquire);
+    }
+    return first;
+}
 
 } // namespace rayclock

@@ -45,8 +45,7 @@ int bench_command(const Options& o) {
     const double again = best_seconds([&] { replay(config, job.khz, traces); });
     const double model = best_seconds([&] {
         std::vector<FrameTrace> fresh;
-        fresh.push_back(record_frame(job, job.frame, o.threads));
-        replay(config, job.khz, fresh);
+        record_and_replay(job, job.khz, fresh, {}, o.threads);
     });
     const double rtl = best_seconds([&] { run_rtl(job); });
     const Reference tracer(scene);

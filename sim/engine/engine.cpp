@@ -3,6 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t cycles_between_reports = 1 << 16;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string with_rate(const char* machine, std::uint64_t cycles, Clock::time_point start) {
+    return fmt::format("{}, {:.1f} M cycles/s", machine, double(cycles) / std::max(1e-9, seconds_since(start)) / 1e6);
+}
 
 volatile std::sig_atomic_t interrupt_seen = 0;
 
@@ -74,7 +79,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
             if (machine.quiet() > limit)
                 throw std::runtime_error(fmt::format("model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}", machine.quiet(),
                                                      machine.cycle(), machine.hits(), pixels, where_rays_are(machine)));
-            if (progress) progress("model", machine.hits(), pixels);
+            if (progress) progress(with_rate("model", machine.cycle() - first, start), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
         FrameTiming timing{machine.cycle() - first, machine.hits(), machine.accounts() - accounts, machine.memory().stats() - memory, seconds_since(start),
                            !machine.done()};
@@ -93,11 +98,21 @@ FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
     return run;
 }
 
+std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames, Traffic traffic, int threads, const Progress& progress) {
+    frames = std::vector<FrameTrace>(1);
+    frames[0].frame = job.frame;
+    const int cores = threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
+    Recording recording(job.image, job.frame, job.config, std::max(1, cores - 1), frames[0].trace);
+    if (cores == 1) recording.finish();
+    std::vector<FrameTiming> timings = replay(job.config, khz, frames, traffic, progress);
+    recording.finish();
+    return timings;
+}
+
 FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
     std::vector<FrameTrace> frames;
-    frames.push_back(record_frame(job, job.frame, 0, progress));
-    FrameRun run = frame_run(frames[0], replay(job.config, job.khz, frames, traffic, progress)[0]);
-    run.seconds += frames[0].trace.seconds;
+    const std::vector<FrameTiming> timings = record_and_replay(job, job.khz, frames, traffic, 0, progress);
+    FrameRun run = frame_run(frames[0], timings[0]);
     run.hits = hits_of(job, frames[0]);
     return run;
 }
@@ -117,7 +132,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
         if (quiet > limit)
             throw std::runtime_error(fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done", limit, machine.cycle(),
                                                  machine.hits(), pixels));
-        if (progress && machine.cycle() % cycles_between_reports == 0) progress("rtl", machine.hits(), pixels);
+        if (progress && machine.cycle() % cycles_between_reports == 0) progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
     FrameRun run{{machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()}, {}};

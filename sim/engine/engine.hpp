@@ -52,7 +52,11 @@ FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, con
 std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic = {},
                                 const Progress& progress = {});
 
-/// The same on the RTL, which makes its frames by itself.
+/// One frame, the job's, replayed while it is being recorded: `frames` gets its trace.
+std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames, Traffic traffic = {}, int threads = 0,
+                                           const Progress& progress = {});
+
+/// Frames on the RTL, which makes its frames by itself.
 std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
 /// A replayed frame with what its rays did; hits are left out.

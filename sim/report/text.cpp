@@ -50,7 +50,7 @@ Progress terminal_progress() {
     const auto state = std::make_shared<State>();
     return [state](std::string_view what, std::uint64_t done, std::uint64_t total) {
         const auto now = Clock::now();
-        if (state->what != what) *state = {std::string(what), now, {}};
+        if (const std::string_view work = what.substr(0, what.find(',')); state->what != work) *state = {std::string(work), now, {}};
         const bool end = done >= total;
         if (!end && now - state->drawn < std::chrono::milliseconds(100)) return;
         state->drawn = now;
@@ -59,7 +59,7 @@ Progress terminal_progress() {
             std::fprintf(stderr, "\r\033[K");
         } else {
             const double share = total ? double(done) / double(total) : 0;
-            std::fprintf(stderr, "\r\033[K%s %3.0f %%, %.0f s left", state->what.c_str(), share * 100,
+            std::fprintf(stderr, "\r\033[K%.*s: %3.0f %%, %.0f s left", int(what.size()), what.data(), share * 100,
                          done ? seconds * (1 - share) / share : 0.0);
         }
         std::fflush(stderr);

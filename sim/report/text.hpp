@@ -22,7 +22,8 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// Draws progress with the time that is left on standard error, if that is a terminal; otherwise does nothing.
+/// Draws progress with the time that is left on standard error, if that is a terminal; otherwise does nothing. What comes after
+/// a comma in `what` is shown, and is not part of the name of the work.
 Progress terminal_progress();
 
 /// Writes a file under a temporary name and renames it; "-" is standard output. Throws UserError if it cannot.

@@ -116,3 +116,26 @@ TEST_CASE("frames in sequence find the caches as the last one left them", "[trac
     alone.push_back(record_frame(job, job.frame));
     require_same(timings[0], replay(job.config, job.khz, alone)[0]);
 }
+
+TEST_CASE("a machine may replay a trace that is still being recorded", "[trace]") {
+    for (const Values& values : shapes()) {
+        const Job job = small_job("gears:2", {100, 70}, shaped(format("small"), values));
+        INFO(job.config.name);
+        std::vector<FrameTrace> before, beside;
+        before.push_back(record_frame(job, job.frame));
+        const std::vector<FrameTiming> expected = replay(job.config, job.khz, before);
+        for (const int threads : {1, 2, 5}) {
+            require_same(record_and_replay(job, job.khz, beside, {}, threads)[0], expected[0]);
+            require_same(beside[0].trace, before[0].trace, job.config);
+        }
+    }
+}
+
+TEST_CASE("a recording that is given up stops, and whoever waits for its rays is told", "[trace]") {
+    const Job job = small_job("gears:2", {100, 70}, format("small"));
+    Trace trace;
+    { const Recording abandoned(job.image, job.frame, job.config, 2, trace); }
+    REQUIRE(trace.failed.load());
+    trace.rays.assign(trace.rays.size(), nullptr);
+    REQUIRE_THROWS_AS(ray_at(trace, 3, 4), std::runtime_error);
+}
