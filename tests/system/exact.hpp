@@ -1,15 +1,14 @@
 #pragma once
-// The truth about a frame: every pixel's ray against every triangle, in exact integers, written from the geometry.
+// The truth about a frame: every pixel's ray against every triangle, in 256-bit integers that notice overflow.
 //
-// Shares with the model only the lattice (which points the vertices went to) and the camera registers. Sidedness comes
-// from signed volumes with the origin moved by an infinitesimal (e, e^2, e^3), as polynomials in e; the distance from the
-// plane's equation as a fraction.
+// Shares with the model only the lattice (which points the vertices went to) and the camera registers. It judges the model,
+// and the oracle's Surface too, which searches and has 128 bits.
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "model/oracle/surface.hpp"
 #include "sim/engine/engine.hpp"
 
 namespace rayclock::test {
@@ -24,16 +23,14 @@ struct ExactHit {
 /// Triangles of a scene on a lattice, by primitive number; those without area are there, and never hit.
 class ExactScene {
 public:
-    ExactScene(const Scene& scene, const Lattice& lattice);
+    ExactScene(const Scene& scene, const Lattice& lattice) : triangles_(oracle::snapped(scene, lattice)) {}
+    explicit ExactScene(std::vector<oracle::Corners> triangles) : triangles_(std::move(triangles)) {}
 
     /// Closest triangle along o + t d, t > 0; of equal ones the lowest number.
     ExactHit closest(const Vec3i& o, const Vec3i& d) const;
 
 private:
-    struct Corners {
-        Vec3i a, b, c;
-    };
-    std::vector<Corners> triangles_;
+    std::vector<oracle::Corners> triangles_;
 };
 
 /// Direction of a pixel's ray from the camera registers: the nearest integer, halves up.
