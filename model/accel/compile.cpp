@@ -17,12 +17,6 @@ Vec3l minus(const Vec3i& a, const Vec3i& b) {
     return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
 }
 
-/// Exact: the cross product has at most 2 (N + 1) + 1 bits.
-bool has_area(const PrimData& t) {
-    const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
-    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
-}
-
 /// The triangles that keep an area on the lattice, in the scene's order.
 std::vector<PrimData> snap_triangles(const Scene& scene, const Lattice& lattice) {
     std::vector<PrimData> all(scene.triangles.size());
@@ -60,17 +54,17 @@ void check_stack(int need, const Config& config, const std::string& name) {
 
 } // namespace
 
-MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress) {
-    const Clock::time_point start = Clock::now();
-    const std::string name = scene.name.empty() ? "the scene" : scene.name;
+bool has_area(const PrimData& t) {
+    // The cross product has at most 2 (N + 1) + 1 bits.
+    const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
+    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+}
+
+MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config, const std::string& name, const Progress& progress) {
     const auto tell = [&](std::uint64_t stage) {
         if (progress) progress("compiling " + name, stage, 4);
     };
-    tell(0);
     MemoryImage image;
-    image.lattice = fit_lattice(scene, eye, config.coord_bits);
-    const std::vector<PrimData> triangles = snap_triangles(scene, image.lattice);
-    check_kept(triangles, scene, config, name);
     tell(1);
     BinaryTree tree = build_tree(boxes_of(triangles));
     tell(2);
@@ -78,11 +72,23 @@ MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Confi
     tell(3);
     emit_image(tree, triangles, config, name, image);
     check_stack(image.report.stack_need, config, name);
+    tell(4);
+    return image;
+}
+
+MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress) {
+    const Clock::time_point start = Clock::now();
+    const std::string name = scene.name.empty() ? "the scene" : scene.name;
+    if (progress) progress("compiling " + name, 0, 4);
+    const Lattice lattice = fit_lattice(scene, eye, config.coord_bits);
+    const std::vector<PrimData> triangles = snap_triangles(scene, lattice);
+    check_kept(triangles, scene, config, name);
+    MemoryImage image = compile_triangles(triangles, config, name, progress);
+    image.lattice = lattice;
     image.report.triangles = scene.triangles.size();
     image.report.collapsed = scene.triangles.size() - triangles.size();
-    image.report.pitch = image.lattice.pitch;
+    image.report.pitch = lattice.pitch;
     image.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    tell(4);
     return image;
 }
 

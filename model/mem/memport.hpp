@@ -4,6 +4,7 @@
 
 #include "model/core/config.hpp"
 #include "model/core/ring.hpp"
+#include "model/core/rng.hpp"
 
 namespace rayclock {
 
@@ -14,22 +15,6 @@ struct Traffic {
     int stall_percent = 0;    ///< share of cycles in which no request is accepted
     std::uint64_t seed = 1;
     bool none() const { return jitter == 0 && stall_percent == 0; }
-};
-
-/// SplitMix64 (Steele, Lea, Flood 2014): the same numbers on every machine.
-class Rng {
-public:
-    explicit Rng(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    int below(int n) { return int(next() % std::uint64_t(n)); }
-
-private:
-    std::uint64_t state_;
 };
 
 /// The ideal memory: a request accepted in cycle c is answered in cycle c + mem_latency, at most one request every

@@ -24,16 +24,21 @@ Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame) {
     return d;
 }
 
-Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
+Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config) {
     Ray ray;
-    ray.ray = slot.ray;
-    ray.o = frame.eye;
-    ray.d = pixel_direction(slot.x, slot.y, frame);
+    ray.o = o;
+    ray.d = d;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Recip r = reciprocal(ray.d[k], config);
+        const Recip r = reciprocal(d[k], config);
         ray.recip[k] = r.recip;
         ray.len[k] = r.len;
     }
+    return ray;
+}
+
+Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
+    Ray ray = make_ray(frame.eye, pixel_direction(slot.x, slot.y, frame), config);
+    ray.ray = slot.ray;
     return ray;
 }
 

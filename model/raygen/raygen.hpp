@@ -9,6 +9,9 @@ namespace rayclock {
 /// Mirror of rtl/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray per cycle.
 Ray raygen(const Slot& slot, const Frame& frame, const Config& config);
 
+/// A ray along d from o, with d's reciprocals.
+Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config);
+
 /// The direction alone.
 Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame);
 

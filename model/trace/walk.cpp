@@ -8,8 +8,10 @@ namespace rayclock {
 Walk::Walk(const Frame& frame, const Config& config, const Decoder& decoder)
     : frame_(&frame), config_(&config), decoder_(&decoder), leaves_(config), stack_(config) {}
 
-const Ray& Walk::start(const Slot& slot) {
-    ray_ = raygen(slot, *frame_, *config_);
+const Ray& Walk::start(const Slot& slot) { return start_at(raygen(slot, *frame_, *config_)); }
+
+const Ray& Walk::start_at(const Ray& ray) {
+    ray_ = ray;
     box_ray_ = {ray_.o, {ray_.d[0] < 0, ray_.d[1] < 0, ray_.d[2] < 0}, ray_.recip, ray_.len};
     leaves_.clear();
     stack_.clear();

@@ -15,6 +15,8 @@ public:
 
     /// raygen: the camera ray of a pixel; the next node is the root.
     const Ray& start(const Slot& slot);
+    /// Any ray, made as raygen would.
+    const Ray& start_at(const Ray& ray);
     std::uint32_t node() const { return node_; }
 
     /// box, on the next node. True if list has a triangle to be tested.

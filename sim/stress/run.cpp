@@ -1,0 +1,125 @@
+#include "sim/stress/run.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "sim/engine/engine.hpp"
+#include "sim/stress/state.hpp"
+
+namespace rayclock::stress {
+
+namespace {
+
+constexpr std::uint64_t batch_rays = 1 << 16;
+constexpr double seconds_between_saves = 5;
+
+/// One batch of one cell; its seed is its own, so that batches may be run in any order.
+Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::uint64_t rays) {
+    const Family& which = family(cell.family);
+    const NamedTest test = named_test(cell.test);
+    // All tests see the same rays.
+    Rng seeds(plan.seed * 0x100000001b3 + std::uint64_t(cell.bits) * 0x9e3779b9 + batch);
+    for (const char* c = which.name; *c; ++c) seeds = Rng(seeds.next() + std::uint64_t(*c));
+    Rng rng(seeds.next());
+    Config config = format_of(cell.bits, batch);
+    const Case subject = which.make(config.coord_bits, config.dir_bits, rng);
+    Judge judge(subject, config, test.test, which.closed, test.hardware);
+    Counts counts;
+    for (std::uint64_t i = 0; i < rays; ++i) judge.judge(subject.shoot(rng), counts);
+    return counts;
+}
+
+/// The work in the order in which it is done: every cell's first batch, then every cell's second.
+struct Work {
+    std::vector<Cell> cells;
+    std::uint64_t rays_per_cell, batches;
+    std::uint64_t units() const { return cells.size() * batches; }
+    std::uint64_t rays_of(std::uint64_t unit) const {
+        const std::uint64_t batch = unit / cells.size();
+        return std::min(batch_rays, rays_per_cell - batch * batch_rays);
+    }
+    Cell& cell(std::uint64_t unit) { return cells[unit % cells.size()]; }
+};
+
+Work make_work(const Plan& plan) {
+    Work work;
+    for (const std::string& test : plan.tests)
+        for (const int bits : plan.bits)
+            for (const std::string& name : plan.families) work.cells.push_back({test, bits, name, {}});
+    work.rays_per_cell = std::max<std::uint64_t>(1, (plan.rays + work.cells.size() - 1) / work.cells.size());
+    work.batches = (work.rays_per_cell + batch_rays - 1) / batch_rays;
+    return work;
+}
+
+} // namespace
+
+Config format_of(int bits, std::uint64_t batch) {
+    Config config;
+    config.coord_bits = bits;
+    const int widest = std::min(24, 62 - 2 * bits);
+    config.dir_bits = batch % 2 == 0 ? widest : std::min(widest, 18);
+    config.stack_depth = 64;
+    check_config(config, "stress");
+    return config;
+}
+
+Outcome run(const Plan& plan, const Progress& progress) {
+    using Clock = std::chrono::steady_clock;
+    Work work = make_work(plan);
+    std::uint64_t first = 0;
+    if (!plan.state.empty() && std::filesystem::exists(plan.state)) first = read_state(plan, work.cells);
+
+    Outcome outcome;
+    std::uint64_t rays_all = 0;
+    for (std::uint64_t u = 0; u < work.units(); ++u) (u < first ? outcome.rays_before : rays_all) += work.rays_of(u);
+    rays_all += outcome.rays_before;
+
+    // Results are added up in the order of the units, so that a state is always that of a beginning.
+    const auto start = Clock::now();
+    std::vector<std::optional<Counts>> results(work.units() - first);
+    std::uint64_t added = first;
+    std::atomic<std::uint64_t> next = first, done_rays = outcome.rays_before;
+    std::mutex mutex;
+    auto saved = start;
+    const auto save = [&] {
+        if (!plan.state.empty()) write_state(plan, work.cells, added);
+        saved = Clock::now();
+    };
+    std::atomic<double> core_seconds = 0;
+    const auto help = [&] {
+        const auto begin = Clock::now();
+        for (std::uint64_t u = next++; u < work.units() && !interrupted(); u = next++) {
+            const Counts counts = run_batch(plan, work.cells[u % work.cells.size()], u / work.cells.size(), work.rays_of(u));
+            done_rays += counts.rays;
+            const std::lock_guard lock(mutex);
+            results[u - first] = counts;
+            for (; added < work.units() && results[added - first]; ++added) work.cell(added).counts += *results[added - first];
+            if (progress) progress(fmt::format("rays, {:.2f} M/s", double(done_rays - outcome.rays_before) / 1e6 / std::chrono::duration<double>(Clock::now() - start).count()),
+                                   done_rays, rays_all);
+            if (std::chrono::duration<double>(Clock::now() - saved).count() > seconds_between_saves) save();
+        }
+        core_seconds = core_seconds + std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    const std::size_t cores = plan.threads > 0 ? std::size_t(plan.threads) : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::future<void>> helpers;
+    for (std::size_t i = 1; i < cores; ++i) helpers.push_back(std::async(std::launch::async, help));
+    help();
+    for (auto& helper : helpers) helper.get();
+    save();
+
+    outcome.partial = added < work.units();
+    outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    outcome.core_seconds = core_seconds;
+    for (const Cell& cell : work.cells) outcome.rays += cell.counts.rays;
+    outcome.cells = std::move(work.cells);
+    return outcome;
+}
+
+} // namespace rayclock::stress

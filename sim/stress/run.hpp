@@ -1,0 +1,54 @@
+#pragma once
+// Many rays of many families on many lattices: in batches, on all cores, to be gone on with later.
+#include <string>
+#include <vector>
+
+#include "model/core/progress.hpp"
+#include "sim/stress/judge.hpp"
+
+namespace rayclock::stress {
+
+/// A test by name.
+struct NamedTest {
+    std::string name;
+    Test test = nullptr;
+    bool hardware = false;      ///< walked through the tree as well: the machine has it
+    int primitive_test = 0;     ///< Config::primitive_test
+};
+/// Throws UserError.
+NamedTest named_test(const std::string& name);
+const std::vector<std::string>& test_names();
+
+struct Plan {
+    std::vector<std::string> tests{"exact"};
+    std::vector<int> bits{12, 14, 16, 18, 20};
+    std::vector<std::string> families;
+    std::uint64_t rays = 1'000'000;   ///< in all, shared evenly
+    std::uint64_t seed = 1;
+    int threads = 0;
+    std::string state;                ///< file to go on from and to write to, or empty
+};
+
+/// One row of the table.
+struct Cell {
+    std::string test;
+    int bits = 0;
+    std::string family;
+    Counts counts;
+};
+struct Outcome {
+    std::vector<Cell> cells;
+    std::uint64_t rays = 0, rays_before = 0;   ///< in all, and of these in earlier runs
+    double seconds = 0;                        ///< of this run
+    double core_seconds = 0;                   ///< of all threads
+    bool partial = false;
+};
+
+/// The same counts for the same plan, whatever the threads and however often it was stopped. Throws UserError if the state is of
+/// another plan.
+Outcome run(const Plan& plan, const Progress& progress = {});
+
+/// Configuration of a lattice of `bits` for the given batch: direction widths alternate, the largest that the rules allow first.
+Config format_of(int bits, std::uint64_t batch);
+
+} // namespace rayclock::stress
