@@ -2,9 +2,10 @@
 // Ray against triangle in whole numbers of any width, written from the geometry: on which side of each edge the ray passes, by
 // signed volumes. Shares no formula with the units it judges.
 //
-// Int must hold every volume: with coordinates of N bits and directions of M bits, differences have N + 1 bits, so that one of
-// the six products of a volume is below 2^(2(N+1) + M) and their sum below 2^(2N + M + 5); that of the plane's equation, with
-// three differences, below 2^(3N + 6). 128 bits do for N = 20, M = 24, and 256 for products of two volumes of any format.
+// Two kinds of number: Short for coordinates, differences and products of two of them, Int for volumes. With N-bit coordinates
+// and M-bit directions, differences have N + 1 bits, cross products of two are below 2^(2N + 3), volumes with a direction below
+// 2^(2N + M + 4) and of three differences below 2^(3N + 5). 64 and 128 bits do for N = 20, M = 24; 256 bits that notice overflow
+// judge them (tests/system).
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -18,28 +19,31 @@ struct Corners {
     Vec3i a{}, b{}, c{};
 };
 
-template <class Int> using Triple = std::array<Int, 3>;
+template <class Number> using Triple = std::array<Number, 3>;
 
-template <class Int> Triple<Int> triple(const Vec3i& v) { return {Int(v[0]), Int(v[1]), Int(v[2])}; }
+template <class Number> Triple<Number> triple(const Vec3i& v) { return {Number(v[0]), Number(v[1]), Number(v[2])}; }
 /// From b to a.
-template <class Int> Triple<Int> way(const Triple<Int>& b, const Triple<Int>& a) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+template <class Number> Triple<Number> way(const Triple<Number>& b, const Triple<Number>& a) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// Signed volume of the parallelepiped over three vectors, by Sarrus' rule.
-template <class Int> Int volume(const Triple<Int>& a, const Triple<Int>& b, const Triple<Int>& c) {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+/// Area of the parallelogram over two vectors, as a vector.
+template <class Short> Triple<Short> area(const Triple<Short>& a, const Triple<Short>& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// Signed volume of the parallelepiped over a vector and an area.
+template <class Int, class Short> Int volume(const Triple<Short>& a, const Triple<Short>& bc) {
+    return Int(a[0]) * Int(bc[0]) + Int(a[1]) * Int(bc[1]) + Int(a[2]) * Int(bc[2]);
 }
 
 /// On which side of the directed edge p -> q the line along d through the origin passes, if the origin is moved by
-/// (e, e^2, e^3), e -> 0+: the sign of volume(d, p - o', q - o'). p and q are relative to the origin. Its coefficient of
-/// o'[k] is -volume(d, axis k, q) - volume(d, p, axis k), and terms of two moves vanish, since both would stand in equal
-/// rows. 0 only if d is parallel to the edge.
-template <class Int> int side(const Triple<Int>& d, const Triple<Int>& p, const Triple<Int>& q) {
-    const Int value = volume(d, p, q);
+/// (e, e^2, e^3), e -> 0+: the sign of volume(d, p - o', q - o'), given its value without the move. p and q are relative to the
+/// origin. Its coefficient of o'[k] is -volume(d, axis k, q) - volume(d, p, axis k), and terms of two moves vanish, since both
+/// would stand in equal rows. 0 only if d is parallel to the edge.
+template <class Int, class Short> int side(const Int& value, const Triple<Short>& d, const Triple<Short>& p, const Triple<Short>& q) {
     if (value != 0) return value > 0 ? 1 : -1;
     for (std::size_t k = 0; k < 3; ++k) {
-        Triple<Int> axis{Int(0), Int(0), Int(0)};
+        Triple<Short> axis{Short(0), Short(0), Short(0)};
         axis[k] = 1;
-        const Int slope = -volume(d, axis, q) - volume(d, p, axis);
+        const Int slope = -volume<Int>(d, area(axis, q)) - volume<Int>(d, area(p, axis));
         if (slope != 0) return slope > 0 ? 1 : -1;
     }
     return 0;
@@ -53,21 +57,20 @@ template <class Int> struct Passage {
 };
 
 /// The crossing at t > 0, or nothing. A triangle seen edge-on is not crossed.
-template <class Int> std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
-    const Triple<Int> o = triple<Int>(origin), d = triple<Int>(direction);
-    const Triple<Int> a = way(o, triple<Int>(t.a)), b = way(o, triple<Int>(t.b)), c = way(o, triple<Int>(t.c));
-    const int ab = side(d, a, b);
-    if (ab == 0 || side(d, b, c) != ab || side(d, c, a) != ab) return std::nullopt;
-    // n . (t d - a) = 0 with n = ab x ac: t = volume(a, ab, ac) / volume(d, ab, ac).
-    const Triple<Int> along = way(a, b), across = way(a, c);
-    Int num = volume(a, along, across), den = volume(d, along, across);
-    const int sense = den < 0 ? 1 : -1;
-    if (den < 0) {
-        num = -num;
-        den = -den;
-    }
-    if (den == 0 || num <= 0) return std::nullopt;
-    return Passage<Int>{num, den, sense};
+///
+/// With a, b, c relative to the origin, n = b x c + c x a + a x b is the triangle's normal and n . a = volume(a, b, c), so that
+/// n . (t d - a) = 0 gives t = volume(a, b, c) / (volume(d, b, c) + volume(d, c, a) + volume(d, a, b)).
+template <class Int, class Short> std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
+    const Triple<Short> o = triple<Short>(origin), d = triple<Short>(direction);
+    const Triple<Short> a = way(o, triple<Short>(t.a)), b = way(o, triple<Short>(t.b)), c = way(o, triple<Short>(t.c));
+    const Triple<Short> bc = area(b, c), ca = area(c, a), ab = area(a, b);
+    const Int along_bc = volume<Int>(d, bc), along_ca = volume<Int>(d, ca), along_ab = volume<Int>(d, ab);
+    const int first = side(along_bc, d, b, c);
+    if (first == 0 || side(along_ca, d, c, a) != first || side(along_ab, d, a, b) != first) return std::nullopt;
+    const Int size = along_bc + along_ca + along_ab, height = volume<Int>(a, bc);
+    if (size == 0 || height == 0 || (height > 0) != (size > 0)) return std::nullopt;
+    if (size < 0) return Passage<Int>{-height, -size, 1};
+    return Passage<Int>{height, size, -1};
 }
 
 } // namespace rayclock::oracle

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <numeric>
 
 namespace rayclock::oracle {
 
 namespace {
-
-constexpr std::uint32_t leaf_size = 4;
 
 struct Extent {
     Vec3i lo, hi;
@@ -18,6 +18,12 @@ struct Extent {
             hi[k] = std::max(hi[k], p[k]);
         }
     }
+    std::size_t longest() const {
+        std::size_t axis = 0;
+        for (std::size_t k = 1; k < 3; ++k)
+            if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+        return axis;
+    }
 };
 Extent extent(const Corners& t) {
     Extent box{t.a, t.a};
@@ -26,37 +32,50 @@ Extent extent(const Corners& t) {
     return box;
 }
 
+} // namespace
+
 /// A ray as the rejections want it.
-struct Probe {
-    std::array<std::int64_t, 3> o, d, size;   ///< size: |d|
-    std::size_t main = 0;                     ///< axis of the largest component
+struct Surface::Probe {
+    std::array<double, 3> o, d, size, forward;   ///< twice the origin; d, |d|, sign of d
+    std::size_t main = 0;                        ///< axis of the largest component
+    std::int64_t main_size = 0;
+
     Probe(const Vec3i& origin, const Vec3i& direction) {
         for (std::size_t k = 0; k < 3; ++k) {
-            o[k] = origin[k];
+            o[k] = 2.0 * origin[k];
             d[k] = direction[k];
             size[k] = std::abs(d[k]);
+            forward[k] = (d[k] > 0) - (d[k] < 0);
             if (size[k] > size[main]) main = k;
         }
+        main_size = std::int64_t(size[main]);
     }
-    /// The line passes the box by, as seen along axis k = 3 - i - j. Twice the distances, to have whole centres.
-    bool beside(const Vec3i& lo, const Vec3i& hi, std::size_t i, std::size_t j) const {
-        const std::int64_t centre_i = std::int64_t(lo[i]) + hi[i] - 2 * o[i], centre_j = std::int64_t(lo[j]) + hi[j] - 2 * o[j];
-        const std::int64_t reach = size[i] * (std::int64_t(hi[j]) - lo[j]) + size[j] * (std::int64_t(hi[i]) - lo[i]);
-        return std::abs(d[i] * centre_j - d[j] * centre_i) > reach;
+    /// The children that the ray may meet, a bit each; `near` gets twice the way to their near planes on the main axis.
+    unsigned meets(const Node& node, std::array<double, 4>& near) const {
+        const auto magnitude = [](const Lanes& x) { return x < 0.0 ? -x : x; };
+        unsigned met = 0;
+        for (unsigned h = 0; h < 2; ++h) {
+            const auto& w = node.width[h];
+            const Lanes c[3] = {node.centre[h][0] - o[0], node.centre[h][1] - o[1], node.centre[h][2] - o[2]};
+            auto out = forward[0] * c[0] + w[0] < 0.0;
+            out |= forward[1] * c[1] + w[1] < 0.0;
+            out |= forward[2] * c[2] + w[2] < 0.0;
+            out |= magnitude(d[0] * c[1] - d[1] * c[0]) > size[0] * w[1] + size[1] * w[0];
+            out |= magnitude(d[1] * c[2] - d[2] * c[1]) > size[1] * w[2] + size[2] * w[1];
+            out |= magnitude(d[2] * c[0] - d[0] * c[2]) > size[2] * w[0] + size[0] * w[2];
+            const Lanes way = forward[main] * c[main] - w[main];
+            for (unsigned i = 0; i < 2; ++i) {
+                near[2 * h + i] = way[i];
+                met |= unsigned(out[i] == 0 && node.child[2 * h + i] != none) << (2 * h + i);
+            }
+        }
+        return met;
     }
-    bool misses(const Vec3i& lo, const Vec3i& hi) const {
-        for (std::size_t k = 0; k < 3; ++k)
-            if ((d[k] >= 0 && hi[k] < o[k]) || (d[k] <= 0 && lo[k] > o[k])) return true;
-        return beside(lo, hi, 0, 1) || beside(lo, hi, 1, 2) || beside(lo, hi, 2, 0);
-    }
-    /// The box begins after the hit, on the main axis.
-    bool after(const ExactHit& hit, const Vec3i& lo, const Vec3i& hi) const {
-        const std::int64_t way = d[main] > 0 ? lo[main] - o[main] : o[main] - hi[main];
-        return hit.primitive != no_primitive && Int128(way) * hit.den > hit.num * size[main];
+    /// A box at twice the way `near` on the main axis begins after the hit.
+    bool after(const ExactHit& hit, double near) const {
+        return hit.primitive != no_primitive && Int128(std::int64_t(near)) * hit.den > 2 * hit.num * main_size;
     }
 };
-
-} // namespace
 
 std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice) {
     std::vector<Corners> triangles;
@@ -67,65 +86,90 @@ std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice) {
 }
 
 ExactHit exact_hit(const Vec3i& o, const Vec3i& d, const Corners& triangle, std::uint32_t primitive) {
-    const auto at = cross<Int128>(o, d, triangle);
+    const auto at = cross<Int128, std::int64_t>(o, d, triangle);
     return at ? ExactHit{primitive, at->num, at->den, at->sense} : ExactHit{};
 }
 
 Surface::Surface(std::vector<Corners> triangles) : triangles_(std::move(triangles)), order_(triangles_.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
-    nodes_.resize(1);
-    if (!triangles_.empty()) build(0, 0, std::uint32_t(triangles_.size()));
+    nodes_.reserve(triangles_.size());
+    if (!triangles_.empty()) root_ = build(0, std::uint32_t(triangles_.size()));
     ordered_.reserve(order_.size());
     for (const std::uint32_t i : order_) ordered_.push_back(triangles_[i]);
 }
 
-void Surface::build(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-    Extent all = extent(triangles_[order_[first]]);
-    for (std::uint32_t i = first; i < first + count; ++i) {
-        const Extent box = extent(triangles_[order_[i]]);
-        all.add(box.lo);
-        all.add(box.hi);
-    }
-    nodes_[node].lo = all.lo;
-    nodes_[node].hi = all.hi;
-    if (count <= leaf_size) {
-        nodes_[node].first = first;
-        nodes_[node].count = std::uint16_t(count);
-        return;
-    }
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-        if (std::int64_t(all.hi[k]) - all.lo[k] > std::int64_t(all.hi[axis]) - all.lo[axis]) axis = k;
-    const auto middle = [&](std::uint32_t i) {
-        const Corners& t = triangles_[i];
-        return std::int64_t(t.a[axis]) + t.b[axis] + t.c[axis];
+/// A node over a part of order_; its number.
+std::uint32_t Surface::build(std::uint32_t first, std::uint32_t count) {
+    const auto bounds = [&](std::uint32_t from, std::uint32_t n) {
+        Extent all = extent(triangles_[order_[from]]);
+        for (std::uint32_t i = from + 1; i < from + n; ++i) {
+            const Extent box = extent(triangles_[order_[i]]);
+            all.add(box.lo);
+            all.add(box.hi);
+        }
+        return all;
     };
-    const auto begin = order_.begin() + first;
-    std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t i, std::uint32_t j) { return std::pair(middle(i), i) < std::pair(middle(j), j); });
-    const auto child = std::uint32_t(nodes_.size());
-    nodes_.resize(nodes_.size() + 2);
-    nodes_[node].first = child;
-    nodes_[node].axis = std::uint16_t(axis);
-    build(child, first, count / 2);
-    build(child + 1, first + count / 2, count - count / 2);
+    // Puts the lower half of a part first, along the part's longest axis; numbers decide between equals.
+    const auto halve = [&](std::uint32_t from, std::uint32_t n) {
+        const std::size_t axis = bounds(from, n).longest();
+        const auto middle = [&](std::uint32_t i) {
+            const Corners& t = triangles_[i];
+            return std::pair(std::int64_t(t.a[axis]) + t.b[axis] + t.c[axis], i);
+        };
+        const auto begin = order_.begin() + from;
+        std::nth_element(begin, begin + n / 2, begin + n, [&](std::uint32_t i, std::uint32_t j) { return middle(i) < middle(j); });
+        return n / 2;
+    };
+    std::array<std::uint32_t, 5> cut{0, 0, count, count, count};   // of the four parts, some empty
+    if (count > 1) {
+        cut[2] = halve(first, count);
+        cut[1] = cut[2] > 1 ? halve(first, cut[2]) : 0;
+        cut[3] = count - cut[2] > 1 ? cut[2] + halve(first + cut[2], count - cut[2]) : cut[2];
+    }
+    const auto number = std::uint32_t(nodes_.size());
+    nodes_.emplace_back();
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const std::uint32_t from = first + cut[i], n = cut[i + 1] - cut[i];
+        std::uint32_t child = none;
+        if (n > 0) {
+            const Extent box = bounds(from, n);
+            for (std::size_t k = 0; k < 3; ++k) {
+                nodes_[number].centre[i / 2][k][i % 2] = double(box.lo[k]) + box.hi[k];
+                nodes_[number].width[i / 2][k][i % 2] = double(box.hi[k]) - box.lo[k];
+            }
+            child = n == 1 ? from | leaf : build(from, n);
+        }
+        nodes_[number].child[i] = child;
+    }
+    return number;
 }
 
-/// Calls meet(place in ordered_) for every triangle whose leaf's box the ray meets, and not after `best`, which meet may change.
+/// Calls meet(place in ordered_) for every triangle whose box the ray meets, and not after `best`, which meet may change.
 template <class Meet> void Surface::walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const {
-    if (triangles_.empty()) return;
+    if (root_ == none) return;
     const Probe ray(o, d);
-    std::array<std::uint32_t, 64> stack;   // 2^32 triangles halved: at most 32 levels
+    // 2^31 triangles quartered: at most 16 levels, each leaving three siblings.
+    std::array<std::pair<std::uint32_t, double>, 64> stack;
     std::size_t depth = 0;
-    stack[depth++] = 0;
+    stack[depth++] = {root_, -1e18};
+    std::array<double, 4> near;
     while (depth > 0) {
-        const Node& node = nodes_[stack[--depth]];
-        if (ray.misses(node.lo, node.hi) || ray.after(best, node.lo, node.hi)) continue;
-        if (node.count == 0) {
-            const std::uint32_t nearer = d[node.axis] < 0 ? 1 : 0;
-            stack[depth++] = node.first + 1 - nearer;
-            stack[depth++] = node.first + nearer;
+        const auto [number, begins] = stack[--depth];
+        if (ray.after(best, begins)) continue;
+        const Node& node = nodes_[number];
+        const std::size_t below = depth;
+        for (unsigned met = ray.meets(node, near); met != 0; met &= met - 1) {
+            const auto i = unsigned(std::countr_zero(met));
+            if (ray.after(best, near[i])) continue;
+            if (node.child[i] & leaf) {
+                meet(node.child[i] & ~leaf);
+                continue;
+            }
+            // Farthest first, so that the nearest is popped first.
+            std::size_t at = depth++;
+            for (; at > below && stack[at - 1].second < near[i]; --at) stack[at] = stack[at - 1];
+            stack[at] = {node.child[i], near[i]};
         }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) meet(i);
     }
 }
 

@@ -28,16 +28,17 @@ struct ExactHit {
 /// Scene's triangles on the lattice, by primitive number; those without area are there, and never hit.
 std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice);
 
-/// Triangles with a search tree of the oracle's own: binary, split at the median, boxes in whole lattice steps.
+/// Triangles with a search tree of the oracle's own: four children a node, split at medians, boxes in whole lattice steps.
 ///
 /// No triangle that a ray meets is skipped. A subtree is passed over only if no point o + s d, s >= 0, lies in the closed box
 /// around its triangles, for one of these reasons, each of which rules that out by itself:
-///  - on some axis the box lies behind the origin, or beside it if d is 0 there;
+///  - on some axis the box lies behind the origin;
 ///  - for two axes i and j, f(p) = d_i (p_j - o_j) - d_j (p_i - o_i), which is 0 along the whole ray, has one sign in all of
-///    the box (f is linear, so its extremes are centre +- half widths);
+///    the box (f is linear, so its extremes are centre +- half widths; this includes d_i = 0 and the box beside the ray);
 ///  - for `closest`, the ray reaches the box's near plane of some axis after the best hit.
 /// Moving the origin by an infinitesimal step does not matter: the moved rays of all small steps meet the closed triangle,
-/// hence in the limit the ray itself does, and with it the closed box.
+/// hence in the limit the ray itself does, and with it the closed box. All values are whole numbers below 2^53 (twice a
+/// difference times a direction: N + 2 + M bits, and a sum), so doubles hold them exactly.
 class Surface {
 public:
     explicit Surface(std::vector<Corners> triangles);
@@ -51,19 +52,22 @@ public:
     const std::vector<Corners>& triangles() const { return triangles_; }
 
 private:
+    using Lanes = double __attribute__((vector_size(16)));
+    /// Lane i of half h for child 2 h + i. Twice the centres and twice the half widths, to have whole numbers.
     struct Node {
-        Vec3i lo{}, hi{};
-        std::uint32_t first = 0;     ///< child, the other follows; or place in order_
-        std::uint16_t count = 0;     ///< triangles, 0 for a node with children
-        std::uint16_t axis = 0;      ///< of the split
+        std::array<std::array<Lanes, 3>, 2> centre, width;
+        std::array<std::uint32_t, 4> child;   ///< a node; or, with the top bit, a place in order_; or none
     };
-    void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+    static constexpr std::uint32_t leaf = 1u << 31, none = ~0u;
+    struct Probe;
+    std::uint32_t build(std::uint32_t first, std::uint32_t count);
     template <class Meet> void walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const;
 
     std::vector<Corners> triangles_;
     std::vector<Corners> ordered_;        ///< as the leaves have them
     std::vector<std::uint32_t> order_;    ///< their numbers
     std::vector<Node> nodes_;
+    std::uint32_t root_ = none;
 };
 
 /// The crossing of triangle `primitive`, or no_primitive.

@@ -16,9 +16,10 @@ bool share_corner(const oracle::Corners& s, const oracle::Corners& t) {
 
 /// 1 if the line along d passes the triangle against its normal, as oracle::Passage has it.
 int sense_of(const Vec3i& d, const oracle::Corners& t) {
-    using oracle::Int128;
-    const auto a = oracle::triple<Int128>(t.a);
-    return oracle::volume(oracle::triple<Int128>(d), oracle::way(a, oracle::triple<Int128>(t.b)), oracle::way(a, oracle::triple<Int128>(t.c))) < 0 ? 1 : -1;
+    using Number = std::int64_t;
+    const auto a = oracle::triple<Number>(t.a);
+    const auto normal = oracle::area(oracle::way(a, oracle::triple<Number>(t.b)), oracle::way(a, oracle::triple<Number>(t.c)));
+    return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), normal) < 0 ? 1 : -1;
 }
 
 /// Takes pairs of opposite sense that share a corner out of a list.

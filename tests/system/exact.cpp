@@ -5,7 +5,7 @@ namespace rayclock::test {
 ExactHit ExactScene::closest(const Vec3i& o, const Vec3i& d) const {
     ExactHit best;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        const auto hit = oracle::cross<Int>(o, d, triangles_[i]);
+        const auto hit = oracle::cross<Int, Int>(o, d, triangles_[i]);
         if (hit && (best.primitive == no_primitive || hit->num * best.den < best.num * hit->den)) best = {std::uint32_t(i), hit->num, hit->den};
     }
     return best;

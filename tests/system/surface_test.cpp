@@ -60,8 +60,9 @@ TEST_CASE("the oracle's triangle test is what elimination in fractions finds") {
         ++hits;
         REQUIRE(oracle::Rational(oracle::Int(std::int64_t(hit.num)), oracle::Int(std::int64_t(hit.den))) == truth->t);
         // It enters where it leaves the side of the normal.
-        const auto a = oracle::triple<Int>(t.a), n = oracle::way(a, oracle::triple<Int>(t.b)), m = oracle::way(a, oracle::triple<Int>(t.c));
-        REQUIRE((hit.sense > 0) == (oracle::volume(oracle::triple<Int>(ray.d), n, m) < 0));
+        const auto a = oracle::triple<Int>(t.a);
+        const auto normal = oracle::area(oracle::way(a, oracle::triple<Int>(t.b)), oracle::way(a, oracle::triple<Int>(t.c)));
+        REQUIRE((hit.sense > 0) == (oracle::volume<Int>(oracle::triple<Int>(ray.d), normal) < 0));
     }
     REQUIRE(hits > 200);
 }
@@ -87,7 +88,7 @@ TEST_CASE("the oracle's search skips no triangle that a ray meets, and finds the
             surface.candidates(ray.o, ray.d, found);
             looked += found.size();
             std::size_t met = 0, met_there = 0;
-            for (std::size_t t = 0; t < triangles.size(); ++t) met += oracle::cross<Int>(ray.o, ray.d, triangles[t]).has_value();
+            for (std::size_t t = 0; t < triangles.size(); ++t) met += oracle::cross<Int, Int>(ray.o, ray.d, triangles[t]).has_value();
             for (const std::uint32_t t : found) met_there += oracle::exact_hit(ray.o, ray.d, triangles[t], t).primitive == t;
             REQUIRE(met_there == met);
             hits += met;
