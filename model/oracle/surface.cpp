@@ -4,7 +4,16 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <numeric>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#include <immintrin.h>
+#endif
+// Vectors stay inside functions: how one would be passed does not matter.
+#ifdef __GNUC__
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
 
 namespace rayclock::oracle {
 
@@ -32,17 +41,20 @@ Extent extent(const Corners& t) {
     return box;
 }
 
-} // namespace
+/// Boxes of four children, [axis][child]; twice the centres and twice the half widths, to have whole numbers.
+struct Boxes {
+    double centre[3][4] = {}, width[3][4] = {};
+};
 
 /// A ray as the rejections want it.
-struct Surface::Probe {
-    std::array<double, 3> o, d, size, forward;   ///< twice the origin; d, |d|, sign of d
-    std::size_t main = 0;                        ///< axis of the largest component
+struct Ray {
+    double twice_o[3], d[3], size[3], forward[3];   ///< size: |d|; forward: sign of d
+    std::size_t main = 0;                           ///< axis of the largest component
     std::int64_t main_size = 0;
 
-    Probe(const Vec3i& origin, const Vec3i& direction) {
+    Ray(const Vec3i& origin, const Vec3i& direction) {
         for (std::size_t k = 0; k < 3; ++k) {
-            o[k] = 2.0 * origin[k];
+            twice_o[k] = 2.0 * origin[k];
             d[k] = direction[k];
             size[k] = std::abs(d[k]);
             forward[k] = (d[k] > 0) - (d[k] < 0);
@@ -50,32 +62,44 @@ struct Surface::Probe {
         }
         main_size = std::int64_t(size[main]);
     }
-    /// The children that the ray may meet, a bit each; `near` gets twice the way to their near planes on the main axis.
-    unsigned meets(const Node& node, std::array<double, 4>& near) const {
-        const auto magnitude = [](const Lanes& x) { return x < 0.0 ? -x : x; };
-        unsigned met = 0;
-        for (unsigned h = 0; h < 2; ++h) {
-            const auto& w = node.width[h];
-            const Lanes c[3] = {node.centre[h][0] - o[0], node.centre[h][1] - o[1], node.centre[h][2] - o[2]};
-            auto out = forward[0] * c[0] + w[0] < 0.0;
-            out |= forward[1] * c[1] + w[1] < 0.0;
-            out |= forward[2] * c[2] + w[2] < 0.0;
-            out |= magnitude(d[0] * c[1] - d[1] * c[0]) > size[0] * w[1] + size[1] * w[0];
-            out |= magnitude(d[1] * c[2] - d[2] * c[1]) > size[1] * w[2] + size[2] * w[1];
-            out |= magnitude(d[2] * c[0] - d[0] * c[2]) > size[2] * w[0] + size[0] * w[2];
-            const Lanes way = forward[main] * c[main] - w[main];
-            for (unsigned i = 0; i < 2; ++i) {
-                near[2 * h + i] = way[i];
-                met |= unsigned(out[i] == 0 && node.child[2 * h + i] != none) << (2 * h + i);
-            }
-        }
-        return met;
-    }
     /// A box at twice the way `near` on the main axis begins after the hit.
     bool after(const ExactHit& hit, double near) const {
         return hit.primitive != no_primitive && Int128(std::int64_t(near)) * hit.den > 2 * hit.num * main_size;
     }
 };
+
+// Every operation is exact, so both versions give the same.
+namespace plain {
+using Lanes = double __attribute__((vector_size(16)));
+inline unsigned signs(const Lanes& v) { return unsigned(v[0] < 0) | unsigned(v[1] < 0) << 1; }
+#include "model/oracle/meets.inl"
+} // namespace plain
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC target("avx2")
+namespace avx2 {
+using Lanes = double __attribute__((vector_size(32)));
+inline unsigned signs(const Lanes& v) { return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), _mm256_setzero_pd(), _CMP_LT_OQ))); }
+#include "model/oracle/meets.inl"
+} // namespace avx2
+#pragma GCC pop_options
+unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
+    return __builtin_cpu_supports("avx2") ? avx2::meets(ray, boxes, near) : plain::meets(ray, boxes, near);
+}
+#else
+unsigned meets(const Ray& ray, const Boxes& boxes, double* near) { return plain::meets(ray, boxes, near); }
+#endif
+
+} // namespace
+
+struct Surface::Node {
+    Boxes boxes;
+    std::array<std::uint32_t, 4> child;   ///< a node; or, with the top bit, a place in order_; or none
+    unsigned there = 0;                   ///< a bit for each child
+};
+
+Surface::~Surface() = default;
 
 std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice) {
     std::vector<Corners> triangles;
@@ -134,9 +158,10 @@ std::uint32_t Surface::build(std::uint32_t first, std::uint32_t count) {
         if (n > 0) {
             const Extent box = bounds(from, n);
             for (std::size_t k = 0; k < 3; ++k) {
-                nodes_[number].centre[i / 2][k][i % 2] = double(box.lo[k]) + box.hi[k];
-                nodes_[number].width[i / 2][k][i % 2] = double(box.hi[k]) - box.lo[k];
+                nodes_[number].boxes.centre[k][i] = double(box.lo[k]) + box.hi[k];
+                nodes_[number].boxes.width[k][i] = double(box.hi[k]) - box.lo[k];
             }
+            nodes_[number].there |= 1u << i;
             child = n == 1 ? from | leaf : build(from, n);
         }
         nodes_[number].child[i] = child;
@@ -147,18 +172,18 @@ std::uint32_t Surface::build(std::uint32_t first, std::uint32_t count) {
 /// Calls meet(place in ordered_) for every triangle whose box the ray meets, and not after `best`, which meet may change.
 template <class Meet> void Surface::walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const {
     if (root_ == none) return;
-    const Probe ray(o, d);
+    const Ray ray(o, d);
     // 2^31 triangles quartered: at most 16 levels, each leaving three siblings.
     std::array<std::pair<std::uint32_t, double>, 64> stack;
     std::size_t depth = 0;
     stack[depth++] = {root_, -1e18};
-    std::array<double, 4> near;
+    double near[4];
     while (depth > 0) {
         const auto [number, begins] = stack[--depth];
         if (ray.after(best, begins)) continue;
         const Node& node = nodes_[number];
         const std::size_t below = depth;
-        for (unsigned met = ray.meets(node, near); met != 0; met &= met - 1) {
+        for (unsigned met = meets(ray, node.boxes, near) & node.there; met != 0; met &= met - 1) {
             const auto i = unsigned(std::countr_zero(met));
             if (ray.after(best, near[i])) continue;
             if (node.child[i] & leaf) {

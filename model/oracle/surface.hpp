@@ -42,6 +42,7 @@ std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice);
 class Surface {
 public:
     explicit Surface(std::vector<Corners> triangles);
+    ~Surface();
 
     /// Closest triangle along o + t d, t > 0; of equal ones the lowest number.
     ExactHit closest(const Vec3i& o, const Vec3i& d) const;
@@ -52,14 +53,8 @@ public:
     const std::vector<Corners>& triangles() const { return triangles_; }
 
 private:
-    using Lanes = double __attribute__((vector_size(16)));
-    /// Lane i of half h for child 2 h + i. Twice the centres and twice the half widths, to have whole numbers.
-    struct Node {
-        std::array<std::array<Lanes, 3>, 2> centre, width;
-        std::array<std::uint32_t, 4> child;   ///< a node; or, with the top bit, a place in order_; or none
-    };
+    struct Node;
     static constexpr std::uint32_t leaf = 1u << 31, none = ~0u;
-    struct Probe;
     std::uint32_t build(std::uint32_t first, std::uint32_t count);
     template <class Meet> void walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const;
 

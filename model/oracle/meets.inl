@@ -1,0 +1,35 @@
+// Which of a node's four children a ray may meet. Included inside a namespace, once for each instruction set, with Lanes being
+// as long as the machine's own vectors: the compiler takes longer ones apart.
+
+unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
+    constexpr unsigned lanes = sizeof(Lanes) / sizeof(double);
+    const auto load = [](const double* from) {
+        Lanes v;
+        std::memcpy(&v, from, sizeof v);
+        return v;
+    };
+    unsigned met = 0;
+    for (unsigned h = 0; h < 4; h += lanes) {
+        const auto &o = ray.twice_o, &d = ray.d, &s = ray.size;
+        const Lanes x = load(&boxes.centre[0][h]) - o[0], y = load(&boxes.centre[1][h]) - o[1], z = load(&boxes.centre[2][h]) - o[2];
+        const Lanes u = load(&boxes.width[0][h]), v = load(&boxes.width[1][h]), w = load(&boxes.width[2][h]);
+        const Lanes xy = d[0] * y - d[1] * x, yz = d[1] * z - d[2] * y, zx = d[2] * x - d[0] * z;
+        const Lanes r_xy = s[0] * v + s[1] * u, r_yz = s[1] * w + s[2] * v, r_zx = s[2] * u + s[0] * w;
+        // The least margin is negative where the ray passes by on one side.
+        Lanes margin = ray.forward[0] * x + u;
+        const auto least = [&](const Lanes& other) { margin = other < margin ? other : margin; };
+        least(ray.forward[1] * y + v);
+        least(ray.forward[2] * z + w);
+        least(r_xy - xy);
+        least(r_xy + xy);
+        least(r_yz - yz);
+        least(r_yz + yz);
+        least(r_zx - zx);
+        least(r_zx + zx);
+        const Lanes c[3] = {x, y, z}, half[3] = {u, v, w};
+        const Lanes way = ray.forward[ray.main] * c[ray.main] - half[ray.main];
+        std::memcpy(near + h, &way, sizeof way);
+        met |= signs(margin) << h;
+    }
+    return ~met & 15u;
+}
