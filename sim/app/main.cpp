@@ -82,6 +82,17 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     traffic_options(verify, o);
     json_option(verify, o);
 
+    CLI::App& stress = add("stress", "numerical hard cases against the exact oracle",
+                           "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started again, it goes on)", stress_command);
+    stress.add_option("--bits", o.bits, "lattices: bits of a coordinate, as 12:20:2 or 16,18")->capture_default_str();
+    stress.add_option("--rays", o.rays, "rays in all")->capture_default_str();
+    stress.add_option("--test", o.tests, "primitive test, or all; may be repeated")->delimiter(',');
+    stress.add_option("--family", o.families, "family of hard cases; may be repeated; all by default")->delimiter(',');
+    stress.add_option("--seed", o.seed, "seed of the rays")->check(CLI::Range(1, 1 << 30));
+    stress.add_option("--state", o.state, "file that keeps what is done: go on from it if it is there");
+    threads_option(stress, o);
+    json_option(stress, o);
+
     CLI::App& sweep = add("sweep", "one scene on many configurations and clocks; what differs in timing only shares one trace",
                           "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", sweep_command);
     scene_option(sweep, o);

@@ -50,6 +50,28 @@ std::vector<int> parse_clocks(const std::string& text) {
     return clocks;
 }
 
+std::vector<int> parse_values(const std::string& option, const std::string& text) {
+    constexpr int most = 10000;
+    std::vector<int> parts;
+    const char separator = text.find(':') != std::string::npos ? ':' : ',';
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, from), text.size());
+        const std::string_view part = std::string_view(text).substr(from, end - from);
+        parts.emplace_back();
+        if (!parse_whole(part, parts.back())) throw UserError(fmt::format("{}: '{}' in '{}' is not a whole number", option, part, text));
+        from = end + 1;
+    }
+    if (separator == ',') return parts;
+    const int step = parts.size() > 2 ? parts[2] : 1;
+    if (parts.size() > 3 || step < 1 || parts[1] < parts[0]) throw UserError(fmt::format("{}: '{}' is not from:to:step with a step above 0", option, text));
+    std::vector<int> values;
+    for (std::int64_t value = parts[0]; value <= parts[1]; value += step) {
+        if (values.size() == most) throw UserError(fmt::format("{}: '{}' are more than {} values", option, text, most));
+        values.push_back(int(value));
+    }
+    return values;
+}
+
 std::vector<Camera> camera_path(const Options& options, const Camera& camera) {
     if (options.frames < 1 || options.frames > 1000) throw UserError(fmt::format("--frames must lie in 1..1000, not {}", options.frames));
     if (!(std::abs(options.pan) <= 360)) throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", options.pan));

@@ -30,10 +30,17 @@ struct Options {
     int frames = 1;
     double pan = 0;
     std::vector<std::string> axes;
+    std::string bits = "12:20:2";
+    std::string rays = "1e6";
+    std::vector<std::string> tests, families;
+    std::string state;
 };
 
 /// "512x384". Throws UserError.
 FrameSize parse_size(const std::string& text);
+
+/// "1,2,4" or "12:20:2" (from, to, step): whole numbers. `option` begins the sentence. Throws UserError.
+std::vector<int> parse_values(const std::string& option, const std::string& text);
 
 /// "66,90,200": MHz, each from 1 to 100,000 with at most three decimals, as kHz. Throws UserError.
 std::vector<int> parse_clocks(const std::string& text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/raygen/raygen.hpp"
+#include "sim/stress/controls.hpp"
 
 namespace rayclock::stress {
 
@@ -51,13 +52,14 @@ Counts& Counts::operator+=(const Counts& other) {
     return *this;
 }
 
-Judge::Judge(const Case& subject, const Config& config, Test test, bool closed, bool hardware)
+Judge::Judge(const Case& subject, const Config& config, Test test, bool closed, Walks walks)
     : mesh_(subject.mesh), config_(config), test_(test), closed_(closed), surface_(mesh_.triangles), triangles_(numbered(mesh_.triangles)) {
     std::vector<PrimData> kept = triangles_;
     std::erase_if(kept, [](const PrimData& t) { return !has_area(t); });
-    if (!hardware || kept.empty()) return;
+    if (walks == Walks::no || kept.empty()) return;
     config_.stack_depth = 64;
     image_ = compile_triangles(kept, config_, "the case");
+    if (walks == Walks::small_boxes) shrink_boxes(image_, config_);
     decoder_ = std::make_unique<Decoder>(image_, config_);
     walk_ = std::make_unique<Walk>(frame_, config_, *decoder_);
 }

@@ -11,6 +11,9 @@ namespace rayclock::stress {
 /// A primitive test as model/isect has them: whether the triangle is hit closer than `best`, and where.
 using Test = void (*)(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out);
 
+/// Whether rays go through the tree as well, and through which.
+enum class Walks { no, tree, small_boxes };
+
 /// What came of rays.
 struct Counts {
     std::uint64_t rays = 0;
@@ -34,7 +37,7 @@ struct Counts {
 /// `walk_every`th, and its closest hit is compared with the oracle's.
 class Judge {
 public:
-    Judge(const Case& subject, const Config& config, Test test, bool closed, bool hardware);
+    Judge(const Case& subject, const Config& config, Test test, bool closed, Walks walks);
     void judge(const Shot& shot, Counts& counts);
 
     static constexpr int walk_every = 8;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <future>
 #include <mutex>
@@ -20,17 +21,24 @@ namespace {
 constexpr std::uint64_t batch_rays = 1 << 16;
 constexpr double seconds_between_saves = 5;
 
+/// Processor time of this thread.
+double thread_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
 /// One batch of one cell; its seed is its own, so that batches may be run in any order.
 Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::uint64_t rays) {
     const Family& which = family(cell.family);
-    const NamedTest test = named_test(cell.test);
+    const NamedTest& test = named_test(cell.test);
     // All tests see the same rays.
     Rng seeds(plan.seed * 0x100000001b3 + std::uint64_t(cell.bits) * 0x9e3779b9 + batch);
     for (const char* c = which.name; *c; ++c) seeds = Rng(seeds.next() + std::uint64_t(*c));
     Rng rng(seeds.next());
     Config config = format_of(cell.bits, batch);
     const Case subject = which.make(config.coord_bits, config.dir_bits, rng);
-    Judge judge(subject, config, test.test, which.closed, test.hardware);
+    Judge judge(subject, config, test.test, which.closed, test.walks);
     Counts counts;
     for (std::uint64_t i = 0; i < rays; ++i) judge.judge(subject.shoot(rng), counts);
     return counts;
@@ -94,7 +102,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
     };
     std::atomic<double> core_seconds = 0;
     const auto help = [&] {
-        const auto begin = Clock::now();
+        const double begin = thread_seconds();
         for (std::uint64_t u = next++; u < work.units() && !interrupted(); u = next++) {
             const Counts counts = run_batch(plan, work.cells[u % work.cells.size()], u / work.cells.size(), work.rays_of(u));
             done_rays += counts.rays;
@@ -105,7 +113,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
                                    done_rays, rays_all);
             if (std::chrono::duration<double>(Clock::now() - saved).count() > seconds_between_saves) save();
         }
-        core_seconds = core_seconds + std::chrono::duration<double>(Clock::now() - begin).count();
+        core_seconds = core_seconds + thread_seconds() - begin;
     };
     const std::size_t cores = plan.threads > 0 ? std::size_t(plan.threads) : std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::future<void>> helpers;

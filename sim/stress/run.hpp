@@ -8,16 +8,36 @@
 
 namespace rayclock::stress {
 
+/// What a test's counts must be.
+enum class Demand {
+    truth,         ///< what the oracle says: nothing leaks, nothing is hit twice, no decision is another
+    watertight,    ///< nothing leaks or is hit twice
+    nothing,
+    double_hits, leaks, mismatches,   ///< controls: there must be some
+};
+
 /// A test by name.
 struct NamedTest {
-    std::string name;
+    const char* name;
+    const char* what;
     Test test = nullptr;
-    bool hardware = false;      ///< walked through the tree as well: the machine has it
+    Walks walks = Walks::no;
     int primitive_test = 0;     ///< Config::primitive_test
+    Demand demand = Demand::nothing;
+};
+/// One row of the table.
+struct Cell {
+    std::string test;
+    int bits = 0;
+    std::string family;
+    Counts counts;
 };
 /// Throws UserError.
-NamedTest named_test(const std::string& name);
-const std::vector<std::string>& test_names();
+const NamedTest& named_test(const std::string& name);
+/// All there are; first those of the machine and the baselines, then the controls.
+const std::vector<NamedTest>& named_tests();
+/// Whether the counts of a test's all families, but for those that must leak, are as demanded; and on those that must, whether they do.
+bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells);
 
 struct Plan {
     std::vector<std::string> tests{"exact"};
@@ -29,13 +49,6 @@ struct Plan {
     std::string state;                ///< file to go on from and to write to, or empty
 };
 
-/// One row of the table.
-struct Cell {
-    std::string test;
-    int bits = 0;
-    std::string family;
-    Counts counts;
-};
 struct Outcome {
     std::vector<Cell> cells;
     std::uint64_t rays = 0, rays_before = 0;   ///< in all, and of these in earlier runs

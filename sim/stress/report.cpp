@@ -1,0 +1,77 @@
+#include "sim/stress/report.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/report/text.hpp"
+
+namespace rayclock::stress {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::vector<std::string> figures(const Counts& c) {
+    return {grouped(c.rays), grouped(c.crossings), grouped(c.leaks), grouped(c.double_hits), grouped(c.oracle_mismatches)};
+}
+std::vector<std::string> row(const std::string& name, const Counts& c) {
+    std::vector<std::string> cells = figures(c);
+    cells.insert(cells.begin(), name);
+    return cells;
+}
+
+void add_figures(ordered_json& json, const Counts& c) {
+    json["rays"] = c.rays;
+    json["crossings"] = c.crossings;
+    json["leaks"] = c.leaks;
+    json["double_hits"] = c.double_hits;
+    json["oracle_mismatches"] = c.oracle_mismatches;
+    json["walked"] = c.walked;
+}
+
+const char* verdict(const NamedTest& test, bool met) {
+    switch (test.demand) {
+    case Demand::truth: return met ? "every decision is the exact one" : "WRONG: not every decision is the exact one";
+    case Demand::watertight: return met ? "watertight" : "WRONG: not watertight";
+    case Demand::nothing: return "a baseline: nothing is demanded";
+    default: return met ? "a control: noticed" : "WRONG: this control was not noticed";
+    }
+}
+
+} // namespace
+
+std::string text(const Plan& plan, const Outcome& outcome) {
+    std::string out;
+    for (const std::string& name : plan.tests) {
+        const NamedTest& test = named_test(name);
+        const auto of_test = [&](const Cell& cell) { return cell.test == name; };
+        Table table({"family", "rays", "crossings", "leaks", "double hits", "oracle mismatches"});
+        for (const std::string& family : plan.families)
+            table.add(row(family, sum(outcome.cells, [&](const Cell& cell) { return of_test(cell) && cell.family == family; })));
+        if (plan.bits.size() > 1)
+            for (const int bits : plan.bits)
+                table.add(row(fmt::format("all sound, N = {}", bits), sum(outcome.cells, [&](const Cell& cell) { return of_test(cell) && cell.bits == bits && !stress::family(cell.family).leaks; })));
+        const bool told = outcome.partial || sum(outcome.cells, of_test).rays == 0;
+        out += fmt::format("{}: {}\n{}  {}\n\n", name, test.what, table.text(), told ? "unfinished" : verdict(test, meets_demand(test, outcome.cells)));
+    }
+    out += fmt::format("{} rays in {:.1f} s, {:.2f} M rays/s a core{}{}\n", grouped(outcome.rays - outcome.rays_before), outcome.seconds,
+                       double(outcome.rays - outcome.rays_before) / 1e6 / std::max(1e-9, outcome.core_seconds),
+                       outcome.rays_before > 0 ? fmt::format("; {} were done before", grouped(outcome.rays_before)) : "",
+                       outcome.partial ? "; PARTIAL: interrupted" : "");
+    return out;
+}
+
+ordered_json json(const Plan& plan, const Outcome& outcome) {
+    ordered_json tests = ordered_json::array(), verdicts = ordered_json::object(), total;
+    for (const Cell& cell : outcome.cells) {
+        ordered_json one{{"test", cell.test}, {"bits", cell.bits}, {"family", cell.family}};
+        add_figures(one, cell.counts);
+        tests.push_back(std::move(one));
+    }
+    add_figures(total, sum(outcome.cells, [](const Cell&) { return true; }));
+    for (const std::string& name : plan.tests)
+        verdicts[name] = outcome.partial ? ordered_json(nullptr) : ordered_json(meets_demand(named_test(name), outcome.cells));
+    return {{"seed", plan.seed}, {"tests", tests}, {"total", total}, {"good", verdicts}, {"partial", outcome.partial},
+            {"host", {{"seconds", outcome.seconds}, {"rays_per_core_second", double(outcome.rays - outcome.rays_before) / std::max(1e-9, outcome.core_seconds)}}}};
+}
+
+} // namespace rayclock::stress
