@@ -7,7 +7,7 @@
 
 namespace rayclock {
 
-/// What the chip's answers mean in scene units: depth = t / 2^(M-1+F) * |d| * pitch, weights u, v / 2^bary_bits.
+/// What the chip's answers mean in scene units: depth = t / 2^(M-1+F) * |d * pitch|, weights u, v / 2^bary_bits.
 class HitScale {
 public:
     HitScale(const Frame& frame, const Lattice& lattice, const Config& config);
@@ -15,6 +15,7 @@ public:
 
 private:
     Frame frame_;
+    glm::dvec3 shape_;          ///< pitches, in units of the coarsest
     double depth_, weight_;
 };
 

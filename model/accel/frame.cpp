@@ -1,4 +1,4 @@
-// Camera registers from the camera: the pixel map in fixed point.
+// Camera registers from the camera: the pixel map in fixed point, in lattice steps.
 //
 // Proof that every direction fits M bits. Let V = C + x R + y D be what raygen sums for pixel (x, y), with C, R, D the
 // nearest integers to scale * (corner, right, down). Each is off by at most 1/2, so V is off from scale * direction(x, y)
@@ -26,6 +26,7 @@ Vec3l fixed(const glm::dvec3& v, double scale) {
 
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config) {
     PixelRays rays = pixel_rays(camera, size);
+    for (glm::dvec3* const part : {&rays.corner, &rays.right, &rays.down}) *part = lattice.direction(*part);
     if (size.width == 1) rays.right = glm::dvec3{0};
     if (size.height == 1) rays.down = glm::dvec3{0};
     double m = std::max(largest(rays.right), largest(rays.down));

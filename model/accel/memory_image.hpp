@@ -16,10 +16,14 @@ namespace rayclock {
 /// The lattice of N-bit signed coordinates that covers the scene's bounds and the eye: point = centre + pitch * k.
 struct Lattice {
     glm::dvec3 centre{0};
-    double pitch = 1;                       ///< scene units per lattice step
+    glm::dvec3 pitch{1};                    ///< scene units per lattice step, for each axis; none more than twice another
     int coord_bits = 18;
+    double coarsest() const;                ///< the largest pitch
+    /// A direction of the scene in lattice steps, in units of the coarsest pitch: d / pitch * coarsest().
+    glm::dvec3 direction(const glm::dvec3& d) const { return d * (coarsest() / pitch); }
     Vec3i snap(const glm::dvec3& point) const;   ///< nearest lattice point, halves away from zero
 };
+/// The eye becomes a lattice point.
 Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits);
 
 /// What compilation found out.
@@ -30,7 +34,7 @@ struct CompileReport {
     int depth = 0;                    ///< nodes on the longest path from the root
     int stack_need = 0;               ///< sibling groups that a ray may have to keep
     std::uint64_t bytes = 0;
-    double pitch = 0;
+    glm::dvec3 pitch{0};
     double seconds = 0;
 };
 

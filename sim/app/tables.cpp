@@ -14,8 +14,8 @@ std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     const CompileReport& r = job.image.report;
     std::string text = fmt::format("{}: {} triangles, {}x{} pixels, configuration {}\n", scene.name, grouped(scene.triangles.size()), size.width,
                                    size.height, job.config.name);
-    text += fmt::format("  memory image {} bytes: {} nodes, depth {}, stack {} of {}; lattice pitch {:.3g} scene units at {} bits", grouped(r.bytes),
-                        grouped(r.nodes), r.depth, r.stack_need, job.config.stack_depth, r.pitch, job.config.coord_bits);
+    text += fmt::format("  memory image {} bytes: {} nodes, depth {}, stack {} of {}; lattice pitches {:.3g}, {:.3g}, {:.3g} scene units at {} bits", grouped(r.bytes),
+                        grouped(r.nodes), r.depth, r.stack_need, job.config.stack_depth, r.pitch.x, r.pitch.y, r.pitch.z, job.config.coord_bits);
     if (r.collapsed) text += fmt::format("; {} triangles have no area on it and are left out", grouped(r.collapsed));
     return text + "\n";
 }

@@ -1,5 +1,6 @@
 #include "sim/report/json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ ordered_json config_json_object(const Config& config) {
 
 ordered_json compile_json(const CompileReport& r) {
     return {{"triangles", r.triangles}, {"collapsed", r.collapsed}, {"nodes", r.nodes}, {"leaves", r.leaves}, {"depth", r.depth},
-            {"stack_need", r.stack_need}, {"bytes", r.bytes}, {"pitch", r.pitch}, {"seconds", r.seconds}};
+            {"stack_need", r.stack_need}, {"bytes", r.bytes}, {"pitch", std::max({r.pitch.x, r.pitch.y, r.pitch.z})}, {"pitches", {r.pitch.x, r.pitch.y, r.pitch.z}}, {"seconds", r.seconds}};
 }
 
 ordered_json work_json(const FrameRun& run) {

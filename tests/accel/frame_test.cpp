@@ -35,6 +35,12 @@ Pixel look(const PixelRays& rays, const Frame& frame, double scale, int x, int y
     return pixel;
 }
 
+/// The pixel map as the lattice has it.
+PixelRays in_steps(PixelRays rays, const Lattice& lattice) {
+    for (glm::dvec3* const part : {&rays.corner, &rays.right, &rays.down}) *part /= lattice.pitch;
+    return rays;
+}
+
 bool fits(const Vec3l& v, int bits) {
     return std::all_of(v.begin(), v.end(), [bits](std::int64_t x) { return std::abs(x) < std::int64_t(1) << (bits - 1); });
 }
@@ -50,7 +56,7 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     const Config config = with_dir_bits(bits);
     const Camera camera{{3, 4, 5}, {-1, 0.5, 0.25}, {0.1, 1, 0.2}, fov};
     Lattice lattice;
-    lattice.pitch = 0.01;
+    lattice.pitch = {0.01, 0.02, 0.015};
     const Frame frame = make_frame(camera, size, lattice, config);
     INFO(bits << " bits, " << fov << " degrees, " << size.width << "x" << size.height);
 
@@ -61,7 +67,7 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     for (const Vec3l& v : {frame.corner, frame.right, frame.down}) CHECK(fits(v, config.guard_dir_bits()));
 
     // The scale that make_frame chose, from its longest register, to within half a unit of it.
-    const PixelRays rays = pixel_rays(camera, size);
+    const PixelRays rays = in_steps(pixel_rays(camera, size), lattice);
     int axis = 0;
     for (int k = 1; k < 3; ++k)
         if (std::abs(rays.corner[k]) > std::abs(rays.corner[axis])) axis = k;

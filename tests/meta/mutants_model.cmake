@@ -35,8 +35,14 @@ mutant(model_child_box_rounded_inward QUICK FILE model/accel/encode.cpp TEST acc
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
 mutant(model_lattice_rounds_down FILE model/accel/lattice.cpp TEST accel ~[none]
-  OLD [[std::round((point[k] - centre[k]) / pitch)]]
-  NEW [[std::floor((point[k] - centre[k]) / pitch)]])
+  OLD [[std::round((point[k] - centre[k]) / pitch[k])]]
+  NEW [[std::floor((point[k] - centre[k]) / pitch[k])]])
+mutant(model_eye_between_lattice_points FILE model/accel/lattice.cpp TEST accel ~[none]
+  OLD [[lattice.pitch[k] * std::round((eye[k] - middle[k]) / lattice.pitch[k])]]
+  NEW [[lattice.pitch[k] * ((eye[k] - middle[k]) / lattice.pitch[k])]])
+mutant(model_direction_in_scene_units FILE model/accel/frame.cpp TEST accel ~[none]
+  OLD [[*part = lattice.direction(*part);]]
+  NEW [[*part = lattice.coarsest() * *part;]])
 mutant(model_cache_touch_turned FILE model/mem/cache.cpp TEST unit "a set gives up*"
   OLD [[if (!(node & 1)) turn_]]
   NEW [[if (node & 1) turn_]])

@@ -1,19 +1,19 @@
 // Model against the double-precision reference: every pixel that differs lies where the lattice may decide otherwise.
 //
-// Let p be the lattice pitch. Snapping moves a vertex by at most p / 2 on each axis, and so the eye; both together move
-// a vertex as seen from the eye by at most sqrt(3) p. Camera registers are rounded, and then the direction: each component
-// of the integer direction D is off by at most 1/2 (the last rounding) plus (1 + x + y) / 2^(guard_bits + 1) < 0.01 (the
-// registers), so a point at distance z along the ray moves sideways by at most z theta, theta = sqrt(3) 0.51 / |D|.
+// Let p be the vector of the three lattice pitches. Snapping moves a vertex by at most p_k / 2 on axis k, so by at most |p| / 2;
+// the eye is a lattice point and stays. Camera registers are rounded, and then the direction: each component of the integer
+// direction D is off by at most 1/2 (the last rounding) plus (1 + x + y) / 2^(guard_bits + 1) < 0.01 (the registers), so a point
+// at distance z along the ray moves sideways by at most z theta, theta = 0.51 |p| / |D p|, where D p multiplies axis by axis.
 //
 // Move everything continuously from the scene as given to the snapped one. If the ray is inside a triangle before and
 // outside after, then on the way it crossed the triangle's boundary, so at the beginning it passes a point of one of the
-// triangle's edges within eps = sqrt(3) p + z theta. If it is inside both triangles before and after and their order along the
+// triangle's edges within eps = |p| / 2 + z theta. If it is inside both triangles before and after and their order along the
 // ray changed, they met on the way: a distance along the ray changes by at most eps (1 + 1 / |cos|), cos the cosine between
 // the ray and the triangle's normal (to first order in eps; the factor of 2 below covers the rest for triangles whose
 // normal turns little), so they were at most the sum of both apart. A pixel whose ray keeps clear of all this must show the
 // same primitive. The count is then bounded by that of pixels near an edge: an edge of l pixels in the picture decides
-// 2 l eps' pixels on average, eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.002, and even where triangles are as
-// small as pixels there are some 6 pixels of edge for every pixel: 2.4 %. Half a percent is demanded of every scene. Ties
+// 2 l eps' pixels on average, eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.001, and even where triangles are as
+// small as pixels there are some 6 pixels of edge for every pixel: 1.2 %. A quarter of a percent is demanded of every scene. Ties
 // are counted apart: where surfaces coincide (in rings) no precision decides, and rounding does in the reference.
 #include <catch2/catch.hpp>
 
@@ -51,13 +51,19 @@ public:
         const Ray ray = at(x, y);
         double depth[2], reach = 0;
         for (int i = 0; i < 2; ++i) {
-            const std::uint32_t primitive = i ? second : first;
-            const dvec3 n = glm::normalize(glm::cross(corner(primitive, 1) - corner(primitive, 0), corner(primitive, 2) - corner(primitive, 0)));
-            const double cosine = glm::dot(n, ray.unit);
-            depth[i] = glm::dot(n, corner(primitive, 0) - rays_.eye) / cosine;
-            reach += tolerance(ray, depth[i]) * (1 + 1 / std::abs(cosine));
+            const Plane plane = plane_of(ray, i ? second : first);
+            depth[i] = plane.depth;
+            reach += tolerance(ray, plane.depth) * (1 + 1 / plane.cosine);
         }
         return std::abs(depth[0] - depth[1]) <= 2 * reach;
+    }
+
+    /// How far the depth of a pixel that holds the right primitive may be off; t's last place is added, along a direction whose
+    /// largest component is at least a quarter of the picture's.
+    double depth_bound(std::uint32_t primitive, int x, int y) const {
+        const Ray ray = at(x, y);
+        const Plane plane = plane_of(ray, primitive);
+        return 2 * tolerance(ray, plane.depth) * (1 + 1 / plane.cosine) + glm::length(job_.image.lattice.pitch) * std::ldexp(1.0, -job_.config.t_frac_bits);
     }
 
 private:
@@ -67,9 +73,18 @@ private:
     };
     Ray at(int x, int y) const {
         const Vec3i d = pixel_direction(std::uint32_t(x), std::uint32_t(y), job_.frame);
-        return {glm::normalize(rays_.direction(x, y)), std::sqrt(3.0) * 0.51 / glm::length(dvec3{d[0], d[1], d[2]})};
+        const dvec3& pitch = job_.image.lattice.pitch;
+        return {glm::normalize(rays_.direction(x, y)), 0.51 * glm::length(pitch) / glm::length(dvec3{d[0], d[1], d[2]} * pitch)};
     }
-    double tolerance(const Ray& ray, double z) const { return std::sqrt(3.0) * job_.image.lattice.pitch + ray.theta * z; }
+    struct Plane {
+        double depth, cosine;   ///< where the ray meets the triangle's plane, and its cosine with the normal, positive
+    };
+    Plane plane_of(const Ray& ray, std::uint32_t primitive) const {
+        const dvec3 n = glm::normalize(glm::cross(corner(primitive, 1) - corner(primitive, 0), corner(primitive, 2) - corner(primitive, 0)));
+        const double cosine = glm::dot(n, ray.unit);
+        return {glm::dot(n, corner(primitive, 0) - rays_.eye) / cosine, std::abs(cosine)};
+    }
+    double tolerance(const Ray& ray, double z) const { return 0.5 * glm::length(job_.image.lattice.pitch) + ray.theta * z; }
     dvec3 corner(std::uint32_t primitive, std::size_t k) const { return scene_.vertices[scene_.triangles[primitive].vertex[k]]; }
 
     /// Least distance between the ray's line and the segment a..b: in the plane across the ray, that of a point and a segment.
@@ -99,11 +114,15 @@ TEST_CASE("pixels that differ from the reference lie within rounding of an edge 
     const HitFrame model = run_model(shot.job).hits;
     const Explainer explain(shot);
     std::size_t differ = 0, ties = 0, unexplained = 0;
+    double worst = 0;   // error of a depth, as a share of its bound
     for (std::size_t i = 0; i < model.hits.size(); ++i) {
         const std::uint32_t a = reference.hits[i].primitive, b = model.hits[i].primitive;
-        if (a == b) continue;
-        ++differ;
         const int x = int(i) % size.width, y = int(i) / size.width;
+        if (a == b) {
+            if (a != no_primitive) worst = std::max(worst, std::abs(double(reference.hits[i].depth) - model.hits[i].depth) / explain.depth_bound(a, x, y));
+            continue;
+        }
+        ++differ;
         const bool tie = explain.near_tie(a, b, x, y);
         ties += tie;
         if (tie || explain.near_boundary(a, x, y) || explain.near_boundary(b, x, y)) continue;
@@ -112,7 +131,20 @@ TEST_CASE("pixels that differ from the reference lie within rounding of an edge 
     }
     INFO(name << " at " << bits << " bits: " << differ << " pixels differ, " << ties << " of them by a tie");
     CHECK(unexplained == 0);
-    if (bits >= 18) CHECK(differ - ties <= model.hits.size() / 200);
+    CHECK(worst <= 1);
+    if (bits >= 18) CHECK(differ - ties <= model.hits.size() / 400);
     const FrameError error = frame_error(shot.scene, model, reference);
     CHECK(error.pixels_other_primitive == differ);
+}
+
+TEST_CASE("at 18 bits no more than one pixel in a thousand holds another primitive, at 45 dB") {
+    const std::string name = GENERATE("balls:3", "gears:4", "mount:6", "rings:3", "teapot:12", "tetra:6", "tree:6");
+    const FrameSize size{512, 384};
+    const Shot shot = make_shot(name, size, with(named_config("default"), {{"stack_depth", 64}}));
+    const HitFrame reference = Reference(shot.scene).frame(*shot.scene.camera, size);
+    const FrameError error = frame_error(shot.scene, hits_of(shot.job, record_frame(shot.job, shot.job.frame)), reference);
+    INFO(name << ": " << error.pixels_other_primitive << " pixels differ, " << error.psnr_db << " dB");
+    // In rings a diagonal of the wall passes through the centres of some 380 pixels exactly: any rounding decides.
+    CHECK(error.pixels_other_primitive <= error.pixels / (name == "rings:3" ? 900 : 1000));
+    CHECK(error.psnr_db >= 45);
 }
