@@ -54,3 +54,35 @@ prove(mutant:formal_arbiter_lowest_first TOP arbiter RTL mem/rc_arbiter.sv CYCLE
 prove(mutant:formal_arbiter_grants_two TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
   OLD [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o;]]
   NEW [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o | {valid_i[Sources-1] && valid_i[0] && ready_i, {(Sources-1){1'b0}}};]])
+
+# ---- The caches' control.
+set(mshr mem/rc_mshr.sv prim/rc_ram.sv prim/rc_queue.sv prim/rc_fifo.sv)
+foreach(words IN ITEMS 1 2)
+  prove(formal:mshr_of_${words}_words TOP mshr RTL ${mshr} WITH Words=${words} INDUCTION 3)
+endforeach()
+prove(mutant:formal_mshr_free_too_early TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[else if (drain_i && is_last && drained == MshrW'(m)) busy_q <= 1'b0;]]
+  NEW [[else if (drain_i && drained == MshrW'(m)) busy_q <= 1'b0;]])
+prove(mutant:formal_mshr_forgets_who_joined TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[.clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),]]
+  NEW [[.clk_i, .write_i(take_i), .write_addr_i(take_i ? free_o : joined),]])
+prove(mutant:formal_mshr_links_to_the_first TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[.clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),]]
+  NEW [[.clk_i, .write_i(merge_i), .write_addr_i(head), .write_data_i(id_i),]])
+prove(mutant:formal_mshr_joins_any_line_of_the_way TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[here && way_q == way_i ? MshrW'(m)]]
+  NEW [[busy_q && way_q == way_i ? MshrW'(m)]])
+prove(mutant:formal_mshr_filled_by_the_first_word TOP mshr RTL ${mshr} WITH Words=2 CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[assign filled = fill_fires_i && words == WordW'(Words - 1);]]
+  NEW [[assign filled = fill_fires_i && words == '0;]])
+set(tags mem/rc_tags.sv prim/rc_ram.sv)
+prove(formal:tags TOP tags RTL ${tags} INDUCTION 6)
+prove(mutant:formal_tags_give_a_waiting_way_away TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
+  OLD [[waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;]]
+  NEW [[waiting_i[0] ? gen_way[Ways-1].lowest : oldest;]])
+prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
+  OLD [[= !way_o[Levels-1-l];]]
+  NEW [[= way_o[Levels-1-l];]])
+prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
+  OLD [[clear_q <= clear_q + 1'b1;]]
+  NEW [[clear_q <= '0;]])
