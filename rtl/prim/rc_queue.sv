@@ -22,12 +22,10 @@ module rc_queue #(
     .valid_o, .ready_i(pop_i), .data_o);
 
 `ifndef SYNTHESIS
-`ifndef FORMAL
   a_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni) push_i |-> ready)
     else $error("a queue that cannot overflow did");
   a_pop_has_entry: assert property (@(posedge clk_i) disable iff (!rst_ni) pop_i |-> valid_o)
     else $error("nothing to pop");
-`endif
 `endif
 
   logic unused;

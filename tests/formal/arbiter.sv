@@ -1,0 +1,76 @@
+// What rc_arbiter promises, if an offer that was not taken stays: one grant at most, only to a source that offers, whose
+// data goes out; an offer on show stays until it is taken; and whoever offers is served after Sources - 1 others at most.
+//
+// One source is followed, any: `whom_i` never changes. Ties to the inside for the last claim: how far the turn is from the
+// followed source, and that an offer on show when it came is the only one that may be out of turn.
+module arbiter #(
+  parameter  int unsigned Sources = 4,
+  parameter  int unsigned Width   = 2,
+  localparam int unsigned IndexW  = $clog2(Sources)
+) (
+  input logic                     clk_i,
+  input logic                     rst_ni,
+  input logic [Sources-1:0]       valid_i,
+  input logic [Sources*Width-1:0] data_i,
+  input logic                     ready_i,
+  input logic [IndexW-1:0]        whom_i
+);
+  logic [Sources-1:0] ready_o;
+  logic               valid_o;
+  logic [IndexW-1:0]  source_o;
+  logic [Width-1:0]   data_o;
+  rc_arbiter #(.Sources(Sources), .Width(Width)) u_dut (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i), .valid_o(valid_o),
+    .ready_i(ready_i), .source_o(source_o), .data_o(data_o));
+  (* hierconn *) wire              \u_dut.held_q ;
+  (* hierconn *) wire [IndexW-1:0] \u_dut.last_q ;
+  (* hierconn *) wire [IndexW-1:0] \u_dut.held_source_q ;
+
+  logic begun_q = 1'b0;
+  always @(posedge clk_i) begun_q <= 1'b1;
+  always @* if (!begun_q) assume (!rst_ni);
+
+  logic [Sources-1:0]       waits_q;
+  logic [Sources*Width-1:0] data_q;
+  logic                     stalled_q;
+  logic [IndexW-1:0]        source_q;
+  logic [Width-1:0]         shown_q;
+  always @(posedge clk_i) begin
+    waits_q   <= rst_ni ? valid_i & ~ready_o : '0;
+    data_q    <= data_i;
+    stalled_q <= rst_ni && valid_o && !ready_i;
+    source_q  <= source_o;
+    shown_q   <= data_o;
+  end
+  for (genvar s = 0; s < Sources; s++) begin : gen_source
+    always @* if (rst_ni && waits_q[s])
+      assume (valid_i[s] && data_i[s*Width +: Width] == data_q[s*Width +: Width]);
+  end
+
+  // Grants to others since the followed source began to wait.
+  logic [IndexW-1:0] whom_q, turns, held_turns;
+  logic [IndexW:0]   passed_q;
+  always @(posedge clk_i) begin
+    whom_q <= whom_i;
+    if (!rst_ni || !valid_i[whom_i] || ready_o[whom_i]) passed_q <= '0;
+    else if (ready_o != '0) passed_q <= passed_q + 1'b1;
+  end
+  always @* if (begun_q) assume (whom_i == whom_q);
+  assign turns      = whom_i - \u_dut.last_q - 1'b1;                  // sources before it in turn
+  assign held_turns = \u_dut.held_source_q - \u_dut.last_q - 1'b1;    // the one on show: sources before it
+
+  always @* if (begun_q && rst_ni) begin
+    a_offer:   assert (valid_o == (valid_i != '0));
+    a_one:     assert ((ready_o & (ready_o - 1'b1)) == '0);
+    a_asked:   assert ((ready_o & ~valid_i) == '0);
+    a_taken:   assert ((ready_o != '0) == (valid_o && ready_i));
+    a_told:    assert (ready_o == '0 || ready_o[source_o]);
+    a_data:    assert (!valid_o || data_o == data_i[source_o*Width +: Width]);
+    a_stays:   assert (!stalled_q || (valid_o && source_o == source_q && data_o == shown_q));
+    a_held:    assert (\u_dut.held_q == stalled_q && (!stalled_q || (\u_dut.held_source_q == source_q && waits_q[source_q])));
+    a_bounded: assert (passed_q <= Sources - 1);
+    a_turn:    assert (passed_q == '0 || !waits_q[whom_i] || passed_q + turns <= Sources - 1);
+    a_in_turn: assert (passed_q == '0 || !waits_q[whom_i] || !stalled_q || held_turns <= turns);
+    a_passed:  assert (passed_q == '0 || waits_q[whom_i]);
+  end
+endmodule

@@ -1,0 +1,84 @@
+// What rc_fifo promises, for any traffic on both sides: what goes in comes out, once, in order and unchanged; nothing
+// else comes out; ready and an offer stay until they are used.
+//
+// One entry is followed, any: `pick_i` says which. `ahead_q` entries leave before it. Ties to the inside, as an
+// induction needs them: pointers to the number of entries, the followed entry to its place.
+module fifo #(
+  parameter  int unsigned Depth  = 4,   // 2 or 4
+  parameter  int unsigned Width  = 2,
+  localparam int unsigned IndexW = $clog2(Depth)
+) (
+  input logic             clk_i,
+  input logic             rst_ni,
+  input logic             valid_i,
+  input logic [Width-1:0] data_i,
+  input logic             ready_i,
+  input logic             pick_i
+);
+  logic             ready_o, valid_o;
+  logic [Width-1:0] data_o;
+  rc_fifo #(.Width(Width), .Depth(Depth)) u_dut (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
+    .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o));
+  (* hierconn *) wire [IndexW:0] \u_dut.head_q ;
+  (* hierconn *) wire [IndexW:0] \u_dut.tail_q ;
+
+  logic begun_q = 1'b0;
+  always @(posedge clk_i) begun_q <= 1'b1;
+  always @* if (!begun_q) assume (!rst_ni);
+
+  logic [IndexW:0] inside;
+  assign inside = \u_dut.tail_q - \u_dut.head_q ;
+
+  logic             enters, leaves, follows_q, stalled_q, open_q;
+  logic [IndexW:0]  count_q, ahead_q;
+  logic [Width-1:0] token_q, shown_q;
+  assign enters = valid_i && ready_o;
+  assign leaves = valid_o && ready_i;
+  always @(posedge clk_i) begin
+    if (!rst_ni) begin
+      count_q   <= '0;
+      follows_q <= 1'b0;
+      stalled_q <= 1'b0;
+      open_q    <= 1'b0;
+    end else begin
+      count_q   <= count_q + enters - leaves;
+      stalled_q <= valid_o && !ready_i;
+      open_q    <= ready_o && !valid_i;
+      if (!follows_q && enters && pick_i) begin
+        follows_q <= 1'b1;
+        ahead_q   <= count_q - leaves;
+        token_q   <= data_i;
+      end else if (follows_q && leaves) begin
+        if (ahead_q == '0) follows_q <= 1'b0;
+        ahead_q <= ahead_q - 1'b1;
+      end
+    end
+    shown_q <= data_o;
+  end
+
+  // The followed entry's place.
+  (* hierconn *) wire [Width-1:0] \u_dut.mem[0] , \u_dut.mem[1] ;
+`ifdef Depth_2
+  wire [Width-1:0] \u_dut.mem[2] = '0, \u_dut.mem[3] = '0;
+`else
+  (* hierconn *) wire [Width-1:0] \u_dut.mem[2] , \u_dut.mem[3] ;
+`endif
+  logic [IndexW-1:0]  place;
+  logic [Width-1:0]   kept;
+  logic [4*Width-1:0] all;
+  assign place = \u_dut.head_q [IndexW-1:0] + ahead_q[IndexW-1:0];
+  assign all   = {\u_dut.mem[3] , \u_dut.mem[2] , \u_dut.mem[1] , \u_dut.mem[0] };
+  assign kept  = all[place*Width +: Width];
+
+  always @* if (begun_q && rst_ni) begin
+    a_count:   assert (count_q <= Depth && count_q == inside);
+    a_valid:   assert (valid_o == (count_q != '0));
+    a_ready:   assert (ready_o == (count_q != Depth));
+    a_ahead:   assert (!follows_q || ahead_q < count_q);
+    a_kept:    assert (!follows_q || kept == token_q);
+    a_token:   assert (!follows_q || ahead_q != '0 || data_o == token_q);
+    a_offer:   assert (!stalled_q || (valid_o && data_o == shown_q));
+    a_open:    assert (!open_q || ready_o);
+  end
+endmodule

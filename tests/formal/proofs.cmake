@@ -1,0 +1,88 @@
+# The proofs and their mutants; how to read a row: CMakeLists.txt.
+
+# ---- The door of a pipeline that cannot stall.
+foreach(credits IN ITEMS 1 4 5 16)
+  prove(formal:door_of_${credits} TOP door RTL prim/rc_door.sv WITH Credits=${credits} INDUCTION 4)
+endforeach()
+prove(mutant:formal_door_lets_in_one_too_many TOP door RTL prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
+  OLD [[assign open_o = in_flight_q != Full;]]
+  NEW [[assign open_o = in_flight_q != Full || leave_i;]])
+prove(mutant:formal_door_one_short TOP door RTL prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
+  OLD [[Full = CountW'(Credits);]]
+  NEW [[Full = CountW'(Credits - 1);]])
+prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
+  OLD [[else if (leave_i && !admit_i)]]
+  NEW [[else if (leave_i)]])
+
+# ---- Queues.
+foreach(depth IN ITEMS 2 4)
+  prove(formal:fifo_of_${depth} TOP fifo RTL prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
+endforeach()
+prove(mutant:formal_fifo_ready_when_full TOP fifo RTL prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+  OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
+  NEW [[assign ready_o = 1'b1;]])
+prove(mutant:formal_fifo_writes_when_full TOP fifo RTL prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+  OLD [[if (valid_i && ready_o) mem[tail_q]]
+  NEW [[if (valid_i) mem[tail_q]])
+prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+  OLD [[if (valid_o && ready_i) head_q]]
+  NEW [[if (ready_i) head_q]])
+foreach(depth IN ITEMS 1 2 4)
+  prove(formal:queue_of_${depth} TOP queue RTL prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
+endforeach()
+prove(mutant:formal_queue_half_as_deep TOP queue RTL prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=4 CYCLES 10 FILE prim/rc_queue.sv
+  OLD [[.valid_i(push_i), .ready_o(ready), .data_i,]]
+  NEW [[.valid_i(push_i && !valid_o), .ready_o(ready), .data_i,]])
+
+# ---- Many on one link.
+prove(formal:merge TOP merge RTL prim/rc_merge.sv INDUCTION 4)
+prove(mutant:formal_merge_changes_its_mind TOP merge RTL prim/rc_merge.sv CYCLES 8 FILE prim/rc_merge.sv
+  OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
+  NEW [[assign second         = !first_valid_i;]])
+prove(mutant:formal_merge_tells_both TOP merge RTL prim/rc_merge.sv CYCLES 8 FILE prim/rc_merge.sv
+  OLD [[assign first_ready_o  = ready_i && !second;]]
+  NEW [[assign first_ready_o  = ready_i;]])
+foreach(sources IN ITEMS 2 4 8)
+  prove(formal:arbiter_of_${sources} TOP arbiter RTL mem/rc_arbiter.sv WITH Sources=${sources} INDUCTION 6)
+endforeach()
+prove(mutant:formal_arbiter_changes_its_mind TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
+  OLD [[assign source_o = held_q ? held_source_q : turn;]]
+  NEW [[assign source_o = turn;]])
+prove(mutant:formal_arbiter_lowest_first TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
+  OLD [[if (valid_o && ready_i) last_q <= source_o;]]
+  NEW [[last_q <= '0;]])
+prove(mutant:formal_arbiter_grants_two TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
+  OLD [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o;]]
+  NEW [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o | {valid_i[Sources-1] && valid_i[0] && ready_i, {(Sources-1){1'b0}}};]])
+
+# ---- The caches' control.
+set(mshr mem/rc_mshr.sv prim/rc_ram.sv prim/rc_queue.sv prim/rc_fifo.sv)
+foreach(words IN ITEMS 1 2)
+  prove(formal:mshr_of_${words}_words TOP mshr RTL ${mshr} WITH Words=${words} INDUCTION 3)
+endforeach()
+prove(mutant:formal_mshr_free_too_early TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[else if (drain_i && is_last && drained == MshrW'(m)) busy_q <= 1'b0;]]
+  NEW [[else if (drain_i && drained == MshrW'(m)) busy_q <= 1'b0;]])
+prove(mutant:formal_mshr_forgets_who_joined TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[.clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),]]
+  NEW [[.clk_i, .write_i(take_i), .write_addr_i(take_i ? free_o : joined),]])
+prove(mutant:formal_mshr_links_to_the_first TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[.clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),]]
+  NEW [[.clk_i, .write_i(merge_i), .write_addr_i(head), .write_data_i(id_i),]])
+prove(mutant:formal_mshr_joins_any_line_of_the_way TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[here && way_q == way_i ? MshrW'(m)]]
+  NEW [[busy_q && way_q == way_i ? MshrW'(m)]])
+prove(mutant:formal_mshr_filled_by_the_first_word TOP mshr RTL ${mshr} WITH Words=2 CYCLES 8 FILE mem/rc_mshr.sv
+  OLD [[assign filled = fill_fires_i && words == WordW'(Words - 1);]]
+  NEW [[assign filled = fill_fires_i && words == '0;]])
+set(tags mem/rc_tags.sv prim/rc_ram.sv)
+prove(formal:tags TOP tags RTL ${tags} INDUCTION 6)
+prove(mutant:formal_tags_give_a_waiting_way_away TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
+  OLD [[waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;]]
+  NEW [[waiting_i[0] ? gen_way[Ways-1].lowest : oldest;]])
+prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
+  OLD [[= !way_o[Levels-1-l];]]
+  NEW [[= way_o[Levels-1-l];]])
+prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
+  OLD [[clear_q <= clear_q + 1'b1;]]
+  NEW [[clear_q <= '0;]])
