@@ -8,6 +8,7 @@ int render_command(const Options& options);
 int simulate_command(const Options& options);
 int verify_command(const Options& options);
 int sweep_command(const Options& options);
+int fit_command(const Options& options);
 int yardstick_command(const Options& options);
 int bench_command(const Options& options);
 int scenes_command(const Options& options);

@@ -30,6 +30,9 @@ struct Options {
     int frames = 1;
     double pan = 0;
     std::vector<std::string> axes;
+    std::string max_error = "0.1%";
+    std::string max_work = "2%";
+    double min_psnr = 0;   ///< 0: none
 };
 
 /// "512x384". Throws UserError.
