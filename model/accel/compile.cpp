@@ -39,7 +39,11 @@ void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Con
     if (kept.empty())
         throw UserError(name + ": all " + std::to_string(scene.triangles.size()) + " triangles vanish on a lattice of " +
                         std::to_string(config.coord_bits) + " bits; a larger coord_bits or an eye closer to the scene would help");
-    check_lines(kept.size() / 2, name);   // before the long work: two triangles a line at best
+    check_lines(kept.size() / 2, config, name);   // before the long work: two triangles a line at best
+    const auto need = int(std::bit_width(scene.triangles.size() - 1));
+    if (need > config.prim_bits)
+        throw UserError(name + ": " + std::to_string(scene.triangles.size()) + " triangles need numbers of " + std::to_string(need) + " bits, and prim_bits is " +
+                        std::to_string(config.prim_bits) + ": --set prim_bits=" + std::to_string(need));
 }
 
 void check_stack(int need, const Config& config, const std::string& name) {

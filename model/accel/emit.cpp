@@ -48,7 +48,7 @@ private:
         }
         const std::size_t base = image_.words.size() / words_per_line;
         const std::size_t lines = base + inner + (content_.size() + 1) / 2;
-        check_lines(lines, name_);
+        check_lines(lines, config_, name_);
         image_.words.resize(lines * words_per_line, 0);
         write_payload(encode_node(children_, std::uint32_t(base), config_), config_, &image_.words[at.line * words_per_line], scratch_);
         for (std::size_t i = 0; i < content_.size(); ++i)
@@ -88,10 +88,10 @@ private:
 
 } // namespace
 
-void check_lines(std::uint64_t lines, const std::string& name) {
-    if (lines > std::uint64_t(1) << addr_bits)
-        throw UserError(name + ": the memory image needs more than 2^" + std::to_string(addr_bits) +
-                        " lines of 64 bytes, all that the machine can address; a smaller scene is needed");
+void check_lines(std::uint64_t lines, const Config& config, const std::string& name) {
+    if (lines <= std::uint64_t(1) << config.addr_bits) return;
+    throw UserError(name + ": the memory image needs more than 2^" + std::to_string(config.addr_bits) + " lines of 64 bytes, all that the machine can address; " +
+                    (config.addr_bits < max_addr_bits ? "--set addr_bits=" + std::to_string(max_addr_bits) + " is the most there is" : "a smaller scene is needed"));
 }
 
 void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,

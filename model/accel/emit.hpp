@@ -11,11 +11,11 @@
 namespace rayclock {
 
 /// Writes words and the report's nodes, leaves, depth, stack_need and bytes. `triangles` in the order of the boxes that
-/// the tree was built over. Throws UserError beyond 2^24 lines; `name` begins the sentence.
+/// the tree was built over. Throws UserError beyond 2^addr_bits lines; `name` begins the sentence.
 void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
 
 /// Throws UserError if `lines` memory lines cannot be addressed.
-void check_lines(std::uint64_t lines, const std::string& name);
+void check_lines(std::uint64_t lines, const Config& config, const std::string& name);
 
 } // namespace rayclock

@@ -8,9 +8,12 @@
 // floor((V + 2^(G-1)) / 2^G) lies in -L..L. C is the sum of pixel (0, 0) and fits; R and D are bounded apart, since in a
 // picture two pixels wide a step can be twice the largest direction. A step that no pixel takes is zero.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <string>
 
 #include "model/accel/memory_image.hpp"
+#include "model/core/error.hpp"
 
 namespace rayclock {
 
@@ -25,6 +28,10 @@ Vec3l fixed(const glm::dvec3& v, double scale) {
 } // namespace
 
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config) {
+    const auto need = int(std::bit_width(unsigned(std::max(size.width, size.height) - 1)));
+    if (need > config.pixel_bits)
+        throw UserError("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels needs coordinates of " +
+                        std::to_string(need) + " bits, and pixel_bits is " + std::to_string(config.pixel_bits) + ": --set pixel_bits=" + std::to_string(need));
     PixelRays rays = pixel_rays(camera, size);
     for (glm::dvec3* const part : {&rays.corner, &rays.right, &rays.down}) *part = lattice.direction(*part);
     if (size.width == 1) rays.right = glm::dvec3{0};

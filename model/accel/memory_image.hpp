@@ -50,8 +50,8 @@ struct MemoryImage {
 };
 
 /// Snaps, builds a wide SAH tree, quantises outward and lays out the image; the same bytes on every machine and for
-/// every number of threads. Throws UserError if nothing is left on the lattice, if the image needs more than 2^24 lines
-/// or the tree a deeper stack than the configuration has.
+/// every number of threads. Throws UserError if nothing is left on the lattice, if the image needs more lines, the
+/// scene longer primitive numbers or the tree a deeper stack than the configuration has.
 MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress = {});
 /// The same for triangles that are on the lattice already, each with an area; the image's lattice is left as it is by default.
 MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config, const std::string& name, const Progress& progress = {});
@@ -60,7 +60,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 bool has_area(const PrimData& triangle);
 
 /// Camera registers for a frame: the eye on the lattice and the pixel map scaled so that no component of any pixel's
-/// direction exceeds 2^(M-1) - 1.
+/// direction exceeds 2^(M-1) - 1. Throws UserError if the picture is larger than pixel_bits can tell.
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config);
 
 } // namespace rayclock

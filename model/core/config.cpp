@@ -1,6 +1,7 @@
 #include "model/core/config.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 
 #include "model/core/error.hpp"
@@ -25,6 +26,11 @@ int miss_bits(int mshrs, int line) { return index_bits(mshrs) + (line > line_byt
 int Config::node_miss_bits() const { return miss_bits(node_mshrs, node_line); }
 int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
+int Config::least_addr_bits() const {
+    const auto beside_tag = [](int sets, int line) { return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2; };
+    const int own = std::max(beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line));
+    return 1 + (l2_sets > 0 ? std::max(own, beside_tag(l2_sets, l2_line)) : own);
+}
 int Config::client_bits() const { return index_bits(2 * pipelines); }
 int Config::client_id_bits() const { return client_bits() + std::max(node_miss_bits(), prim_miss_bits()); }
 int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
@@ -72,6 +78,9 @@ const std::vector<Parameter>& parameters() {
         {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false, "memory: ideal, sdr, ddr3 or rpu", &dram_names()},
         {"mem_latency", &Config::mem_latency, 1, 10000, false, "ideal memory: cycles from request to answer"},
         {"mem_interval", &Config::mem_interval, 1, 1000, false, "ideal memory: cycles between requests"},
+        {"addr_bits", &Config::addr_bits, 8, max_addr_bits, false, "bits of a memory address, in lines of 64 bytes"},
+        {"prim_bits", &Config::prim_bits, 1, max_prim_bits, false, "bits of a primitive number"},
+        {"pixel_bits", &Config::pixel_bits, 7, max_pixel_bits, false, "bits of a pixel coordinate"},
     };
     return all;
 }
@@ -178,6 +187,8 @@ void check_config(const Config& c, const std::string& where) {
     // The widest shift of rc_box: N + R + 3 bits moved left by at most F + M - 1 - R + (N - box_bits + 1).
     const int widest = c.coord_bits + c.recip_bits + 3 + c.t_frac_bits + c.dir_bits - 1 - c.recip_bits + c.coord_bits - c.box_bits + 1;
     if (widest > 63) refuse("coord_bits, dir_bits and t_frac_bits together need " + std::to_string(widest) + " bits in box, more than 63");
+    if (c.addr_bits < c.least_addr_bits())
+        refuse("addr_bits must be at least " + std::to_string(c.least_addr_bits()) + " for the sets and lines of the caches, not " + std::to_string(c.addr_bits));
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
 }
 

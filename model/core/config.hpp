@@ -46,6 +46,11 @@ struct Config {
     int mem_latency = 8;     ///< cycles from a request to its answer, if the memory is `ideal`
     int mem_interval = 1;    ///< cycles between two requests, if the memory is `ideal`
 
+    // What the widest scene and picture need; checked when a scene is compiled and a frame made.
+    int addr_bits = 24;      ///< memory address in lines of 64 bytes
+    int prim_bits = 32;      ///< primitive number
+    int pixel_bits = 14;     ///< pixel coordinate
+
     // Derived.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }      ///< distance, saturating, all ones: beyond
     int edge_bits() const { return 2 * coord_bits + dir_bits + 2; }  ///< signed edge function and determinant
@@ -61,6 +66,7 @@ struct Config {
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way, word in it
     int prim_miss_bits() const;
     int l2_miss_bits() const;
+    int least_addr_bits() const;  ///< a tag of one bit in every cache
     int client_bits() const;      ///< index of a cache among all of the pipelines': 2 p for nodes, 2 p + 1 for primitives
     int client_id_bits() const;   ///< a cache's request, told apart from all other caches'
     int tile_coord_bits() const;  ///< a tile's coordinate, in tiles
@@ -68,10 +74,10 @@ struct Config {
 };
 
 constexpr int guard_bits = 14;      ///< fraction bits of the camera's pixel steps, dropped by one rounding
-constexpr int addr_bits = 24;       ///< memory address in lines of 64 bytes
-constexpr int pixel_bits = 14;      ///< pixel coordinate
+constexpr int max_addr_bits = 24;   ///< of Config::addr_bits
+constexpr int max_pixel_bits = 14;  ///< of Config::pixel_bits
 constexpr int exp_bits = 5;         ///< box exponent, and bit length of a direction component
-constexpr int prim_bits = 32;       ///< primitive number
+constexpr int max_prim_bits = 32;   ///< of Config::prim_bits
 constexpr int offset_bits = 6;      ///< child within its block, in steps of 32 bytes
 constexpr int count_bits = 3;       ///< triangles of a leaf, 1..6; 0 for an inner node
 constexpr int line_bits = 512;      ///< a memory line, one node

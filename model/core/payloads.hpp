@@ -24,9 +24,9 @@ struct Frame {
     Vec3i eye{};                     ///< lattice point
     Vec3l corner{}, right{}, down{}; ///< M + guard_bits bits, signed
     template <class V> void fields(V& v, const Config& c) {
-        v("width", width, pixel_bits + 1);
-        v("height", height, pixel_bits + 1);
-        v("root", root, addr_bits);
+        v("width", width, c.pixel_bits + 1);
+        v("height", height, c.pixel_bits + 1);
+        v("root", root, c.addr_bits);
         v("eye", eye, c.coord_bits, 3);
         v("corner", corner, c.guard_dir_bits(), 3);
         v("right", right, c.guard_dir_bits(), 3);
@@ -49,8 +49,8 @@ struct Slot {
     std::uint32_t x = 0, y = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        v("x", x, pixel_bits);
-        v("y", y, pixel_bits);
+        v("x", x, c.pixel_bits);
+        v("y", y, c.pixel_bits);
     }
 };
 
@@ -83,7 +83,7 @@ struct Node {
     template <class V> void fields(V& v, const Config& c) {
         v("org", org, c.coord_bits, 3);
         v("exp", exp, exp_bits, 3);
-        v("base", base, addr_bits);
+        v("base", base, c.addr_bits);
         v("kind", kind, count_bits, c.node_width);
         v("lo", lo, c.box_bits, 3 * c.node_width);
         v("hi", hi, c.box_bits, 3 * c.node_width);
@@ -98,7 +98,7 @@ struct PrimData {
         v("a", a, c_.coord_bits, 3);
         v("b", b, c_.coord_bits, 3);
         v("c", c, c_.coord_bits, 3);
-        v("prim", prim, prim_bits);
+        v("prim", prim, c_.prim_bits);
     }
 };
 
@@ -107,7 +107,7 @@ struct NodeReq {
     std::uint32_t ray = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        v("addr", addr, addr_bits);
+        v("addr", addr, c.addr_bits);
     }
 };
 
@@ -116,7 +116,7 @@ struct PrimReq {
     std::uint32_t ray = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        v("addr", addr, addr_bits + 1);
+        v("addr", addr, c.addr_bits + 1);
     }
 };
 
@@ -148,7 +148,7 @@ template <int (Config::*id_bits)() const> struct LineReq {
     std::uint32_t id = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("id", id, (c.*id_bits)());
-        v("addr", addr, addr_bits);
+        v("addr", addr, c.addr_bits);
     }
 };
 /// Memory -> a cache.
@@ -196,7 +196,7 @@ struct BoxRsp {
     std::array<std::uint32_t, max_width> count{};
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        v("base", base, addr_bits);
+        v("base", base, c.addr_bits);
         v("inner", inner, c.group_bits());
         v("leaves", leaves, c.group_bits());
         v("t_near", t_near, c.t_bits(), c.node_width);
@@ -214,7 +214,7 @@ struct Best {
         v("found", found, 1);
         v("best_num", num, c.num_bits());
         v("best_det", det, c.edge_bits());
-        v("best_prim", prim, prim_bits);
+        v("best_prim", prim, c.prim_bits);
     }
 };
 
@@ -246,7 +246,7 @@ struct TriRsp {
         v_("closer", closer, 1);
         v_("num", num, c.num_bits());
         v_("det", det, c.edge_bits());
-        v_("prim", prim, prim_bits);
+        v_("prim", prim, c.prim_bits);
         v_("t", t, c.t_bits());
         v_("u", u, c.bary_bits + 1);
         v_("v", v, c.bary_bits + 1);
@@ -264,7 +264,7 @@ struct Step {
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("t_best", t_best, c.t_bits());
-        v("base", base, addr_bits);
+        v("base", base, c.addr_bits);
         v("inner", inner, c.group_bits());
         v("t_near", t_near, c.t_bits(), c.node_width);
         v("slot", slot, c.slot_bits(), c.node_width);
@@ -285,7 +285,7 @@ struct Closest {
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("found", found, 1);
-        v_("prim", prim, prim_bits);
+        v_("prim", prim, c.prim_bits);
         v_("t", t, c.t_bits());
         v_("u", u, c.bary_bits + 1);
         v_("v", v, c.bary_bits + 1);
@@ -297,8 +297,8 @@ struct HitOut {
     std::uint32_t x = 0, y = 0;
     Closest closest;
     template <class V> void fields(V& v, const Config& c) {
-        v("x", x, pixel_bits);
-        v("y", y, pixel_bits);
+        v("x", x, c.pixel_bits);
+        v("y", y, c.pixel_bits);
         closest.fields(v, c);
     }
 };

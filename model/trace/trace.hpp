@@ -21,7 +21,7 @@ struct Trace {
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
     static constexpr int turns_shift = 26;
     static constexpr std::uint32_t last_flag = 1u << 31;    ///< of a triangle's word
-    static constexpr std::uint32_t node_mask = (1u << addr_bits) - 1, prim_mask = (2u << addr_bits) - 1;
+    static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1, prim_mask = (2u << max_addr_bits) - 1;
 
     std::uint32_t width = 0, height = 0;
     std::vector<const std::uint32_t*> rays;   ///< [y * width + x]: into chunks

@@ -114,7 +114,7 @@ WideNode widen(const Node& node, int node_width) {
 }
 
 NodeReader::NodeReader(const Config& config)
-    : coord_bits_(config.coord_bits), box_bits_(config.box_bits), node_width_(config.node_width) {
+    : coord_bits_(config.coord_bits), addr_bits_(config.addr_bits), box_bits_(config.box_bits), node_width_(config.node_width) {
     PlaceVisitor place{bits_of<Node>(config), {}, 0};
     Node{}.fields(place, config);
     org_ = place.lowest[0], exp_ = place.lowest[1], base_ = place.lowest[2];
@@ -123,7 +123,7 @@ NodeReader::NodeReader(const Config& config)
 
 WideNode NodeReader::operator()(const std::uint32_t* line) const {
     WideNode wide;
-    wide.base = bits_at(line, base_, addr_bits);
+    wide.base = bits_at(line, base_, addr_bits_);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t org = bits_at(line, org_ + int(k) * coord_bits_, coord_bits_);
         wide.org[k] = std::int32_t(org << (32 - coord_bits_)) >> (32 - coord_bits_);

@@ -19,7 +19,7 @@ public:
     WideNode operator()(const std::uint32_t* line) const;
 
 private:
-    int coord_bits_, box_bits_, node_width_;
+    int coord_bits_, addr_bits_, box_bits_, node_width_;
     int org_ = 0, exp_ = 0, base_ = 0, kind_ = 0, lo_ = 0, hi_ = 0;   ///< lowest bit of each
 };
 WideNode widen(const Node& node, int node_width);

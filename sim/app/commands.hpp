@@ -9,6 +9,7 @@ int simulate_command(const Options& options);
 int verify_command(const Options& options);
 int sweep_command(const Options& options);
 int stress_command(const Options& options);
+int fit_command(const Options& options);
 int yardstick_command(const Options& options);
 int bench_command(const Options& options);
 int scenes_command(const Options& options);

@@ -104,6 +104,18 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     threads_option(sweep, o);
     json_option(sweep, o);
 
+    CLI::App& fit = add("fit", "the smallest formats that draw a scene within an error, as a configuration file, with a proof that nothing overflows",
+                        "rayclock fit gears:4 --max-error 0.1% -o gears.json && rayclock verify gears:4 --config gears.json", fit_command);
+    scene_option(fit, o);
+    fit.add_option("--max-error", o.max_error, "most pixels that may hold another primitive than the reference's, in per cent: 0.1%")->capture_default_str();
+    fit.add_option("--min-psnr", o.min_psnr, "least PSNR of the picture against the reference's, in dB");
+    fit.add_option("--max-work", o.max_work, "most nodes and triangles that narrow boxes, reciprocals and distances may cost, in per cent")->capture_default_str();
+    size_option(fit, o);
+    config_options(fit, o);
+    fit.add_option("-o,--output", o.output, "configuration file to write")->required();
+    threads_option(fit, o);
+    json_option(fit, o);
+
     CLI::App& yardstick = add("yardstick", "the page that sets this machine beside the published figures of SaarCOR and RPU",
                               "rayclock yardstick -o docs/yardstick.md", yardstick_command);
     yardstick.add_option("-o,--output", o.output, "Markdown file to write")->required();

@@ -34,6 +34,9 @@ struct Options {
     std::string rays = "1e6";
     std::vector<std::string> tests, families;
     std::string state;
+    std::string max_error = "0.1%";
+    std::string max_work = "2%";
+    double min_psnr = 0;   ///< 0: none
 };
 
 /// "512x384". Throws UserError.

@@ -76,10 +76,10 @@ std::string rc_package(const Config& c) {
     constant("GroupBits", c.group_bits());
     constant("SlotBits", c.slot_bits());
     constant("StackBits", c.stack_bits());
-    constant("AddrBits", addr_bits);
-    constant("PixelBits", pixel_bits);
+    constant("AddrBits", c.addr_bits);
+    constant("PixelBits", c.pixel_bits);
     constant("ExpBits", exp_bits);
-    constant("PrimBits", prim_bits);
+    constant("PrimBits", c.prim_bits);
     constant("OffsetBits", offset_bits);
     constant("CountBits", count_bits);
     constant("LineBits", line_bits);

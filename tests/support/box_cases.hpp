@@ -36,7 +36,7 @@ inline Node random_node(Draw& draw, const Config& config, const Vec3i& o) {
     Node node;
     const int reach = 1 << draw.below(config.coord_bits);
     node.org = draw.coin() ? draw.vector(config.coord_bits) : draw.near(o, reach, config.coord_bits);
-    node.base = std::uint32_t(draw.natural(addr_bits));
+    node.base = std::uint32_t(draw.natural(max_addr_bits));
     const int children = draw.between(1, config.node_width), inner = draw.between(0, children);
     for (std::size_t k = 0; k < 3; ++k) node.exp[k] = std::uint32_t(draw.below(config.coord_bits - config.box_bits + 2));
     for (std::size_t i = 0; i < std::size_t(children); ++i) {

@@ -54,7 +54,7 @@ template <class Dut> void check_miss_latency(const Config& config) {
     Draw draw{7};
     const auto words = std::uint32_t(bench.shape.words);
     for (std::uint32_t round = 0; round < 40; ++round) {
-        const std::uint32_t line = (round * 977 + 3) % ((1u << addr_bits) / words), addr = bench.addr(line, round % bench.parts());
+        const std::uint32_t line = (round * 977 + 3) % ((1u << max_addr_bits) / words), addr = bench.addr(line, round % bench.parts());
         REQUIRE(bench.ask(0, addr).req.fires());
         const auto looked_up = bench.cycle();
         REQUIRE(looked_up.deed == CacheDeed::miss);

@@ -123,11 +123,11 @@ private:
             if (!asked_[id]) free.push_back(id);
         if (free.empty()) return;
         const int room = shape_.sets * shape_.ways, kind = draw_.below(100);
-        const std::uint32_t lines = (1u << addr_bits) / words();
+        const std::uint32_t lines = (1u << max_addr_bits) / words();
         if (kind < 40) line_ = std::uint32_t(draw_.below((room + 1) / 2));
         else if (kind < 60) line_ = std::uint32_t(draw_.below(3 * room));
         else if (kind < 80) line_ = (line_ + std::uint32_t(shape_.sets * draw_.below(8))) % lines;   // in the same set
-        else if (kind < 85) line_ = std::uint32_t(draw_.natural(addr_bits)) / words();
+        else if (kind < 85) line_ = std::uint32_t(draw_.natural(max_addr_bits)) / words();
         Req req;
         const std::uint32_t id = free[std::size_t(draw_.below(int(free.size())))];
         if constexpr (requires { req.ray; }) req.ray = id;

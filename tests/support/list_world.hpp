@@ -123,7 +123,7 @@ private:
     void make_boxes() {
         BoxRsp rsp;
         rsp.ray = pick(waiting_for_box_);
-        rsp.base = std::uint32_t(draw_.bits(addr_bits - 1));
+        rsp.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         const int children = draw_.between(0, config_.node_width);
         rsp.leaves = std::uint32_t(draw_.between(0, children));
         rsp.inner = std::uint32_t(children) - rsp.leaves;

@@ -134,7 +134,7 @@ private:
         Context& c = contexts_[step.ray];
         if (draw_.below(4) == 0) c.t_best = std::uint32_t(draw_.below(int(std::min(c.t_best, 1u << 20)) + 1));
         step.t_best = c.t_best;
-        step.base = std::uint32_t(draw_.bits(addr_bits - 1));
+        step.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         c.reached_bottom |= c.level == config_.stack_depth;
         const bool deep = step.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last place
         int most = c.level < config_.stack_depth ? config_.node_width : 1;

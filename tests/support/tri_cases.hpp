@@ -17,7 +17,7 @@ inline Best random_best(Draw& draw, const Config& config, const std::optional<or
     best.found = 1;
     best.num = std::int64_t(draw.bits(config.num_bits() - 1) | 1);
     best.det = std::int64_t(draw.bits(config.edge_bits() - 1) | 1);
-    const std::uint32_t others[] = {prim, prim - 1, prim + 1, std::uint32_t(draw.natural(prim_bits))};
+    const std::uint32_t others[] = {prim, prim - 1, prim + 1, std::uint32_t(draw.natural(max_prim_bits))};
     best.prim = others[draw.below(4)];
     if (!crossing || draw.below(4) == 0) return best;
     const oracle::Int num = numerator(crossing->t), den = denominator(crossing->t);
@@ -41,7 +41,7 @@ inline TriReq random_tri_req(Draw& draw, const Config& config) {
     const int reach = 1 << draw.below(n - 1);
     req.triangle.b = draw.coin() ? draw.vector(n) : draw.near(req.triangle.a, reach, n);
     req.triangle.c = draw.coin() ? draw.vector(n) : draw.near(req.triangle.b, reach, n);
-    req.triangle.prim = std::uint32_t(draw.natural(prim_bits));
+    req.triangle.prim = std::uint32_t(draw.natural(max_prim_bits));
     req.o = draw.coin() ? draw.vector(n) : draw.near(req.triangle.a, reach, n);
     req.d = draw.vector(config.dir_bits);
     if (draw.percent(75)) {

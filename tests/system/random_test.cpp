@@ -40,6 +40,11 @@ Config random_config(std::uint64_t seed, bool single) {
         Config config;
         config.name = "random " + std::to_string(seed);
         for (const Parameter& p : parameters()) config.*p.member = draw(p, most_of(p));
+        // Not below what the scenes need; from a source of their own.
+        Rng widths(seed * 31 + 7);
+        config.addr_bits = std::max(config.least_addr_bits(), 15 + widths.below(max_addr_bits - 14));
+        config.prim_bits = 16 + widths.below(max_prim_bits - 15);
+        config.pixel_bits = 7 + widths.below(max_pixel_bits - 6);
         config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
         if (rng.below(3) != 0) config.l2_sets = 0;
         try {

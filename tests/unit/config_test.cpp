@@ -94,7 +94,9 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE((1 << c.client_bits()) >= 2 * c.pipelines);
         REQUIRE(c.client_id_bits() >= c.client_bits() + std::max(c.node_miss_bits(), c.prim_miss_bits()));
         REQUIRE(c.client_id_bits() <= 16);
-        REQUIRE((1 << (c.tile_coord_bits() + c.tile_bits)) == 1 << pixel_bits);
+        REQUIRE((1 << (c.tile_coord_bits() + c.tile_bits)) == 1 << c.pixel_bits);
+        REQUIRE(c.addr_bits >= c.least_addr_bits());
+        REQUIRE(c.tile_coord_bits() >= 1);
         REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves full: 6 half lines each
         REQUIRE(c.leaf_size + 1 < 1 << count_bits);
     }
@@ -102,6 +104,15 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
 }
 
 TEST_CASE("widths that do not fit together are refused with the rule", "[config]") {
+    Config tags;
+    tags.prim_sets = 1024;
+    tags.prim_line = 256;
+    tags.addr_bits = 12;
+    REQUIRE_THROWS_WITH(check_config(tags, "c"), Contains("addr_bits must be at least 13"));
+    tags.addr_bits = 13;
+    REQUIRE_NOTHROW(check_config(tags, "c"));
+    tags.l2_sets = 16384;
+    REQUIRE_THROWS_WITH(check_config(tags, "c"), Contains("addr_bits must be at least 15"));
     Config edge;
     edge.coord_bits = 20;
     edge.dir_bits = 23;

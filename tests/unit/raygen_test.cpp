@@ -18,8 +18,8 @@ Frame camera(unsigned number, const Config& config) {
         switch ((number + unsigned(k)) % 5) {
         case 0:   // anything
             frame.corner[k] = draw.number(g - 1);
-            frame.right[k] = draw.number(g - 2 - pixel_bits);
-            frame.down[k] = draw.number(g - 2 - pixel_bits);
+            frame.right[k] = draw.number(g - 2 - max_pixel_bits);
+            frame.down[k] = draw.number(g - 2 - max_pixel_bits);
             break;
         case 1:   // through zero in whole steps
             frame.corner[k] = -100 * one;
