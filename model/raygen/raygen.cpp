@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdlib>
 
+#include "model/isect/sheared.hpp"
+
 namespace rayclock {
 
 Recip reciprocal(std::int32_t d, const Config& config) {
@@ -34,6 +36,7 @@ Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
         ray.recip[k] = r.recip;
         ray.len[k] = r.len;
     }
+    if (config.is_sheared()) ray.shear = shear_of(ray.d, config);
     return ray;
 }
 
