@@ -13,7 +13,7 @@ constexpr std::size_t most_complaints = 20;
 class Checker {
 public:
     Checker(const MemoryImage& image, const Config& config)
-        : image_(image), config_(config), used_(2 * std::size_t(image.lines())), lowest_(1 << (config.coord_bits - 1)) {}
+        : image_(image), config_(config), used_(2 * std::size_t(image.lines())), lowest_(1 << (config.coord_bits - 1)), margin_(config.is_sheared()) {}
 
     std::vector<std::string> run(const Scene* scene) {
         if (image_.words.empty() || image_.words.size() % words_per_line != 0) return {"the image is not made of whole lines"};
@@ -104,7 +104,8 @@ private:
                 const PrimData triangle = read_triangle(image_, half_line, config_);
                 whole(triangle, image_.half_line(half_line), words_per_half, at.line);
                 for (const Vec3i& point : {triangle.a, triangle.b, triangle.c}) {
-                    at.real[i].add(point);
+                    at.real[i].add(LatticeBox{{point[0] - margin_, point[1] - margin_, point[2] - margin_},
+                                              {point[0] + margin_, point[1] + margin_, point[2] + margin_}});
                     for (const std::int32_t x : point)
                         if (x == -lowest_) complain(at.line, "a triangle lies outside the symmetric lattice");
                 }
@@ -161,7 +162,8 @@ private:
             const Vec3i a = corner(0), b = corner(1), c = corner(2);
             const auto found = triangles_.find(std::uint32_t(i));
             const bool there = found != triangles_.end();
-            if (there == flat(a, b, c)) complain(0, "triangle " + std::to_string(i) + (there ? " has no area" : " is missing"));
+            const bool useless = config_.is_sheared() ? a == b || b == c || c == a : flat(a, b, c);
+            if (there == useless) complain(0, "triangle " + std::to_string(i) + (there ? " has no area" : " is missing"));
             else if (there && (found->second.a != a || found->second.b != b || found->second.c != c))
                 complain(0, "triangle " + std::to_string(i) + " has other corners than the scene");
         }
@@ -184,7 +186,7 @@ private:
     const MemoryImage& image_;
     const Config& config_;
     std::vector<bool> used_;   // half lines
-    std::int32_t lowest_;
+    std::int32_t lowest_, margin_;   // margin_: what a triangle's box is larger
     std::vector<Visit> nodes_;
     std::unordered_map<std::uint32_t, PrimData> triangles_;
     std::uint64_t leaves_ = 0;

@@ -17,21 +17,35 @@ Vec3l minus(const Vec3i& a, const Vec3i& b) {
     return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
 }
 
-/// The triangles that keep an area on the lattice, in the scene's order.
-std::vector<PrimData> snap_triangles(const Scene& scene, const Lattice& lattice) {
+/// Without an area on the lattice no ray is taken; exact, as the cross product has at most 2 (N + 1) + 1 bits.
+bool has_area(const PrimData& t) {
+    const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
+    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+}
+
+/// The triangles that count on the lattice, in the scene's order.
+std::vector<PrimData> snap_triangles(const Scene& scene, const Lattice& lattice, const Config& config) {
     std::vector<PrimData> all(scene.triangles.size());
     tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
         const auto corner = [&](std::size_t k) { return lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]); };
         all[i] = {corner(0), corner(1), corner(2), std::uint32_t(i)};
     });
-    std::erase_if(all, [](const PrimData& t) { return !has_area(t); });
+    std::erase_if(all, [&](const PrimData& t) { return !counts(t, config); });
     return all;
 }
 
-std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles) {
+/// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger. Lattice::snap leaves out
+/// the least coordinate, so their lower corners still fit N bits; upper planes are relative to those.
+std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const Config& config) {
     std::vector<LatticeBox> boxes(triangles.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (const Vec3i& point : {triangles[i].a, triangles[i].b, triangles[i].c}) boxes[i].add(point);
+        if (!config.is_sheared()) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            --boxes[i].lo[k];
+            ++boxes[i].hi[k];
+        }
+    }
     return boxes;
 }
 
@@ -58,10 +72,8 @@ void check_stack(int need, const Config& config, const std::string& name) {
 
 } // namespace
 
-bool has_area(const PrimData& t) {
-    // The cross product has at most 2 (N + 1) + 1 bits.
-    const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
-    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+bool counts(const PrimData& t, const Config& config) {
+    return config.is_sheared() ? t.a != t.b && t.b != t.c && t.c != t.a : has_area(t);
 }
 
 MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config, const std::string& name, const Progress& progress) {
@@ -70,7 +82,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     };
     MemoryImage image;
     tell(1);
-    BinaryTree tree = build_tree(boxes_of(triangles));
+    BinaryTree tree = build_tree(boxes_of(triangles, config));
     tell(2);
     optimise_tree(tree);
     tell(3);
@@ -85,7 +97,7 @@ MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Confi
     const std::string name = scene.name.empty() ? "the scene" : scene.name;
     if (progress) progress("compiling " + name, 0, 4);
     const Lattice lattice = fit_lattice(scene, eye, config.coord_bits);
-    const std::vector<PrimData> triangles = snap_triangles(scene, lattice);
+    const std::vector<PrimData> triangles = snap_triangles(scene, lattice, config);
     check_kept(triangles, scene, config, name);
     MemoryImage image = compile_triangles(triangles, config, name, progress);
     image.lattice = lattice;

@@ -1,7 +1,7 @@
 #include "model/accel/count.hpp"
 
 #include "model/accel/decode.hpp"
-#include "model/isect/tri.hpp"
+#include "model/isect/primitive.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/trav/box.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 class Walk {
 public:
     Walk(const MemoryImage& image, const Config& config, const Ray& ray, WorkCount& count)
-        : image_(image), config_(config), ray_(ray), count_(count), t_best_((1u << config.t_bits()) - 1) {
+        : image_(image), config_(config), ray_(ray), count_(count), test_(tri_test_of(config)), t_best_((1u << config.t_bits()) - 1) {
         box_ray_ = {ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len};
     }
 
@@ -52,7 +52,7 @@ private:
     void test(std::uint32_t half_line) {
         ++count_.triangles;
         TriRsp rsp;
-        tri_test(ray_.o, ray_.d, read_triangle(image_, half_line, config_), best_, config_, rsp);
+        test_(ray_.o, ray_.d, read_triangle(image_, half_line, config_), best_, config_, rsp);
         if (!rsp.closer) return;
         best_ = {1, rsp.num, rsp.det, rsp.prim};
         t_best_ = rsp.t;
@@ -62,6 +62,7 @@ private:
     const Config& config_;
     const Ray& ray_;
     WorkCount& count_;
+    TriTest* test_;
     BoxRay box_ray_;
     std::vector<Group> stack_;
     Best best_;

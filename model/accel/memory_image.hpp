@@ -53,11 +53,12 @@ struct MemoryImage {
 /// every number of threads. Throws UserError if nothing is left on the lattice, if the image needs more lines, the
 /// scene longer primitive numbers or the tree a deeper stack than the configuration has.
 MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress = {});
-/// The same for triangles that are on the lattice already, each with an area; the image's lattice is left as it is by default.
+/// The same for triangles that are on the lattice already and count; the image's lattice is left as it is by default.
 MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config, const std::string& name, const Progress& progress = {});
 
-/// Whether a triangle has an area; exact.
-bool has_area(const PrimData& triangle);
+/// Whether a triangle can take a ray, or another triangle might rely on it. Without an area none does, but for the sheared test:
+/// rounding its corners may give it one, and take it from its neighbour.
+bool counts(const PrimData& triangle, const Config& config);
 
 /// Camera registers for a frame: the eye on the lattice and the pixel map scaled so that no component of any pixel's
 /// direction exceeds 2^(M-1) - 1. Throws UserError if the picture is larger than pixel_bits can tell.

@@ -10,15 +10,16 @@
 namespace rayclock {
 
 int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
+int Config::edge_bits() const { return is_sheared() ? 2 * coord_bits + 3 : 2 * coord_bits + dir_bits + 2; }
 int Config::ray_bits() const { return index_bits(contexts); }
 int Config::group_bits() const { return index_bits(node_width + 1); }
 int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
 // Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/trav/rc_box.sv, rtl/isect/rc_tri.sv.
-int Config::raygen_latency() const { return 3 + (recip_bits + 1) / 2; }
+int Config::raygen_latency() const { return 3 + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0); }
 int Config::box_latency() const { return 6; }
-int Config::tri_latency() const { return 6 + (std::max(t_bits(), bary_bits) + 1) / 2; }
+int Config::tri_latency() const { return (is_sheared() ? 8 : 6) + (std::max(t_bits(), bary_bits) + 1) / 2; }
 
 namespace {
 int miss_bits(int mshrs, int line) { return index_bits(mshrs) + (line > line_bytes ? index_bits(line / line_bytes) : 0); }
@@ -41,6 +42,17 @@ const std::vector<std::string>& dram_names() {
     return names;
 }
 
+const std::vector<std::string>& primitive_test_names() {
+    static const std::vector<std::string> names{"exact", "sheared", "unit24", "moller", "woop", "truncated"};
+    return names;
+}
+
+void check_rtl(const Config& c) {
+    if (c.test() != PrimitiveTest::exact && c.test() != PrimitiveTest::sheared)
+        throw UserError("primitive_test=" + primitive_test_names()[std::size_t(c.primitive_test)] +
+                        " exists in software only; the RTL has exact and sheared");
+}
+
 std::string value_text(const Config& config, const Parameter& p) {
     return p.names ? (*p.names)[std::size_t(config.*p.member)] : std::to_string(config.*p.member);
 }
@@ -53,6 +65,8 @@ const std::vector<Parameter>& parameters() {
         {"recip_bits", &Config::recip_bits, 8, 24, false, "R: precision of a reciprocal direction"},
         {"box_bits", &Config::box_bits, 4, 8, false, "bits of a child box plane"},
         {"bary_bits", &Config::bary_bits, 4, 24, false, "fraction bits of u and v"},
+        {"primitive_test", &Config::primitive_test, 0, int(primitive_test_names().size()) - 1, false,
+         "ray-triangle test: exact, sheared; in software only: unit24, moller, woop, truncated", &primitive_test_names()},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most triangles in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
@@ -189,6 +203,9 @@ void check_config(const Config& c, const std::string& where) {
     if (widest > 63) refuse("coord_bits, dir_bits and t_frac_bits together need " + std::to_string(widest) + " bits in box, more than 63");
     if (c.addr_bits < c.least_addr_bits())
         refuse("addr_bits must be at least " + std::to_string(c.least_addr_bits()) + " for the sets and lines of the caches, not " + std::to_string(c.addr_bits));
+    if (c.is_sheared() && c.dir_bits < c.coord_bits + 2)
+        refuse("primitive_test=sheared needs dir_bits of at least coord_bits + 2, " + std::to_string(c.coord_bits + 2) +
+               " (then no sheared corner is off by more than a lattice step), and dir_bits is " + std::to_string(c.dir_bits));
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
 }
 

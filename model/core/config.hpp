@@ -4,6 +4,9 @@
 
 namespace rayclock {
 
+/// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
+enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
+
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
 /// One C++ binary serves all of them; for the RTL they become the constants of rc_pkg.sv.
 struct Config {
@@ -16,6 +19,7 @@ struct Config {
     int recip_bits = 16;     ///< R: precision of a reciprocal direction component
     int box_bits = 8;        ///< bits of a child box plane relative to its node
     int bary_bits = 16;      ///< fraction bits of the barycentric u and v of a hit
+    int primitive_test = 0;  ///< how a ray meets a triangle, see primitive_test_names()
 
     // Shape: counts, depths, latencies.
     int node_width = 8;      ///< W: children of a node, 2, 4 or 8
@@ -53,8 +57,12 @@ struct Config {
 
     // Derived.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }      ///< distance, saturating, all ones: beyond
-    int edge_bits() const { return 2 * coord_bits + dir_bits + 2; }  ///< signed edge function and determinant
-    int num_bits() const { return 3 * coord_bits + 2; }              ///< signed numerator of t
+    PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
+    bool is_sheared() const { return test() == PrimitiveTest::sheared; }
+    int edge_bits() const;                                           ///< signed edge function and determinant of a hit
+    int num_bits() const { return 3 * coord_bits + 2 + is_sheared(); }   ///< signed numerator of t
+    int tri_ray_bits() const { return 3 * coord_bits + 3 * dir_bits + (is_sheared() ? 3 : 0); }   ///< a ray in list, see TriReq
+    int slope_frac_bits() const { return dir_bits - 2; }             ///< S: of a sheared ray's slopes, which have dir_bits bits
     int guard_dir_bits() const;                                      ///< camera vectors: direction and guard bits
     int ray_bits() const;                                            ///< index of a context
     int group_bits() const;                                          ///< count 0..W
@@ -97,6 +105,12 @@ const std::vector<Parameter>& parameters();
 
 /// Memories that can lie beside the chip, by the value of Config::dram.
 const std::vector<std::string>& dram_names();
+
+/// Ray-triangle tests, by the value of Config::primitive_test.
+const std::vector<std::string>& primitive_test_names();
+
+/// Throws UserError if the configuration asks for a test that is not built in RTL.
+void check_rtl(const Config& config);
 
 /// A parameter's value as files and reports give it: a number or a name.
 std::string value_text(const Config& config, const Parameter& parameter);

@@ -54,6 +54,20 @@ struct Slot {
     }
 };
 
+/// A direction as the sheared test uses it (model/isect/sheared.hpp). In no payload of the other tests.
+struct Shear {
+    std::uint32_t axis = 0;             ///< z: of the largest |d|
+    std::uint32_t neg = 0;              ///< d_z < 0
+    std::uint32_t size = 0;             ///< |d_z|, M bits: 2^(M-1) is possible
+    std::array<std::int32_t, 2> slope{};///< d_x / d_z, d_y / d_z, with M - 2 fraction bits
+    template <class V> void fields(V& v, const Config& c) {
+        v("axis", axis, 2);
+        v("neg", neg, 1);
+        v("size", size, c.dir_bits);
+        v("slope", slope, c.dir_bits, 2);
+    }
+};
+
 /// raygen -> trav, list: a camera ray with its reciprocal direction.
 /// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0, recip 1.
 struct Ray {
@@ -62,8 +76,10 @@ struct Ray {
     Vec3i d{};                              ///< direction, M bits
     std::array<std::uint32_t, 3> recip{};   ///< R + 1 bits
     std::array<std::uint32_t, 3> len{};     ///< 0..M
+    Shear shear;                            ///< for the sheared test
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        if (c.is_sheared()) shear.fields(v, c);
         v("o", o, c.coord_bits, 3);
         v("d", d, c.dir_bits, 3);
         v("recip", recip, c.recip_bits + 1, 3);
@@ -205,7 +221,7 @@ struct BoxRsp {
     }
 };
 
-/// The closest hit so far, as tri compares it: t = num / det exactly.
+/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|).
 struct Best {
     std::uint32_t found = 0;
     std::int64_t num = 0, det = 0;
@@ -218,16 +234,18 @@ struct Best {
     }
 };
 
-/// list -> tri: ray, triangle and the hit to beat.
+/// list -> tri: ray, triangle and the hit to beat. What tri needs of a ray, tri_ray_bits, follows the number as it does in Ray.
 struct TriReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};
     PrimData triangle;
     Best best;
+    Shear shear{};   ///< takes the place of d for the sheared test
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        if (c.is_sheared()) shear.fields(v, c);
         v("o", o, c.coord_bits, 3);
-        v("d", d, c.dir_bits, 3);
+        if (!c.is_sheared()) v("d", d, c.dir_bits, 3);
         triangle.fields(v, c);
         best.fields(v, c);
     }
@@ -237,9 +255,9 @@ struct TriReq {
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;
-    std::int64_t num = 0, det = 0;   ///< det > 0
+    std::int64_t num = 0, det = 0;   ///< as in Best; det > 0
     std::uint32_t prim = 0;
-    std::uint32_t t = 0;             ///< ceil(2^(M-1+F) num / det), saturated
+    std::uint32_t t = 0;             ///< ceil(2^(M-1+F) t), saturated
     std::uint32_t u = 0, v = 0;      ///< floor(2^bary_bits u / det), weight of b and of c; 2^bary_bits is possible
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());

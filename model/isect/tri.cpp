@@ -1,5 +1,7 @@
 #include "model/isect/tri.hpp"
 
+#include "model/isect/sheared.hpp"
+
 namespace rayclock {
 
 namespace {
@@ -62,7 +64,8 @@ void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Be
 TriRsp tri(const TriReq& req, const Config& config) {
     TriRsp rsp;
     rsp.ray = req.ray;
-    tri_test(req.o, req.d, req.triangle, req.best, config, rsp);
+    if (config.is_sheared()) sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);
+    else tri_test_of(config)(req.o, req.d, req.triangle, req.best, config, rsp);
     return rsp;
 }
 

@@ -20,6 +20,8 @@ namespace rayclock {
 /// Widths: |u|, |v|, |w|, det < 2^(2N+M+1), |num| < 2^(3N+1).
 /// Mirror of rtl/isect/rc_tri.sv, latency Config::tri_latency() + 1, one triangle per cycle.
 void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out);
+
+/// The unit: the test that the configuration names.
 TriRsp tri(const TriReq& req, const Config& config);
 
 /// floor(num 2^shift / det) and whether something is left over, for 0 <= num, 0 < det < 2^63;

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdlib>
 
+#include "model/isect/sheared.hpp"
+
 namespace rayclock {
 
 Recip reciprocal(std::int32_t d, const Config& config) {
@@ -33,6 +35,7 @@ Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config) {
         ray.recip[k] = r.recip;
         ray.len[k] = r.len;
     }
+    if (config.is_sheared()) ray.shear = shear_of(ray.d, config);
     return ray;
 }
 

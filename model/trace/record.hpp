@@ -3,6 +3,7 @@
 // and the hits are made, not what the links carry; that all rays begin at the frame's eye is made use of.
 #include "model/accel/memory_image.hpp"
 #include "model/isect/facet.hpp"
+#include "model/isect/primitive.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/trav/box.hpp"
 
@@ -18,7 +19,7 @@ struct SeenNode {
 class RecordJob {
 public:
     RecordJob(const MemoryImage& image, const Frame& frame, const Config& config)
-        : image_(image), frame_(frame), config_(config), read_node_(config), nodes_(image.lines()),
+        : image_(image), frame_(frame), config_(config), test_(tri_test_of(config)), read_node_(config), nodes_(image.lines()),
           facets_(std::size_t(image.lines()) * 2) {}
 
     const Frame& frame() const { return frame_; }
@@ -28,6 +29,10 @@ public:
     }
     const Facet& facet(std::uint32_t half_line) const {
         return facets_.get(half_line, [this, half_line] { return make_facet(triangle(half_line), frame_.eye); });
+    }
+    /// The configuration's test, for those that have no facets.
+    void test(std::uint32_t half_line, const Vec3i& d, const Best& best, TriRsp& out) const {
+        test_(frame_.eye, d, triangle(half_line), best, config_, out);
     }
     PrimData triangle(std::uint32_t half_line) const { return unpack<PrimData>(image_.half_line(half_line), config_); }
 
@@ -41,6 +46,7 @@ private:
     const MemoryImage& image_;
     const Frame& frame_;
     const Config& config_;
+    TriTest* test_;
     NodeReader read_node_;
     LineCache<SeenNode> nodes_;
     LineCache<Facet> facets_;

@@ -1,13 +1,20 @@
 // Included inside a namespace, once for each instruction set, after slab.inl.
 
-/// The best hit so far. u and v are edge functions yet: they are divided when the ray is done.
+/// The best hit so far. u and v of the exact test are edge functions yet: they are divided when the ray is done.
 struct RecordBest {
     bool found = false;
     std::uint32_t prim = 0, t = 0;   ///< t: beyond all if nothing is found
     std::int64_t num = 0, det = 0, u = 0, v = 0;
 };
 
-/// tri and list, for one triangle.
+/// tri and list, for one triangle and any test.
+static void record_test(const RecordJob& job, std::uint32_t half_line, const Vec3i& d, RecordBest& best) {
+    TriRsp rsp;
+    job.test(half_line, d, {best.found, best.num, best.det, best.prim}, rsp);
+    if (rsp.closer) best = {true, rsp.prim, rsp.t, rsp.num, rsp.det, rsp.u, rsp.v};
+}
+
+/// The same for the exact test.
 RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_line, const Vec3i& d, RecordBest& best) {
     __extension__ using Wide = unsigned __int128;
     const Facet& facet = job.facet(half_line);
@@ -28,7 +35,7 @@ RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_li
 }
 
 /// Writes one ray's words, which begin at `at` in scratch.words; returns where they end.
-RAYCLOCK_INLINE std::size_t record_ray(const RecordJob& job, const Ray& from, std::size_t at, RecordScratch& scratch,
+template <bool is_exact> RAYCLOCK_INLINE std::size_t record_ray(const RecordJob& job, const Ray& from, std::size_t at, RecordScratch& scratch,
                                        RecordTotals& totals, RecordBest& best) {
     constexpr std::size_t most = 1 + max_width * ((1u << count_bits) - 1);   // words of a visit
     const SlabRay ray = slab_ray({from.o, {from.d[0] < 0, from.d[1] < 0, from.d[2] < 0}, from.recip, from.len}, job.config());
@@ -63,7 +70,8 @@ RAYCLOCK_INLINE std::size_t record_ray(const RecordJob& job, const Ray& from, st
                 const std::uint32_t first = 2 * node.base + node.offset[child];
                 for (std::uint32_t n = 0; n < node.count[child]; ++n) {
                     *word++ = first + n;
-                    record_triangle(job, first + n, from.d, best);
+                    if constexpr (is_exact) record_triangle(job, first + n, from.d, best);
+                    else record_test(job, first + n, from.d, best);
                 }
             }
             const auto tests = std::uint64_t(word - head - 1);
@@ -112,7 +120,7 @@ RAYCLOCK_INLINE std::size_t record_ray(const RecordJob& job, const Ray& from, st
     return std::size_t(word - scratch.words.data());
 }
 
-static void record(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits, RecordTotals& totals) {
+template <bool is_exact> static void record_rays(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits, RecordTotals& totals) {
     scratch.groups.resize(std::size_t(job.config().stack_depth) + 1);
     const std::uint32_t columns = block.x1 - block.x0, rows = block.y1 - block.y0;
     scratch.starts.resize(std::size_t(columns) * rows);
@@ -124,12 +132,20 @@ static void record(const RecordJob& job, const RecordBlock& block, RecordScratch
         const std::uint32_t x = block.x0 + column, y = block.y0 + row;
         RecordBest best;
         scratch.starts[std::size_t(row) * columns + column] = at;
-        at = record_ray(job, raygen({0, x, y}, job.frame(), job.config()), at, scratch, totals, best);
+        at = record_ray<is_exact>(job, raygen({0, x, y}, job.frame(), job.config()), at, scratch, totals, best);
         Closest& hit = hits[std::size_t(y) * job.frame().width + x];
         hit = {};
-        if (best.found)
-            hit = {0, 1, best.prim, best.t, barycentric(best.u, best.det, job.config()),
-                   barycentric(best.v, best.det, job.config())};
+        if (!best.found) continue;
+        hit = {0, 1, best.prim, best.t, std::uint32_t(best.u), std::uint32_t(best.v)};
+        if constexpr (is_exact) {
+            hit.u = barycentric(best.u, best.det, job.config());
+            hit.v = barycentric(best.v, best.det, job.config());
+        }
     }
     scratch.used = at;
+}
+
+static void record(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits, RecordTotals& totals) {
+    if (job.config().test() == PrimitiveTest::exact) record_rays<true>(job, block, scratch, hits, totals);
+    else record_rays<false>(job, block, scratch, hits, totals);
 }

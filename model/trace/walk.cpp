@@ -1,12 +1,11 @@
 #include "model/trace/walk.hpp"
 
-#include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 
 namespace rayclock {
 
 Walk::Walk(const Frame& frame, const Config& config, const Decoder& decoder)
-    : frame_(&frame), config_(&config), decoder_(&decoder), leaves_(config), stack_(config) {}
+    : frame_(&frame), config_(&config), decoder_(&decoder), test_(tri_test_of(config)), leaves_(config), stack_(config) {}
 
 const Ray& Walk::start(const Slot& slot) { return start_at(raygen(slot, *frame_, *config_)); }
 
@@ -27,7 +26,7 @@ bool Walk::test_node() {
 
 const TriRsp& Walk::test_triangle() {
     tri_.ray = ray_.ray;
-    tri_test(ray_.o, ray_.d, decoder_->prim(leaves_.prim()), leaves_.best(), *config_, tri_);
+    test_(ray_.o, ray_.d, decoder_->prim(leaves_.prim()), leaves_.best(), *config_, tri_);
     return tri_;
 }
 

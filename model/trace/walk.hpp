@@ -1,4 +1,5 @@
 #pragma once
+#include "model/isect/primitive.hpp"
 #include "model/list/leaves.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trav/box.hpp"
@@ -43,6 +44,7 @@ private:
     const Frame* frame_;
     const Config* config_;
     const Decoder* decoder_;
+    TriTest* test_;
     Ray ray_;
     BoxRay box_ray_;
     Leaves leaves_;

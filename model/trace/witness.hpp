@@ -58,7 +58,7 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
     case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
     case Channel::tri_req: {
         Walk& w = walk(m);
-        tell(TriReq{m.id, w.ray().o, w.ray().d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best()});
+        tell(TriReq{m.id, w.ray().o, w.ray().d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(), w.ray().shear});
         w.test_triangle();
         return;
     }

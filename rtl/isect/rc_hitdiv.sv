@@ -1,10 +1,12 @@
-// Distance and barycentrics of a hit: t = ceil(2^(M-1+F) num / det), saturated at all
-// ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. det > 0, num > 0,
-// 0 <= u, v <= det. Latency rc_pkg::TriLatency - 6, throughput 1 per cycle; a stage
-// works only if valid_i came with its operands.
+// Distance and barycentrics of a hit: t = ceil(2^(M-1+F) num / den), saturated at all
+// ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. den, det > 0, num > 0,
+// 0 <= u, v <= det. Latency Stages, throughput 1 per cycle; a stage works only if
+// valid_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
-  localparam int unsigned E = rc_pkg::EdgeBits,
+  parameter  int unsigned Stages = 12,   // at least half of T and of B
+  parameter  int unsigned E = 8,         // bits of den, at least those of det
+  localparam int unsigned D = rc_pkg::EdgeBits,
   localparam int unsigned U = rc_pkg::NumBits,
   localparam int unsigned T = rc_pkg::TBits,
   localparam int unsigned B = rc_pkg::BaryBits
@@ -12,16 +14,16 @@ module rc_hitdiv #(
   input  logic         clk_i,
   input  logic         valid_i,
   input  logic [U-1:0] num_i,
-  input  logic [E-1:0] det_i,
-  input  logic [E-1:0] u_i,
-  input  logic [E-1:0] v_i,
+  input  logic [E-1:0] den_i,
+  input  logic [D-1:0] det_i,
+  input  logic [D-1:0] u_i,
+  input  logic [D-1:0] v_i,
   output logic [T-1:0] t_o,
   output logic [B:0]   u_o,
   output logic [B:0]   v_o
 );
-  localparam int unsigned Stages  = rc_pkg::TriLatency - 6;
   localparam int unsigned Q       = 2 * Stages;           // quotient bits made, at least T and B
-  // num * 2^(M-1+F) * 2^(Q-T) / det in Q bits: the dividend above the quotient's bits is
+  // num * 2^(M-1+F) * 2^(Q-T) / den in Q bits: the dividend above the quotient's bits is
   // num * 2^(M-1+F-T), that is num moved left by M - N - 3, or right if that is negative.
   localparam int unsigned Left    = rc_pkg::DirBits > rc_pkg::CoordBits + 3
                                  ? rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;
@@ -34,7 +36,7 @@ module rc_hitdiv #(
   logic             beyond;
   assign num_wide  = {{(WideW-U){1'b0}}, num_i} << Left;
   assign num_above = num_wide >> Right;
-  assign beyond    = num_above >= {{(WideW-E){1'b0}}, det_i};
+  assign beyond    = num_above >= {{(WideW-E){1'b0}}, den_i};
   if (Right > 0) begin : gen_below
     assign num_below = {num_i[Right-1:0], {(Q-Right){1'b0}}};
   end else begin : gen_nothing_below
@@ -49,7 +51,7 @@ module rc_hitdiv #(
   logic [Q-1:0]  t_quo;
   logic          t_inexact;
   rc_divide #(.Width(E), .Stages(Stages)) u_t (
-    .clk_i, .valid_i, .rem_i(beyond ? '0 : num_above[E-1:0]), .low_i(num_below), .den_i(det_i),
+    .clk_i, .valid_i, .rem_i(beyond ? '0 : num_above[E-1:0]), .low_i(num_below), .den_i,
     .quo_o(t_quo), .inexact_o(t_inexact));
 
   // u and v have fewer bits: they are done earlier, and wait for t.
@@ -57,10 +59,10 @@ module rc_hitdiv #(
   localparam int unsigned Rest  = Stages - Short;
   logic [2*Short-1:0] u_quo, v_quo;
   logic               u_inexact, v_inexact;
-  rc_divide #(.Width(E), .Stages(Short)) u_u (
+  rc_divide #(.Width(D), .Stages(Short)) u_u (
     .clk_i, .valid_i, .rem_i(u_top ? '0 : u_i), .low_i('0), .den_i(det_i),
     .quo_o(u_quo), .inexact_o(u_inexact));
-  rc_divide #(.Width(E), .Stages(Short)) u_v (
+  rc_divide #(.Width(D), .Stages(Short)) u_v (
     .clk_i, .valid_i, .rem_i(v_top ? '0 : v_i), .low_i('0), .den_i(det_i),
     .quo_o(v_quo), .inexact_o(v_inexact));
 

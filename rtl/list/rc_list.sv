@@ -181,11 +181,15 @@ module rc_list (
 
   // ---- Triangle, ray and hit to beat, together to tri.
   localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
-  logic [3*rc_pkg::CoordBits+3*rc_pkg::DirBits-1:0] tri_ray;
+  localparam int unsigned TriRayW = rc_pkg::TriRayBits;   // follows the number in ray_t and tri_req_t
+  logic [rc_pkg::RayW-1:0] ray_flat;
+  logic [TriRayW-1:0] tri_ray;
   logic [BestW-1:0] tri_best;
   logic             tri_found;
-  rc_ram #(.Width(3 * rc_pkg::CoordBits + 3 * rc_pkg::DirBits), .Depth(T)) u_ray (
-    .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i({ray_i.o, ray_i.d}),
+  assign ray_flat = ray_i;
+  rc_ram #(.Width(TriRayW), .Depth(T)) u_ray (
+    .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
+    .write_data_i(ray_flat[rc_pkg::RayW-I-1 -: TriRayW]),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
   rc_ram #(.Width(BestW), .Depth(T)) u_best (
     .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
@@ -212,6 +216,6 @@ module rc_list (
   assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
 
   logic unused;
-  assign unused = ^{ray_i.recip, ray_i.len, group_inner, step_offset, step_leaves, step_count};
+  assign unused = ^{ray_flat, group_inner, step_offset, step_leaves, step_count};
 endmodule
 `default_nettype wire

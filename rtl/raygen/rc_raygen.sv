@@ -22,6 +22,7 @@ module rc_raygen (
   localparam int unsigned E       = rc_pkg::ExpBits;
   localparam int unsigned I       = rc_pkg::RayBits;
   localparam int unsigned Latency = rc_pkg::RaygenLatency;
+  localparam int unsigned RecipL  = 1 + (rc_pkg::RecipBits + 1) / 2;   // of rc_recip
 
   logic admit;
   assign admit = slot_valid_i && slot_ready_o;
@@ -65,16 +66,42 @@ module rc_raygen (
     assign s1_sum = $signed(corner[k*G +: G]) + s1_right_q + s1_down_q
                   + $signed({{(M){1'b0}}, 1'b1, {(rc_pkg::GuardBits-1){1'b0}}});
     assign s1_dir[k*M +: M] = s1_sum[G-1 -: M];
+    logic [R1+E-1:0] made;
     rc_recip u_recip (
       .clk_i, .valid_i(valid_q[1]), .d_i($signed(s2_dir_q[k*M +: M])),
-      .recip_o(recip[k*R1 +: R1]), .len_o(len[k*E +: E]));
+      .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
+    if (Latency - 2 == RecipL) begin : gen_last
+      assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
+    end else begin : gen_wait
+      rc_delay #(.Width(R1 + E), .Stages(Latency - 2 - RecipL)) u_made (
+        .clk_i, .valid_i(valid_q[Latency-2:RecipL+1]), .data_i(made),
+        .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
+    end
     logic unused;
     assign unused = ^s1_sum[G-M-1:0];
   end
 
+  localparam int unsigned TailW = 3 * rc_pkg::CoordBits + 3 * (M + R1 + E);
   logic                      queue_ready;
   logic [rc_pkg::RayW-1:0]   queue_data, ray_data;
-  assign queue_data = {end_ray, frame_i.eye, end_dir, recip, len};
+  logic [TailW-1:0]          tail;
+  assign tail = {frame_i.eye, end_dir, recip, len};
+  // The sheared triangle test has slopes as well.
+  if (rc_pkg::PrimitiveTest == 1) begin : gen_sheared
+    localparam int unsigned ShearW = 3 * M + 3;
+    localparam int unsigned SlopeL = 1 + M / 2;   // of rc_slope
+    logic [ShearW-1:0] made, shear;
+    rc_slope u_slope (.clk_i, .valid_i(valid_q[1]), .d_i(s2_dir_q), .shear_o(made));
+    if (Latency - 2 == SlopeL) begin : gen_last
+      assign shear = made;
+    end else begin : gen_wait
+      rc_delay #(.Width(ShearW), .Stages(Latency - 2 - SlopeL)) u_made (
+        .clk_i, .valid_i(valid_q[Latency-2:SlopeL+1]), .data_i(made), .data_o(shear));
+    end
+    assign queue_data = {end_ray, shear, tail};
+  end else begin : gen_plain
+    assign queue_data = {end_ray, tail};
+  end
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));

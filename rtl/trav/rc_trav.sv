@@ -113,8 +113,10 @@ module rc_trav (
     .clk_i, .rst_ni, .push_i(done), .data_i(s1_step.ray),
     .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
 
-  logic unused;
-  assign unused = ^{frame_i.width, frame_i.height, frame_i.eye, frame_i.corner, frame_i.right,
-      frame_i.down, ray_d};
+  logic [rc_pkg::RayW-1:0] ray_flat;   // what only tri uses of a ray
+  logic                    unused;
+  assign ray_flat = ray_i;
+  assign unused = ^{ray_flat, frame_i.width, frame_i.height, frame_i.eye, frame_i.corner,
+      frame_i.right, frame_i.down};
 endmodule
 `default_nettype wire

@@ -33,6 +33,7 @@ template <class Work> double best_seconds(Work work) {
 int bench_command(const Options& o) {
     const FrameSize size = parse_size(o.size);
     const Config config = load_config(o.config, o.set);
+    check_rtl(config);
     check_outputs(o);
     const Scene scene = ready_scene(o, size, terminal_progress());
     build_rtl(config);

@@ -33,6 +33,7 @@ int config_command(const Options& o) {
 
 int rtl_command(const Options& o) {
     const Config config = load_config(o.config, o.set);
+    check_rtl(config);
     const RtlBuild build = build_rtl(config);
     if (build.was_cached) fmt::print("{}: built before, {}\n", config.name, build.library.string());
     else fmt::print("{}: built in {:.1f} s, {}\n", config.name, build.seconds, build.library.string());

@@ -32,6 +32,7 @@ int render_command(const Options& o) {
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: '" + o.engine + "' is not reference, model or rtl");
     const Config config = load_config(o.config, o.set);
+    if (o.engine == "rtl") check_rtl(config);
     check_picture_path(o.output);
     check_outputs(o);
     const Progress progress = terminal_progress();

@@ -70,6 +70,7 @@ int simulate_command(const Options& o) {
     const std::vector<int> clocks = parse_clocks(o.clock);
     if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: '" + o.engine + "' is not model or rtl");
     const Config config = load_config(o.config, o.set);
+    if (o.engine == "rtl") check_rtl(config);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();

@@ -92,7 +92,7 @@ std::vector<Point> make_points(const Options& o, const std::vector<Axis>& axes) 
 
 /// What a trace depends on; configurations that agree here share one.
 std::vector<int> trace_key(const Config& c) {
-    return {c.coord_bits, c.dir_bits, c.t_frac_bits, c.recip_bits, c.box_bits, c.bary_bits, c.node_width, c.leaf_size, c.stack_depth};
+    return {c.coord_bits, c.dir_bits, c.t_frac_bits, c.recip_bits, c.box_bits, c.bary_bits, c.primitive_test, c.node_width, c.leaf_size, c.stack_depth};
 }
 
 void run_group(const Options& o, const Scene& scene, FrameSize size, std::vector<Point*>& group, std::atomic<std::size_t>& done, std::size_t all,

@@ -68,6 +68,7 @@ int verify_command(const Options& o) {
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
     const Config config = load_config(o.config, o.set);
+    check_rtl(config);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();

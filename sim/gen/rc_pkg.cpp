@@ -45,6 +45,7 @@ std::string rc_package(const Config& c) {
     constant("RecipBits", c.recip_bits);
     constant("BoxBits", c.box_bits);
     constant("BaryBits", c.bary_bits);
+    constant("PrimitiveTest", c.primitive_test);
     constant("NodeWidth", c.node_width);
     constant("Contexts", c.contexts);
     constant("StackDepth", c.stack_depth);
@@ -70,6 +71,7 @@ std::string rc_package(const Config& c) {
     constant("TBits", c.t_bits());
     constant("EdgeBits", c.edge_bits());
     constant("NumBits", c.num_bits());
+    constant("TriRayBits", c.tri_ray_bits());
     constant("GuardBits", guard_bits);
     constant("GuardDirBits", c.guard_dir_bits());
     constant("RayBits", c.ray_bits());

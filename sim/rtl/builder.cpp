@@ -159,6 +159,7 @@ fs::path rtl_cache() {
 }
 
 RtlBuild build_rtl(const Config& config, const std::string& module) {
+    check_rtl(config);
     const auto start = std::chrono::steady_clock::now();
     std::string everything = rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + verilator_flags + compiler_flags + verilator_root();
     for (const fs::path& file : sources()) everything += text_of(file);

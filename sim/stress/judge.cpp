@@ -55,7 +55,7 @@ Counts& Counts::operator+=(const Counts& other) {
 Judge::Judge(const Case& subject, const Config& config, Test test, bool closed, Walks walks)
     : mesh_(subject.mesh), config_(config), test_(test), closed_(closed), surface_(mesh_.triangles), triangles_(numbered(mesh_.triangles)) {
     std::vector<PrimData> kept = triangles_;
-    std::erase_if(kept, [](const PrimData& t) { return !has_area(t); });
+    std::erase_if(kept, [&](const PrimData& t) { return !rayclock::counts(t, config); });
     if (walks == Walks::no || kept.empty()) return;
     config_.stack_depth = 64;
     image_ = compile_triangles(kept, config_, "the case");

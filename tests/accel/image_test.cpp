@@ -119,8 +119,8 @@ TEST_CASE("what cannot be compiled is refused in one sentence") {
     CHECK_THAT(error_of(soup(1000, 0.1, 4), shallow), Catch::Contains("soup: ") && Catch::Contains("--set stack_depth=16"));
     CHECK(error_of(soup(1000, 0.1, 4), shape(18, 2, 1)) == "");
 
-    CHECK_NOTHROW(check_lines(1 << 24, "vast"));
-    CHECK_THROWS_WITH(check_lines((1 << 24) + 1, "vast"), Catch::StartsWith("vast: ") && Catch::Contains("2^24 lines"));
+    CHECK_NOTHROW(check_lines(1 << 24, Config{}, "vast"));
+    CHECK_THROWS_WITH(check_lines((1 << 24) + 1, Config{}, "vast"), Catch::StartsWith("vast: ") && Catch::Contains("2^24 lines"));
 }
 
 TEST_CASE("progress reaches its end") {

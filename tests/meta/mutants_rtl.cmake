@@ -43,17 +43,17 @@ mutant(edges_origin_counts FILE rtl/isect/rc_edges.sv TEST unit [tri]
   OLD [[&& s3_num_q != '0 && s3_num_q[U-1] == s3_flip]]
   NEW [[&& (s3_num_q == '0 || s3_num_q[U-1] == s3_flip)]])
 mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
-  OLD [[s5_first_q <= s4_prim <= s4_best_prim;]]
-  NEW [[s5_first_q <= s4_prim >= s4_best_prim;]])
+  OLD [[f1_first_q <= f0_prim <= f0_best_prim;]]
+  NEW [[f1_first_q <= f0_prim >= f0_best_prim;]])
 mutant(tri_equal_is_not_closer FILE rtl/isect/rc_tri.sv TEST unit [tri]
-  OLD [[(s5_mine_q == s5_theirs_q && s5_first_q)]]
-  NEW [[(s5_mine_q == s5_theirs_q && s5_first_q && s5_mine_q == '0)]])
+  OLD [[(f1_mine_q == f1_theirs_q && f1_first_q)]]
+  NEW [[(f1_mine_q == f1_theirs_q && f1_first_q && f1_mine_q == '0)]])
 mutant(hitdiv_t_rounded_down QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][lockstep]
   OLD [[t_down + {{(T-1){1'b0}}, t_up}]]
   NEW [[t_down + {{(T-1){1'b0}}, t_up && 1'b0}]])
 mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
-  OLD [[.u_i(s6_u_q), .v_i(s6_v_q),]]
-  NEW [[.u_i(s6_v_q), .v_i(s6_u_q),]])
+  OLD [[.u_i(f2_u_q), .v_i(f2_v_q),]]
+  NEW [[.u_i(f2_v_q), .v_i(f2_u_q),]])
 
 # ---- trav, list, sched: who goes where.
 mutant(stack_below_of_top_only QUICK FILE rtl/trav/rc_stack.sv TEST unit [trav][lockstep]

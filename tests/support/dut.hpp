@@ -157,8 +157,20 @@ private:
     RtlLinks links_;
 };
 
-/// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions, the widest.
+/// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions, the widest; each
+/// also as "sheared:..." with that primitive test, and one whose reciprocals are longer than its slopes.
 inline Config format(const std::string& name) {
+    if (name.starts_with("sheared:")) {
+        Config config = format(name.substr(8));
+        config.primitive_test = int(PrimitiveTest::sheared);
+        return config;
+    }
+    if (name == "precise") {
+        Config config = format("narrow");
+        config.dir_bits = 15;
+        config.recip_bits = 24;
+        return config;
+    }
     if (name == "default" || name == "small") return named_config(name);
     Config config;
     config.name = name;

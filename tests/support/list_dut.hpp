@@ -33,7 +33,7 @@ public:
         tri_req.offer.reset();
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
-            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best()};
+            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear};
         }
         done.ready = closest.ready;
         closest.offer.reset();

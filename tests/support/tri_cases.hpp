@@ -1,5 +1,6 @@
 #pragma once
 // Requests for tri, and the verdict of exact geometry on its answers.
+#include "model/isect/sheared.hpp"
 #include "model/oracle/exact.hpp"
 #include "tests/support/traffic.hpp"
 
@@ -10,8 +11,8 @@ inline std::optional<oracle::Crossing> crossing(const TriReq& req) {
                             oracle::point(req.triangle.c));
 }
 
-/// A hit to beat: none, anything, exactly as far as the crossing (in another fraction), or a hair nearer or farther.
-inline Best random_best(Draw& draw, const Config& config, const std::optional<oracle::Crossing>& crossing, std::uint32_t prim) {
+/// A hit to beat: none, anything, exactly as far as the crossing at t (in another fraction), or a hair nearer or farther.
+inline Best random_best(Draw& draw, const Config& config, const std::optional<oracle::Rational>& t, std::uint32_t prim) {
     Best best;
     if (draw.coin()) return best;
     best.found = 1;
@@ -19,8 +20,8 @@ inline Best random_best(Draw& draw, const Config& config, const std::optional<or
     best.det = std::int64_t(draw.bits(config.edge_bits() - 1) | 1);
     const std::uint32_t others[] = {prim, prim - 1, prim + 1, std::uint32_t(draw.natural(max_prim_bits))};
     best.prim = others[draw.below(4)];
-    if (!crossing || draw.below(4) == 0) return best;
-    const oracle::Int num = numerator(crossing->t), den = denominator(crossing->t);
+    if (!t || draw.below(4) == 0) return best;
+    const oracle::Int num = numerator(*t), den = denominator(*t);
     oracle::Int factor = draw.between(1, 5);
     const oracle::Int num_most = (oracle::Int(1) << (config.num_bits() - 1)) - 1, det_most = (oracle::Int(1) << (config.edge_bits() - 1)) - 1;
     if (num * factor > num_most || den * factor > det_most) factor = 1;
@@ -30,6 +31,16 @@ inline Best random_best(Draw& draw, const Config& config, const std::optional<or
     if (draw.coin() && best.num < num_most) ++best.num;
     else if (best.num > 1) --best.num;
     return best;
+}
+
+/// Where the ray meets the triangle, in the units in which the test compares.
+inline std::optional<oracle::Rational> crossing_to_beat(const TriReq& req, const Config& config) {
+    if (config.is_sheared()) {
+        const TriRsp rsp = tri(req, config);
+        return rsp.closer ? std::optional(oracle::Rational(rsp.num, rsp.det)) : std::nullopt;
+    }
+    const auto at = crossing(req);
+    return at ? std::optional(at->t) : std::nullopt;
 }
 
 /// Most rays are aimed at a corner, the middle of an edge or the inside; some backwards.
@@ -55,7 +66,8 @@ inline TriReq random_tri_req(Draw& draw, const Config& config) {
             req.d[k] = std::int32_t(std::clamp((way >> 2) * factor, -most - 1, most));
         }
     }
-    req.best = random_best(draw, config, crossing(req), req.triangle.prim);
+    if (config.is_sheared()) req.shear = shear_of(req.d, config);
+    req.best = random_best(draw, config, crossing_to_beat(req, config), req.triangle.prim);
     return req;
 }
 

@@ -45,7 +45,7 @@ private:
 } // namespace
 
 TEMPLATE_LIST_TEST_CASE("a payload survives packing, and every bit is where the rule says", "[layout]", Payloads) {
-    const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    const Config config = format(GENERATE("default", "small", "narrow", "wide", "sheared:default"));
     const int bits = bits_of<TestType>(config);
     Draw draw{7};
     for (int i = 0; i < 200; ++i) {

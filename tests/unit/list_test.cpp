@@ -149,8 +149,9 @@ TEMPLATE_TEST_CASE("list takes a node and a test in every cycle", "[list]", List
 }
 
 TEST_CASE("model and rtl of list make the same moves in every cycle", "[list][lockstep]") {
+    const Config config = format(GENERATE("default", "sheared:small"));
     for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(format("default"), seed, flow, 3000);
+        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
 
 TEST_CASE("model and rtl of list make the same moves, nodes of four and one context", "[list][lockstep][slow]") {

@@ -81,7 +81,7 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
 } // namespace
 
 TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reciprocal", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
-    const auto name = GENERATE("default", "small", "narrow", "wide");
+    const auto name = GENERATE("default", "small", "narrow", "wide", "sheared:default");
     for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 250);
 }
 
@@ -100,19 +100,19 @@ TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", 
 }
 
 TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
-    const Config config = format(GENERATE("default", "narrow", "wide"));
+    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default"));
     TestType dut{config, camera(5, config)};
     check_latency(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
 TEMPLATE_TEST_CASE("raygen makes a ray in every cycle", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
-    const Config config = format(GENERATE("default", "wide"));
+    const Config config = format(GENERATE("default", "wide", "sheared:default", "sheared:narrow"));
     TestType dut{config, camera(5, config)};
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
 TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen][lockstep]") {
-    const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    const Config config = format(GENERATE("default", "small", "narrow", "wide", "sheared:default", "sheared:narrow", "sheared:precise"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 15; ++seed)
             check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500, [&](Draw& draw) { return random_slot(draw, config); });

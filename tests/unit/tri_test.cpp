@@ -58,6 +58,28 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
     for (std::size_t i = 0; i < rsps.size(); ++i) judge(requests[i], rsps[i], config);
 }
 
+TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice", "[tri][lockstep]") {
+    const Config config = format(GENERATE("sheared:default", "sheared:wide"));
+    std::vector<TriReq> requests;
+    for (int i = 0; i < 1 << 15; i += 3) {   // corners a, b, c, origin and direction
+        TriReq req;
+        req.o = extreme(i >> 9 & 7, config.coord_bits);
+        req.d = extreme(i >> 12 & 7, config.dir_bits);
+        req.shear = shear_of(req.d, config);
+        req.triangle = {extreme(i & 7, config.coord_bits), extreme(i >> 3 & 7, config.coord_bits), extreme(i >> 6 & 7, config.coord_bits), 7};
+        requests.push_back(req);
+    }
+    Rtl<TriUnit> dut{config};
+    const auto rsps = answers(dut, config, requests);
+    int hits = 0;
+    for (std::size_t i = 0; i < rsps.size(); ++i) {
+        CAPTURE(i);
+        REQUIRE(same(rsps[i], tri(requests[i], config), config));
+        hits += rsps[i].closer != 0;
+    }
+    REQUIRE(hits > 50);
+}
+
 TEMPLATE_TEST_CASE("tri keeps the nearer hit, and of equals the lower number", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = format("default");
     TestType dut{config};
@@ -106,19 +128,19 @@ TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]
 }
 
 TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config = format(GENERATE("default", "narrow", "wide"));
+    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default", "sheared:wide"));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
 TEMPLATE_TEST_CASE("tri takes a triangle in every cycle", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config = format(GENERATE("default", "wide"));
+    const Config config = format(GENERATE("default", "wide", "sheared:default", "sheared:wide"));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
 TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lockstep]") {
-    const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    const Config config = format(GENERATE("default", "small", "narrow", "wide", "sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_tri_req(draw, config); });

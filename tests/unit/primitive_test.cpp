@@ -1,0 +1,340 @@
+// The selectable ray-triangle tests. The sheared test is watertight, and near the exact one by a derived bound; the baselines
+// are what their papers say, and lose what they are known to lose.
+#include <algorithm>
+#include <cmath>
+
+#include "model/core/error.hpp"
+#include "model/isect/primitive.hpp"
+#include "model/isect/sheared.hpp"
+#include "model/isect/unit24.hpp"
+#include "model/scene/builtin.hpp"
+#include "tests/support/tri_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Config with_test(const std::string& test, int coord_bits = 18) {
+    Config config;
+    config.coord_bits = coord_bits;
+    config.dir_bits = std::min(24, 62 - 2 * coord_bits);
+    set_parameter(config, "primitive_test", test, "test");
+    check_config(config, "test");
+    return config;
+}
+
+TriRsp ask(const Config& config, const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best = {}) {
+    TriRsp rsp;
+    tri_test_of(config)(o, d, triangle, best, config, rsp);
+    return rsp;
+}
+
+/// A closed sphere around the lattice's middle; all triangles turn the same way.
+std::vector<PrimData> sphere(int size, double radius) {
+    const Scene scene = make_builtin("icosphere:" + std::to_string(size));
+    std::vector<PrimData> all;
+    for (const auto& t : scene.triangles) {
+        std::array<Vec3i, 3> corner;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) corner[i][std::size_t(k)] = std::int32_t(std::lround(scene.vertices[t.vertex[i]][k] * radius));
+        all.push_back({corner[0], corner[1], corner[2], std::uint32_t(all.size())});
+    }
+    return all;
+}
+
+/// A point at least so far from the middle, and a direction from there to `target`, as long as M bits allow.
+Vec3i far_origin(Draw& draw, int coord_bits, double distance) {
+    const int most = (1 << (coord_bits - 1)) - 1;
+    for (;;) {
+        Vec3i o;
+        for (auto& x : o) x = draw.between(-most, most);
+        if (std::hypot(o[0], o[1], o[2]) >= distance) return o;
+    }
+}
+Vec3i towards(const Vec3i& o, const std::array<double, 3>& target, int dir_bits) {
+    std::array<double, 3> way;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, std::abs(way[k] = target[k] - o[k]));
+    const double scale = (std::ldexp(1, dir_bits - 1) - 1) / longest;
+    Vec3i d;
+    for (std::size_t k = 0; k < 3; ++k) d[k] = std::int32_t(std::lround(way[k] * scale));
+    return d;
+}
+
+/// A weighted point of a triangle.
+std::array<double, 3> inside(const PrimData& t, double b, double c) {
+    std::array<double, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = t.a[k] + b * (t.b[k] - t.a[k]) + c * (t.c[k] - t.a[k]);
+    return p;
+}
+
+/// The triangles of a closed sphere that take a ray aimed at a corner, an edge or anywhere. From outside, so that all lie ahead.
+int crossings(const Config& config, const std::vector<PrimData>& all, const Vec3i& o, const Vec3i& d) {
+    return int(std::count_if(all.begin(), all.end(), [&](const PrimData& t) { return ask(config, o, d, t).closer != 0; }));
+}
+
+struct Plane {
+    long double x, y, z;
+};
+/// A corner as the ray sees it, in real numbers.
+Plane seen(const Vec3i& p, const Vec3i& o, const Vec3i& d, std::size_t kz) {
+    const std::size_t kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+    const long double z = p[kz] - o[kz];
+    return {p[kx] - o[kx] - z * d[kx] / d[kz], p[ky] - o[ky] - z * d[ky] / d[kz], z};
+}
+/// Distance of (0, 0) from a segment, the larger of x and y.
+long double distance_of(const Plane& p, const Plane& q) {
+    // Convex along the segment: halving finds the least.
+    const auto at = [&](long double s) { return std::max(std::abs(p.x + s * (q.x - p.x)), std::abs(p.y + s * (q.y - p.y))); };
+    long double lo = 0, hi = 1;
+    for (int i = 0; i < 200; ++i) {
+        const long double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
+        if (at(a) < at(b)) hi = b;
+        else lo = a;
+    }
+    return at(lo);
+}
+
+} // namespace
+
+TEST_CASE("a primitive test is chosen by name", "[primitive]") {
+    Config config;
+    REQUIRE(config.test() == PrimitiveTest::exact);
+    for (const std::string& name : primitive_test_names()) {
+        set_parameter(config, "primitive_test", name, "f");
+        REQUIRE(primitive_test_names()[std::size_t(config.primitive_test)] == name);
+        check_config(config, "f");
+        if (name == "exact" || name == "sheared") REQUIRE_NOTHROW(check_rtl(config));
+        else REQUIRE_THROWS_WITH(check_rtl(config), Contains("primitive_test=" + name) && Contains("software only"));
+    }
+    REQUIRE_THROWS_WITH(set_parameter(config, "primitive_test", "shared", "f"), Contains("f: ") && Contains("'sheared'"));
+    set_parameter(config, "primitive_test", "sheared", "f");
+    config.dir_bits = config.coord_bits + 1;
+    REQUIRE_THROWS_WITH(check_config(config, "f"), Contains("f: ") && Contains("dir_bits") && Contains("20") && Contains("19"));
+}
+
+TEST_CASE("slopes are the direction's, rounded to nearest", "[primitive]") {
+    const Config config = with_test("sheared", GENERATE(12, 16, 18, 20));
+    Draw draw{5};
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3i d = draw.vector(config.dir_bits);
+        const Shear shear = shear_of(d, config);
+        CAPTURE(d[0], d[1], d[2]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            REQUIRE(std::abs(d[k]) <= std::abs(d[shear.axis]));
+            if (k < shear.axis) REQUIRE(std::abs(d[k]) < std::abs(d[shear.axis]));
+        }
+        REQUIRE(shear.size == std::uint32_t(std::abs(d[shear.axis])));
+        REQUIRE(shear.neg == (d[shear.axis] < 0));
+        for (std::size_t j = 0; j < 2; ++j) {
+            const std::int64_t along = d[(shear.axis + 1 + j) % 3];
+            if (shear.size == 0) {
+                REQUIRE(shear.slope[j] == 0);
+                continue;
+            }
+            // |2^S along - slope d_z| <= |d_z| / 2; if equal, the slope is the larger.
+            const std::int64_t exact = along << config.slope_frac_bits(), got = std::int64_t(shear.slope[j]) * d[shear.axis];
+            REQUIRE(2 * std::abs(exact - got) <= std::int64_t(shear.size));
+            if (2 * std::abs(exact - got) == std::int64_t(shear.size)) REQUIRE(std::abs(got) > std::abs(exact));
+        }
+    }
+}
+
+TEST_CASE("the sheared test neither leaks nor hits twice on a closed surface", "[primitive]") {
+    const int bits = GENERATE(12, 13, 14, 15, 16, 17, 18, 19, 20);
+    Config config = with_test("sheared", bits);
+    const int radius = 1 << (bits - 4);
+    const std::vector<PrimData> all = sphere(2, radius);
+    Draw draw{unsigned(bits)};
+    int grazing = 0;
+    for (int i = 0; i < 1200; ++i) {
+        config.dir_bits = draw.coin() ? bits + 2 : std::min(24, 62 - 2 * bits);
+        const PrimData& t = all[std::size_t(draw.below(int(all.size())))];
+        const double along = draw.below(5) * 0.25;   // corners, an edge's middle and quarters; then anywhere inside
+        const auto target = draw.percent(80) ? inside(t, along, draw.coin() ? 0 : 1 - along) : inside(t, draw.below(1000) / 2000.0, draw.below(1000) / 2000.0);
+        Vec3i o = far_origin(draw, bits, 4 * radius), d = towards(o, target, config.dir_bits);
+        if (draw.below(4) == 0) {   // along an axis
+            const auto k = std::size_t(draw.below(3));
+            for (std::size_t j = 0; j < 3; ++j) o[j] = std::int32_t(std::lround(target[j]));
+            o[k] = draw.coin() ? 6 * radius : -6 * radius;
+            d = {};
+            d[k] = o[k] > 0 ? -1 : 1;
+        }
+        // The cosine between ray and surface, where the ray enters or leaves.
+        const double from_middle = std::hypot(target[0], target[1], target[2]);
+        const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) / from_middle / std::hypot(d[0], d[1], d[2]);
+        CAPTURE(bits, i, o[0], o[1], o[2], d[0], d[1], d[2]);
+        const int count = crossings(config, all, o, d);
+        REQUIRE(count % 2 == 0);   // in as often as out, also where the surface is seen edge-on
+        if (std::abs(cosine) > 0.4) REQUIRE(count == 2);
+        else ++grazing;
+    }
+    REQUIRE(grazing > 50);
+}
+
+TEST_CASE("the sheared test differs from the exact one next to edges only", "[primitive]") {
+    const int bits = GENERATE(12, 16, 18, 20);
+    const Config config = with_test("sheared", bits), exact = with_test("exact", bits);
+    Draw draw{unsigned(bits) + 40};
+    int hits = 0, differ = 0;
+    for (int i = 0; i < 20000; ++i) {
+        TriReq req = random_tri_req(draw, exact);
+        const Shear shear = shear_of(req.d, config);
+        if (shear.size == 0) continue;
+        const std::size_t kz = shear.axis;
+        const Plane a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz), c = seen(req.triangle.c, req.o, req.d, kz);
+        const long double sign = shear.neg ? -1 : 1;
+        if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0) continue;   // all of it ahead
+        const TriRsp there = ask(exact, req.o, req.d, req.triangle), here = ask(config, req.o, req.d, req.triangle);
+        CAPTURE(bits, i);
+        if (there.closer != here.closer) {
+            ++differ;
+            REQUIRE(std::min({distance_of(a, b), distance_of(b, c), distance_of(c, a)}) <= 1.000001L);
+        }
+        if (!there.closer || !here.closer) continue;
+        ++hits;
+        // The plane's z over the ray, and how much it rises in a step of x and of y.
+        const long double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+        const long double rise_x = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area;
+        const long double rise_y = ((b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z)) / area;
+        const long double z = sign * (a.z - rise_x * a.x - rise_y * a.y), got = (long double)here.num / (long double)here.det;
+        REQUIRE(std::abs(got - z) <= (std::abs(rise_x) + std::abs(rise_y)) * 1.000001L + 1e-6L * std::abs(z));
+        REQUIRE(got >= std::min({sign * a.z, sign * b.z, sign * c.z}));
+        REQUIRE(got <= std::max({sign * a.z, sign * b.z, sign * c.z}));
+    }
+    REQUIRE(hits > 500);
+    REQUIRE(differ > 20);
+}
+
+TEST_CASE("the sheared test's distance is rounded up, and its weights down", "[primitive]") {
+    const Config config = with_test("sheared", GENERATE(12, 18, 20));
+    Draw draw{77};
+    int hits = 0;
+    for (int i = 0; i < 8000; ++i) {
+        const TriReq req = random_tri_req(draw, config);
+        const TriRsp rsp = ask(config, req.o, req.d, req.triangle);
+        if (!rsp.closer) continue;
+        ++hits;
+        const oracle::Rational t(oracle::Int(rsp.num), oracle::Int(rsp.det) * shear_of(req.d, config).size);
+        const oracle::Int ticks = oracle::ceil(t * oracle::power_of_two(config.dir_bits - 1 + config.t_frac_bits));
+        REQUIRE(rsp.t == std::min(ticks, oracle::Int((oracle::Int(1) << config.t_bits()) - 1)));
+        const std::uint32_t one = 1u << config.bary_bits;
+        REQUIRE(rsp.u + rsp.v <= one);
+        REQUIRE(rsp.det < std::int64_t(1) << (config.edge_bits() - 1));
+        REQUIRE(rsp.num < std::int64_t(1) << (config.num_bits() - 1));
+    }
+    REQUIRE(hits > 500);
+}
+
+TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primitive]") {
+    const Config config = with_test("sheared", 20);
+    const auto extreme = [](int which, int bits) {
+        const std::int32_t most = (1 << (bits - 1)) - 1;
+        return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
+    };
+    std::int64_t largest_num = 0, largest_det = 0;
+    for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b)
+            for (int c = 0; c < 8; ++c)
+                for (int o = 0; o < 8; ++o)
+                    for (int d = 0; d < 8; ++d) {
+                        if (a == b || b == c || c == a) continue;
+                        const TriRsp rsp = ask(config, extreme(o, 20), extreme(d, config.dir_bits), {extreme(a, 20), extreme(b, 20), extreme(c, 20), 7});
+                        largest_num = std::max(largest_num, rsp.num);
+                        largest_det = std::max(largest_det, rsp.det);
+                    }
+    REQUIRE(largest_num < std::int64_t(1) << (config.num_bits() - 1));
+    REQUIRE(largest_det < std::int64_t(1) << (config.edge_bits() - 1));
+    REQUIRE(largest_det > std::int64_t(1) << (config.edge_bits() - 4));
+}
+
+TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]") {
+    const auto name = GENERATE("sheared", "unit24", "moller", "woop", "truncated");
+    const Config config = with_test(name), exact = with_test("exact");
+    const std::vector<PrimData> all = sphere(1, 65536);
+    Draw draw{9};
+    const double tolerance = std::string(name) == "truncated" ? 2e-2 : 3e-4;
+    for (int i = 0; i < 2000; ++i) {
+        const PrimData& t = all[std::size_t(draw.below(int(all.size())))];
+        const double b = 0.15 + draw.below(400) / 1000.0, c = 0.15 + draw.below(300) / 1000.0;
+        const auto target = inside(t, b, c);
+        const Vec3i o = far_origin(draw, 18, 110000), d = towards(o, target, config.dir_bits);
+        const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) / std::hypot(target[0], target[1], target[2]) / std::hypot(d[0], d[1], d[2]);
+        if (std::abs(cosine) < 0.3) continue;
+        const TriRsp there = ask(exact, o, d, t), here = ask(config, o, d, t);
+        CAPTURE(name, i);
+        REQUIRE((there.closer && here.closer));
+        REQUIRE(here.prim == t.prim);
+        REQUIRE(here.t == Approx(double(there.t)).epsilon(tolerance));
+        const double one = 1 << config.bary_bits;
+        REQUIRE(here.u / one == Approx(there.u / one).margin(0.02));
+        REQUIRE(here.v / one == Approx(there.v / one).margin(0.02));
+        REQUIRE(here.num < std::int64_t(1) << (config.num_bits() - 1));
+        REQUIRE(here.det < std::int64_t(1) << (config.edge_bits() - 1));
+        // A hit beats what is farther, not what is nearer; of equals the lower number wins.
+        const Best same{1, here.num, here.det, t.prim}, nearer{1, here.num - here.num / 8, here.det, t.prim}, farther{1, here.num + here.num / 8, here.det, 0};
+        REQUIRE(ask(config, o, d, t, same).closer == 1);
+        REQUIRE(ask(config, o, d, t, nearer).closer == 0);
+        REQUIRE(ask(config, o, d, t, farther).closer == 1);
+        const Best lower{1, here.num, here.det, t.prim - 1};
+        if (t.prim > 0) REQUIRE(ask(config, o, d, t, lower).closer == 0);
+    }
+}
+
+TEST_CASE("no test takes what lies behind, and none a direction of zero", "[primitive]") {
+    const auto name = GENERATE("exact", "sheared", "unit24", "moller", "woop", "truncated");
+    const Config config = with_test(name);
+    const PrimData t{{-40000, -40000, 1000}, {40000, -40000, 1000}, {0, 80000, 1000}, 5};
+    REQUIRE(ask(config, {0, 0, 0}, {0, 0, 100000}, t).closer == 1);
+    REQUIRE(ask(config, {0, 0, 0}, {0, 0, -100000}, t).closer == 0);
+    REQUIRE(ask(config, {0, 0, 2000}, {0, 0, 100000}, t).closer == 0);
+    REQUIRE(ask(config, {0, 0, 0}, {0, 0, 0}, t).closer == 0);
+    REQUIRE(ask(config, {0, 0, 0}, {100000, 0, 0}, t).closer == 0);
+    const PrimData edge_on{{0, -100, 1000}, {0, 100, 1000}, {0, 0, 5000}, 5};
+    REQUIRE(ask(config, {0, 0, 0}, {0, 0, 100000}, edge_on).closer == 0);
+}
+
+TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by nothing exact", "[primitive]") {
+    // The quad (-5, -5, 0) .. (5, 5, 0), 10 below the eye, and rays to its diagonal as (0.30458447, 0.30458447, -0.9024725).
+    // The diagonal lies opposite to both triangles' first corner: u + v is rounded, and compared with 1.
+    const std::int32_t k = 5 * 2003;
+    const Vec3i o{0, 0, 2 * k}, p{-k, -k, 0}, q{k, -k, 0}, r{k, k, 0}, s{-k, k, 0};
+    const auto taken = [&](const char* name, const Vec3i& d) {
+        int n = 0;
+        for (const PrimData& t : {PrimData{q, r, p, 1}, PrimData{s, p, r, 2}}) n += int(ask(with_test(name), o, d, t).closer);
+        return n;
+    };
+    int lost = 0;
+    Draw draw{3};
+    for (int i = 0; i < 2000; ++i) {
+        const double tilt = i == 0 ? 0.30458447 / 0.9024725 : draw.below(100000) / 250000.0;
+        const Config config = with_test("exact");
+        const std::int32_t down = (1 << (config.dir_bits - 1)) - 1 - draw.below(1000), across = std::int32_t(std::lround(down * tilt));
+        const Vec3i d{across, across, -down};
+        CAPTURE(i, across, down);
+        REQUIRE(taken("exact", d) == 1);
+        REQUIRE(taken("sheared", d) == 1);
+        lost += taken("moller", d) == 0;
+    }
+    CAPTURE(lost);
+    REQUIRE(lost > 0);
+}
+
+TEST_CASE("24-bit floats are rounded to nearest, ties to even", "[primitive]") {
+    REQUIRE(float24(1) == 1);
+    REQUIRE(float24(131071) == 131071);   // 17 bits
+    REQUIRE(float24(131073) == 131072);
+    REQUIRE(float24(262146) == 262144);   // a tie, to even
+    REQUIRE(float24(262150) == 262152);   // a tie, to even, upwards
+    REQUIRE(float24(262147) == 262148);
+    REQUIRE(float24(-262147) == -262148);
+    REQUIRE(float24(262143) == 262144);   // carries
+    REQUIRE(float24(0x1.ffffp63) == 0x1.ffffp63);
+    REQUIRE(std::isinf(float24(0x1.ffff8p63)));
+    REQUIRE(float24(0x1p-62) == 0x1p-62);
+    REQUIRE(float24(0x1p-63) == 0);
+    REQUIRE(float24(0) == 0);
+    REQUIRE(std::isnan(float24(std::nan(""))));
+}
