@@ -101,16 +101,20 @@ int simulate_command(const Options& o) {
     // A single replay runs beside the recording, and its time has both.
     const double engine_seconds = machine_seconds + (o.engine == "model" && traces.size() * clocks.size() > 1 ? record_seconds : 0);
     std::optional<FrameError> error;
+    std::optional<Judgement> judgement;
     if (!o.no_reference && !partial) {
-        const HitFrame picture = o.engine == "model" ? hits_of(job, traces.back()) : runs.back().last().hits;
-        error = frame_error(scene, picture, Reference(scene).frame(path.back(), size, o.threads, progress));
+        const std::vector<Closest>& answers = o.engine == "model" ? traces.back().trace.hits : runs.back().last().answers;
+        const Frame& shown = traces.back().frame;
+        const HitFrame hits = scaled(job, shown, answers), reference = Reference(scene).frame(path.back(), size, o.threads, progress);
+        error = frame_error(scene, hits, reference);
+        judgement = judge({scene, path.back(), shown, job.image.lattice, config}, {reference, answers, shade(scene, hits)}, o.threads, progress);
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const FrameRun& frame = runs[0].last();
     if (o.json != "-") {
         fmt::print("{}\n{}\n{}\n{}", heading(scene, size, job), clock_table(config, runs), work_table(config, runs[0]), unit_table(config, runs));
-        if (error) fmt::print("\n{}", error_line("against the reference", *error));
+        if (error) fmt::print("\n{}{}", error_line("against the reference", *error), cause_lines(*judgement));
         fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n", seconds, record_seconds, grouped(cycles),
                    machine_seconds, double(cycles) / machine_seconds / 1e6);
         if (partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
@@ -123,13 +127,13 @@ int simulate_command(const Options& o) {
             {"frames", o.frames}, {"pan", o.pan}, {"engine", o.engine}, {"partial", partial}, {"compile", compile_json(job.image.report)},
             {"rays", {{"primary", frame.pixels}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}},
             {"work", work_json(frame)}, {"clocks", clocks_json}, {"units", units_json(config, frame)}, {"memory", memory_json(config, runs[0].khz, frame)},
-            {"error", error_json(error)},
+            {"error", error_json(error, judgement)},
             {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
                       {"rays_per_second", double(frame.pixels * runs.size() * runs[0].frames.size()) / engine_seconds}}},
             {"digest", digest_text(digest.value())}};
         write_file(o.json, json.dump(2) + "\n");
     }
-    return partial ? 1 : 0;
+    return partial || (judgement && judgement->bugs() > 0) ? 1 : 0;
 }
 
 } // namespace rayclock

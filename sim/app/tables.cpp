@@ -86,4 +86,21 @@ std::string error_line(const char* who, const FrameError& e) {
                        std::isfinite(e.psnr_db) ? fmt::format("{:.1f} dB", e.psnr_db) : "infinite (equal)", e.max_abs_depth);
 }
 
+
+std::string cause_lines(const Judgement& j) {
+    const auto list = [](const PixelCauses& causes) {
+        std::string text;
+        for (std::size_t k = 0; k < pixel_causes; ++k) {
+            if (PixelCause(k) == PixelCause::primitive_test && causes[k] == 0) continue;
+            std::string name = cause_info(PixelCause(k)).key;
+            std::replace(name.begin(), name.end(), '_', ' ');
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(causes[k]), name);
+        }
+        return text;
+    };
+    std::string text = fmt::format("  causes: {}\n    where another primitive is held: {}", list(j.causes), list(j.causes_other));
+    if (j.on_edge) text += fmt::format("; {} of these rays meet an edge exactly", grouped(j.on_edge));
+    return text + fmt::format("\n  oracle: {} pixels judged in {:.2f} s, {} wrong\n", grouped(j.pixels.size()), j.seconds, grouped(j.wrong));
+}
+
 } // namespace rayclock

@@ -14,5 +14,7 @@ std::string clock_table(const Config& config, const std::vector<ClockRun>& runs)
 /// What every unit did, a column per clock.
 std::string unit_table(const Config& config, const std::vector<ClockRun>& runs);
 std::string error_line(const char* who, const FrameError& error);
+/// Why pixels differ, and what the oracle says.
+std::string cause_lines(const Judgement& judgement);
 
 } // namespace rayclock

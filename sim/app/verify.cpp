@@ -39,16 +39,16 @@ GoldenResult golden_result(const Options& o, const Scene& scene, const Config& c
     return check_golden(folder, scene.name, shade(scene, run_model(job).hits), config.coord_bits);
 }
 
-void write_pictures(const std::string& folder, const Scene& scene, const HitFrame& reference, const LockstepResult& result) {
+void write_pictures(const std::string& folder, const Scene& scene, const HitFrame& reference, const LockstepResult& result, const std::optional<Judgement>& judgement) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
     const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
-    const Picture expected = shade(scene, reference), model = shade(scene, result.model.hits);
+    const Picture expected = shade(scene, reference);
     write_picture(path("reference.png"), expected, reference);
-    write_picture(path("model.png"), model, result.model.hits);
+    write_picture(path("model.png"), shade(scene, result.model.hits), result.model.hits);
     write_picture(path("rtl.png"), shade(scene, result.rtl.hits), result.rtl.hits);
-    write_picture(path("difference.png"), difference_picture(expected, reference, model, result.model.hits), reference);
+    if (judgement) write_picture(path("difference.png"), cause_picture(expected, *judgement), reference);
 }
 
 void print_lockstep(const LockstepResult& r) {
@@ -86,17 +86,23 @@ int verify_command(const Options& o) {
     const ClockRun run{job.khz, {result.model}};
     const HitFrame reference = reference_work.get();
     const FrameError model = frame_error(scene, result.model.hits, reference), rtl = frame_error(scene, result.rtl.hits, reference);
+    // If the RTL is the model, what is said of one holds for both.
+    const FrameRun& judged = result.agrees() ? result.model : result.rtl;
+    const Asked asked{scene, path.back(), traces.back().frame, job.image.lattice, config};
+    std::optional<Judgement> judgement;
+    if (!result.model.partial) judgement = judge(asked, {reference, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
     const GoldenResult golden = golden_result(o, scene, config);
-    if (!o.output.empty()) write_pictures(o.output, scene, reference, result);
+    if (!o.output.empty()) write_pictures(o.output, scene, reference, result, judgement);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool partial = result.model.partial;
-    const bool good = result.agrees() && !partial && (!golden.found || golden.within);
+    const bool good = result.agrees() && !partial && judgement->bugs() == 0 && (!golden.found || golden.within);
 
     if (o.json != "-") {
         fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
         print_lockstep(result);
         fmt::print("{}", error_line("model against reference", model));
         if (!result.agrees()) fmt::print("{}", error_line("RTL against reference", rtl));
+        if (judgement) fmt::print("{}", cause_lines(*judgement));
         if (golden.found) fmt::print("  golden picture: {}, {}\n", std::isfinite(golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", golden.psnr_db) : "equal", golden.within ? "within bounds" : "OUT OF BOUNDS");
         if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", o.output);
         fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : partial ? "PARTIAL: interrupted" : "FAILED", seconds);
@@ -106,7 +112,7 @@ int verify_command(const Options& o) {
             {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
             {"compile", compile_json(job.image.report)}, {"partial", partial}, {"pixels", model.pixels}, {"events_compared", result.events_compared},
             {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
-            {"reference", {{"pixels_other_primitive", model.pixels_other_primitive}, {"psnr_db", decibel(model.psnr_db)}, {"max_abs_depth", model.max_abs_depth}}},
+            {"reference", error_json(model, judgement)},
             {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
             {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
             {"memory", memory_json(config, job.khz, result.model)},

@@ -90,7 +90,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
 }
 
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
-    FrameRun run{timing, {}};
+    FrameRun run{timing, {}, {}};
     run.visits = frame.trace.visits;
     run.box_tests = frame.trace.box_tests;
     run.triangle_tests = frame.trace.triangle_tests;
@@ -114,6 +114,7 @@ FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
     const std::vector<FrameTiming> timings = record_and_replay(job, job.khz, frames, traffic, 0, progress);
     FrameRun run = frame_run(frames[0], timings[0]);
     run.hits = hits_of(job, frames[0]);
+    run.answers = std::move(frames[0].trace.hits);
     return run;
 }
 
@@ -135,8 +136,8 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
         if (progress && machine.cycle() % cycles_between_reports == 0) progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
-    FrameRun run{{machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()}, {}};
-    run.hits = scaled(job, frame, collector.hits());
+    FrameRun run{{machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()}, {}, collector.hits()};
+    run.hits = scaled(job, frame, run.answers);
     const auto lookups = [&](Unit cache) {
         const CauseCounts& c = run.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];

@@ -36,6 +36,7 @@ struct FrameTiming {
 /// A frame that a machine made.
 struct FrameRun : FrameTiming {
     HitFrame hits;
+    std::vector<Closest> answers;  ///< the same, as the machine gave them
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
     std::uint64_t digest = 0;      ///< over every pixel's primitive, t, u and v, and the cycles
 };
@@ -59,7 +60,7 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
 /// Frames on the RTL, which makes its frames by itself.
 std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
-/// A replayed frame with what its rays did; hits are left out.
+/// A replayed frame with what its rays did; hits and answers are left out.
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
 
 /// One frame, recorded and replayed; or made by the RTL.

@@ -45,22 +45,4 @@ PictureDifference compare(const Picture& a, const Picture& b, int tolerance) {
     return difference;
 }
 
-Picture difference_picture(const Picture& a, const HitFrame& hits_a, const Picture& b, const HitFrame& hits_b) {
-    check_same_size(a.size, b.size);
-    check_same_size(a.size, hits_a.size);
-    check_same_size(a.size, hits_b.size);
-    constexpr double dimmed = 0.25;
-    constexpr glm::vec3 red{1, 0, 0}, yellow{1, 1, 0};
-    Picture out{a.size, std::vector<glm::vec3>(a.pixels.size())};
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::vec3& p = a.pixels[i];
-        // Luminance of linear light, ITU-R BT.709.
-        const double grey = dimmed * std::clamp(0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b, 0.0, 1.0);
-        out.pixels[i] = glm::vec3(static_cast<float>(grey));
-        if (hits_a.hits[i].primitive != hits_b.hits[i].primitive) out.pixels[i] = red;
-        else if (srgb_bytes(p) != srgb_bytes(b.pixels[i])) out.pixels[i] = yellow;
-    }
-    return out;
-}
-
 } // namespace rayclock

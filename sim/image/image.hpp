@@ -21,9 +21,6 @@ struct PictureDifference {
 };
 PictureDifference compare(const Picture& a, const Picture& b, int tolerance = 0);
 
-/// Grey copy of `a`, dimmed, with pixels that hold another primitive in red and other colour differences in yellow.
-Picture difference_picture(const Picture& a, const HitFrame& hits_a, const Picture& b, const HitFrame& hits_b);
-
 /// Fails early (UserError) if write_picture() could not write to `path`, before the work for it is done.
 void check_picture_path(const std::string& path);
 

@@ -168,6 +168,7 @@ private:
                 const std::vector<Closest>& hits, const FrameTrace& frame) const {
         static_cast<FrameTiming&>(run) = {cycles, pixels, accounts, memory, 0, pixels < frame.trace.rays.size() && !parted_};
         run.hits = scaled(job_, frame.frame, hits);
+        run.answers = hits;
         run.visits = frame.trace.visits;
         run.box_tests = frame.trace.box_tests;
         run.triangle_tests = frame.trace.triangle_tests;

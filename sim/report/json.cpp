@@ -87,10 +87,22 @@ ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
 
 ordered_json decibel(double psnr_db) { return std::isfinite(psnr_db) ? ordered_json(psnr_db) : ordered_json(nullptr); }
 
-ordered_json error_json(const std::optional<FrameError>& e) {
+ordered_json causes_json(const PixelCauses& causes) {
+    ordered_json json;
+    for (std::size_t k = 0; k < pixel_causes; ++k) json[cause_info(PixelCause(k)).key] = causes[k];
+    return json;
+}
+
+ordered_json error_json(const std::optional<FrameError>& e, const std::optional<Judgement>& j) {
     if (!e) return nullptr;
-    return {{"pixels", e->pixels}, {"pixels_other_primitive", e->pixels_other_primitive}, {"psnr_db", decibel(e->psnr_db)},
-            {"max_abs_depth", e->max_abs_depth}};
+    ordered_json json{{"pixels", e->pixels}, {"pixels_other_primitive", e->pixels_other_primitive}, {"psnr_db", decibel(e->psnr_db)},
+                      {"max_abs_depth", e->max_abs_depth}};
+    if (!j) return json;
+    json["pixels_on_edge"] = j->on_edge;
+    json["causes"] = causes_json(j->causes);
+    json["causes_other_primitive"] = causes_json(j->causes_other);
+    json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}, {"seconds", j->seconds}};
+    return json;
 }
 
 ordered_json divergence_json(const std::optional<Divergence>& d) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/scene/scene.hpp"
+#include "sim/cause/cause.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
 #include "sim/lockstep/lockstep.hpp"
@@ -34,7 +35,8 @@ nlohmann::ordered_json work_json(const FrameRun& run);
 nlohmann::ordered_json clock_json(const Config& config, const ClockRun& run);
 nlohmann::ordered_json units_json(const Config& config, const FrameRun& run);
 nlohmann::ordered_json memory_json(const Config& config, int khz, const FrameRun& run);
-nlohmann::ordered_json error_json(const std::optional<FrameError>& error);
+nlohmann::ordered_json error_json(const std::optional<FrameError>& error, const std::optional<Judgement>& judgement);
+nlohmann::ordered_json causes_json(const PixelCauses& causes);
 nlohmann::ordered_json divergence_json(const std::optional<Divergence>& divergence);
 
 /// JSON has no infinity: equal pictures give null.

@@ -1,4 +1,4 @@
-// Colours as 8-bit sRGB, the distance of two pictures, the picture of their differences, golden pictures.
+// Colours as 8-bit sRGB, the distance of two pictures, golden pictures.
 #include <cmath>
 #include <limits>
 
@@ -56,27 +56,6 @@ TEST_CASE("psnr is 10 log10(255^2 / mean square) over all channels", "[image]") 
 TEST_CASE("pictures of different sizes are refused", "[image]") {
     const Picture a = grey_picture({2, 3}, 0), b = grey_picture({3, 2}, 0);
     CHECK(complaint([&] { compare(a, b); }) != "");
-    CHECK(complaint([&] { difference_picture(a, no_hits(a.size), b, no_hits(b.size)); }) != "");
-    CHECK(complaint([&] { difference_picture(a, no_hits(b.size), a, no_hits(a.size)); }) != "");
-}
-
-TEST_CASE("the difference picture marks primitives red, colours yellow, the rest dim grey", "[image]") {
-    const Picture a{{4, 1}, {{1, 1, 1}, {1, 1, 1}, {1, 0, 0}, {0.5f, 0.5f, 0.5f}}};
-    Picture b = a;
-    HitFrame hits = no_hits(a.size);
-    hits.hits.assign(4, {5, 1, 0, 0});
-    HitFrame other = hits;
-    other.hits[0].primitive = 6;
-    b.pixels[0].r = 0;
-    b.pixels[1].r = 0.5f;
-    b.pixels[3].r += 1e-6f;   // not visible in 8 bits
-    other.hits[3].depth = 2;
-    const Picture d = difference_picture(a, hits, b, other);
-    CHECK(d.pixels[0] == glm::vec3(1, 0, 0));
-    CHECK(d.pixels[1] == glm::vec3(1, 1, 0));
-    CHECK(d.pixels[2].r == Approx(0.25 * 0.2126));
-    CHECK(d.pixels[2].g == d.pixels[2].r);
-    CHECK(d.pixels[3].b == Approx(0.125));
 }
 
 TEST_CASE("golden pictures are found by scene and size, and hold within their bounds", "[image]") {

@@ -1,0 +1,201 @@
+#include "sim/cause/cause.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <string_view>
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+#include "model/hits.hpp"
+#include "model/reference/reference.hpp"
+#include "sim/image/srgb.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr int stages = 5;
+constexpr int packed_width = 256;
+
+/// The scene as the machine has it, in lattice steps, for the reference.
+Scene on_lattice(const Scene& scene, const Lattice& lattice) {
+    Scene snapped;
+    snapped.triangles = scene.triangles;
+    snapped.vertices.resize(scene.vertices.size());
+    tbb::parallel_for(std::size_t(0), scene.vertices.size(), [&](std::size_t i) {
+        const Vec3i p = lattice.snap(scene.vertices[i]);
+        snapped.vertices[i] = {p[0], p[1], p[2]};
+    });
+    return snapped;
+}
+
+bool has_exact_test(const Config& config) {
+    for (const Parameter& p : parameters())
+        if (std::string_view(p.key) == "primitive_test") return value_text(config, p) == "exact";
+    return true;
+}
+
+bool on_edge(const Hit& hit) { return hit.primitive != no_primitive && std::min({hit.u, hit.v, 1 - hit.u - hit.v}) <= 0x1p-22f; }
+
+float largest(const glm::vec3& v) { return std::max({std::abs(v.r), std::abs(v.g), std::abs(v.b)}); }
+
+class Judge {
+public:
+    Judge(const Asked& asked, const Answered& answered) : asked_(asked), answered_(answered), size_(answered.reference.size) {}
+
+    Judgement operator()(const Progress& progress) {
+        const auto start = std::chrono::steady_clock::now();
+        tbb::parallel_invoke([&] { truth_.emplace(asked_.scene, asked_.lattice, asked_.config); },
+                             [&] { snapped_.emplace(on_lattice(asked_.scene, asked_.lattice)); },
+                             [&] { expected_ = shade(asked_.scene, answered_.reference); });
+        find(progress);
+        explain();
+        for (std::size_t i = 0; i < judgement_.pixels.size(); ++i) count(i);
+        judgement_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return std::move(judgement_);
+    }
+
+private:
+    int x(std::size_t pixel) const { return int(pixel % std::size_t(size_.width)); }
+    int y(std::size_t pixel) const { return int(pixel / std::size_t(size_.width)); }
+    std::uint32_t answered_primitive(std::size_t pixel) const {
+        const Closest& answer = answered_.answers[pixel];
+        return answer.found ? answer.prim : no_primitive;
+    }
+    bool holds_another(std::size_t pixel) const { return answered_.reference.hits[pixel].primitive != answered_primitive(pixel); }
+    bool differs(std::size_t pixel) const {
+        return holds_another(pixel) || srgb_bytes(expected_.pixels[pixel]) != srgb_bytes(answered_.picture.pixels[pixel]);
+    }
+
+    /// Asks the oracle about every pixel; pixels that are right and differ are left to explain().
+    void find(const Progress& progress) {
+        const std::size_t pixels = answered_.answers.size();
+        const PixelCause fault = has_exact_test(asked_.config) ? PixelCause::bug : PixelCause::primitive_test;
+        judgement_.pixels.assign(pixels, PixelCause::none);
+        judgement_.other.assign(pixels, false);
+        std::vector<std::uint8_t> open(pixels);
+        std::mutex reporting;
+        std::uint64_t done = 0;
+        tbb::parallel_for(0, size_.height, [&](int row) {
+            const std::size_t begin = std::size_t(row) * std::size_t(size_.width), end = begin + std::size_t(size_.width);
+            for (std::size_t i = begin; i < end; ++i) {
+                const Closest right = truth_->answer(truth_->pixel(asked_.frame, x(i), row));
+                if (!same_answer(right, answered_.answers[i])) judgement_.pixels[i] = fault;
+                else open[i] = differs(i);
+            }
+            if (!progress) return;
+            const std::lock_guard lock(reporting);
+            progress("judging", done += std::uint64_t(size_.width), pixels);
+        });
+        for (std::size_t i = 0; i < pixels; ++i) {
+            if (open[i]) open_.push_back(i);
+            judgement_.other[i] = holds_another(i);
+        }
+    }
+
+    /// The hits of all stages but the last, which is that before it, for the pixels that differ.
+    void explain() {
+        const int rows = int((open_.size() + packed_width - 1) / packed_width);
+        std::array<HitFrame, stages - 1> hits;
+        for (HitFrame& frame : hits) frame = {{packed_width, std::max(1, rows)}, std::vector<Hit>(std::size_t(std::max(1, rows)) * packed_width)};
+        const PixelRays rays = pixel_rays(asked_.camera, size_);
+        const HitScale scale(asked_.frame, asked_.lattice, asked_.config);
+        const Vec3i eye = asked_.frame.eye;
+        tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) {
+            const int px = x(open_[i]), py = y(open_[i]);
+            const ExactPixel exact = truth_->pixel(asked_.frame, px, py);
+            hits[0].hits[i] = answered_.reference.hits[open_[i]];
+            hits[1].hits[i] = snapped_->trace({eye[0], eye[1], eye[2]}, asked_.lattice.direction(rays.direction(px, py)));
+            hits[2].hits[i] = {exact.primitive, 0, float(double(exact.u) / double(exact.den)), float(double(exact.v) / double(exact.den))};
+            hits[3].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), truth_->answer(exact)});
+        });
+        std::array<Picture, stages - 1> pictures;
+        for (std::size_t k = 0; k < hits.size(); ++k) pictures[k] = shade(asked_.scene, hits[k]);
+        for (std::size_t i = 0; i < open_.size(); ++i) {
+            std::array<std::uint32_t, stages> primitive{};
+            std::array<glm::vec3, stages> colour{};
+            for (std::size_t k = 0; k + 1 < stages; ++k) {
+                primitive[k] = hits[k].hits[i].primitive;
+                colour[k] = pictures[k].pixels[i];
+            }
+            primitive[stages - 1] = answered_primitive(open_[i]);
+            colour[stages - 1] = answered_.picture.pixels[open_[i]];
+            judgement_.pixels[open_[i]] = cause(primitive, colour);
+        }
+    }
+
+    static PixelCause cause(const std::array<std::uint32_t, stages>& primitive, const std::array<glm::vec3, stages>& colour) {
+        std::size_t at = 0;
+        if (primitive.front() != primitive.back()) {
+            while (primitive[at] == primitive[at + 1]) ++at;
+        } else {
+            for (std::size_t k = 1; k + 1 < stages; ++k)
+                if (largest(colour[k + 1] - colour[k]) > largest(colour[at + 1] - colour[at])) at = k;
+        }
+        return PixelCause(at);   // in the order of the stages
+    }
+
+    void count(std::size_t pixel) {
+        const PixelCause cause = judgement_.pixels[pixel];
+        if (cause == PixelCause::none) return;
+        judgement_.wrong += cause == PixelCause::bug || cause == PixelCause::primitive_test;
+        ++judgement_.causes[std::size_t(cause)];
+        if (!judgement_.other[pixel]) return;
+        ++judgement_.causes_other[std::size_t(cause)];
+        judgement_.on_edge += on_edge(answered_.reference.hits[pixel]);
+    }
+
+    const Asked& asked_;
+    const Answered& answered_;
+    FrameSize size_;
+    std::optional<Truth> truth_;
+    std::optional<Reference> snapped_;
+    Picture expected_;
+    std::vector<std::size_t> open_;
+    Judgement judgement_;
+};
+
+} // namespace
+
+const PixelCauseInfo& cause_info(PixelCause cause) {
+    // Colours of Okabe and Ito 2008, "Color universal design"; white for what must not be there.
+    static constexpr std::array<PixelCauseInfo, pixel_causes + 1> infos{{{"snapping", {230, 159, 0}},
+                                                                   {"ray_quantisation", {86, 180, 233}},
+                                                                   {"t_rounding", {0, 158, 115}},
+                                                                   {"shading", {240, 228, 66}},
+                                                                   {"primitive_test", {204, 121, 167}},
+                                                                   {"bug", {255, 255, 255}},
+                                                                   {"none", {0, 0, 0}}}};
+    return infos[std::size_t(cause)];
+}
+
+Judgement judge(const Asked& asked, const Answered& answered, int threads, const Progress& progress) {
+    const int cores = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
+    Judgement judgement;
+    arena.execute([&] { judgement = Judge(asked, answered)(progress); });
+    return judgement;
+}
+
+Picture cause_picture(const Picture& reference, const Judgement& judgement) {
+    constexpr float dimmed = 0.25f, third = 1.0f / 3;
+    Picture out{reference.size, std::vector<glm::vec3>(reference.pixels.size())};
+    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+        const glm::vec3& p = reference.pixels[i];
+        // Luminance of linear light, ITU-R BT.709.
+        out.pixels[i] = glm::vec3(dimmed * std::clamp(0.2126f * p.r + 0.7152f * p.g + 0.0722f * p.b, 0.0f, 1.0f));
+        const PixelCause cause = judgement.pixels[i];
+        if (cause == PixelCause::none) continue;
+        const auto& c = cause_info(cause).colour;
+        for (int k = 0; k < 3; ++k) out.pixels[i][k] = float(linear_from_srgb(c[std::size_t(k)] / 255.0));
+        if (!judgement.other[i] && cause != PixelCause::bug) out.pixels[i] *= third;
+    }
+    return out;
+}
+
+} // namespace rayclock

@@ -1,0 +1,67 @@
+#pragma once
+// Why a machine's picture is not the reference's: every pixel that differs gets a cause, and every answer a judge.
+//
+// From the reference to the machine a pixel goes through these stages, each of which changes one thing:
+//   0  reference: double precision, scene as given, the camera's ray
+//   1  double precision, vertices on the lattice          snapping
+//   2  exact, with the integer direction                  ray_quantisation
+//   3  t, u and v rounded as promised                     t_rounding
+//   4  the colours that the machine's hits were given     shading
+// If the primitive differs in the end, the cause is the first stage that changed it; otherwise the one that changed the colour
+// most. An answer that is not stage 3 to the bit is a bug, whether or not it shows; where the configuration's test of primitives
+// is not the exact one, it is that test's price.
+#include <array>
+#include <span>
+
+#include "model/core/progress.hpp"
+#include "model/shade/shade.hpp"
+#include "sim/cause/truth.hpp"
+
+namespace rayclock {
+
+enum class PixelCause : std::uint8_t { snapping, ray_quantisation, t_rounding, shading, primitive_test, bug, none };
+constexpr std::size_t pixel_causes = 6;   ///< without `none`
+
+/// A cause's key in reports and its colour in the difference picture, sRGB.
+struct PixelCauseInfo {
+    const char* key;
+    std::array<std::uint8_t, 3> colour;
+};
+const PixelCauseInfo& cause_info(PixelCause cause);
+
+using PixelCauses = std::array<std::uint64_t, pixel_causes>;   ///< pixels by cause
+
+struct Judgement {
+    std::vector<PixelCause> pixels;       ///< `none` where the pixel is as the reference has it
+    std::vector<bool> other;         ///< holds another primitive
+    PixelCauses causes{};
+    PixelCauses causes_other{};       ///< of the pixels that hold another primitive
+    std::uint64_t wrong = 0;         ///< pixels whose answer is not the only right one
+    /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no precision decides there.
+    std::uint64_t on_edge = 0;
+    double seconds = 0;              ///< of the host
+    std::uint64_t bugs() const { return causes[std::size_t(PixelCause::bug)]; }
+};
+
+/// How a frame was asked for.
+struct Asked {
+    const Scene& scene;
+    const Camera& camera;
+    const Frame& frame;
+    const Lattice& lattice;
+    const Config& config;
+};
+/// What came of it, one entry a pixel: by the reference, and as a machine gave it.
+struct Answered {
+    const HitFrame& reference;
+    const std::vector<Closest>& answers;
+    const Picture& picture;          ///< of the machine's answers
+};
+/// Judges every pixel on all cores, or as many as `threads` says.
+Judgement judge(const Asked& asked, const Answered& answered, int threads = 0, const Progress& progress = {});
+
+/// Grey copy of the reference's picture, dimmed, with every pixel that has a cause in the cause's colour: in full if it holds another
+/// primitive or is a bug, at a third of the light if only its colour differs.
+Picture cause_picture(const Picture& reference, const Judgement& judgement);
+
+} // namespace rayclock
