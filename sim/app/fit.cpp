@@ -18,7 +18,7 @@ namespace {
 
 using namespace fit;
 
-/// "0.1%" or "0.1 %". Throws UserError unless it is a percentage between `least` and 100, both left out but for a least of 0.
+/// "0.1%" or "0.1 %". Throws UserError unless it is a percentage below 100 and above 0, or 0 itself if `zero`.
 double parse_percent(const std::string& option, const std::string& typed, bool zero) {
     std::string number = typed;
     if (!number.empty() && number.back() == '%') number.pop_back();
@@ -42,10 +42,9 @@ Goal goal_of(const Options& o) {
     Goal goal;
     goal.max_error = parse_percent("--max-error", o.max_error, false);
     goal.max_work = parse_percent("--max-work", o.max_work, true);
-    if (o.min_psnr != 0) {
-        if (!(o.min_psnr > 0 && o.min_psnr <= 200)) throw UserError(fmt::format("--min-psnr must lie above 0 and not above 200 dB, not {}", o.min_psnr));
-        goal.min_psnr = o.min_psnr;
-    }
+    goal.min_psnr = o.min_psnr;
+    if (o.min_psnr && !(*o.min_psnr > 0 && *o.min_psnr <= 200))
+        throw UserError(fmt::format("--min-psnr must lie above 0 and not above 200 dB, not {}", *o.min_psnr));
     return goal;
 }
 
@@ -72,13 +71,13 @@ std::string hopeless(const Options& o, const Goal& goal, const Config& base, Mea
                                  goal.min_psnr ? fmt::format(" and a PSNR of {:.1f} dB", best.psnr_db) : "");
     const std::optional<Dominant> part = dominant_part(measure.scene());
     if (!part) return sentence + "; its extents are even, so only a larger bound or a camera that sees less of it at once would help";
-    sentence += fmt::format("; {} with {} triangle{} makes the scene {:.3g} times as large as the rest", part->what, grouped(part->triangles),
-                            part->triangles == 1 ? "" : "s", part->ratio);
+    sentence += fmt::format("; because of {} the scene is {} times as large as the rest", part->what,
+                            part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
     Measure rest(part->without, measure.size(), o.threads);
     rest.tell = measure.tell;
     const std::optional<int> bits = Search(rest, base, goal).smallest_coord_bits();
-    return sentence + (bits ? fmt::format(", and without {} N = {} would do", part->triangles == 1 ? "it" : "them", *bits)
-                            : std::string(", but without them no width would do either"));
+    return sentence + (bits ? fmt::format(", and without that N = {} would do", *bits)
+                            : std::string(", but without that no width would do either"));
 }
 
 } // namespace
@@ -88,9 +87,10 @@ int fit_command(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
-    Config base = load_config(o.config, o.set);
+    const Config base = load_config(o.config, o.set);
     check_outputs(o);
     if (o.output != "-") check_writable(o.output);
+    else if (o.json == "-") throw UserError("-o and --json cannot both go to standard output");
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o, size, progress);
     Measure measure(scene, size, o.threads);
@@ -117,9 +117,8 @@ int fit_command(const Options& o) {
     const Outcome& result = fit.outcome;
     if (o.json != "-" && o.output != "-") {
         fmt::print("{}, {} triangles, {}x{}: {}\n\n", scene.name, grouped(scene.triangles.size()), size.width, size.height, goal_text(goal));
-        fmt::print("{}\n{}\n", parameter_table(fit, base), needs_text(fit, base));
-        fmt::print("  units: all of the machine's are needed for triangles and primary rays{}; it has none for spheres, planes and secondary rays\n\n",
-                   fit.config.l2_sets > 0 ? "" : ", and a shared cache is left out");
+        fmt::print("{}\n{}\n", parameter_table(fit, base), needs_text(fit, base, ranges));
+        fmt::print("{}\n", units_text(fit.config));
         fmt::print("{}\n", range_table(ranges));
         fmt::print("  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles than with the widest fields\n", grouped(result.other),
                    grouped(result.pixels), result.other_percent(), std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
@@ -133,7 +132,7 @@ int fit_command(const Options& o) {
             {"bounds", {{"max_error_percent", goal.max_error}, {"min_psnr_db", goal.min_psnr ? nlohmann::ordered_json(*goal.min_psnr) : nlohmann::ordered_json(nullptr)},
                         {"max_work_percent", goal.max_work}}},
             {"config", config_json_object(fit.config)}, {"parameters", parameters_json(fit, base)}, {"error", outcome_json(result)}, {"widest", outcome_json(fit.widest)},
-            {"compile", compile_json(result.compile)}, {"needs", needs_json(fit)},
+            {"compile", compile_json(result.compile)}, {"needs", needs_json(fit, ranges)}, {"units", units_json(fit.config)},
             {"cost", {{"fitted", cost_json(fit.cost)}, {"base", cost_json(fit.base_cost)}}}, {"ranges", ranges_json(ranges)},
             {"host", {{"seconds", seconds}, {"frames", measure.done()}}}};
         write_file(o.json, json.dump(2) + "\n");

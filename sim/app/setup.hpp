@@ -1,5 +1,6 @@
 #pragma once
 // What the subcommands share: options, and a scene made ready for the engines.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct Options {
     std::string state;
     std::string max_error = "0.1%";
     std::string max_work = "2%";
-    double min_psnr = 0;   ///< 0: none
+    std::optional<double> min_psnr;
 };
 
 /// "512x384". Throws UserError.

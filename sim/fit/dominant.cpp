@@ -54,8 +54,10 @@ std::optional<Dominant> material(const Scene& scene) {
     const auto largest = std::max_element(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.extent() < b.extent(); });
     const auto m = std::uint32_t(largest - boxes.begin());
     const std::string& name = scene.materials[m].name;
-    return leave_out(scene, name.empty() ? fmt::format("material {}", m) : fmt::format("material '{}'", name),
-                     [&](std::size_t i) { return scene.triangles[i].material != m; });
+    auto part = leave_out(scene, name.empty() ? fmt::format("material {}", m) : fmt::format("material '{}'", name),
+                          [&](std::size_t i) { return scene.triangles[i].material != m; });
+    if (part) part->what += fmt::format(" ({} triangle{})", part->triangles, part->triangles == 1 ? "" : "s");
+    return part;
 }
 
 /// Those above the widest gap between neighbours, by extent, in the larger half.
@@ -72,7 +74,9 @@ std::optional<Dominant> triangles(const Scene& scene) {
         widest = above / beneath;
         limit = beneath;
     }
-    return leave_out(scene, fmt::format("triangle {}", order[0]), [&](std::size_t i) { return size[i] <= limit; });
+    auto part = leave_out(scene, fmt::format("triangle {}", order[0]), [&](std::size_t i) { return size[i] <= limit; });
+    if (part && part->triangles > 1) part->what = fmt::format("the {} largest triangles ({} first)", part->triangles, order[0]);
+    return part;
 }
 
 } // namespace

@@ -63,6 +63,7 @@ void box_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     const int r1 = c.recip_bits + 1, d = c.coord_bits + 1, p = d + r1 + 1, v = p + 1;
     add("org", origin, true, c.coord_bits);
     add("exp", exponent, false, exp_bits);
+    add("kind", e.kind, false, count_bits);
     add("plane", plane, false, c.box_bits);
     add("s1_distance", s.distance, true, d);
     add("s1_near", s.near, true, p);

@@ -1,6 +1,8 @@
 #include "sim/fit/report.hpp"
 
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -31,6 +33,22 @@ std::string shorter(Wide value) {
     return fmt::format("{}2^{:.2f}", value < 0 ? "-" : "", power);
 }
 
+/// Widths that are constants of the machine, and what the scene would need.
+struct Constant {
+    const char* name;
+    int there, needed;
+};
+std::array<Constant, 3> constants(const Ranges& ranges) {
+    const auto needed = [&](const char* unit, const char* name) {
+        for (const Signal& s : ranges.signals)
+            if (s.unit == unit && s.name == name) return s.needed();
+        throw std::logic_error(std::string("no signal is called ") + unit + "." + name);
+    };
+    return {{{"exp_bits", exp_bits, std::max(needed("box", "exp"), needed("raygen", "len"))},
+             {"offset_bits", offset_bits, needed("list", "offset")},
+             {"count_bits", count_bits, needed("box", "kind")}}};
+}
+
 int lines_of(const Fit& fit) { return int(fit.outcome.compile.bytes / line_bytes); }
 
 } // namespace
@@ -42,7 +60,7 @@ std::string parameter_table(const Fit& fit, const Config& base) {
     return table.text();
 }
 
-std::string needs_text(const Fit& fit, const Config& base) {
+std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges) {
     const Cost &now = fit.cost, &before = fit.base_cost;
     Table table({"", base.name, "fitted"});
     const auto row = [&](const char* what, std::uint64_t Cost::*of) { table.add({what, grouped(before.*of), grouped(now.*of)}); };
@@ -52,9 +70,23 @@ std::string needs_text(const Fit& fit, const Config& base) {
     row("of these stacks", &Cost::stack_bits);
     row("caches, memory bits", &Cost::cache_bits);
     table.add({"cost", grouped(before.total()), grouped(now.total())});
-    return fmt::format("  memory image: {} bytes, {} lines of {} bytes, addresses of {} bits; a ray keeps up to {} groups of siblings\n\n{}",
+    std::string fixed;
+    for (const Constant& c : constants(ranges)) fixed += fmt::format("{}{} {} of {}", fixed.empty() ? "" : ", ", c.name, c.needed, c.there);
+    return fmt::format("  memory image: {} bytes, {} lines of {} bytes, addresses of {} bits; a ray keeps up to {} groups of siblings\n"
+                       "  constants of the machine, bits needed of those there: {}\n\n{}",
                        grouped(fit.outcome.compile.bytes), grouped(std::uint64_t(lines_of(fit))), line_bytes, fit.config.addr_bits,
-                       fit.outcome.compile.stack_need, table.text());
+                       fit.outcome.compile.stack_need, fixed, table.text());
+}
+
+std::string units_text(const Config& config) {
+    return fmt::format("  units: triangles and primary rays need all there are{}; there are none for spheres, planes and secondary rays, and no scene needs them yet\n",
+                       config.l2_sets > 0 ? "" : ", but the shared cache, which is left out");
+}
+
+ordered_json units_json(const Config& config) {
+    ordered_json needed = ordered_json::array(), absent = ordered_json::array({"sphere", "plane", "bounce"});
+    for (std::size_t u = 0; u < unit_count; ++u) (Unit(u) == Unit::l2 && config.l2_sets == 0 ? absent : needed).push_back(unit_infos[u].name);
+    return {{"needed", needed}, {"absent", absent}};
 }
 
 std::string range_table(const Ranges& ranges) {
@@ -76,9 +108,11 @@ ordered_json parameters_json(const Fit& fit, const Config& base) {
     return list;
 }
 
-ordered_json needs_json(const Fit& fit) {
+ordered_json needs_json(const Fit& fit, const Ranges& ranges) {
+    ordered_json fixed = ordered_json::array();
+    for (const Constant& c : constants(ranges)) fixed.push_back({{"name", c.name}, {"bits_there", c.there}, {"bits_needed", c.needed}});
     return {{"bytes", fit.outcome.compile.bytes}, {"lines", lines_of(fit)}, {"addr_bits", fit.config.addr_bits}, {"stack_need", fit.outcome.compile.stack_need},
-            {"stack_depth", fit.config.stack_depth}, {"stack_bits", fit.cost.stack_bits}};
+            {"stack_depth", fit.config.stack_depth}, {"stack_bits", fit.cost.stack_bits}, {"constants", fixed}};
 }
 
 ordered_json cost_json(const Cost& cost) {

@@ -127,3 +127,32 @@ mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "
 mutant(frames_list_skips_last_triangle FILE model/list/leaves.cpp TEST system "every pixel*"
   OLD [[if (triangle_ + 1 < group_.count]]
   NEW [[if (triangle_ + 2 < group_.count]])
+
+# ---- fit: intervals that are too small or too large, a search that stops early.
+mutant(fit_box_far_with_r QUICK FILE sim/fit/ranges_box.cpp TEST unit "box's intervals*"
+  OLD [[const Interval up = ray.len == 0 ? ray.recip : ray.recip + point(1);]]
+  NEW [[const Interval up = ray.recip;]])
+mutant(fit_box_sign_forgotten FILE sim/fit/ranges_box.cpp TEST unit "box's intervals*"
+  OLD [[ray.negative ? eye - node.origin : node.origin - eye;]]
+  NEW [[node.origin - eye;]])
+mutant(fit_tri_term_dropped FILE sim/fit/extremes.cpp TEST unit "tri's intervals*"
+  OLD [[return d[i] * point(e[j]) - d[j] * point(e[i]);]]
+  NEW [[return d[i] * point(e[j]);]])
+mutant(fit_product_of_ends FILE sim/fit/interval.hpp WITH tests/unit/ranges_test.cpp sim/fit/extremes.cpp sim/fit/ranges_box.cpp TEST unit "intervals hold*"
+  OLD [[return {std::min({p, q, r, s}), std::max({p, q, r, s})};]]
+  NEW [[return {std::min(p, s), std::max(p, s)};]])
+mutant(fit_direction_of_first_pixel FILE sim/fit/extremes.cpp TEST unit "every value that the rays*"
+  OLD [[const Interval x{0, Wide(f.width) - 1}, y{0, Wide(f.height) - 1};]]
+  NEW [[const Interval x{0, 0}, y{0, Wide(f.height) - 1};]])
+mutant(fit_hit_distance_short FILE sim/fit/ranges_tri.cpp TEST unit "every value that the rays*"
+  OLD [[(c.dir_bits - 1 + c.t_frac_bits)) + least - 1) / least}]]
+  NEW [[(c.dir_bits - 2 + c.t_frac_bits)) + least - 1) / least}]])
+mutant(fit_forgets_depth FILE sim/fit/search.cpp TEST unit "what fit finds*"
+  OLD [[2 * (config.dir_bits - 1 + config.t_frac_bits))]]
+  NEW [[2 * (config.dir_bits + config.t_frac_bits))]])
+mutant(fit_forgets_colour FILE sim/fit/search.cpp TEST unit "what fit finds*"
+  OLD [[constexpr double colour_loss = 0.1,]]
+  NEW [[constexpr double colour_loss = 1.0,]])
+mutant(fit_forgets_work FILE sim/fit/search.cpp TEST unit "what fit finds*"
+  OLD [[if (more > goal_.max_work)]]
+  NEW [[if (more > 2 * goal_.max_work)]])
