@@ -86,3 +86,22 @@ prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/r
 prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
+set(cache mem/rc_cache.sv ${tags} mem/rc_mshr.sv prim/rc_ram_sync.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
+prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
+prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
+prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)
+prove(mutant:formal_cache_hits_what_is_on_its_way TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
+  OLD [[assign hit   = look && found && !joins;]]
+  NEW [[assign hit   = look && found && (!joins || fill_fires_i);]])
+prove(mutant:formal_cache_ways_and_mshrs_run_out TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
+  OLD [[assign miss  = look && !found && !full && !conflict;]]
+  NEW [[assign miss  = look && !found;]])
+prove(mutant:formal_cache_drain_without_a_place TOP cache_always RTL ${cache} CYCLES 11 SLOW FILE mem/rc_cache.sv
+  OLD [[assign drain = draining && open;]]
+  NEW [[assign drain = draining;]])
+prove(mutant:formal_cache_asks_again_for_a_join TOP cache_always RTL ${cache} CYCLES 8 FILE mem/rc_cache.sv
+  OLD [[.clk_i, .rst_ni, .push_i(miss), .data_i({free, line}),]]
+  NEW [[.clk_i, .rst_ni, .push_i(miss || merge), .data_i({free, line}),]])
+prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 FILE mem/rc_cache.sv
+  OLD [[assign pop   = hit || merge || miss;]]
+  NEW [[assign pop   = hit || (merge && rsp_ready_i && !rsp_valid_o && waits_o && !fill_fires_i && full) || miss;]])
