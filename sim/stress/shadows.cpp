@@ -1,0 +1,309 @@
+#include "sim/stress/shadows.hpp"
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "model/isect/origin.hpp"
+#include "model/isect/tri.hpp"
+#include "model/oracle/sight.hpp"
+
+namespace rayclock {
+
+namespace {
+
+using oracle::Corners;
+using oracle::Int128;
+using oracle::Sight;
+
+PrimData prim_of(const Corners& t, std::uint32_t number) { return {t.a, t.b, t.c, number}; }
+Vec3i clamp_to(const Vec3i& p, int bits) {
+    const int most = (1 << (bits - 1)) - 1;
+    return {std::clamp(p[0], -most, most), std::clamp(p[1], -most, most), std::clamp(p[2], -most, most)};
+}
+
+/// A camera ray's hit.
+struct CameraHit {
+    std::uint32_t primitive = no_primitive;
+    oracle::Place at;
+    std::array<double, 3> near{};   ///< the same, nearly
+    std::uint32_t u = 0, v = 0;
+    int facing = 0;                 ///< the side from which the ray came
+};
+
+/// A secondary ray, the same for all schemes: to a light, or along a direction.
+struct Task {
+    std::optional<Vec3i> light;
+    Vec3i direction{};
+    int facing = 0;   ///< the side on which it shall leave
+};
+
+/// Where a scheme begins it.
+struct Start {
+    SurfacePoint at;
+    std::uint32_t excluded = no_primitive;
+};
+
+} // namespace
+
+/// One series of rays.
+class ShadowProbe {
+public:
+    ShadowProbe(const Shadows& world, std::uint64_t seed, const OriginScheme& scheme) : world_(world), scheme_(scheme), rng_(seed) {
+        config_.coord_bits = world.coord_bits_;
+        config_.dir_bits = world.coord_bits_ + 2;
+    }
+    ShadowCounts run(std::uint64_t rays) {
+        // A mesh that no ray hits must not hold us for ever.
+        for (std::uint64_t tries = 0; counts_.rays < rays && tries < 100 * rays && !world_.mesh().empty(); ++tries) one_hit(rays);
+        return counts_;
+    }
+
+private:
+    int below(int n) { return int(rng_() % std::uint64_t(n)); }
+    int between(int lo, int hi) { return lo + below(hi - lo + 1); }
+    const Corners& triangle(std::uint32_t number) const { return world_.mesh()[number]; }
+
+    Vec3i any_point() {
+        const int most = (1 << (config_.coord_bits - 1)) - 1;
+        return {between(-most, most), between(-most, most), between(-most, most)};
+    }
+    Vec3i point_in_bounds() {
+        Vec3i p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = between(world_.lo_[k], world_.hi_[k]);
+        return p;
+    }
+    Vec3i near(const Vec3i& p, int reach) {
+        return clamp_to({p[0] + between(-reach, reach), p[1] + between(-reach, reach), p[2] + between(-reach, reach)}, config_.coord_bits);
+    }
+    Vec3i corner() {
+        const Corners& t = triangle(std::uint32_t(below(int(world_.mesh().size()))));
+        const Vec3i* corners[] = {&t.a, &t.b, &t.c};
+        return *corners[below(3)];
+    }
+    Vec3i camera() {
+        switch (below(4)) {
+        case 0: return any_point();
+        case 1: return point_in_bounds();
+        case 2: return near(corner(), 40);
+        default: return near(corner(), 1 << below(config_.coord_bits - 1));
+        }
+    }
+    /// A point to aim at, doubled so that edges' middles are exact.
+    Vec3i target() {
+        const Corners& t = triangle(std::uint32_t(below(int(world_.mesh().size()))));
+        const int weights[][3] = {{2, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
+        Vec3i at{};
+        if (const int kind = below(8); kind < 4) {
+            for (std::size_t k = 0; k < 3; ++k) at[k] = weights[kind][0] * t.a[k] + weights[kind][1] * t.b[k] + weights[kind][2] * t.c[k];
+        } else {
+            const std::int64_t u = below(1025), v = below(1025 - int(u));
+            for (std::size_t k = 0; k < 3; ++k) at[k] = int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512);
+        }
+        return at;
+    }
+
+    CameraHit first_hit() {
+        const Vec3i o = camera(), at = target();
+        Vec3i d{};
+        std::uint32_t most = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            d[k] = at[k] - 2 * o[k];   // below 2^(N+1): fits M = N + 2 bits
+            most = std::max(most, std::uint32_t(std::abs(d[k])));
+        }
+        if (most == 0) return {};
+        const int room = config_.dir_bits - 1 - std::bit_width(most);
+        for (auto& x : d) x *= 1 << std::max(room, 0);
+        const oracle::ExactHit exact = world_.surface_.closest(o, d);
+        if (exact.primitive == no_primitive) return {};
+        const PrimData prim = prim_of(triangle(exact.primitive), exact.primitive);
+        TriRsp rsp;
+        tri_test(o, d, prim, {}, config_, rsp);
+        CameraHit hit{exact.primitive, {{}, exact.den}, {}, rsp.u, rsp.v, -side_of_direction(prim, d)};
+        for (std::size_t k = 0; k < 3; ++k) {
+            hit.at.num[k] = Int128(o[k]) * exact.den + Int128(d[k]) * exact.num;
+            hit.near[k] = double(o[k]) + double(d[k]) * (double(exact.num) / double(exact.den));
+        }
+        return hit;
+    }
+
+    Vec3i nearest(const CameraHit& hit) const {
+        return clamp_to({int(std::lround(hit.near[0])), int(std::lround(hit.near[1])), int(std::lround(hit.near[2]))}, config_.coord_bits);
+    }
+    Vec3i light(const CameraHit& hit) {
+        const Corners& t = triangle(hit.primitive);
+        switch (below(7)) {
+        case 0: return any_point();
+        case 1: return point_in_bounds();
+        case 2: return near(nearest(hit), 2 << below(5));
+        case 3: return near(corner(), below(2));
+        case 4: return clamp_to({world_.hi_[0] + 3, below(2) != 0 ? world_.hi_[1] + 3 : world_.lo_[1] - 3, 7}, config_.coord_bits);
+        default: {   // along the surface: in the triangle's plane or a little off it
+            const int u = between(-3, 3), v = between(-3, 3);
+            Vec3i at;
+            for (std::size_t k = 0; k < 3; ++k) at[k] = t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);
+            return near(clamp_to(at, config_.coord_bits), below(3));
+        }
+        }
+    }
+
+    /// A ray towards a light or where it would be, or nothing if that is seen edge-on.
+    std::optional<Task> task(const CameraHit& hit, const PrimData& prim) {
+        const Vec3i lamp = light(hit), from = nearest(hit);
+        const bool endless = below(4) == 0, through = below(8) != 0;
+        Task task{lamp, {}, 0};
+        Vec3l way;
+        for (std::size_t k = 0; k < 3; ++k) way[k] = (std::int64_t(lamp[k]) - from[k]) * 2;
+        int side = side_of_point(prim, lamp);
+        if (endless) {
+            task.light.reset();
+            for (std::size_t k = 0; k < 3; ++k) task.direction[k] = std::int32_t(way[k]);
+            side = side_of_direction(prim, task.direction);
+        }
+        if (side == 0) return std::nullopt;
+        // On the other side the light is in the surface's own shadow, unless the ray is a refracted one.
+        task.facing = side != hit.facing && through ? side : hit.facing;
+        return task;
+    }
+
+    /// Some rays from where one camera ray hit.
+    void one_hit(std::uint64_t rays) {
+        const CameraHit hit = first_hit();
+        if (hit.primitive == no_primitive) return;
+        const PrimData prim = prim_of(triangle(hit.primitive), hit.primitive);
+        for (int i = 0; i < 4 && counts_.rays < rays; ++i)
+            if (const std::optional<Task> to = task(hit, prim)) one_ray(hit, prim, *to);
+    }
+
+    void one_ray(const CameraHit& hit, const PrimData& prim, const Task& to) {
+        ++counts_.rays;
+        const int side = to.light ? side_of_point(prim, *to.light) : side_of_direction(prim, to.direction);
+        const Start start = begin(hit, prim, to.facing);
+        const bool blocked = side != to.facing || is_blocked(start, to);
+        const Sight::Answer at_hit = truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
+        if (scheme_.kind != OriginScheme::Kind::surface) return judge(blocked, at_hit);
+        const oracle::Place own{{start.at.at[0], start.at.at[1], start.at.at[2]}, Int128(1) << start.at.frac_bits};
+        const Sight::Answer at_own = truth({own, to.light, to.direction}, hit.primitive, to.facing, place(start.at));
+        judge(blocked, at_own);
+        if (at_own == Sight::Answer::either || blocked == (at_own == Sight::Answer::blocked)) judge_moved(blocked, at_hit);
+    }
+    void judge(bool blocked, Sight::Answer answer) {
+        counts_.either += answer == Sight::Answer::either;
+        counts_.false_shadows += blocked && answer == Sight::Answer::free;
+        counts_.light_leaks += !blocked && answer == Sight::Answer::blocked;
+    }
+    void judge_moved(bool blocked, Sight::Answer answer) {
+        counts_.moved_shadows += blocked && answer == Sight::Answer::free;
+        counts_.moved_leaks += !blocked && answer == Sight::Answer::blocked;
+    }
+
+    Start begin(const CameraHit& hit, const PrimData& prim, int facing) const {
+        using Kind = OriginScheme::Kind;
+        const int bits = scheme_.frac_bits;
+        if (scheme_.kind == Kind::surface)
+            return {surface_point(prim, inner_weights(hit.u, hit.v, config_.bary_bits, bits), bits), no_primitive};
+        if (scheme_.kind == Kind::epsilon) return {lifted(hit, prim, facing), no_primitive};
+        Vec3i at = nearest(hit);
+        if (scheme_.kind == Kind::pushed) push(at, prim, facing);
+        return {{{at[0], at[1], at[2]}, 0}, scheme_.kind == Kind::excluded ? hit.primitive : no_primitive};
+    }
+    static std::array<double, 3> normal(const PrimData& t) {
+        std::array<double, 3> e{}, f{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            e[k] = t.b[k] - t.a[k];
+            f[k] = t.c[k] - t.a[k];
+        }
+        return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    }
+    static void push(Vec3i& at, const PrimData& prim, int facing) {
+        const auto n = normal(prim);
+        std::size_t main = 0;
+        for (std::size_t k = 1; k < 3; ++k)
+            if (std::abs(n[k]) > std::abs(n[main])) main = k;
+        while (side_of_point(prim, at) != facing) at[main] += (n[main] > 0) == (facing > 0) ? 1 : -1;
+    }
+    SurfacePoint lifted(const CameraHit& hit, const PrimData& prim, int facing) const {
+        const auto n = normal(prim);
+        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        const double step = facing * 1e-4 * double(1 << config_.coord_bits);
+        SurfacePoint at{{}, most_origin_bits};
+        for (std::size_t k = 0; k < 3; ++k) at.at[k] = std::llround((hit.near[k] + step * n[k] / length) * (1 << most_origin_bits));
+        return at;
+    }
+
+    static std::array<double, 3> place(const SurfacePoint& at) {
+        const double one = double(std::int64_t(1) << at.frac_bits);
+        return {double(at.at[0]) / one, double(at.at[1]) / one, double(at.at[2]) / one};
+    }
+    /// Where to look for triangles to: the light, or a point beyond the lattice (a direction is not zero).
+    std::array<double, 3> end(const std::array<double, 3>& from, const std::optional<Vec3i>& light, const Vec3i& d) const {
+        if (light) return {double((*light)[0]), double((*light)[1]), double((*light)[2])};
+        const double far = double(2 << config_.coord_bits) / double(std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}));
+        return {from[0] + far * d[0], from[1] + far * d[1], from[2] + far * d[2]};
+    }
+
+    bool is_blocked(const Start& start, const Task& to) const {
+        const Vec3l inwards = to.light ? shadow_direction(*to.light, start.at) : Vec3l{};
+        bool blocked = false;
+        const auto from = place(start.at);
+        world_.around_.along(from, end(from, to.light, to.direction), [&](std::uint32_t number) {
+            if (number == start.excluded) return true;
+            const PrimData prim = prim_of(triangle(number), number);
+            blocked = to.light ? shadow_test(*to.light, inwards, start.at.frac_bits, prim) : bounce_test(start.at, to.direction, prim).has_value();
+            return !blocked;
+        });
+        return blocked;
+    }
+    Sight::Answer truth(const oracle::Path& path, std::uint32_t primitive, int facing, const std::array<double, 3>& from) const {
+        Sight sight(path, triangle(primitive), facing);
+        world_.around_.along(from, end(from, path.to, path.direction), [&](std::uint32_t number) { return sight.look(triangle(number)); });
+        return sight.answer();
+    }
+
+    const Shadows& world_;
+    OriginScheme scheme_;
+    std::mt19937_64 rng_;
+    Config config_;
+    ShadowCounts counts_;
+};
+
+std::string OriginScheme::name() const {
+    switch (kind) {
+    case Kind::excluded: return "nearest, own triangle excluded";
+    case Kind::pushed: return "nearest, pushed off the plane";
+    case Kind::epsilon: return "epsilon along the normal";
+    default: return "on the surface, B = " + std::to_string(frac_bits);
+    }
+}
+
+ShadowCounts& ShadowCounts::operator+=(const ShadowCounts& other) {
+    rays += other.rays;
+    false_shadows += other.false_shadows;
+    light_leaks += other.light_leaks;
+    either += other.either;
+    moved_shadows += other.moved_shadows;
+    moved_leaks += other.moved_leaks;
+    return *this;
+}
+
+Shadows::Shadows(std::vector<oracle::Corners> mesh, int coord_bits) : surface_(mesh), around_(mesh), coord_bits_(coord_bits) {
+    const int most = 1 << coord_bits;
+    lo_ = {most, most, most};
+    hi_ = {-most, -most, -most};
+    for (const Corners& t : mesh)
+        for (const Vec3i* p : {&t.a, &t.b, &t.c})
+            for (std::size_t k = 0; k < 3; ++k) {
+                lo_[k] = std::min(lo_[k], (*p)[k]);
+                hi_[k] = std::max(hi_[k], (*p)[k]);
+            }
+}
+
+ShadowCounts Shadows::count(std::uint64_t seed, std::uint64_t rays, const OriginScheme& scheme) const {
+    return ShadowProbe(*this, seed, scheme).run(rays);
+}
+
+ShadowCounts shadow_counts(const std::vector<oracle::Corners>& mesh, int coord_bits, std::uint64_t seed, std::uint64_t rays, const OriginScheme& scheme) {
+    return Shadows(mesh, coord_bits).count(seed, rays, scheme);
+}
+
+} // namespace rayclock
