@@ -18,6 +18,8 @@ constexpr int moves[8][9] = {{1, 2, 3, -2, 1, 1, 3, -1, 2},   {-3, 1, 2, 1, 1, -
 
 } // namespace
 
+bool in_plane(const Place& place, const Corners& t) { return volume(between(t.a, place), between(t.a, t.b), between(t.a, t.c)) == 0; }
+
 Sight::Sight(const Path& path, const Corners& surface, int facing) : path_(path) {
     for (std::size_t k = 0; k < 3; ++k)
         way_[k] = path.to ? Int128((*path.to)[k]) * path.from.den - path.from.num[k] : Int128(path.direction[k]);

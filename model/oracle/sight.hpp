@@ -31,10 +31,13 @@ struct Path {
     Vec3i direction{};
 };
 
+/// The point lies in the triangle's plane.
+bool in_plane(const Place& place, const Corners& triangle);
+
 /// What the way meets, looked at triangle by triangle.
 class Sight {
 public:
-    /// `surface` holds path.from; the way leaves it on the side `facing` of its normal (1 or -1).
+    /// `surface` holds path.from, which is in_plane; the way leaves it on the side `facing` of its normal (1 or -1).
     Sight(const Path& path, const Corners& surface, int facing);
 
     /// False once nothing can change any more: the way is blocked for certain.

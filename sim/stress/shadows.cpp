@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <random>
 
 #include "model/isect/origin.hpp"
 #include "model/isect/tri.hpp"
@@ -17,10 +16,6 @@ using oracle::Int128;
 using oracle::Sight;
 
 PrimData prim_of(const Corners& t, std::uint32_t number) { return {t.a, t.b, t.c, number}; }
-Vec3i clamp_to(const Vec3i& p, int bits) {
-    const int most = (1 << (bits - 1)) - 1;
-    return {std::clamp(p[0], -most, most), std::clamp(p[1], -most, most), std::clamp(p[2], -most, most)};
-}
 
 /// A camera ray's hit.
 struct CameraHit {
@@ -49,7 +44,8 @@ struct Start {
 /// One series of rays.
 class ShadowProbe {
 public:
-    ShadowProbe(const Shadows& world, std::uint64_t seed, const OriginScheme& scheme) : world_(world), scheme_(scheme), rng_(seed) {
+    ShadowProbe(const Shadows& world, std::uint64_t seed, const OriginScheme& scheme)
+        : world_(world), scheme_(scheme), draw_(world.mesh(), world.bounds_, world.coord_bits_, seed) {
         config_.coord_bits = world.coord_bits_;
         config_.dir_bits = world.coord_bits_ + 2;
     }
@@ -60,51 +56,10 @@ public:
     }
 
 private:
-    int below(int n) { return int(rng_() % std::uint64_t(n)); }
-    int between(int lo, int hi) { return lo + below(hi - lo + 1); }
     const Corners& triangle(std::uint32_t number) const { return world_.mesh()[number]; }
 
-    Vec3i any_point() {
-        const int most = (1 << (config_.coord_bits - 1)) - 1;
-        return {between(-most, most), between(-most, most), between(-most, most)};
-    }
-    Vec3i point_in_bounds() {
-        Vec3i p;
-        for (std::size_t k = 0; k < 3; ++k) p[k] = between(world_.lo_[k], world_.hi_[k]);
-        return p;
-    }
-    Vec3i near(const Vec3i& p, int reach) {
-        return clamp_to({p[0] + between(-reach, reach), p[1] + between(-reach, reach), p[2] + between(-reach, reach)}, config_.coord_bits);
-    }
-    Vec3i corner() {
-        const Corners& t = triangle(std::uint32_t(below(int(world_.mesh().size()))));
-        const Vec3i* corners[] = {&t.a, &t.b, &t.c};
-        return *corners[below(3)];
-    }
-    Vec3i camera() {
-        switch (below(4)) {
-        case 0: return any_point();
-        case 1: return point_in_bounds();
-        case 2: return near(corner(), 40);
-        default: return near(corner(), 1 << below(config_.coord_bits - 1));
-        }
-    }
-    /// A point to aim at, doubled so that edges' middles are exact.
-    Vec3i target() {
-        const Corners& t = triangle(std::uint32_t(below(int(world_.mesh().size()))));
-        const int weights[][3] = {{2, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
-        Vec3i at{};
-        if (const int kind = below(8); kind < 4) {
-            for (std::size_t k = 0; k < 3; ++k) at[k] = weights[kind][0] * t.a[k] + weights[kind][1] * t.b[k] + weights[kind][2] * t.c[k];
-        } else {
-            const std::int64_t u = below(1025), v = below(1025 - int(u));
-            for (std::size_t k = 0; k < 3; ++k) at[k] = int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512);
-        }
-        return at;
-    }
-
     CameraHit first_hit() {
-        const Vec3i o = camera(), at = target();
+        const Vec3i o = draw_.camera(), at = draw_.target();
         Vec3i d{};
         std::uint32_t most = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -128,29 +83,13 @@ private:
     }
 
     Vec3i nearest(const CameraHit& hit) const {
-        return clamp_to({int(std::lround(hit.near[0])), int(std::lround(hit.near[1])), int(std::lround(hit.near[2]))}, config_.coord_bits);
-    }
-    Vec3i light(const CameraHit& hit) {
-        const Corners& t = triangle(hit.primitive);
-        switch (below(7)) {
-        case 0: return any_point();
-        case 1: return point_in_bounds();
-        case 2: return near(nearest(hit), 2 << below(5));
-        case 3: return near(corner(), below(2));
-        case 4: return clamp_to({world_.hi_[0] + 3, below(2) != 0 ? world_.hi_[1] + 3 : world_.lo_[1] - 3, 7}, config_.coord_bits);
-        default: {   // along the surface: in the triangle's plane or a little off it
-            const int u = between(-3, 3), v = between(-3, 3);
-            Vec3i at;
-            for (std::size_t k = 0; k < 3; ++k) at[k] = t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);
-            return near(clamp_to(at, config_.coord_bits), below(3));
-        }
-        }
+        return inside_lattice({int(std::lround(hit.near[0])), int(std::lround(hit.near[1])), int(std::lround(hit.near[2]))}, config_.coord_bits);
     }
 
     /// A ray towards a light or where it would be, or nothing if that is seen edge-on.
     std::optional<Task> task(const CameraHit& hit, const PrimData& prim) {
-        const Vec3i lamp = light(hit), from = nearest(hit);
-        const bool endless = below(4) == 0, through = below(8) != 0;
+        const Vec3i from = nearest(hit), lamp = draw_.light(triangle(hit.primitive), from);
+        const bool endless = draw_.below(4) == 0, through = draw_.below(8) != 0;
         Task task{lamp, {}, 0};
         Vec3l way;
         for (std::size_t k = 0; k < 3; ++k) way[k] = (std::int64_t(lamp[k]) - from[k]) * 2;
@@ -181,8 +120,9 @@ private:
         const Start start = begin(hit, prim, to.facing);
         const bool blocked = side != to.facing || is_blocked(start, to);
         const Sight::Answer at_hit = truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
-        if (scheme_.kind != OriginScheme::Kind::surface) return judge(blocked, at_hit);
         const oracle::Place own{{start.at.at[0], start.at.at[1], start.at.at[2]}, Int128(1) << start.at.frac_bits};
+        // Only a point of the surface may stand for the hit.
+        if (scheme_.kind != OriginScheme::Kind::surface || !oracle::in_plane(own, triangle(hit.primitive))) return judge(blocked, at_hit);
         const Sight::Answer at_own = truth({own, to.light, to.direction}, hit.primitive, to.facing, place(start.at));
         judge(blocked, at_own);
         if (at_own == Sight::Answer::either || blocked == (at_own == Sight::Answer::blocked)) judge_moved(blocked, at_hit);
@@ -262,7 +202,7 @@ private:
 
     const Shadows& world_;
     OriginScheme scheme_;
-    std::mt19937_64 rng_;
+    ShadowRays draw_;
     Config config_;
     ShadowCounts counts_;
 };
@@ -288,13 +228,12 @@ ShadowCounts& ShadowCounts::operator+=(const ShadowCounts& other) {
 
 Shadows::Shadows(std::vector<oracle::Corners> mesh, int coord_bits) : surface_(mesh), around_(mesh), coord_bits_(coord_bits) {
     const int most = 1 << coord_bits;
-    lo_ = {most, most, most};
-    hi_ = {-most, -most, -most};
-    for (const Corners& t : mesh)
+    bounds_ = {{most, most, most}, {-most, -most, -most}};
+    for (const Corners& t : this->mesh())
         for (const Vec3i* p : {&t.a, &t.b, &t.c})
             for (std::size_t k = 0; k < 3; ++k) {
-                lo_[k] = std::min(lo_[k], (*p)[k]);
-                hi_[k] = std::max(hi_[k], (*p)[k]);
+                bounds_.lo[k] = std::min(bounds_.lo[k], (*p)[k]);
+                bounds_.hi[k] = std::max(bounds_.hi[k], (*p)[k]);
             }
 }
 

@@ -6,6 +6,7 @@
 
 #include "model/oracle/around.hpp"
 #include "model/oracle/surface.hpp"
+#include "sim/stress/shadow_rays.hpp"
 
 namespace rayclock {
 
@@ -40,8 +41,9 @@ class Shadows {
 public:
     Shadows(std::vector<oracle::Corners> mesh, int coord_bits);
 
-    /// Camera rays aimed at corners, edges and insides of triangles and at random; lights inside, outside, in or near the plane
-    /// of the surface hit, on corners of the mesh and close by. The same seed gives the same rays for every scheme.
+    /// Camera rays aimed at corners, edges and insides of triangles; lights inside, outside, in or near the plane of the
+    /// surface hit, on corners of the mesh and close by. The same seed gives the same rays for every scheme. Fewer rays than
+    /// asked for only if the mesh is hardly ever hit.
     ShadowCounts count(std::uint64_t seed, std::uint64_t rays, const OriginScheme& scheme) const;
 
     const std::vector<oracle::Corners>& mesh() const { return surface_.triangles(); }
@@ -52,7 +54,7 @@ private:
     oracle::Surface surface_;
     oracle::Around around_;
     int coord_bits_;
-    Vec3i lo_{}, hi_{};   ///< of the mesh
+    MeshBounds bounds_;
 };
 
 /// The same in one call.
