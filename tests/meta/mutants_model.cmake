@@ -34,6 +34,36 @@ mutant(model_trav_equal_does_not_matter FILE model/trav/stack.cpp TEST unit [tra
 mutant(model_child_box_rounded_inward QUICK FILE model/accel/encode.cpp TEST accel ~[none]
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
+mutant(model_origin_weight_rounded_up QUICK FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[Weights w{std::max(rounded(u), 1u),]]
+  NEW [[Weights w{std::max(rounded(u) + 1, 1u),]])
+mutant(model_origin_on_the_border FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[Weights w{std::max(rounded(u), 1u),]]
+  NEW [[Weights w{rounded(u),]])
+mutant(model_origin_bits_cut FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[point.at[k] = std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] + weights.v * e2[k];]]
+  NEW [[point.at[k] = (std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] + weights.v * e2[k]) & ~1;]])
+mutant(model_origin_hits_at_its_start FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[if (hit.num <= 0) return std::nullopt;]]
+  NEW [[if (hit.num < 0) return std::nullopt;]])
+mutant(model_origin_end_counts FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[hit->num << frac_bits < hit->det]]
+  NEW [[hit->num << frac_bits <= hit->det]])
+mutant(model_origin_direction_rounded_up FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[(n[k] > 0) == (facing > 0) ?]]
+  NEW [[true ?]])
+mutant(model_origin_low_products_alone FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[(num >> 64) * det + Wide(low >> 64)]]
+  NEW [[(num >> 64) * det]])
+mutant(model_origin_boxes_inward FILE model/isect/origin.cpp TEST unit [origin]
+  OLD [[box.near[k] = d[k] < 0 ? below : above;]]
+  NEW [[box.near[k] = below;]])
+mutant(model_origin_side_dropped FILE sim/stress/shadows.cpp TEST system [shadows]~[slow]
+  OLD [[side != to.facing || is_blocked]]
+  NEW [[is_blocked]])
+mutant(model_origin_bits_cut_seen_by_rays FILE model/isect/origin.cpp TEST system [shadows]~[slow]
+  OLD [[+ weights.u * e1[k] + weights.v * e2[k];]]
+  NEW [[+ ((weights.u * e1[k] + weights.v * e2[k]) & ~1);]])
 mutant(model_lattice_rounds_down FILE model/accel/lattice.cpp TEST accel ~[none]
   OLD [[std::round((point[k] - centre[k]) / pitch[k])]]
   NEW [[std::floor((point[k] - centre[k]) / pitch[k])]])

@@ -1,0 +1,130 @@
+// The tables at the end of docs/origins.md: how often each scheme of secondary-ray origins is wrong, and what bits it needs.
+//
+// rc_origins PAGE [rays per scheme, scene and width]: puts the tables in place of what follows the page's line `<!-- measured -->`.
+#include <atomic>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "model/isect/origin.hpp"
+#include "sim/stress/shadow_scenes.hpp"
+#include "sim/stress/shadows.hpp"
+
+using namespace rayclock;
+
+namespace {
+
+using Kind = OriginScheme::Kind;
+const std::vector<OriginScheme> schemes{{Kind::excluded, 0}, {Kind::pushed, 0},  {Kind::epsilon, 16},  {Kind::surface, 4},
+                                        {Kind::surface, 6},  {Kind::surface, 8}, {Kind::surface, 12}, {Kind::surface, 16}};
+constexpr std::array bits{12, 14, 16, 18, 20};
+
+/// counts[scheme][scene][width]
+using Counts = std::vector<std::vector<std::array<ShadowCounts, bits.size()>>>;
+
+Counts count_all(std::uint64_t rays) {
+    const auto& scenes = shadow_scenes();
+    Counts counts(schemes.size(), std::vector<std::array<ShadowCounts, bits.size()>>(scenes.size()));
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t job; (job = next++) < scenes.size() * bits.size();) {
+            const std::size_t scene = job / bits.size(), width = job % bits.size();
+            const Shadows world(scenes[scene].make(bits[width]), bits[width]);
+            for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
+            fmt::print(stderr, "{}, N = {}\n", scenes[scene].name, bits[width]);
+        }
+    };
+    std::vector<std::thread> threads;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
+    for (auto& thread : threads) thread.join();
+    return counts;
+}
+
+double per_million(std::uint64_t count, std::uint64_t rays) { return rays == 0 ? 0 : 1e6 * double(count) / double(rays); }
+ShadowCounts sum_of(const std::array<ShadowCounts, bits.size()>& all) {
+    ShadowCounts sum;
+    for (const ShadowCounts& c : all) sum += c;
+    return sum;
+}
+
+std::string row(const std::string& name, const ShadowCounts& c, bool surface) {
+    std::string line = fmt::format("| {} | {} | {} | {} | {:.1f} |", name, c.rays, c.false_shadows, c.light_leaks, per_million(c.either, c.rays));
+    return line + (surface ? fmt::format(" {:.0f} | {:.0f} |\n", per_million(c.moved_shadows, c.rays), per_million(c.moved_leaks, c.rays)) : " - | - |\n");
+}
+std::string head(const char* what) {
+    return fmt::format("\n| {} | rays | false shadows | light leaks | either, per million | moved shadows, per million | moved leaks, per million |\n"
+                       "|---|---|---|---|---|---|---|\n", what);
+}
+
+std::string measured(const Counts& counts) {
+    const auto& scenes = shadow_scenes();
+    std::string page = head("scheme");
+    for (std::size_t s = 0; s < schemes.size(); ++s) {
+        ShadowCounts sum;
+        for (const auto& scene : counts[s]) sum += sum_of(scene);
+        page += row(schemes[s].name(), sum, schemes[s].kind == Kind::surface);
+    }
+    page += head("on the surface, B = 12, by scene");
+    for (std::size_t i = 0; i < scenes.size(); ++i) page += row(scenes[i].name, sum_of(counts[6][i]), true);
+    page += "\nFalse shadows, light leaks per million rays, by scene:\n\n| scene |";
+    for (const OriginScheme& s : schemes) page += fmt::format(" {} |", s.name());
+    page += "\n|---|";
+    for (std::size_t s = 0; s < schemes.size(); ++s) page += "---|";
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        page += fmt::format("\n| {}: {} |", scenes[i].name, scenes[i].what);
+        for (std::size_t s = 0; s < schemes.size(); ++s) {
+            const ShadowCounts sum = sum_of(counts[s][i]);
+            page += fmt::format(" {:.0f}, {:.0f} |", per_million(sum.false_shadows, sum.rays), per_million(sum.light_leaks, sum.rays));
+        }
+    }
+    return page + "\n";
+}
+
+/// 18 x 18 multipliers for a signed product: each takes 17 bits of a number, the highest of them one more.
+int multipliers(int one, int other) { return ((one - 2) / 17 + 1) * ((other - 2) / 17 + 1); }
+/// P1, P2: 12 products of d and e; u, v: 6 of P and s; e1 x e2: 6; num: 3 of that and s.
+int multipliers(int coord_bits, const RayWidths& w) {
+    const int e = coord_bits + 1, p = w.direction + e;
+    return 12 * multipliers(w.direction, e) + 6 * multipliers(p, w.offset) + 6 * multipliers(e, e) + 3 * multipliers(2 * e, w.offset);
+}
+
+std::string widths() {
+    std::string page = "\nBits, with M = N + 2; 18 x 18 multipliers of the triangle test with a camera ray, a bounce and a shadow ray:\n\n"
+                       "| N | B | O | bounce: s | u, v, w | num | num det' | shadow: d | u, v, w | num | multipliers |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+    for (const int n : bits)
+        for (const int b : {4, 6, 8, 10, 12, 16}) {
+            const RayWidths camera = bounce_widths(n, n + 2, 0), bounce = bounce_widths(n, n + 2, b), shadow = shadow_widths(n, b);
+            page += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {}, {}, {} |\n", n, b, bounce.point, bounce.offset, bounce.edge, bounce.num,
+                                bounce.num + bounce.det, shadow.direction, shadow.edge, shadow.num, multipliers(n, camera), multipliers(n, bounce),
+                                multipliers(n, shadow));
+        }
+    return page;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::uint64_t rays = 40000;
+    const std::string count = argc > 2 ? argv[2] : "40000", marker = "<!-- measured -->\n";
+    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), rays);
+    if (argc < 2 || argc > 3 || error != std::errc() || end != count.data() + count.size()) {
+        fmt::print(stderr, "usage: rc_origins PAGE [rays per scheme, scene and width]\n");
+        return 2;
+    }
+    std::stringstream text;
+    text << std::ifstream(argv[1]).rdbuf();
+    const std::size_t at = text.str().find(marker);
+    if (at == std::string::npos) {
+        fmt::print(stderr, "{}: there is no line {}", argv[1], marker);
+        return 2;
+    }
+    const Counts counts = count_all(rays);
+    std::ofstream page(argv[1]);
+    page << text.str().substr(0, at + marker.size()) << measured(counts) << widths();
+    return page.flush() ? 0 : 2;
+}
