@@ -34,6 +34,8 @@ template <class Int, class Short> Int volume(const Triple<Short>& a, const Tripl
     return Int(a[0]) * Int(bc[0]) + Int(a[1]) * Int(bc[1]) + Int(a[2]) * Int(bc[2]);
 }
 
+template <class Int> Int volume(const Triple<Int>& a, const Triple<Int>& b, const Triple<Int>& c) { return volume<Int>(a, area(b, c)); }
+
 /// On which side of the directed edge p -> q the line along d through the origin passes, if the origin is moved by
 /// (e, e^2, e^3), e -> 0+: the sign of volume(d, p - o', q - o'), given its value without the move. p and q are relative to the
 /// origin. Its coefficient of o'[k] is -volume(d, axis k, q) - volume(d, p, axis k), and terms of two moves vanish, since both
@@ -60,7 +62,7 @@ template <class Int> struct Passage {
 ///
 /// With a, b, c relative to the origin, n = b x c + c x a + a x b is the triangle's normal and n . a = volume(a, b, c), so that
 /// n . (t d - a) = 0 gives t = volume(a, b, c) / (volume(d, b, c) + volume(d, c, a) + volume(d, a, b)).
-template <class Int, class Short> std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
+template <class Int, class Short = Int> std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
     const Triple<Short> o = triple<Short>(origin), d = triple<Short>(direction);
     const Triple<Short> a = way(o, triple<Short>(t.a)), b = way(o, triple<Short>(t.b)), c = way(o, triple<Short>(t.c));
     const Triple<Short> bc = area(b, c), ca = area(c, a), ab = area(a, b);

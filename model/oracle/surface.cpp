@@ -114,7 +114,7 @@ ExactHit exact_hit(const Vec3i& o, const Vec3i& d, const Corners& triangle, std:
     return at ? ExactHit{primitive, at->num, at->den, at->sense} : ExactHit{};
 }
 
-Surface::Surface(std::vector<Corners> triangles) : triangles_(std::move(triangles)), order_(triangles_.size()) {
+Surface::Surface(std::vector<Corners> triangles, int margin) : triangles_(std::move(triangles)), margin_(margin), order_(triangles_.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     nodes_.reserve(triangles_.size());
     if (!triangles_.empty()) root_ = build(0, std::uint32_t(triangles_.size()));
@@ -159,7 +159,7 @@ std::uint32_t Surface::build(std::uint32_t first, std::uint32_t count) {
             const Extent box = bounds(from, n);
             for (std::size_t k = 0; k < 3; ++k) {
                 nodes_[number].boxes.centre[k][i] = double(box.lo[k]) + box.hi[k];
-                nodes_[number].boxes.width[k][i] = double(box.hi[k]) - box.lo[k];
+                nodes_[number].boxes.width[k][i] = double(box.hi[k]) - box.lo[k] + 2 * margin_;
             }
             nodes_[number].there |= 1u << i;
             child = n == 1 ? from | leaf : build(from, n);

@@ -41,7 +41,8 @@ std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice);
 /// difference times a direction: N + 2 + M bits, and a sum), so doubles hold them exactly.
 class Surface {
 public:
-    explicit Surface(std::vector<Corners> triangles);
+    /// Boxes are `margin` lattice steps larger on all sides: for tests that may take a triangle which the ray only comes near to.
+    explicit Surface(std::vector<Corners> triangles, int margin = 0);
     ~Surface();
 
     /// Closest triangle along o + t d, t > 0; of equal ones the lowest number.
@@ -59,6 +60,7 @@ private:
     template <class Meet> void walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const;
 
     std::vector<Corners> triangles_;
+    int margin_ = 0;
     std::vector<Corners> ordered_;        ///< as the leaves have them
     std::vector<std::uint32_t> order_;    ///< their numbers
     std::vector<Node> nodes_;

@@ -71,11 +71,11 @@ void shrink_boxes(MemoryImage& image, const Config& config) {
 
 const std::vector<NamedTest>& controls() {
     static const std::vector<NamedTest> all{
-        {"inclusive", "control: >= for the tie rule. Must hit twice", inclusive, Walks::no, 0, Demand::double_hits},
-        {"exclusive", "control: > for the tie rule. Must leak", exclusive, Walks::no, 0, Demand::leaks},
-        {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", dropped_bit, Walks::no, 0, Demand::leaks},
-        {"epsilon", "control: |det| < 2^-30 of the largest is no hit. Must leak", epsilon, Walks::no, 0, Demand::leaks},
-        {"inward_boxes", "control: the exact test in child boxes rounded inwards. Must miss what the oracle hits", tri_test, Walks::small_boxes, 0, Demand::mismatches},
+        {"inclusive", "control: >= for the tie rule. Must hit twice", inclusive, Walks::no, PrimitiveTest::exact, Demand::double_hits},
+        {"exclusive", "control: > for the tie rule. Must leak", exclusive, Walks::no, PrimitiveTest::exact, Demand::leaks},
+        {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", dropped_bit, Walks::no, PrimitiveTest::exact, Demand::leaks},
+        {"epsilon", "control: |det| < 2^-30 of the largest is no hit. Must leak", epsilon, Walks::no, PrimitiveTest::exact, Demand::leaks},
+        {"inward_boxes", "control: the exact test in child boxes rounded inwards. Must miss what the oracle hits", tri_test, Walks::small_boxes, PrimitiveTest::exact, Demand::mismatches},
     };
     return all;
 }

@@ -1,7 +1,10 @@
 #include "sim/stress/judge.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 
+#include "model/oracle/overlap.hpp"
 #include "model/raygen/raygen.hpp"
 #include "sim/stress/controls.hpp"
 
@@ -21,6 +24,13 @@ int sense_of(const Vec3i& d, const oracle::Corners& t) {
     const auto a = oracle::triple<Number>(t.a);
     const auto normal = oracle::area(oracle::way(a, oracle::triple<Number>(t.b)), oracle::way(a, oracle::triple<Number>(t.c)));
     return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), normal) < 0 ? 1 : -1;
+}
+
+/// The direction fills its bits, as a camera's do. Shorter ones reach the largest t before the scene ends: what lies beyond is
+/// looked into whether it is met or not, which is sound and says nothing about the rounding.
+bool full_length(const Vec3i& d, const Config& config) {
+    const int half = 1 << (config.dir_bits - 2);
+    return std::abs(d[0]) >= half || std::abs(d[1]) >= half || std::abs(d[2]) >= half;
 }
 
 /// Takes pairs of opposite sense that share a corner out of a list.
@@ -43,23 +53,24 @@ std::vector<PrimData> numbered(const std::vector<oracle::Corners>& corners) {
 } // namespace
 
 Counts& Counts::operator+=(const Counts& other) {
-    rays += other.rays;
-    leaks += other.leaks;
-    double_hits += other.double_hits;
-    oracle_mismatches += other.oracle_mismatches;
-    crossings += other.crossings;
-    walked += other.walked;
+    const auto fields = [](auto& c) {
+        return std::array{&c.rays, &c.leaks, &c.double_hits, &c.oracle_mismatches, &c.crossings, &c.walked, &c.boxes,
+                          &c.boxes_extra, &c.boxes_lost, &c.shadow_rays, &c.false_shadows, &c.light_leaks};
+    };
+    const auto mine = fields(*this);
+    const auto theirs = fields(other);
+    for (std::size_t i = 0; i < mine.size(); ++i) *mine[i] += *theirs[i];
     return *this;
 }
 
-Judge::Judge(const Case& subject, const Config& config, Test test, bool closed, Walks walks)
-    : mesh_(subject.mesh), config_(config), test_(test), closed_(closed), surface_(mesh_.triangles), triangles_(numbered(mesh_.triangles)) {
+Judge::Judge(const Case& subject, const Config& config, const NamedTest& test, bool closed)
+    : mesh_(subject.mesh), config_(config), test_(test), closed_(closed), surface_(mesh_.triangles, test.margin), triangles_(numbered(mesh_.triangles)) {
     std::vector<PrimData> kept = triangles_;
     std::erase_if(kept, [&](const PrimData& t) { return !rayclock::counts(t, config); });
-    if (walks == Walks::no || kept.empty()) return;
+    if (test.walks == Walks::no || kept.empty()) return;
     config_.stack_depth = 64;
     image_ = compile_triangles(kept, config_, "the case");
-    if (walks == Walks::small_boxes) shrink_boxes(image_, config_);
+    if (test.walks == Walks::small_boxes) shrink_boxes(image_, config_);
     decoder_ = std::make_unique<Decoder>(image_, config_);
     walk_ = std::make_unique<Walk>(frame_, config_, *decoder_);
 }
@@ -74,32 +85,39 @@ void Judge::judge(const Shot& shot, Counts& counts) {
     const Best nothing;
     for (const std::uint32_t i : candidates_) {
         const oracle::ExactHit hit = oracle::exact_hit(shot.o, shot.d, mesh_.triangles[i], i);
-        test_(shot.o, shot.d, triangles_[i], nothing, config_, answer_);
+        test_.test(shot.o, shot.d, triangles_[i], nothing, config_, answer_);
         const bool crossed = hit.primitive == i;
         if (crossed) {
             truth_.push_back({i, hit.sense});
             if (hit.before(closest_)) closest_ = hit;
         }
         if (answer_.closer) {
-            const int sense = crossed ? hit.sense : sense_of(shot.d, mesh_.triangles[i]);
+            const int sense = test_.sense ? test_.sense(shot.o, shot.d, mesh_.triangles[i], config_) : crossed ? hit.sense : sense_of(shot.d, mesh_.triangles[i]);
             found_.push_back({i, sense});
             balance += sense;
         }
         agree = agree && crossed == (answer_.closer != 0);
     }
-    const bool walked = walk_ && counts.rays % walk_every == 0;
+    const bool walked = walk_ && counts.rays % walk_every == 0, look = walked && counts.rays % (walk_every * look_every) == 0 && full_length(shot.d, config_);
     ++counts.rays;
     counts.crossings += truth_.size();
     counts.walked += walked;
     const std::uint64_t before = counts.leaks + counts.double_hits;
-    if (!agree) compare_hits(shot, counts);
-    if (closed_ && shot.inside && balance != 0 && counts.leaks + counts.double_hits == before) ++counts.leaks;
-    if (walked && !walk_agrees(shot)) agree = false;
+    if (!agree && closed_ && !test_.sense) compare_hits(counts);
+    if (closed_ && shot.inside && balance != 0 && counts.leaks + counts.double_hits == before && clear_of_bounds(shot.o))
+        ++(found_.size() > truth_.size() && test_.sense ? counts.double_hits : counts.leaks);
+    if (walked && !walk_agrees(shot, look, counts)) agree = false;
     counts.oracle_mismatches += !agree;
 }
 
-void Judge::compare_hits(const Shot&, Counts& counts) {
-    if (!closed_) return;
+/// True for tests that do not move corners.
+bool Judge::clear_of_bounds(const Vec3i& o) const {
+    bool clear = true;
+    for (std::size_t k = 0; k < 3; ++k) clear = clear && (test_.margin == 0 || (std::abs(o[k] - mesh_.lo[k]) > 2 * test_.margin && std::abs(o[k] - mesh_.hi[k]) > 2 * test_.margin));
+    return clear;
+}
+
+void Judge::compare_hits(Counts& counts) {
     std::vector<Hit> missing;
     const auto take = [&](const auto& fits) {
         const auto at = std::find_if(found_.begin(), found_.end(), fits);
@@ -119,13 +137,36 @@ void Judge::compare_hits(const Shot&, Counts& counts) {
     counts.double_hits += !found_.empty();
 }
 
-bool Judge::walk_agrees(const Shot& shot) {
+bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
     walk_->start_at(make_ray(shot.o, shot.d, config_));
-    for (bool done = false; !done; walk_->decide(done))
-        if (walk_->test_node())
+    for (bool done = false; !done; walk_->decide(done)) {
+        const WideNode& node = decoder_->node(walk_->node());
+        const bool leaves = walk_->test_node();
+        if (look) look_at_boxes(shot, node, counts);
+        if (leaves)
             do walk_->test_triangle(); while (walk_->advance());
+    }
     const Closest closest = walk_->closest();
     return (closest.found ? closest.prim : no_primitive) == closest_.primitive;
+}
+
+/// Each child that the ray was told to look into, and each that it was not, against exact arithmetic on the same box.
+void Judge::look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts) const {
+    const BoxRsp& told = walk_->boxes();
+    const auto wide = [](const Vec3i& v) { return oracle::LatticeVec{v[0], v[1], v[2]}; };
+    for (std::size_t i = 0; i < node.children; ++i) {
+        oracle::LatticeVec lo, hi;
+        for (std::size_t k = 0; k < 3; ++k) {
+            lo[k] = node.org[k] + (std::int64_t(node.planes[k * max_width + i]) << node.exp[k]);
+            hi[k] = node.org[k] + (std::int64_t(node.planes[(3 + k) * max_width + i]) << node.exp[k]);
+        }
+        const bool met = oracle::overlap(wide(shot.o), wide(shot.d), lo, hi).has_value();
+        const auto end = told.offset.begin() + told.inner + told.leaves;
+        const bool taken = std::find(told.offset.begin(), end, std::uint32_t(node.offset[i])) != end;
+        counts.boxes += taken;
+        counts.boxes_extra += taken && !met;
+        counts.boxes_lost += met && !taken;
+    }
 }
 
 } // namespace rayclock::stress

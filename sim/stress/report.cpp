@@ -11,7 +11,9 @@ namespace {
 using nlohmann::ordered_json;
 
 std::vector<std::string> figures(const Counts& c) {
-    return {grouped(c.rays), grouped(c.crossings), grouped(c.leaks), grouped(c.double_hits), grouped(c.oracle_mismatches)};
+    return {grouped(c.rays), grouped(c.leaks), grouped(c.double_hits), grouped(c.oracle_mismatches),
+            c.shadow_rays > 0 ? grouped(c.false_shadows) : "", c.shadow_rays > 0 ? grouped(c.light_leaks) : "",
+            c.boxes > 0 ? fmt::format("{:.2f} %", 100.0 * double(c.boxes_extra) / double(c.boxes - c.boxes_extra)) : ""};
 }
 std::vector<std::string> row(const std::string& name, const Counts& c) {
     std::vector<std::string> cells = figures(c);
@@ -25,7 +27,13 @@ void add_figures(ordered_json& json, const Counts& c) {
     json["leaks"] = c.leaks;
     json["double_hits"] = c.double_hits;
     json["oracle_mismatches"] = c.oracle_mismatches;
+    json["false_shadows"] = c.false_shadows;
+    json["light_leaks"] = c.light_leaks;
+    json["shadow_rays"] = c.shadow_rays;
     json["walked"] = c.walked;
+    json["boxes"] = c.boxes;
+    json["boxes_extra"] = c.boxes_extra;
+    json["boxes_lost"] = c.boxes_lost;
 }
 
 const char* verdict(const NamedTest& test, bool met) {
@@ -44,7 +52,7 @@ std::string text(const Plan& plan, const Outcome& outcome) {
     for (const std::string& name : plan.tests) {
         const NamedTest& test = named_test(name);
         const auto of_test = [&](const Cell& cell) { return cell.test == name; };
-        Table table({"family", "rays", "crossings", "leaks", "double hits", "oracle mismatches"});
+        Table table({"family", "rays", "leaks", "double hits", "oracle mismatches", "false shadows", "light leaks", "extra boxes"});
         for (const std::string& family : plan.families)
             table.add(row(family, sum(outcome.cells, [&](const Cell& cell) { return of_test(cell) && cell.family == family; })));
         if (plan.bits.size() > 1)

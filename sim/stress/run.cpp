@@ -12,13 +12,14 @@
 #include <fmt/format.h>
 
 #include "sim/engine/engine.hpp"
+#include "sim/stress/shadows.hpp"
 #include "sim/stress/state.hpp"
 
 namespace rayclock::stress {
 
 namespace {
 
-constexpr std::uint64_t batch_rays = 1 << 16;
+constexpr std::uint64_t batch_rays = 1 << 16, shadow_every = 16;
 constexpr double seconds_between_saves = 5;
 
 /// Processor time of this thread.
@@ -26,6 +27,14 @@ double thread_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// Secondary rays from the same surface, by the machine's scheme of origins.
+void add_shadows(const Mesh& mesh, int coord_bits, std::uint64_t seed, std::uint64_t rays, Counts& counts) {
+    const ShadowCounts shadows = shadow_counts(mesh.triangles, coord_bits, seed, rays);
+    counts.shadow_rays += shadows.rays;
+    counts.false_shadows += shadows.false_shadows;
+    counts.light_leaks += shadows.light_leaks;
 }
 
 /// One batch of one cell; its seed is its own, so that batches may be run in any order.
@@ -37,10 +46,12 @@ Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::u
     for (const char* c = which.name; *c; ++c) seeds = Rng(seeds.next() + std::uint64_t(*c));
     Rng rng(seeds.next());
     Config config = format_of(cell.bits, batch);
+    config.primitive_test = int(test.primitive_test);
     const Case subject = which.make(config.coord_bits, config.dir_bits, rng);
-    Judge judge(subject, config, test.test, which.closed, test.walks);
+    Judge judge(subject, config, test, which.closed);
     Counts counts;
     for (std::uint64_t i = 0; i < rays; ++i) judge.judge(subject.shoot(rng), counts);
+    if (test.demand == Demand::truth && which.closed && !which.leaks) add_shadows(subject.mesh, cell.bits, rng.next(), rays / shadow_every, counts);
     return counts;
 }
 
@@ -72,7 +83,7 @@ Config format_of(int bits, std::uint64_t batch) {
     Config config;
     config.coord_bits = bits;
     const int widest = std::min(24, 62 - 2 * bits);
-    config.dir_bits = batch % 2 == 0 ? widest : std::min(widest, 18);
+    config.dir_bits = batch % 2 == 0 ? widest : std::max(18, bits + 2);
     config.stack_depth = 64;
     check_config(config, "stress");
     return config;

@@ -8,23 +8,6 @@
 
 namespace rayclock::stress {
 
-/// What a test's counts must be.
-enum class Demand {
-    truth,         ///< what the oracle says: nothing leaks, nothing is hit twice, no decision is another
-    watertight,    ///< nothing leaks or is hit twice
-    nothing,
-    double_hits, leaks, mismatches,   ///< controls: there must be some
-};
-
-/// A test by name.
-struct NamedTest {
-    const char* name;
-    const char* what;
-    Test test = nullptr;
-    Walks walks = Walks::no;
-    int primitive_test = 0;     ///< Config::primitive_test
-    Demand demand = Demand::nothing;
-};
 /// One row of the table.
 struct Cell {
     std::string test;

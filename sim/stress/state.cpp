@@ -19,11 +19,13 @@ ordered_json plan_json(const Plan& plan) {
     return {{"tests", plan.tests}, {"bits", plan.bits}, {"families", plan.families}, {"rays", plan.rays}, {"seed", plan.seed}};
 }
 
-ordered_json counts_json(const Counts& c) { return {c.rays, c.leaks, c.double_hits, c.oracle_mismatches, c.crossings, c.walked}; }
+ordered_json counts_json(const Counts& c) {
+    return {c.rays, c.leaks, c.double_hits, c.oracle_mismatches, c.crossings, c.walked, c.boxes, c.boxes_extra, c.boxes_lost, c.shadow_rays, c.false_shadows, c.light_leaks};
+}
 
 Counts counts_of(const ordered_json& json) {
-    return {json.at(0).get<std::uint64_t>(), json.at(1).get<std::uint64_t>(), json.at(2).get<std::uint64_t>(),
-            json.at(3).get<std::uint64_t>(), json.at(4).get<std::uint64_t>(), json.at(5).get<std::uint64_t>()};
+    const auto at = [&](std::size_t i) { return json.at(i).get<std::uint64_t>(); };
+    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), at(11)};
 }
 
 } // namespace
