@@ -4,6 +4,7 @@ namespace rayclock::oracle {
 
 namespace {
 
+Int128 volume(const Triple<Int128>& a, const Triple<Int128>& b, const Triple<Int128>& c) { return oracle::volume<Int128>(a, area(b, c)); }
 int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 Triple<Int128> between(const Vec3i& from, const Vec3i& to) { return way(triple<Int128>(from), triple<Int128>(to)); }
 /// From a lattice point to a place, times its den.

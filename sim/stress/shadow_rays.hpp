@@ -1,9 +1,9 @@
 #pragma once
 // Where cameras stand, what they look at and where lights hang, drawn at random around a mesh so that it hurts.
 #include <algorithm>
-#include <random>
 #include <vector>
 
+#include "model/core/rng.hpp"
 #include "model/oracle/cross.hpp"
 
 namespace rayclock {
@@ -24,7 +24,7 @@ public:
     ShadowRays(const std::vector<oracle::Corners>& mesh, const MeshBounds& bounds, int coord_bits, std::uint64_t seed)
         : mesh_(mesh), bounds_(bounds), bits_(coord_bits), rng_(seed) {}
 
-    int below(int n) { return int(rng_() % std::uint64_t(n)); }
+    int below(int n) { return rng_.below(n); }
     int between(int lo, int hi) { return lo + below(hi - lo + 1); }
 
     Vec3i camera() {
@@ -96,7 +96,7 @@ private:
     const std::vector<oracle::Corners>& mesh_;
     MeshBounds bounds_;
     int bits_;
-    std::mt19937_64 rng_;
+    Rng rng_;
 };
 
 } // namespace rayclock

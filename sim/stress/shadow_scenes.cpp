@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "model/core/rng.hpp"
 #include "model/scene/generate/generate.hpp"
 
 namespace rayclock {
@@ -128,8 +128,8 @@ Mesh floor(int bits) {
     Mesh mesh;
     const int r = reach(bits);
     quad(mesh, {-r, 0, -r}, {-r, 0, r}, {r, 0, r}, {r, 0, -r});
-    std::mt19937_64 rng(7);
-    const auto below = [&](int n) { return int(rng() % std::uint64_t(n)); };
+    Rng rng(7);
+    const auto below = [&](int n) { return rng.below(n); };
     for (int i = 0; i < 150; ++i) {
         const int size = 2 + below(40), x = below(2 * r - 100) - r, z = below(2 * r - 100) - r;
         if (i % 3 == 2) ball(mesh, 1, size, {x, size, z});                    // stands on its lowest point

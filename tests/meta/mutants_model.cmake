@@ -51,7 +51,7 @@ mutant(model_origin_end_counts FILE model/isect/origin.cpp TEST unit [origin]
   NEW [[hit->num << frac_bits <= hit->det]])
 mutant(model_origin_direction_rounded_up FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[(n[k] > 0) == (facing > 0) ?]]
-  NEW [[true ?]])
+  NEW [[(n[k] > 0) == (facing > 0) || d[k] == 0 ?]])
 mutant(model_origin_low_products_alone FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[(num >> 64) * det + Wide(low >> 64)]]
   NEW [[(num >> 64) * det]])
@@ -60,7 +60,7 @@ mutant(model_origin_boxes_inward FILE model/isect/origin.cpp TEST unit [origin]
   NEW [[box.near[k] = below;]])
 mutant(model_origin_side_dropped FILE sim/stress/shadows.cpp TEST system [shadows]~[slow]
   OLD [[side != to.facing || is_blocked]]
-  NEW [[is_blocked]])
+  NEW [[side == 0 || is_blocked]])
 mutant(model_origin_bits_cut_seen_by_rays FILE model/isect/origin.cpp TEST system [shadows]~[slow]
   OLD [[+ weights.u * e1[k] + weights.v * e2[k];]]
   NEW [[+ ((weights.u * e1[k] + weights.v * e2[k]) & ~1);]])

@@ -141,7 +141,7 @@ TEST_CASE("the search around a way skips no triangle that it meets", "[shadows]"
             REQUIRE((found[from] && found[to]));
             const Vec3i d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
             for (std::uint32_t t = 0; t < mesh.size(); ++t) {
-                const auto hit = oracle::cross<oracle::Int128>(a, d, mesh[t]);
+                const auto hit = oracle::cross<oracle::Int128, std::int64_t>(a, d, mesh[t]);
                 if (hit && hit->num <= hit->den) REQUIRE(found[t]);
             }
         }
