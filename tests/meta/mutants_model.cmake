@@ -15,9 +15,8 @@ mutant(model_tri_t_rounded_down FILE model/isect/tri.hpp WITH model/isect/tri.cp
   NEW [[q.whole]])
 # The sheared test: on closed surfaces, in slopes, and in the boxes that it needs.
 mutant(sheared_zero_counts_for_both QUICK FILE model/isect/sheared.cpp TEST unit [primitive]
-  OLD [[edge != 0 ? edge : p.y != q.y ? p.y - q.y : q.x - p.x;]]
-  NEW [[edge;
-    if (edge == 0) return sign;]])
+  OLD [[if (side(u, c, a) != sign ||]]
+  NEW [[if ((u != 0 && side(u, c, a) != sign) ||]])
 mutant(sheared_tie_by_one_axis FILE model/isect/sheared.cpp TEST unit [primitive]
   OLD [[edge != 0 ? edge : p.y != q.y ? p.y - q.y : q.x - p.x;]]
   NEW [[edge != 0 ? edge : p.y - q.y;]])

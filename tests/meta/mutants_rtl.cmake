@@ -63,8 +63,8 @@ mutant(shear_tie_turned QUICK FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared
   OLD [[s3_py < s3_qy : s3_qx < s3_px;]]
   NEW [[s3_py < s3_qy : s3_qx > s3_px;]])
 mutant(shear_plane_one_bit_short FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
-  OLD [[localparam int unsigned Q = N + 2;]]
-  NEW [[localparam int unsigned Q = N + 1;]])
+  OLD [[s3_x_q <= Q'(s2_x_q) + Q'($signed(s2_up_x[P-1:S]));]]
+  NEW [[s3_x_q <= Q'($signed(D'(s2_x_q) + D'($signed(s2_up_x[P-1:S]))));]])
 mutant(shear_slope_product_one_bit_short FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
   OLD [[localparam int unsigned P = M + N - 1;]]
   NEW [[localparam int unsigned P = M + N - 2;]])

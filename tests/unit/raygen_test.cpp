@@ -120,6 +120,7 @@ TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen
 
 TEST_CASE("model and rtl of raygen with slopes make the same moves in every cycle", "[raygen][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:narrow", "sheared:precise"));
+    check_lockstep<RaygenUnit>(config, Frame{}, flows[0], 1, 100, [&](Draw& draw) { return random_slot(draw, config); });   // d = 0
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 15; ++seed)
             check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500, [&](Draw& draw) { return random_slot(draw, config); });
