@@ -24,7 +24,7 @@ std::int64_t dot(const Vec3l& a, const Vec3l& b) { return product(a[0], b[0]) + 
 
 void truncated_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out) {
     no_hit(out);
-    const int up = frac - config.coord_bits, dir_up = frac + 1 - config.dir_bits;
+    const int up = frac + 1 - config.coord_bits, dir_up = frac + 1 - config.dir_bits;
     const Vec3l a = shifted(triangle.a, up), dir = shifted(d, dir_up);
     const Vec3l e1 = minus(shifted(triangle.b, up), a), e2 = minus(shifted(triangle.c, up), a), s = minus(shifted(o, up), a);
     const Vec3l p = cross(dir, e2), q = cross(s, e1);
@@ -33,7 +33,7 @@ void truncated_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, co
     const std::int64_t sign = det_raw < 0 ? -1 : 1, size = sign * det_raw;
     const std::int64_t u = sign * dot(s, p), v = sign * dot(dir, q), along = sign * dot(e2, q);
     if (u < 0 || v < 0 || u + v > size || along <= 0) return;
-    // Both scales are undone exactly: a step of t along d is 2^(N+1-M) of one along the scaled direction.
+    // Both scales are undone exactly: t is 2^(N-M) of what it is in the cube.
     const int back = up - dir_up;
     const std::int64_t num = shifted(along, std::max(0, -back)), det = shifted(size, std::max(0, back));
     if (best.found) {

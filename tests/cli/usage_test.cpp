@@ -81,6 +81,11 @@ TEST_CASE("caches, pipelines and memories that make no sense") {
            simulate({"--set", "l2_sets=100"}, {"l2_sets", "power of two"}), simulate({"--set", "pipelines=3"}, {"pipelines", "power of two"}),
            simulate({"--set", "pipelines=16"}, {"pipelines", "16"}), simulate({"--set", "cache_queue=1"}, {"cache_queue"}),
            simulate({"--set", "dram=ddr"}, {"'ddr'", "did you mean 'sdr'"}), simulate({"--set", "dram=2"}, {"'2'"}),
+           simulate({"--set", "primitive_test=shared"}, {"'shared'", "did you mean 'sheared'"}),
+           simulate({"--set", "primitive_test=sheared", "--set", "dir_bits=19"}, {"dir_bits", "coord_bits + 2", "20", "19"}),
+           simulate({"--engine", "rtl", "--set", "primitive_test=woop"}, {"primitive_test=woop", "software only"}),
+           {{"verify", "tetra:1", "--set", "primitive_test=moller"}, {"primitive_test=moller", "software only"}},
+           {{"rtl", "--set", "primitive_test=unit24"}, {"primitive_test=unit24", "software only"}},
            simulate({"--set", "tile_bits=9"}, {"tile_bits"}), {{"rtl", "--set", "node_ways=0"}, {"node_ways"}},
            {{"simulate", "gears:12", "--set", "dram=rpu", "--set", "coord_bits=20", "--size", "8x8", "--set", "node_width=2", "--set", "stack_depth=64"}, {"'rpu'", "bytes", "dram=ddr3"}}});
 }

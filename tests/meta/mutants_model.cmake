@@ -13,6 +13,35 @@ mutant(model_tri_higher_number_wins FILE model/isect/tri.cpp TEST unit [tri]
 mutant(model_tri_t_rounded_down FILE model/isect/tri.hpp WITH model/isect/tri.cpp TEST unit [tri]
   OLD [[q.whole + q.rest]]
   NEW [[q.whole]])
+# The sheared test: on closed surfaces, in slopes, and in the boxes that it needs.
+mutant(sheared_zero_counts_for_both QUICK FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[if (side(u, c, a) != sign ||]]
+  NEW [[if ((u != 0 && side(u, c, a) != sign) ||]])
+mutant(sheared_tie_by_one_axis FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[edge != 0 ? edge : p.y != q.y ? p.y - q.y : q.x - p.x;]]
+  NEW [[edge != 0 ? edge : p.y - q.y;]])
+mutant(sheared_rounds_by_triangle QUICK FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[b = sheared(triangle.b, o, shear, frac),]]
+  NEW [[b = [&] { Corner r = sheared(triangle.b, o, shear, frac); r.x += triangle.prim & 1; return r; }(),]])
+mutant(sheared_product_drops_a_bit FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[return p.x * q.y - p.y * q.x; }]]
+  NEW [[return (p.x * q.y - p.y * q.x) & ~std::int64_t(1); }]])
+mutant(sheared_slope_rounded_down FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[(twice + 1) >> 1]]
+  NEW [[twice >> 1]])
+mutant(sheared_axis_of_equals_is_the_highest FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[if (std::abs(d[k]) > std::abs(d[shear.axis])) shear.axis = k;]]
+  NEW [[if (std::abs(d[k]) >= std::abs(d[shear.axis])) shear.axis = k;]])
+mutant(sheared_corner_rounded_down FILE model/isect/sheared.cpp TEST unit [primitive]
+  OLD [[half = std::int64_t(1) << (frac - 1);]]
+  NEW [[half = 0;]])
+mutant(sheared_boxes_are_not_larger FILE model/accel/compile.cpp TEST unit [primitive]
+  OLD [[            --boxes[i].lo[k];
+            ++boxes[i].hi[k];]]
+  NEW [[            (void)k;]])
+mutant(sheared_seams_left_open FILE model/accel/compile.cpp TEST unit [primitive]
+  OLD [[return config.is_sheared() ?]]
+  NEW [[return config.is_sheared() && !has_area(t) ? false : config.is_sheared() ?]])
 mutant(model_box_near_rounded_up FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box]
   OLD [[near_0 = round_down(]]
   NEW [[near_0 = round_up(]])

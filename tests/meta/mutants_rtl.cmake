@@ -55,6 +55,38 @@ mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
   OLD [[.u_i(f2_u_q), .v_i(f2_v_q),]]
   NEW [[.u_i(f2_v_q), .v_i(f2_u_q),]])
 
+# ---- tri, sheared, and the slopes that raygen makes for it.
+mutant(shear_half_forgotten QUICK FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+  OLD [[s2_up_x = $signed({{(P-S){1'b0}}, 1'b1, {(S-1){1'b0}}}) - s2_px_q;]]
+  NEW [[s2_up_x = -s2_px_q;]])
+mutant(shear_tie_turned QUICK FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+  OLD [[s3_py < s3_qy : s3_qx < s3_px;]]
+  NEW [[s3_py < s3_qy : s3_qx > s3_px;]])
+mutant(shear_plane_one_bit_short FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+  OLD [[s3_x_q <= Q'(s2_x_q) + Q'($signed(s2_up_x[P-1:S]));]]
+  NEW [[s3_x_q <= Q'($signed(D'(s2_x_q) + D'($signed(s2_up_x[P-1:S]))));]])
+mutant(shear_slope_product_one_bit_short FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+  OLD [[localparam int unsigned P = M + N - 1;]]
+  NEW [[localparam int unsigned P = M + N - 2;]])
+mutant(shear_origin_counts FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+  OLD [[&& s5_num_q != '0 && s5_num_q[U-1] == s5_turn;]]
+  NEW [[&& (s5_num_q == '0 || s5_num_q[U-1] == s5_turn);]])
+mutant(shear_axes_swapped FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+  OLD [[{p[2*N-1:0], p[3*N-1:2*N]} : p;]]
+  NEW [[{p[2*N-1:N], p[3*N-1:2*N], p[N-1:0]} : p;]])
+mutant(tri_sheared_den_forgets_direction FILE rtl/isect/rc_tri.sv TEST unit [tri][sheared]
+  OLD [[{{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};]]
+  NEW [[{f0_det, {(E-D){1'b0}}} | {{(E-M){1'b0}}, f0_size};]])
+mutant(slope_rounded_down QUICK FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
+  OLD [[({x_one, x_quo[2*Stages-1 -: M-1]} + M'(1)) >> 1;]]
+  NEW [[{x_one, x_quo[2*Stages-1 -: M-1]} >> 1;]])
+mutant(slope_upper_axis_wins FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
+  OLD [[end else if (s0_1 >= s0_2) begin]]
+  NEW [[end else if (s0_1 > s0_2) begin]])
+mutant(slope_of_nothing_is_one FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
+  OLD [[assign y_size = z == '0 ? '0 :]]
+  NEW [[assign y_size =]])
+
 # ---- trav, list, sched: who goes where.
 mutant(stack_below_of_top_only QUICK FILE rtl/trav/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;]]

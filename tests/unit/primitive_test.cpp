@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/accel/decode.hpp"
 #include "model/core/error.hpp"
 #include "model/isect/primitive.hpp"
 #include "model/isect/sheared.hpp"
 #include "model/isect/unit24.hpp"
+#include "model/raygen/raygen.hpp"
 #include "model/scene/builtin.hpp"
+#include "model/trace/trace.hpp"
 #include "tests/support/tri_cases.hpp"
 
 using namespace rayclock;
@@ -248,6 +251,78 @@ TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primi
     REQUIRE(largest_num < std::int64_t(1) << (config.num_bits() - 1));
     REQUIRE(largest_det < std::int64_t(1) << (config.edge_bits() - 1));
     REQUIRE(largest_det > std::int64_t(1) << (config.edge_bits() - 4));
+}
+
+TEST_CASE("the tree loses no hit of the sheared test, and a closed surface shows no hole", "[primitive]") {
+    const int bits = GENERATE(12, 14, 17, 20);
+    Config config = with_test("sheared", bits);
+    config.dir_bits = bits + 2;   // the largest errors
+    config.leaf_size = GENERATE(1, 4);
+    Scene scene = make_builtin("icosphere:4");
+    // Near, so that most of the frame is covered and triangles are seen under all angles.
+    const Camera camera{{0.9, 0.8, 0.7}, {0.3, 0.2, 0.1}, {0, 1, 0}, 100};
+    const MemoryImage image = compile_scene(scene, camera.eye, config);
+    REQUIRE(check_image(image, config, &scene).empty());
+    std::vector<PrimData> all;
+    for_each_triangle(image, config, [&](const PrimData& t) { all.push_back(t); });
+    const Frame frame = make_frame(camera, {48, 48}, image.lattice, config);
+    const Trace trace = record_trace(image, frame, config, 1);
+    int found = 0;
+    for (std::uint32_t y = 0; y < frame.height; ++y)
+        for (std::uint32_t x = 0; x < frame.width; ++x) {
+            const Shear shear = shear_of(pixel_direction(x, y, frame), config);
+            TriRsp closest, rsp;
+            int crossed = 0;
+            Best best;
+            for (const PrimData& t : all) {
+                sheared_test(frame.eye, shear, t, {}, config, rsp);
+                crossed += int(rsp.closer);
+                sheared_test(frame.eye, shear, t, best, config, rsp);
+                if (!rsp.closer) continue;
+                closest = rsp;
+                best = {1, rsp.num, rsp.det, rsp.prim};
+            }
+            const Closest& got = trace.hits[std::size_t(y) * frame.width + x];
+            CAPTURE(bits, x, y);
+            REQUIRE(crossed % 2 == 0);
+            REQUIRE(got.found == best.found);
+            if (!best.found) continue;
+            ++found;
+            REQUIRE((got.prim == closest.prim && got.t == closest.t && got.u == closest.u && got.v == closest.v));
+        }
+    REQUIRE(found > 500);
+}
+
+TEST_CASE("a triangle without area keeps a seam of the sheared test shut", "[primitive]") {
+    // A seam from p to q with a triangle on one side, two on the other, and a flat one between them: no T-junction.
+    const Config config = with_test("sheared");
+    Draw draw{12};
+    int open = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3i p{draw.between(-30000, -10000), draw.between(-9000, 9000), 2 * draw.between(-5000, 5000)};
+        const Vec3i t{p[0] + draw.between(5000, 15000), p[1] + draw.between(-3000, 3000), p[2] + draw.between(-4000, 4000)};
+        const Vec3i q{2 * t[0] - p[0], 2 * t[1] - p[1], 2 * t[2] - p[2]}, left{draw.between(-9000, 9000), 60000, 0}, right{draw.between(-9000, 9000), -60000, 0};
+        const std::vector<PrimData> all{{p, q, left, 0}, {p, right, t, 1}, {t, right, q, 2}, {p, t, q, 3}};
+        const double along = 0.05 + draw.below(900) / 1000.0;
+        const std::array<double, 3> target{p[0] + along * (q[0] - p[0]), p[1] + along * (q[1] - p[1]), p[2] + along * (q[2] - p[2])};
+        const Vec3i o{draw.between(-40000, 40000), draw.between(-40000, 40000), 120000}, d = towards(o, target, config.dir_bits);
+        CAPTURE(i);
+        REQUIRE(crossings(config, all, o, d) % 2 == 1);
+        open += crossings(config, {all.begin(), all.end() - 1}, o, d) % 2 == 0;
+    }
+    REQUIRE(open > 0);   // else the flat one would not matter
+
+    // So the compiler keeps it, and drops it for the exact test, which has no use for it.
+    Scene scene;
+    scene.name = "seam";
+    scene.materials.emplace_back();
+    scene.vertices = {{-2, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 0}};
+    for (const std::array<std::uint32_t, 3>& v : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 3, 4}, {4, 3, 1}, {0, 4, 1}, {0, 0, 1}}) scene.triangles.push_back({v, 0});
+    for (const char* name : {"exact", "sheared"}) {
+        const MemoryImage image = compile_scene(scene, {0, 0, 4}, with_test(name));
+        REQUIRE(check_image(image, with_test(name), &scene).empty());
+        REQUIRE(image.report.collapsed == (std::string(name) == "exact" ? 2 : 1));
+    }
 }
 
 TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]") {

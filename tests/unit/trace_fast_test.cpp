@@ -19,7 +19,9 @@ __extension__ using Wide = __int128;
 /// The default with one or more parameters at their ends.
 Config with(std::initializer_list<std::pair<const char*, int>> values) {
     Config config = named_config("default");
-    for (const auto& [key, value] : values) set_parameter(config, key, std::to_string(value), "test");
+    for (const Parameter& p : parameters())
+        for (const auto& [key, value] : values)
+            if (key == std::string(p.key)) config.*p.member = value;
     check_config(config, "test");
     return config;
 }
@@ -31,6 +33,14 @@ std::vector<Config> corner_configs() {
             with({{"bary_bits", 4}, {"box_bits", 4}}), with({{"box_bits", 5}, {"node_width", 4}, {"stack_depth", 64}}),
             with({{"box_bits", 7}, {"leaf_size", 6}}), with({{"node_width", 2}, {"stack_depth", 64}}),
             with({{"node_width", 4}, {"stack_depth", 64}, {"leaf_size", 3}})};
+}
+
+/// The same, and each primitive test.
+std::vector<Config> configs_of_traces() {
+    std::vector<Config> all = corner_configs();
+    for (int test = 1; test < int(primitive_test_names().size()); ++test) all.push_back(with({{"primitive_test", test}}));
+    all.push_back(with({{"primitive_test", 1}, {"coord_bits", 12}, {"dir_bits", 14}, {"leaf_size", 6}}));
+    return all;
 }
 
 bool same_node(const WideNode& a, const WideNode& b) {
@@ -174,7 +184,7 @@ TEST_CASE("a triangle seen from a point is the triangle", "[trace]") {
 
 TEST_CASE("a trace is what the walk walks, with the processor's wider vectors and without", "[trace]") {
     const auto name = GENERATE("gears:1", "balls:1", "mount:4", "rings:1", "cornell");
-    for (const Config& config : corner_configs()) {
+    for (const Config& config : configs_of_traces()) {
         Scene scene = make_builtin(name);
         const FrameSize size{37, 21};
         if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
@@ -197,7 +207,7 @@ TEST_CASE("a trace is what the walk walks, with the processor's wider vectors an
                     for (std::uint32_t x = x0; x < block.x1; ++x, ++n) {
                         const std::size_t pixel = std::size_t(y) * frame.width + x;
                         const auto expected = walked(walk, {0, x, y});
-                        CAPTURE(config.node_width, config.leaf_size, x, y);
+                        CAPTURE(config.node_width, config.leaf_size, config.primitive_test, x, y);
                         REQUIRE(std::equal(expected.begin(), expected.end(), trace.rays[pixel]));
                         REQUIRE(std::equal(expected.begin(), expected.end(), &scratch.words[scratch.starts[n]]));
                         REQUIRE(same(trace.hits[pixel], walk.closest(), config));

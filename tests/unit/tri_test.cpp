@@ -58,7 +58,7 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
     for (std::size_t i = 0; i < rsps.size(); ++i) judge(requests[i], rsps[i], config);
 }
 
-TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice", "[tri][lockstep]") {
+TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice", "[tri][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:wide"));
     std::vector<TriReq> requests;
     for (int i = 0; i < 1 << 15; i += 3) {   // corners a, b, c, origin and direction
@@ -140,7 +140,14 @@ TEMPLATE_TEST_CASE("tri takes a triangle in every cycle", "[tri]", Model<TriUnit
 }
 
 TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lockstep]") {
-    const Config config = format(GENERATE("default", "small", "narrow", "wide", "sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
+    const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed)
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_tri_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {
+    const Config config = format(GENERATE("sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_tri_req(draw, config); });
