@@ -23,15 +23,12 @@ int least(int Config::*member) { return parameter(member).lo; }
 
 std::string broken_rule(const Config& config) {
     try {
-        check_config(config, "rule");
+        check_config(config, "");
         return {};
     } catch (const UserError& e) {
-        return e.what();
+        return std::string(e.what()).substr(2);   // behind ": "
     }
 }
-
-/// The value one step below.
-int below(const Parameter& p, int value) { return p.power_of_two ? value / 2 : value - 1; }
 
 } // namespace
 
@@ -157,18 +154,24 @@ void Search::fit_to_scene() {
     best_.pixel_bits = std::max(least(&Config::pixel_bits), bits_for(std::uint64_t(std::max(measure_.size().width, measure_.size().height))));
 }
 
-/// `why` in place of the violation's own sentence, if it is not empty.
-Fitted Search::fitted(int Config::*member, Purpose purpose, const std::string& why) {
-    Fitted f{&parameter(member), purpose, best_.*member, {}};
+/// What the last round of descend() found one step below; all of it is remembered.
+Fitted Search::fitted(int Config::*member, Purpose purpose) {
+    Fitted f{&parameter(member), purpose, best_.*member, "there is no less"};
+    if (f.value == f.parameter->lo) return f;
     Config lower = best_;
-    lower.*member = below(*f.parameter, f.value);
-    if (lower.*member < f.parameter->lo) {
-        f.below = "there is no less";
-        return f;
-    }
+    --(lower.*member);
     f.below = violation(lower);
     if (f.below.empty()) throw std::logic_error(std::string("fit: ") + f.parameter->key + " can be lowered, and was not");
-    if (!why.empty() && broken_rule(lower).empty()) f.below = why;
+    return f;
+}
+
+/// A width that tells things apart: with one bit fewer, or half the places, some have none.
+Fitted Search::needed(int Config::*member, const std::string& why) const {
+    Fitted f{&parameter(member), Purpose::correctness, best_.*member, why};
+    Config lower = best_;
+    lower.*member = f.parameter->power_of_two ? f.value / 2 : f.value - 1;
+    if (f.value == f.parameter->lo) f.below = "there is no less";
+    else if (const std::string rule = broken_rule(lower); !rule.empty()) f.below = rule;
     return f;
 }
 
@@ -176,16 +179,22 @@ std::optional<Fit> Search::run() {
     if (!find_lattice_and_directions()) return {};
     for (int Config::*member : {&Config::recip_bits, &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits}) bisect(member);
     descend();
+    Fit fit;
+    fit.widest = measure_(widest(best_));
+    for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::t_frac_bits, &Config::bary_bits})
+        fit.parameters.push_back(fitted(member, Purpose::accuracy));
+    for (int Config::*member : {&Config::recip_bits, &Config::box_bits}) fit.parameters.push_back(fitted(member, Purpose::work));
     fit_to_scene();
-    Fit fit{best_, measure_(best_), measure_(widest(best_)), cost_of(best_), cost_of(given_), {}};
-    const auto add = [&](int Config::*member, Purpose purpose, const std::string& why = {}) { fit.parameters.push_back(fitted(member, purpose, why)); };
+    fit.config = best_;
+    fit.outcome = measure_(best_);
+    if (!fit.outcome.refused.empty()) throw std::logic_error("fit: " + fit.outcome.refused);
     const CompileReport& report = fit.outcome.compile;
-    add(&Config::stack_depth, Purpose::correctness, fmt::format("a ray keeps up to {} groups of siblings", report.stack_need));
-    add(&Config::addr_bits, Purpose::correctness, fmt::format("the memory image has {} lines", report.bytes / line_bytes));
-    add(&Config::prim_bits, Purpose::correctness, fmt::format("the scene has {} triangles", report.triangles));
-    add(&Config::pixel_bits, Purpose::correctness, fmt::format("the picture has {} x {} pixels", measure_.size().width, measure_.size().height));
-    for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::t_frac_bits, &Config::bary_bits}) add(member, Purpose::accuracy);
-    for (int Config::*member : {&Config::recip_bits, &Config::box_bits}) add(member, Purpose::work);
+    fit.parameters.push_back(needed(&Config::stack_depth, fmt::format("a ray keeps up to {} groups of siblings", report.stack_need)));
+    fit.parameters.push_back(needed(&Config::addr_bits, fmt::format("the memory image has {} lines", report.bytes / line_bytes)));
+    fit.parameters.push_back(needed(&Config::prim_bits, fmt::format("the scene has {} triangles", report.triangles)));
+    fit.parameters.push_back(needed(&Config::pixel_bits, fmt::format("the picture has {} x {} pixels", measure_.size().width, measure_.size().height)));
+    fit.cost = cost_of(best_);
+    fit.base_cost = cost_of(given_);
     return fit;
 }
 

@@ -66,7 +66,8 @@ private:
     void bisect(int Config::*member);
     void descend();
     void fit_to_scene();
-    Fitted fitted(int Config::*member, Purpose purpose, const std::string& why);
+    Fitted fitted(int Config::*member, Purpose purpose);
+    Fitted needed(int Config::*member, const std::string& why) const;
 
     Measure& measure_;
     Config given_, base_;           ///< base: with the widest addresses and the deepest stack

@@ -1,10 +1,12 @@
 #include <catch2/catch.hpp>
 
+#include <bit>
 #include <cmath>
 #include <random>
 
 #include "model/accel/memory_image.hpp"
 #include "model/raygen/raygen.hpp"
+#include "tests/accel/meshes.hpp"
 
 using namespace rayclock;
 
@@ -110,4 +112,27 @@ TEST_CASE("small pictures are right in every pixel") {
                 REQUIRE(std::abs(ray.d[std::size_t(k)] - scale * d[k]) < 1);
             }
         }
+}
+
+TEST_CASE("what a configuration's addresses and numbers cannot tell is refused in a sentence") {
+    const Scene scene = sheet(10);
+    const glm::dvec3 eye{0, 0, 5};
+    Config config;
+    const MemoryImage image = compile_scene(scene, eye, config);
+    const auto refuses = [&](int Config::*member, int enough, const char* word) {
+        INFO(word << " of " << enough);
+        Config narrow = config;
+        narrow.*member = enough;
+        REQUIRE_NOTHROW(compile_scene(scene, eye, narrow));
+        narrow.*member = enough - 1;
+        CHECK_THROWS_WITH(compile_scene(scene, eye, narrow), Catch::Contains(word) && Catch::Contains("--set " + std::string(word) + "="));
+    };
+    refuses(&Config::addr_bits, std::bit_width(image.lines() - 1), "addr_bits");
+    refuses(&Config::prim_bits, int(std::bit_width(scene.triangles.size() - 1)), "prim_bits");
+
+    Camera camera;
+    camera.eye = eye;
+    config.pixel_bits = 8;
+    CHECK_NOTHROW(make_frame(camera, {256, 3}, image.lattice, config));
+    CHECK_THROWS_WITH(make_frame(camera, {3, 257}, image.lattice, config), Catch::Contains("--set pixel_bits=9"));
 }

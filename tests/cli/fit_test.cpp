@@ -116,8 +116,9 @@ TEST_CASE("fit refuses goals that make no sense, and writes nothing") {
         CHECK(folder.contents().empty());
     };
     for (const char* text : {"0%", "0 %", "-1%", "-0.1 %", "100%", "200 %", "200%", "1e3%"}) fit({std::string("--max-error=") + text}, {"--max-error", text, "100 %"});
-    for (const char* text : {"0.1", "nan%", "inf%", "%", "", " %", "abc", "0,1%", "0.1%%", "0x1%", "1% 2%", "0.1 % "})
+    for (const char* text : {"0.1", "nan%", "inf%", "%", " %", "abc", "0,1%", "0.1%%", "0x1%", "1% 2%", "0.1 % "})
         fit({std::string("--max-error=") + text}, {"--max-error", "not a percentage"});
+    fit({"--max-error="}, {"--max-error"});
     fit({"--max-work=100%"}, {"--max-work", "100 %"});
     fit({"--max-work=-1%"}, {"--max-work"});
     fit({"--max-work", "much"}, {"--max-work", "'much'"});

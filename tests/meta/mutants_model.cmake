@@ -199,7 +199,7 @@ mutant(fit_tri_term_dropped FILE sim/fit/extremes.cpp TEST unit "tri's intervals
   NEW [[return d[i] * point(e[j]);]])
 mutant(fit_product_of_ends FILE sim/fit/interval.hpp WITH tests/unit/ranges_test.cpp sim/fit/extremes.cpp sim/fit/ranges_box.cpp TEST unit "intervals hold*"
   OLD [[return {std::min({p, q, r, s}), std::max({p, q, r, s})};]]
-  NEW [[return {std::min(p, s), std::max(p, s)};]])
+  NEW [[return {std::min({p, q, s}), std::max({p, r, s})};]])
 mutant(fit_direction_of_first_pixel FILE sim/fit/extremes.cpp TEST unit "every value that the rays*"
   OLD [[const Interval x{0, Wide(f.width) - 1}, y{0, Wide(f.height) - 1};]]
   NEW [[const Interval x{0, 0}, y{0, Wide(f.height) - 1};]])
