@@ -37,11 +37,10 @@ template <class Dut, class Make, class Judge> void pour(Dut& dut, std::uint64_t 
             ++received;
             idle = 0;
         }
-        if (dut.in.fires()) {
-            waiting.push_back(*dut.in.offer);
-            dut.in.offer.reset();
-        }
+        const bool taken = dut.in.fires();
+        if (taken) waiting.push_back(*dut.in.offer);
         dut.commit();
+        if (taken) dut.in.offer.reset();
         if (idle > 1000) FAIL("no answer for 1000 cycles");
     }
 }
@@ -171,5 +170,31 @@ inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& confi
         verdict.late += said[i] * enter->den > enter->num << (config.dir_bits - 1 + config.t_frac_bits);
     }
 }
+
+// ---- Triangles.
+
+/// The `number`-th vector of n-bit components.
+inline Vec3i vector_of(std::uint64_t number, int n) {
+    const auto part = [&](int k) { return std::int32_t(number >> (n * k) & ((1u << n) - 1)) - (1 << (n - 1)); };
+    return {part(0), part(1), part(2)};
+}
+/// The `number`-th request of all: b, c, o, d, and a last.
+inline TriReq tri_request(std::uint64_t number, const Config& config) {
+    const int n = config.coord_bits;
+    const auto take = [&](int bits) {
+        const Vec3i v = vector_of(number, bits);
+        number >>= 3 * bits;
+        return v;
+    };
+    TriReq req;
+    req.triangle.prim = 5;
+    req.triangle.b = take(n);
+    req.triangle.c = take(n);
+    req.o = take(n);
+    req.d = take(config.dir_bits);
+    req.triangle.a = take(n);
+    return req;
+}
+inline std::uint64_t tri_requests(const Config& config) { return std::uint64_t(1) << (3 * (4 * config.coord_bits + config.dir_bits)); }
 
 } // namespace rayclock::test
