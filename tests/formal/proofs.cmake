@@ -105,3 +105,14 @@ prove(mutant:formal_cache_asks_again_for_a_join TOP cache_always RTL ${cache} CY
 prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 FILE mem/rc_cache.sv
   OLD [[assign pop   = hit || merge || miss;]]
   NEW [[assign pop   = hit || (merge && rsp_ready_i && !rsp_valid_o && waits_o && !fill_fires_i && full) || miss;]])
+
+# ---- Division, for every operand.
+foreach(stages IN ITEMS 2 3)
+  prove(formal:divide_of_5_bits_in_${stages}_stages TOP divide RTL fixed/rc_divide.sv WITH Stages=${stages} INDUCTION 6)
+endforeach()
+prove(mutant:formal_divide_keeps_a_rest_too_large TOP divide RTL fixed/rc_divide.sv CYCLES 5 FILE fixed/rc_divide.sv
+  OLD [[rem_q <= second_less[Width] ?]]
+  NEW [[rem_q <= second_less[Width] || second_less == '0 ?]])
+prove(mutant:formal_divide_one_bit_short TOP divide RTL fixed/rc_divide.sv CYCLES 5 FILE fixed/rc_divide.sv
+  OLD [[first_less  = first - {1'b0, den_d};]]
+  NEW [[first_less  = {1'b0, first[Width-1:0]} - {1'b0, den_d};]])

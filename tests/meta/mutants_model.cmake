@@ -215,3 +215,26 @@ mutant(fit_forgets_colour FILE sim/fit/search.cpp TEST unit "what fit finds*"
 mutant(fit_forgets_work FILE sim/fit/search.cpp TEST unit "what fit finds*"
   OLD [[if (more > goal_.max_work)]]
   NEW [[if (more > 2 * goal_.max_work)]])
+
+# ---- Boxes: what docs/boxes.md says must not happen, and the oracle that would see it.
+mutant(model_box_near_strictly_below_far QUICK FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+  OLD [[down - 1.0 < far && far >= 0.0]]
+  NEW [[down < far && far >= 0.0]])
+mutant(model_box_far_rounded_down FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+  OLD [[far_0 = round_up(]]
+  NEW [[far_0 = round_down(]])
+mutant(model_box_left_at_the_origin FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+  OLD [[down - 1.0 < far && far >= 0.0]]
+  NEW [[down - 1.0 < far && far > 0.0]])
+mutant(model_box_zero_strict FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+  OLD [[n > 0.0 || f < 0.0]]
+  NEW [[n >= 0.0 || f < 0.0]])
+mutant(model_child_box_low_planes_inward FILE model/accel/encode.cpp TEST accel "a node's boxes*"
+  OLD [[std::uint32_t(children[i].box.lo[k] - node.org[k]) >> node.exp[k];]]
+  NEW [[ceil_shift(std::uint32_t(children[i].box.lo[k] - node.org[k]), node.exp[k]);]])
+mutant(model_overlap_open_box FILE model/oracle/overlap.cpp TEST unit [overlap]
+  OLD [[if (less(leave[i], enter)) return std::nullopt;]]
+  NEW [[if (!less(enter, leave[i])) return std::nullopt;]])
+mutant(model_overlap_behind_the_origin FILE model/oracle/overlap.cpp TEST unit [overlap]
+  OLD [[if (less(enter, in)) enter = in;]]
+  NEW [[if (k == 0 || less(enter, in)) enter = in;]])

@@ -327,3 +327,26 @@ mutant(mshr_highest_is_taken FILE rtl/mem/rc_mshr.sv TEST unit [cache][lockstep]
   OLD [[assign free    = gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;]]
   NEW [[assign free    = !busy_q || gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;]])
 
+
+# ---- What every operand of a small width shows.
+mutant(small_slab_distance_one_bit_short QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][small]
+  OLD [[localparam int unsigned D  = N + 1; ]]
+  NEW [[localparam int unsigned D  = N; ]])
+mutant(small_slab_saturation_wraps FILE rtl/trav/rc_slab.sv TEST unit [box][small]
+  OLD [[scale = |moved[63:T] ? '1 : moved[T-1:0];]]
+  NEW [[scale = |moved[63:T+1] || (moved[T] && moved[0]) ? '1 : moved[T-1:0];]])
+mutant(small_slab_zero_is_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][small]
+  OLD [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};]]
+  NEW [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, 1'b1};]])
+mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [raygen][small]
+  OLD [[assign s0_top = s0_m[M-2:0] == '0;]]
+  NEW [[assign s0_top = s0_m[M-2:0] == '0 && !s0_m[M-1];]])
+mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][small]
+  OLD [[+ $signed({{(M){1'b0}}, 1'b1, {(rc_pkg::GuardBits-1){1'b0}}});]]
+  NEW [[+ $signed({{(M){1'b0}}, 1'b0, {(rc_pkg::GuardBits-1){1'b1}}});]])
+mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
+  OLD [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q < s3_p2z_q;]]
+  NEW [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q > s3_p2z_q;]])
+mutant(small_tri_compares_the_cut_product FILE rtl/isect/rc_tri.sv TEST unit [tri][small]
+  OLD [[assign s5_closer = s5_hit_q && (!s5_found_q || s5_mine_q < s5_theirs_q]]
+  NEW [=[assign s5_closer = s5_hit_q && (!s5_found_q || s5_mine_q[U+E-1:1] < s5_theirs_q[U+E-1:1]]=])
