@@ -33,6 +33,11 @@ void traffic_options(CLI::App& app, Options& o) {
     app.add_option("--stall", o.stall, "percent of cycles in which memory and output accept nothing");
 }
 
+void sweep_options(CLI::App& app, Options& o) {
+    app.add_flag("--fresh", o.fresh, "work everything out again; otherwise what an earlier run has finished is taken from the cache");
+    app.add_flag("--no-netlist", o.no_netlist, "do not count multipliers and flip-flops (Yosys takes some ten seconds per configuration)");
+}
+
 struct Command {
     CLI::App* app;
     std::function<int(const Options&)> run;
@@ -101,6 +106,8 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     clock_option(sweep, o);
     config_options(sweep, o);
     sweep.add_option("-o,--output", o.output, "table as CSV");
+    sweep.add_option("--plot", o.plot, "writes NAME.svg and NAME.png: error against cost and against speed, with the fronts and the knee");
+    sweep_options(sweep, o);
     threads_option(sweep, o);
     json_option(sweep, o);
 
