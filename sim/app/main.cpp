@@ -123,6 +123,15 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     threads_option(fit, o);
     json_option(fit, o);
 
+    CLI::App& tradeoff = add("tradeoff", "the page that says what each bit costs and brings: one width at a time, and a grid with its Pareto front",
+                             "rayclock tradeoff -o docs/speed-against-error.md", tradeoff_command);
+    tradeoff.add_option("-o,--output", o.output, "Markdown file to write; the plots go beside it")->required();
+    o.scenes = default_tradeoff_scenes();
+    tradeoff.add_option("--scenes", o.scenes, "scenes, with commas")->delimiter(',')->capture_default_str();
+    size_option(tradeoff, o);
+    sweep_options(tradeoff, o);
+    threads_option(tradeoff, o);
+
     CLI::App& yardstick = add("yardstick", "the page that sets this machine beside the published figures of SaarCOR and RPU",
                               "rayclock yardstick -o docs/yardstick.md", yardstick_command);
     yardstick.add_option("-o,--output", o.output, "Markdown file to write")->required();

@@ -41,6 +41,7 @@ struct Options {
     std::string plot;
     bool fresh = false;
     bool no_netlist = false;
+    std::vector<std::string> scenes;
 };
 
 /// "512x384". Throws UserError.

@@ -33,7 +33,7 @@ int sweep_command(const Options& o) {
 
     if (o.json != "-") {
         fmt::print("{}, {}x{}: {} points from {} traces, {} of them known before\n{}", scene.name, size.width, size.height, outcome.results.size(),
-                   outcome.traces, outcome.results.size() - outcome.worked, sweep::text(axes, outcome, front));
+                   outcome.traces, outcome.known, sweep::text(axes, outcome, front));
         if (!cache.trouble().empty()) fmt::print("  nothing is kept for the next run: {}\n", cache.trouble());
         if (outcome.partial) fmt::print("  PARTIAL: interrupted; the same command goes on where it was\n");
     }

@@ -59,7 +59,7 @@ public:
     Runner(const Plan& plan, Cache& cache, const Progress& progress) : plan_(plan), cache_(cache), progress_(progress) {
         scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene), plan.size.width, plan.size.height);
         cores_ = plan.threads > 0 ? std::size_t(plan.threads) : std::max(1u, std::thread::hardware_concurrency());
-        for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, false});
+        for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}});
     }
 
     Outcome run() {
@@ -71,7 +71,6 @@ public:
             if (needs_trace(group)) tasks_.add([this, &group = group] { trace(group); });
         tell(0);
         tasks_.run(cores_);
-        for (Result& r : outcome_.results) r.known = r.known && !r.refused();
         outcome_.traces = groups_.size();
         return std::move(outcome_);
     }
@@ -100,11 +99,8 @@ private:
                 group.picture_known = true;
                 for (Result* r : group.results) r->picture = picture_of(*picture);
             }
-        for (Result& r : outcome_.results) {
-            r.known = r.refused() || r.complete();
-            if (!r.known) ++all_;
-        }
-        outcome_.worked = all_;
+        for (const auto& [format, group] : groups_)
+            for (const Result* r : group.results) ++(r->refused() || r->complete() ? outcome_.known : all_);
     }
 
     void plan_netlists() {

@@ -21,7 +21,6 @@ struct Result {
     nlohmann::ordered_json clock;                  ///< as clock_json() gives it, or null
     std::optional<PictureFigures> picture;
     std::optional<std::uint64_t> multipliers, flip_flops;
-    bool known = false;                            ///< frame and picture came from the cache
 
     bool refused() const { return !point.refused.empty(); }
     bool complete() const { return picture && !clock.is_null(); }
@@ -41,7 +40,7 @@ struct Plan {
 struct Outcome {
     std::vector<Result> results;      ///< [point]
     std::size_t traces = 0;           ///< different formats
-    std::size_t worked = 0;           ///< frames that were not in the cache
+    std::size_t known = 0;            ///< points that the cache had
     std::string netlist_note;         ///< why multipliers and flip-flops are missing, or empty
     bool partial = false;             ///< interrupted before everything was done
 };
