@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "model/core/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
@@ -106,12 +107,12 @@ struct WorkFolder {
 } // namespace
 
 bool exists_in_rtl(const Config& config) {
-    for (const Parameter& p : parameters())
-        if (std::string_view(p.key) == "primitive_test") {
-            const std::string test = value_text(config, p);
-            return test == "exact" || test == "sheared";
-        }
-    return true;
+    try {
+        check_rtl(config);
+        return true;
+    } catch (const UserError&) {
+        return false;
+    }
 }
 
 const std::string& yosys_version() {

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 namespace {
 
 ordered_json picture_json(const PictureFigures& p) {
-    ordered_json json = error_json(p.error);
+    ordered_json json = error_json(p.error, std::nullopt);
     json["cracks"] = p.cracks;
     json["memory_bytes"] = p.memory_bytes;
     return json;

@@ -51,9 +51,8 @@ Study make_study(int khz) {
     maker.add_series("box_bits=4:8", "Bits of a child box plane relative to its node. Boxes are rounded outwards, so that fewer bits cost visits and never a pixel.", base);
     maker.add_series("recip_bits=8:24:4", "Precision of the reciprocal directions that the box test multiplies with; rounded outwards likewise.", base);
     maker.add_series("node_width=2,4,8", "Children of a node, with a stack of 64 groups, which the narrow trees need. No width of a number, and so no error; for comparison.", deep);
-    for (const Parameter& p : parameters())
-        if (std::string_view(p.key) == "primitive_test")
-            maker.add_series(fmt::format("primitive_test={}", fmt::join(*p.names, ",")), "The test of ray against triangle. Those that are software only have no multipliers and flip-flops.", base);
+    maker.add_series(fmt::format("primitive_test={}", fmt::join(primitive_test_names(), ",")),
+                     "The test of ray against triangle. All but exact and sheared are software only and have no multipliers and flip-flops.", base);
     maker.study.grid = {parse_axis("coord_bits=12:20:2"), parse_axis("dir_bits=16:24:2")};
     maker.study.grid_points = maker.add(maker.study.grid, base);
     return std::move(maker.study);

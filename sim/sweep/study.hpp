@@ -18,7 +18,7 @@ struct Study {
     std::vector<std::size_t> grid_points;
 };
 
-/// Around `default`, at this clock. `primitive_test` is among the series if there is such a parameter.
+/// Around `default`, at this clock.
 Study make_study(int khz);
 
 /// What came of it for one scene.

@@ -93,7 +93,7 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
         if (r.complete()) {
             json["clock"] = r.clock;
             json["cycles_per_ray"] = r.cycles_per_ray();
-            json["error"] = error_json(r.picture->error);
+            json["error"] = error_json(r.picture->error, std::nullopt);
             json["cracks"] = r.picture->cracks;
             json["memory_bytes"] = r.picture->memory_bytes;
             json["multipliers"] = count(r.multipliers);
