@@ -10,11 +10,15 @@ int verify_command(const Options& options);
 int sweep_command(const Options& options);
 int stress_command(const Options& options);
 int fit_command(const Options& options);
+int tradeoff_command(const Options& options);
 int yardstick_command(const Options& options);
 int bench_command(const Options& options);
 int scenes_command(const Options& options);
 int config_command(const Options& options);
 int rtl_command(const Options& options);
 int doctor_command(const Options& options);
+
+/// The scenes of docs/speed-against-error.md.
+const std::vector<std::string>& default_tradeoff_scenes();
 
 } // namespace rayclock

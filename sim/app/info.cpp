@@ -64,7 +64,7 @@ int doctor_command(const Options& o) {
     constexpr Part parts[] = {
         {"verilator", "verilator --version", "no RTL: verify, render and simulate --engine rtl do not work; model and reference do"},
         {"c++", "c++ --version", "no RTL that is not built yet"},
-        {"yosys", "yosys -V", "the synthesis check of the tests is left out"},
+        {"yosys", "yosys -V", "no multipliers and flip-flops in sweep and tradeoff; the synthesis check of the tests is left out"},
     };
     bool complete = true;
     nlohmann::ordered_json json;

@@ -33,6 +33,11 @@ void traffic_options(CLI::App& app, Options& o) {
     app.add_option("--stall", o.stall, "percent of cycles in which memory and output accept nothing");
 }
 
+void sweep_options(CLI::App& app, Options& o) {
+    app.add_flag("--fresh", o.fresh, "work everything out again; otherwise what an earlier run has finished is taken from the cache");
+    app.add_flag("--no-netlist", o.no_netlist, "do not count multipliers and flip-flops (Yosys takes some ten seconds per configuration)");
+}
+
 struct Command {
     CLI::App* app;
     std::function<int(const Options&)> run;
@@ -101,6 +106,8 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     clock_option(sweep, o);
     config_options(sweep, o);
     sweep.add_option("-o,--output", o.output, "table as CSV");
+    sweep.add_option("--plot", o.plot, "writes NAME.svg and NAME.png: error against cost and against speed, with the fronts and the knee");
+    sweep_options(sweep, o);
     threads_option(sweep, o);
     json_option(sweep, o);
 
@@ -115,6 +122,15 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     fit.add_option("-o,--output", o.output, "configuration file to write")->required();
     threads_option(fit, o);
     json_option(fit, o);
+
+    CLI::App& tradeoff = add("tradeoff", "the page that says what each bit costs and brings: one width at a time, and a grid with its Pareto front",
+                             "rayclock tradeoff -o docs/speed-against-error.md", tradeoff_command);
+    tradeoff.add_option("-o,--output", o.output, "Markdown file to write; the plots go beside it")->required();
+    o.scenes = default_tradeoff_scenes();
+    tradeoff.add_option("--scenes", o.scenes, "scenes, with commas")->delimiter(',')->capture_default_str();
+    size_option(tradeoff, o);
+    sweep_options(tradeoff, o);
+    threads_option(tradeoff, o);
 
     CLI::App& yardstick = add("yardstick", "the page that sets this machine beside the published figures of SaarCOR and RPU",
                               "rayclock yardstick -o docs/yardstick.md", yardstick_command);

@@ -38,6 +38,10 @@ struct Options {
     std::string max_error = "0.1%";
     std::string max_work = "2%";
     std::optional<double> min_psnr;
+    std::string plot;
+    bool fresh = false;
+    bool no_netlist = false;
+    std::vector<std::string> scenes;
 };
 
 /// "512x384". Throws UserError.

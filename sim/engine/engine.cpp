@@ -39,9 +39,6 @@ void catch_interrupts() {
 }
 bool interrupted() { return interrupt_seen != 0; }
 
-namespace {
-
-/// The image must fit into the memory that the configuration names.
 void check_capacity(const MemoryImage& image, const Config& config) {
     if (config.dram == 0) return;
     const DramPart& part = dram_part(dram_names()[std::size_t(config.dram)]);
@@ -49,8 +46,6 @@ void check_capacity(const MemoryImage& image, const Config& config) {
         throw UserError(fmt::format("the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} holds it", image.report.bytes,
                                     part.name, capacity_bytes(part), std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
-
-} // namespace
 
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress) {
     check_frame_size(size);

@@ -21,6 +21,8 @@ struct Job {
     FrameSize size;
     int khz = default_khz;
 };
+/// The image must fit into the memory that the configuration names; throws UserError if it does not. make_job() asks this.
+void check_capacity(const MemoryImage& image, const Config& config);
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress = {});
 
 /// What a frame took.

@@ -42,15 +42,6 @@ void write_text(const fs::path& path, const std::string& text) {
     if (!file.flush()) throw UserError(path.string() + ": cannot write the RTL cache here; set RAYCLOCK_CACHE to a folder that can be written");
 }
 
-/// All Verilog sources but the package, in a fixed order.
-std::vector<fs::path> sources() {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(rtl_sources()))
-        if (entry.path().extension() == ".sv" && entry.path().filename() != "rc_pkg.sv") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 /// FNV-1a, 64 bits.
 std::uint64_t hash(const std::string& text) {
     std::uint64_t h = 0xcbf29ce484222325u;
@@ -112,7 +103,7 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     write_text(folder / "rc_pkg.sv", rc_package(config));
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
     std::string files = quoted(rtl_sources() / "lint.vlt") + " " + quoted(folder / "taps.vlt") + " " + quoted(folder / "rc_pkg.sv");
-    for (const fs::path& file : sources()) files += " " + quoted(file);
+    for (const fs::path& file : rtl_files()) files += " " + quoted(file);
     run(fmt::format("verilator {} --top-module {} --Mdir {} {}", verilator_flags, module, quoted(folder / "obj"), files),
         folder / "verilator.log", "verilator on " + module);
     if (const std::string log = text_of(folder / "verilator.log"); log.find("%Warning") != std::string::npos)
@@ -151,6 +142,14 @@ fs::path rtl_sources() {
     return fs::path(RAYCLOCK_SOURCE_DIR) / "rtl";
 }
 
+std::vector<fs::path> rtl_files() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(rtl_sources()))
+        if (entry.path().extension() == ".sv" && entry.path().filename() != "rc_pkg.sv") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 fs::path rtl_cache() {
     if (const char* chosen = std::getenv("RAYCLOCK_CACHE"); chosen && *chosen) return chosen;
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) return fs::path(xdg) / "rayclock";
@@ -162,7 +161,7 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
     check_rtl(config);
     const auto start = std::chrono::steady_clock::now();
     std::string everything = rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + verilator_flags + compiler_flags + verilator_root();
-    for (const fs::path& file : sources()) everything += text_of(file);
+    for (const fs::path& file : rtl_files()) everything += text_of(file);
     const fs::path folder = rtl_cache() / fmt::format("{}-{:016x}", module, hash(everything));
     RtlBuild result{folder / "module.so", true, 0};
     if (fs::exists(result.library)) return result;

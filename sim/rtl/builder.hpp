@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "model/core/config.hpp"
 
@@ -23,5 +24,8 @@ std::filesystem::path rtl_cache();
 
 /// Folder of the Verilog sources: $RAYCLOCK_RTL (to try out a changed copy), or those of this project.
 std::filesystem::path rtl_sources();
+
+/// All of them but the package, in a fixed order.
+std::vector<std::filesystem::path> rtl_files();
 
 } // namespace rayclock

@@ -50,7 +50,7 @@ std::map<std::string, std::string> Folder::contents() const {
 
 namespace {
 
-Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int interrupt_after) {
+Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, const std::function<void(pid_t)>& meanwhile) {
     const Folder folder;
     const std::string out = folder.name("out"), err = folder.name("err");
     posix_spawn_file_actions_t actions;
@@ -73,10 +73,7 @@ Outcome run(const std::vector<std::string>& arguments, const std::vector<std::st
     pid_t child = 0;
     REQUIRE(posix_spawn(&child, RAYCLOCK_PROGRAM, &actions, nullptr, argv.data(), envp.data()) == 0);
     posix_spawn_file_actions_destroy(&actions);
-    if (interrupt_after >= 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after));
-        ::kill(child, SIGINT);
-    }
+    if (meanwhile) meanwhile(child);
     int status = 0;
     REQUIRE(waitpid(child, &status, 0) == child);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
@@ -84,8 +81,19 @@ Outcome run(const std::vector<std::string>& arguments, const std::vector<std::st
 
 } // namespace
 
-Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) { return run(arguments, environment, -1); }
-Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) { return run(arguments, {}, milliseconds); }
+Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) { return run(arguments, environment, {}); }
+Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) {
+    return run(arguments, {}, [milliseconds](pid_t child) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+        ::kill(child, SIGINT);
+    });
+}
+Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int signal, const std::function<bool()>& ready) {
+    return run(arguments, environment, [&](pid_t child) {
+        for (int i = 0; i < 6000 && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ::kill(child, signal);
+    });
+}
 
 void check_refused(const Outcome& outcome, const std::vector<std::string>& words) {
     INFO("standard output: " << outcome.out);

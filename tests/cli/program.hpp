@@ -1,6 +1,7 @@
 #pragma once
 // Runs the built program as a user would.
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::vector
 
 /// The same with a Ctrl-C after so many milliseconds.
 Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds);
+
+/// The same with a signal as soon as `ready` says so, and after a minute at the latest.
+Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int signal, const std::function<bool()>& ready);
 
 /// An empty folder of its own, removed in the end.
 class Folder {

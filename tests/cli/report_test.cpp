@@ -128,7 +128,7 @@ TEST_CASE("with --json - JSON is printed and nothing else") {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"scenes"}, {"doctor"}, {"render", "tetra:2", "--size", "8x8", "-o", folder.name("x.png")},
                                                {"simulate", "tetra:2", "--size", "8x8"}, {"verify", "tetra:2", "--size", "8x8"},
-                                               {"sweep", "tetra:2", "--size", "8x8", "--axis", "contexts=1,2"}, {"bench", "tetra:2", "--size", "8x8"}}) {
+                                               {"sweep", "tetra:2", "--size", "8x8", "--axis", "contexts=1,2", "--no-netlist"}, {"bench", "tetra:2", "--size", "8x8"}}) {
         std::vector<std::string> with_json = arguments;
         with_json.insert(with_json.end(), {"--json", "-"});
         INFO(arguments[0]);
@@ -141,7 +141,7 @@ TEST_CASE("every command has help with an example") {
     const Outcome whole = run_program({"--help"});
     CHECK(whole.code == 0);
     CHECK(whole.err.empty());
-    for (const std::string command : {"scenes", "render", "simulate", "verify", "sweep", "yardstick", "bench", "config", "rtl", "doctor"}) {
+    for (const std::string command : {"scenes", "render", "simulate", "verify", "sweep", "tradeoff", "yardstick", "bench", "config", "rtl", "doctor"}) {
         CHECK(whole.out.find("\n  " + command + " ") != std::string::npos);
         const Outcome help = run_program({command, "--help"});
         INFO(help.out);

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "sim/plot/drawing.hpp"
+
+namespace rayclock::plot {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&') out += "&amp;";
+        else if (c == '<') out += "&lt;";
+        else if (c == '>') out += "&gt;";
+        else out += c;
+    }
+    return out;
+}
+
+std::string hex(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]); }
+
+struct Element {
+    std::string operator()(const Line& line) const {
+        std::string points;
+        for (const Place& p : line.points) points += fmt::format("{}{:.2f},{:.2f}", points.empty() ? "" : " ", p.x, p.y);
+        return fmt::format(R"(<polyline points="{}" fill="none" stroke="{}" stroke-width="{:.2f}" stroke-linecap="round" stroke-linejoin="round"/>)", points,
+                           hex(line.colour), line.width);
+    }
+    std::string operator()(const Disc& d) const {
+        return fmt::format(R"(<circle cx="{:.2f}" cy="{:.2f}" r="{:.2f}" fill="{}"/>)", d.centre.x, d.centre.y, d.radius, hex(d.colour));
+    }
+    std::string operator()(const Ring& r) const {
+        return fmt::format(R"(<circle cx="{:.2f}" cy="{:.2f}" r="{:.2f}" fill="none" stroke="{}" stroke-width="{:.2f}"/>)", r.centre.x, r.centre.y, r.radius,
+                           hex(r.colour), r.width);
+    }
+    std::string operator()(const Text& t) const {
+        constexpr const char* anchors[] = {"start", "middle", "end"};
+        const std::string turn = t.upright ? fmt::format(R"~( transform="rotate(-90 {:.2f} {:.2f})")~", t.base.x, t.base.y) : "";
+        return fmt::format(R"(<text x="{:.2f}" y="{:.2f}" font-family="sans-serif" font-size="{:.1f}" textLength="{:.1f}" lengthAdjust="spacingAndGlyphs" )"
+                           R"(text-anchor="{}" fill="{}"{}>{}</text>)",
+                           t.base.x, t.base.y, t.size, text_width(t.text, t.size), anchors[int(t.anchor)], hex(t.colour), turn, escaped(t.text));
+    }
+};
+
+} // namespace
+
+std::string svg(const Drawing& drawing) {
+    std::string text = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" viewBox="0 0 {0:.0f} {1:.0f}">)"
+                                   "\n" R"(<rect width="100%" height="100%" fill="#ffffff"/>)" "\n",
+                                   drawing.width, drawing.height);
+    for (const Shape& shape : drawing.shapes) text += std::visit(Element{}, shape) + "\n";
+    return text + "</svg>\n";
+}
+
+} // namespace rayclock::plot

@@ -1,0 +1,103 @@
+#include "sim/sweep/cache.hpp"
+
+#include <bit>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "model/hits.hpp"
+#include "sim/image/output_file.hpp"
+
+namespace rayclock::sweep {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+std::string hash_text(const std::string& text) {
+    std::uint64_t h = 0xcbf29ce484222325u;
+    for (const unsigned char c : text) h = (h ^ c) * 0x100000001b3u;
+    return fmt::format("{:016x}", h);
+}
+
+namespace {
+
+void add(Digest& digest, double x) { digest.add(std::bit_cast<std::uint64_t>(x)); }
+void add(Digest& digest, const glm::dvec3& v) {
+    for (int k = 0; k < 3; ++k) add(digest, v[k]);
+}
+void add(Digest& digest, const Material& m) {
+    add(digest, m.colour);
+    for (const double x : {m.ambient, m.diffuse, m.highlight, m.shine, m.mirror, m.transmit, m.index}) add(digest, x);
+}
+void add(Digest& digest, const Light& light) {
+    add(digest, light.position);
+    add(digest, light.colour);
+}
+void add(Digest& digest, const Triangle& t) {
+    for (const std::uint32_t v : t.vertex) digest.add(v);
+    digest.add(t.material);
+}
+template <class Item> void add_all(Digest& digest, const std::vector<Item>& items) {
+    digest.add(items.size());
+    for (const Item& item : items) add(digest, item);
+}
+
+} // namespace
+
+std::string scene_digest(const Scene& scene) {
+    Digest digest;
+    add_all(digest, scene.vertices);
+    add_all(digest, scene.normals);
+    add_all(digest, scene.triangles);
+    add_all(digest, scene.materials);
+    add_all(digest, scene.lights);
+    digest.add(scene.camera.has_value());
+    if (scene.camera) {
+        for (const glm::dvec3& v : {scene.camera->eye, scene.camera->at, scene.camera->up}) add(digest, v);
+        add(digest, scene.camera->fov_degrees);
+    }
+    add(digest, scene.background);
+    return fmt::format("{:016x}", digest.value());
+}
+
+Cache::Cache(fs::path folder, bool fresh) : folder_(std::move(folder)), fresh_(fresh) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) trouble_ = folder_.string() + ": " + error.message();
+}
+
+fs::path Cache::path_of(const std::string& kind, const std::string& key) const { return folder_ / fmt::format("{}-{}.json", kind, hash_text(key)); }
+
+std::optional<ordered_json> Cache::find(const std::string& kind, const std::string& key) const {
+    if (fresh_) return std::nullopt;
+    std::ifstream file(path_of(kind, key), std::ios::binary);
+    if (!file) return std::nullopt;
+    std::ostringstream text;
+    text << file.rdbuf();
+    const ordered_json entry = ordered_json::parse(text.str(), nullptr, false);
+    if (!entry.is_object() || entry.value("key", "") != key || !entry.contains("value")) return std::nullopt;
+    if (entry.value("check", "") != hash_text(entry["value"].dump())) return std::nullopt;
+    return entry["value"];
+}
+
+void Cache::keep(const std::string& kind, const std::string& key, const ordered_json& value) {
+    const ordered_json entry{{"key", key}, {"check", hash_text(value.dump())}, {"value", value}};
+    const std::lock_guard lock(mutex_);
+    if (!trouble_.empty()) return;
+    const fs::path path = path_of(kind, key);
+    OutputFile output(path);
+    std::ofstream file(output.temporary(), std::ios::binary);
+    file << entry.dump(1) << "\n";
+    file.close();
+    std::error_code error;
+    if (file) fs::rename(output.temporary(), path, error);
+    if (!file || error) trouble_ = path.string() + ": cannot be written";
+}
+
+std::string Cache::trouble() const {
+    const std::lock_guard lock(mutex_);
+    return trouble_;
+}
+
+} // namespace rayclock::sweep

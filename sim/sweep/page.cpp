@@ -1,0 +1,195 @@
+// docs/speed-against-error.md from measured figures; nothing in it is typed in but the words.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/report/text.hpp"
+#include "sim/sweep/netlist.hpp"
+#include "sim/sweep/study.hpp"
+#include "sim/sweep/table.hpp"
+
+namespace rayclock::sweep {
+
+namespace {
+
+std::string row(const std::vector<std::string>& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+std::string rule(std::size_t columns) {
+    std::string text = "|";
+    for (std::size_t i = 0; i < columns; ++i) text += "---|";
+    return text + "\n";
+}
+std::string table_head(const std::vector<std::string>& cells) { return row(cells) + rule(cells.size()); }
+
+std::string count_text(const std::optional<std::uint64_t>& n) { return n ? grouped(*n) : "-"; }
+std::string percent_text(const Result& r) {
+    return fmt::format("{:.3f} %", 100 * double(r.picture->error.pixels_other_primitive) / double(r.picture->error.pixels));
+}
+std::string decibel_text(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.1f}", psnr) : "equal"; }
+
+class Page {
+public:
+    Page(const Study& study, const std::vector<SceneStudy>& scenes) : study_(study), scenes_(scenes) {}
+
+    std::string series_text(const Series& series) const {
+        std::string text = fmt::format("\n### {}\n\n{}\n\n", series.axis.key, series.about);
+        text += error_table(series) + "\n" + other_table(series);
+        if (series.axis.key.ends_with("_bits")) text += "\n" + step_table(series);
+        return text;
+    }
+
+    std::string grid_text(const SceneStudy& scene) const {
+        const std::vector<Result> results = grid_results(study_, scene.outcome);
+        const Front front = front_of(results);
+        std::string text = fmt::format("\n### {}\n\n![Error against cost and against speed of {}]({}.png)\n\n", scene.name, scene.name, scene.plot);
+        text += table_head({study_.grid[0].key, study_.grid[1].key, "other primitive", "PSNR, dB", "fps", "multipliers", "flip-flops", "memory image, bytes", "front"});
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            const Result& r = results[i];
+            const bool knee = front.knee && front.knee->point == i;
+            if (!r.complete() || (!front.pareto[i] && !knee)) continue;
+            text += row({r.point.values[0], r.point.values[1], percent_text(r), decibel_text(r.picture->error.psnr_db), fmt::format("{:.2f}", r.fps()),
+                         count_text(r.multipliers), count_text(r.flip_flops), grouped(r.picture->memory_bytes), knee ? "**knee**" : "on it"});
+        }
+        return text;
+    }
+
+    std::string knee_table() const {
+        std::string text = table_head({"scene", "triangles", "picture", "knee of the grid", "its error", "its fps", "its multipliers", "error of `default`", "fps", "multipliers"});
+        for (const SceneStudy& scene : scenes_) {
+            const std::vector<Result> results = grid_results(study_, scene.outcome);
+            const Front front = front_of(results);
+            std::vector<std::string> cells{scene.name, grouped(scene.triangles), fmt::format("{}x{}", scene.size.width, scene.size.height)};
+            const auto add = [&](const Result* r) {
+                cells.push_back(r && r->complete() ? percent_text(*r) : "-");
+                cells.push_back(r && r->complete() ? fmt::format("{:.1f}", r->fps()) : "-");
+                cells.push_back(r ? count_text(r->multipliers) : "-");
+            };
+            const Result* knee = front.knee ? &results[front.knee->point] : nullptr;
+            cells.push_back(knee ? name_of(study_.grid, *knee) : "none");
+            add(knee);
+            add(&scene.outcome.results[at_default(study_.series[0])]);
+            text += row(cells);
+        }
+        return text;
+    }
+
+private:
+    const Result& result(const SceneStudy& scene, std::size_t point) const { return scene.outcome.results[point]; }
+
+    /// The series' point that is `default`.
+    std::size_t at_default(const Series& series) const {
+        Config base = named_config("default");
+        for (std::size_t i = 0; i < series.points.size(); ++i) {
+            Config other = base;
+            set_parameter(other, series.axis.key, series.axis.values[i], "study");
+            if (trace_format(other) == trace_format(base)) return series.points[i];
+        }
+        return series.points[0];
+    }
+
+    std::vector<std::string> head_of(const Series& series, std::initializer_list<const char*> before) const {
+        std::vector<std::string> head{series.axis.key};
+        head.insert(head.end(), before.begin(), before.end());
+        for (const SceneStudy& scene : scenes_) head.push_back(scene.name);
+        return head;
+    }
+
+    std::string error_table(const Series& series) const {
+        std::vector<std::string> head = head_of(series, {"multipliers", "flip-flops"});
+        head.push_back("cracks");
+        std::string text = table_head(head);
+        for (std::size_t i = 0; i < series.points.size(); ++i) {
+            const Result& first = result(scenes_[0], series.points[i]);
+            std::vector<std::string> cells{series.axis.values[i], count_text(first.multipliers), count_text(first.flip_flops)};
+            std::uint64_t cracks = 0;
+            for (const SceneStudy& scene : scenes_) {
+                const Result& r = result(scene, series.points[i]);
+                cells.push_back(r.complete() ? percent_text(r) : "refused");
+                if (r.complete()) cracks += r.picture->cracks;
+            }
+            cells.push_back(grouped(cracks));
+            text += row(cells);
+        }
+        return text + "\nPixels with another primitive than the reference's; cracks of all scenes together.\n";
+    }
+
+    std::string other_table(const Series& series) const {
+        std::string text = table_head(head_of(series, {}));
+        for (std::size_t i = 0; i < series.points.size(); ++i) {
+            std::vector<std::string> cells{series.axis.values[i]};
+            for (const SceneStudy& scene : scenes_) {
+                const Result& r = result(scene, series.points[i]);
+                cells.push_back(!r.complete() ? "refused" : fmt::format("{} / {:.2g} / {:.2f}", decibel_text(r.picture->error.psnr_db), r.picture->error.max_abs_depth, r.cycles_per_ray()));
+            }
+            text += row(cells);
+        }
+        return text + "\nPSNR in dB / largest depth error in scene units / cycles per ray.\n";
+    }
+
+    /// What a step to the next value brings and costs, in figures of all scenes together.
+    std::string step_table(const Series& series) const {
+        std::string text = table_head({"step", "bits", "multipliers", "flip-flops", "pixels with another primitive", "cycles of all frames"});
+        for (std::size_t i = 0; i + 1 < series.points.size(); ++i) {
+            std::uint64_t before = 0, after = 0;
+            double cycles_before = 0, cycles_after = 0;
+            bool whole = true;
+            for (const SceneStudy& scene : scenes_) {
+                const Result &a = result(scene, series.points[i]), &b = result(scene, series.points[i + 1]);
+                whole = whole && a.complete() && b.complete();
+                if (!whole) break;
+                before += a.picture->error.pixels_other_primitive;
+                after += b.picture->error.pixels_other_primitive;
+                cycles_before += a.cycles();
+                cycles_after += b.cycles();
+            }
+            if (!whole) continue;
+            const Result &a = result(scenes_[0], series.points[i]), &b = result(scenes_[0], series.points[i + 1]);
+            const auto growth = [](const std::optional<std::uint64_t>& from, const std::optional<std::uint64_t>& to) {
+                return from && to ? fmt::format("{:+d}", std::int64_t(*to) - std::int64_t(*from)) : std::string("-");
+            };
+            text += row({series.axis.values[i] + " to " + series.axis.values[i + 1],
+                         std::to_string(std::stoi(series.axis.values[i + 1]) - std::stoi(series.axis.values[i])), growth(a.multipliers, b.multipliers),
+                         growth(a.flip_flops, b.flip_flops), grouped(before) + " to " + grouped(after),
+                         fmt::format("{:+.2f} %", 100 * (cycles_after / cycles_before - 1))});
+        }
+        return text + "\nWhat the step costs and brings, of all scenes together.\n";
+    }
+
+    const Study& study_;
+    const std::vector<SceneStudy>& scenes_;
+};
+
+constexpr const char* what_counts = R"(
+- **Pixels with another primitive**, **PSNR**, **depth error**: against the double-precision reference on the scene as given, not snapped.
+- **Cracks**: pixels whose ray slips through a surface. The exact oracle, on the same snapped scene and quantised ray, says which
+  triangle is met first; a crack is an answer that is neither that triangle nor one that shares a corner with it, and lies farther away
+  or is nothing. With the exact test the count must be 0.
+- **Cycles** and frames per second: one frame with cold caches, one pipeline.
+- **Multipliers** and **flip-flops**: of `rc_pipeline` as Yosys maps it to an ECP5: 18x18 multipliers (MULT18X18D), after products are
+  cut into tiles and those that are never wanted in the same cycle share one; and bits of registers. Queues, caches and stacks are
+  memories and not counted, nor is what lies outside the pipelines. A dash: there is no such hardware, or no Yosys.
+- **Front**: no other point of the grid is as good in pixels with another primitive, multipliers and frames per second, and
+  better in one (without Yosys: bytes of the memory image instead of multipliers). **Knee**: of the front of error against cost alone,
+  both divided by their range, the point that lies farthest below the chord between the front's ends.
+)";
+
+} // namespace
+
+std::string page(const Study& study, const std::vector<SceneStudy>& scenes, int khz, const std::string& command) {
+    const Page page(study, scenes);
+    std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
+    text += fmt::format("Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: configuration `default` but for what is varied, "
+                        "{:g} MHz, the first frame of each scene{}.\n",
+                        command, khz / 1e3, yosys_version().empty() ? "" : "; " + yosys_version().substr(0, yosys_version().find(" (")));
+    text += what_counts;
+    text += "\n## In short\n\n" + page.knee_table();
+    text += "\n## One width at a time\n";
+    for (const Series& series : study.series) text += page.series_text(series);
+    text += fmt::format("\n## Two at once: {} and {}\n\nA point's label is {} / {}.\n", study.grid[0].key, study.grid[1].key, study.grid[0].key, study.grid[1].key);
+    for (const SceneStudy& scene : scenes) text += page.grid_text(scene);
+    for (const SceneStudy& scene : scenes)
+        if (!scene.outcome.netlist_note.empty()) return text + "\n" + scene.outcome.netlist_note + ".\n";
+    return text;
+}
+
+} // namespace rayclock::sweep

@@ -1,0 +1,20 @@
+#pragma once
+// A sweep's figures as table, CSV and JSON.
+#include "sim/sweep/front.hpp"
+
+namespace rayclock::sweep {
+
+/// Columns after the axes: what was there from the beginning stays where it is.
+const std::vector<std::string>& columns();
+/// One point's cells; a figure that is missing is empty.
+std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
+
+std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
+std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Front& front);
+nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
+nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
+
+/// "coord_bits 16, dir_bits 18".
+std::string name_of(const std::vector<Axis>& axes, const Result& result);
+
+} // namespace rayclock::sweep

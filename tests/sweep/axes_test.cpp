@@ -1,0 +1,53 @@
+// Axes and grids; judged by hand.
+#include "model/core/error.hpp"
+#include "tests/sweep/support.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+using Strings = std::vector<std::string>;
+
+TEST_CASE("an axis is a list or a range") {
+    CHECK(sweep::parse_axis("dram=ddr3,sdr").key == "dram");
+    CHECK(sweep::parse_axis("dram=ddr3,sdr").values == Strings{"ddr3", "sdr"});
+    CHECK(sweep::parse_axis("coord_bits=12:20:2").values == Strings{"12", "14", "16", "18", "20"});
+    CHECK(sweep::parse_axis("coord_bits=12:17:2").values == Strings{"12", "14", "16"});
+    CHECK(sweep::parse_axis("tile_bits=3:5").values == Strings{"3", "4", "5"});
+    CHECK(sweep::parse_axis("box_bits=6:6").values == Strings{"6"});
+    for (const char* bad : {"coord_bits", "=1", "coord_bits=", "a=1:2:3:4", "a=1:x", "a=3:1", "a=1:3:0"}) {
+        INFO(bad);
+        CHECK_THROWS_AS(sweep::parse_axis(bad), UserError);
+    }
+}
+
+TEST_CASE("a grid has every combination, the last axis fastest") {
+    const std::vector<sweep::Point> points = points_of({"coord_bits=12,14", "clock=33,66,200"});
+    REQUIRE(points.size() == 6);
+    CHECK(points[1].values == Strings{"12", "66"});
+    CHECK(points[1].config.coord_bits == 12);
+    CHECK(points[1].khz == 66000);
+    CHECK(points[5].values == Strings{"14", "200"});
+    CHECK(points[5].config.coord_bits == 14);
+    CHECK(points[5].khz == 200000);
+    CHECK_THROWS_AS(points_of({"coord_bits=12,14", "coord_bits=16"}), UserError);
+}
+
+TEST_CASE("values that do not go together are a refused point, a value that goes with none is a mistake") {
+    const std::vector<sweep::Point> points = points_of({"coord_bits=18,20", "dir_bits=22,24"});
+    REQUIRE(points.size() == 4);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(points[i].refused.empty());
+    CHECK(points[3].refused.find("2 * coord_bits + dir_bits") != std::string::npos);
+    CHECK_THROWS_AS(points_of({"coord_bits=20", "dir_bits=24"}), UserError);
+    CHECK_THROWS_AS(points_of({"coord_bits=18", "contexts=3,4"}), UserError);
+}
+
+TEST_CASE("timing does not make another trace, every width does") {
+    const Config base = named_config("default");
+    for (const Parameter& p : parameters()) {
+        INFO(p.key);
+        Config other = base;
+        other.*p.member = base.*p.member == p.lo ? p.hi : p.lo;
+        const std::string key = p.key;
+        const bool is_format = key.ends_with("_bits") ? key != "tile_bits" : key == "node_width" || key == "leaf_size" || key == "stack_depth" || key == "primitive_test";
+        CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
+    }
+}

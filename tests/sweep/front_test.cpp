@@ -1,0 +1,87 @@
+// Fronts and knees of points made by hand.
+#include "tests/sweep/support.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+using sweep::Figures;
+
+namespace {
+
+std::vector<Figures> points(std::initializer_list<std::vector<double>> list) {
+    std::vector<Figures> all;
+    for (const std::vector<double>& p : list) all.push_back(p.empty() ? Figures() : Figures(p));
+    return all;
+}
+
+/// A result with these figures; 0 multipliers: none counted.
+sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers, std::uint64_t bytes = 1000) {
+    sweep::Result r;
+    r.clock = {{"cycles", 100.0}, {"fps", fps}};
+    r.picture = sweep::PictureFigures{{1000, wrong, 40, 0.1}, 0, bytes};
+    if (multipliers) r.multipliers = multipliers;
+    return r;
+}
+
+} // namespace
+
+TEST_CASE("the front is what no other point beats") {
+    CHECK(sweep::front(points({{1, 5}, {2, 2}, {5, 1}, {3, 3}, {2, 4}, {5, 5}})) == std::vector<bool>{true, true, true, false, false, false});
+    CHECK(sweep::front(points({{1, 1, 3}, {1, 1, 2}, {2, 2, 1}})) == std::vector<bool>{false, true, true});
+    CHECK(sweep::front({}).empty());
+    CHECK(sweep::front(points({{4, 4}})) == std::vector<bool>{true});
+    CHECK(sweep::front(points({{4, 4}, {4, 4}, {4, 5}})) == std::vector<bool>{true, true, false});   // equal points: both
+    CHECK(sweep::front(points({{}, {4, 4}, {}})) == std::vector<bool>{false, true, false});           // missing figures
+    CHECK(sweep::front(points({{}, {}})) == std::vector<bool>{false, false});
+}
+
+TEST_CASE("the knee lies farthest below the chord") {
+    const auto knee = sweep::knee_of(points({{0, 100}, {10, 20}, {30, 10}, {100, 0}, {50, 50}}));
+    REQUIRE(knee);
+    CHECK(knee->point == 1);   // 1 - 0.1 - 0.2 against 1 - 0.3 - 0.1
+    CHECK(knee->distance == Approx(0.7 / std::sqrt(2.0)));
+    // Scaling and shifting either figure changes nothing.
+    const auto scaled = sweep::knee_of(points({{7, 1e6}, {7.1, 2e5}, {7.3, 1e5}, {8, 0}, {7.5, 5e5}}));
+    REQUIRE(scaled);
+    CHECK(scaled->point == 1);
+    CHECK(scaled->distance == Approx(knee->distance));
+}
+
+TEST_CASE("no knee where there is none") {
+    CHECK(!sweep::knee_of({}));
+    CHECK(!sweep::knee_of(points({{1, 1}})));
+    CHECK(!sweep::knee_of(points({{1, 1}, {1, 1}, {1, 1}})));
+    CHECK(!sweep::knee_of(points({{0, 1}, {1, 0}})));               // the ends only
+    CHECK(!sweep::knee_of(points({{0, 2}, {1, 1}, {2, 0}})));       // straight
+    CHECK(!sweep::knee_of(points({{0, 10}, {9, 9}, {10, 0}})));     // bulges the other way
+    CHECK(!sweep::knee_of(points({{}, {}, {1, 2}})));
+}
+
+TEST_CASE("cost is multipliers, or bytes where nothing has any") {
+    const std::vector<sweep::Result> with{result(100, 50, 90), result(20, 49, 100), result(5, 48, 160), result(300, 60, 0)};
+    const sweep::Front hardware = sweep::front_of(with);
+    CHECK(hardware.measures[1].key == "multipliers");
+    CHECK(hardware.pareto == std::vector<bool>{true, true, true, false});   // the last is no hardware
+    REQUIRE(hardware.knee);
+    CHECK(hardware.knee->point == 1);
+    const std::vector<sweep::Result> without{result(100, 50, 0, 3000), result(100, 50, 0, 2000), result(100, 50, 0, 2000)};
+    const sweep::Front bytes = sweep::front_of(without);
+    CHECK(bytes.measures[1].key == "memory_bytes");
+    CHECK(bytes.pareto == std::vector<bool>{false, true, true});
+    CHECK(!bytes.knee);
+}
+
+TEST_CASE("without errors that differ the knee is that of speed against cost") {
+    const sweep::Front front = sweep::front_of({result(10, 10, 100), result(10, 19, 200), result(10, 21, 400), result(10, 22, 800)});
+    REQUIRE(front.knee);
+    CHECK(front.knee->point == 1);
+    CHECK(front.measures[front.plane[0]].key == "multipliers");
+    CHECK(front.measures[front.plane[1]].key == "fps");
+}
+
+TEST_CASE("points that are refused or not done are not on the front") {
+    std::vector<sweep::Result> results(2);
+    results[0].point.refused = "does not fit";
+    const sweep::Front front = sweep::front_of(results);
+    CHECK(front.pareto == std::vector<bool>{false, false});
+    CHECK(!front.knee);
+}
