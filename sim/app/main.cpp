@@ -94,6 +94,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     stress.add_option("--test", o.tests, "primitive test, or all; may be repeated")->delimiter(',');
     stress.add_option("--family", o.families, "family of hard cases; may be repeated; all by default")->delimiter(',');
     stress.add_option("--seed", o.seed, "seed of the rays")->check(CLI::Range(1, 1 << 30));
+    stress.add_option("-o,--output", o.output, "page to write (Markdown), with a picture of each family in a folder beside it");
     stress.add_option("--state", o.state, "file that keeps what is done: go on from it if it is there");
     threads_option(stress, o);
     json_option(stress, o);

@@ -10,6 +10,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
+#include "sim/stress/page.hpp"
 #include "sim/stress/report.hpp"
 
 namespace rayclock {
@@ -69,6 +70,7 @@ int stress_command(const Options& o) {
     if (o.json != "-") fmt::print("{}", stress::text(plan, outcome));
     if (!o.json.empty()) write_file(o.json, stress::json(plan, outcome).dump(2) + "\n");
     if (outcome.partial) return 1;
+    if (!o.output.empty()) stress::write_page(o.output, plan, outcome);
     bool good = true;
     for (const std::string& name : plan.tests) good = good && stress::meets_demand(stress::named_test(name), outcome.cells);
     return good ? 0 : 1;

@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 std::vector<std::string> figures(const Counts& c) {
     return {grouped(c.rays), grouped(c.leaks), grouped(c.double_hits), grouped(c.oracle_mismatches),
             c.shadow_rays > 0 ? grouped(c.false_shadows) : "", c.shadow_rays > 0 ? grouped(c.light_leaks) : "",
-            c.boxes > 0 ? fmt::format("{:.2f} %", 100.0 * double(c.boxes_extra) / double(c.boxes - c.boxes_extra)) : ""};
+            extra_boxes(c)};
 }
 std::vector<std::string> row(const std::string& name, const Counts& c) {
     std::vector<std::string> cells = figures(c);
@@ -36,6 +36,8 @@ void add_figures(ordered_json& json, const Counts& c) {
     json["boxes_lost"] = c.boxes_lost;
 }
 
+} // namespace
+
 const char* verdict(const NamedTest& test, bool met) {
     switch (test.demand) {
     case Demand::truth: return met ? "every decision is the exact one" : "WRONG: not every decision is the exact one";
@@ -45,7 +47,9 @@ const char* verdict(const NamedTest& test, bool met) {
     }
 }
 
-} // namespace
+std::string extra_boxes(const Counts& c) {
+    return c.boxes > c.boxes_extra ? fmt::format("{:.2f} %", 100.0 * double(c.boxes_extra) / double(c.boxes - c.boxes_extra)) : "";
+}
 
 std::string text(const Plan& plan, const Outcome& outcome) {
     std::string out;

@@ -114,7 +114,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
     std::atomic<double> core_seconds = 0;
     const auto help = [&] {
         const double begin = thread_seconds();
-        for (std::uint64_t u = next++; u < work.units() && !interrupted(); u = next++) {
+        for (std::uint64_t u = next++; u < std::min(work.units(), plan.stop_after) && !interrupted(); u = next++) {
             const Counts counts = run_batch(plan, work.cells[u % work.cells.size()], u / work.cells.size(), work.rays_of(u));
             done_rays += counts.rays;
             const std::lock_guard lock(mutex);

@@ -29,6 +29,7 @@ struct Plan {
     std::uint64_t rays = 1'000'000;   ///< in all, shared evenly
     std::uint64_t seed = 1;
     int threads = 0;
+    std::uint64_t stop_after = ~std::uint64_t(0);   ///< batches, those of earlier runs included: a part of the run, as if interrupted
     std::string state;                ///< file to go on from and to write to, or empty
 };
 

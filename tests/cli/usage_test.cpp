@@ -120,3 +120,18 @@ TEST_CASE("scenes that do not exist") {
            {{"verify", "no/such/file.obj"}, {"no/such/file.obj", "no such file"}},
            {{"render", "missing.ply", "-o", "never.png"}, {"missing.ply", "no such file"}}});
 }
+
+TEST_CASE("stress runs that make no sense") {
+    const auto stress = [](std::vector<std::string> arguments, std::vector<std::string> words) {
+        arguments.insert(arguments.begin(), {"stress"});
+        return Bad{std::move(arguments), std::move(words)};
+    };
+    check({stress({"--rays", "0"}, {"--rays", "'0'"}), stress({"--rays", "many"}, {"'many'"}), stress({"--rays=-5"}, {"'-5'"}), stress({"--rays", "nan"}, {"'nan'"}),
+           stress({"--bits", "11"}, {"--bits", "12..20", "11"}), stress({"--bits", "12:21"}, {"21"}), stress({"--bits", "20:12:2"}, {"'20:12:2'"}),
+           stress({"--bits", "12:20:0"}, {"'12:20:0'"}), stress({"--bits", "12,12"}, {"--bits", "12", "twice"}), stress({"--bits", ""}, {"--bits"}),
+           stress({"--bits", "1:2:3:4"}, {"'1:2:3:4'"}), stress({"--test", "exakt"}, {"'exakt'", "did you mean 'exact'"}),
+           stress({"--test", "exact,exact"}, {"exact", "twice"}), stress({"--family", "edgy"}, {"'edgy'", "did you mean 'edges'"}),
+           stress({"--seed", "0"}, {"--seed"}), stress({"--state", "/no/such/folder/run.json"}, {"/no/such/folder/run.json"}),
+           stress({"-o", "/no/such/folder/page.md"}, {"/no/such/folder/page.md"}), stress({"--json", "/no/such/folder/x.json"}, {"/no/such/folder/x.json"}),
+           stress({"tetra:1"}, {"tetra:1"})});
+}

@@ -238,3 +238,29 @@ mutant(model_overlap_open_box FILE model/oracle/overlap.cpp TEST unit [overlap]
 mutant(model_overlap_behind_the_origin FILE model/oracle/overlap.cpp TEST unit [overlap]
   OLD [[if (less(enter, in)) enter = in;]]
   NEW [[if (k == 0 || less(enter, in)) enter = in;]])
+
+# ---- Hard cases: faults of the machine that `rayclock stress` must notice by itself.
+mutant(stress_tri_tie_rule_without_flip FILE model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[return flip ? decides < 0 : decides > 0;]]
+  NEW [[return decides > 0;]])
+mutant(stress_tri_edges_inclusive FILE model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[if (u != 0 && v != 0 && w != 0) {]]
+  NEW [[if (true) {]])
+mutant(stress_tri_dropped_bit FILE model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[const Vec3l p1 = cross(dir, e1), p2 = cross(dir, e2);]]
+  NEW [[const Vec3l p1 = cross(dir, e1), whole = cross(dir, e2), p2{whole[0] & ~std::int64_t(1), whole[1], whole[2]};]])
+mutant(stress_tri_epsilon FILE model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[if (det == 0) return;]]
+  NEW [[if (det < 1000 && det > -1000) return;]])
+mutant(stress_box_inward FILE model/accel/encode.cpp TEST system "the exact test stands*"
+  OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
+  NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
+mutant(stress_sheared_rounds_by_triangle FILE model/isect/sheared.cpp TEST system "controls are noticed*"
+  OLD [[const Corner a = sheared(triangle.a, o, shear, frac),]]
+  NEW [[const Corner a = sheared({triangle.a[0] + int(triangle.prim & 1), triangle.a[1], triangle.a[2]}, o, shear, frac),]])
+mutant(stress_oracle_search_skips FILE model/oracle/surface.cpp TEST system "the oracle's search*"
+  OLD [[meet(node.child[i] & ~leaf);]]
+  NEW [[if (node.child[i] % 97 != 5) meet(node.child[i] & ~leaf);]])
+mutant(stress_judge_forgets_leaks FILE sim/stress/judge.cpp TEST system "controls are noticed*"
+  OLD [[counts.leaks += !missing.empty();]]
+  NEW [[]])
