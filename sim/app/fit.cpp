@@ -88,6 +88,9 @@ int fit_command(const Options& o) {
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
     const Config base = load_config(o.config, o.set);
+    if (base.test() != PrimitiveTest::exact)
+        throw UserError("fit: primitive_test must be exact, not " + primitive_test_names()[std::size_t(base.primitive_test)] +
+                        ": only exact decisions make the primitives depend on N and M alone");
     check_outputs(o);
     if (o.output != "-") check_writable(o.output);
     else if (o.json == "-") throw UserError("-o and --json cannot both go to standard output");

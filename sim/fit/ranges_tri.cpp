@@ -38,7 +38,7 @@ void tri_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     const Interval size{1, std::max(Wide(1), magnitude(e.det).hi)}, far{1, std::max(Wide(1), magnitude(e.num).hi)};
     add("s4_det", magnitude(e.det), true, edge);
     add("s4_num", hull(e.num, -e.num), true, num);
-    add("s5_mine, s5_theirs", far * size, false, num + edge);
+    add("f1_mine, f1_theirs", far * size, false, num + edge);
     const int lift = std::max(c.dir_bits - c.coord_bits - 3, 0);
     add("num_wide", left(far, lift), false, std::max(num + lift, edge) + 1);
     const Interval t = hit_distance(e, c);

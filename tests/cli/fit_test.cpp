@@ -125,6 +125,7 @@ TEST_CASE("fit refuses goals that make no sense, and writes nothing") {
     for (const char* text : {"0", "-3", "201", "nan", "inf"}) fit({std::string("--min-psnr=") + text}, {"--min-psnr"});
     fit({"--min-psnr=loud"}, {"loud"});
     fit({"--size", "0x5"}, {"0 x 5"});
+    fit({"--set", "primitive_test=woop"}, {"primitive_test", "woop"});
     fit({"--config", "defaul"}, {"'defaul'"});
     fit({"--json", folder.name("no/such.json")}, {"such.json"});
     check_refused(run_program({"fit", "tetra:1"}), {"--output"});

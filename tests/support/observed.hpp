@@ -159,8 +159,8 @@ private:
         const TriRsp& rsp = walk.test_triangle();
         if (!rsp.closer) return;
         if (to_beat.found) {
-            see("tri.s5_mine, s5_theirs", Wide(rsp.num) * to_beat.det);
-            see("tri.s5_mine, s5_theirs", Wide(to_beat.num) * rsp.det);
+            see("tri.f1_mine, f1_theirs", Wide(rsp.num) * to_beat.det);
+            see("tri.f1_mine, f1_theirs", Wide(to_beat.num) * rsp.det);
         }
         see("tri.num_wide", Wide(rsp.num) << (c_.dir_bits > c_.coord_bits + 3 ? c_.dir_bits - c_.coord_bits - 3 : 0));
         see("tri.t", ((Wide(rsp.num) << (c_.dir_bits - 1 + c_.t_frac_bits)) + rsp.det - 1) / rsp.det);

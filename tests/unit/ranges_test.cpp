@@ -236,7 +236,7 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
     const std::pair<const char*, std::vector<const char*>> texts[] = {
         {"isect/rc_edges.sv", {"localparam int unsigned D = N + 1;", "localparam int unsigned C = M + D + 1;", "localparam int unsigned X = 2 * D + 1;",
                                "localparam int unsigned E = rc_pkg::EdgeBits", "localparam int unsigned U = rc_pkg::NumBits"}},
-        {"isect/rc_tri.sv", {"logic [U+E-1:0]      s5_mine_q, s5_theirs_q;"}},
+        {"isect/rc_tri.sv", {"logic [U+D-1:0] f1_mine_q, f1_theirs_q;", "localparam int unsigned D    = rc_pkg::EdgeBits;"}},
         {"isect/rc_hitdiv.sv", {"localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;", "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
         {"trav/rc_slab.sv", {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned D  = N + 1;", "localparam int unsigned P  = D + R1 + 1;",
                              "localparam int unsigned V  = P + 1;", "logic [5:0]          s3_left_q, s3_right_q;", "logic [R1-1:0]       s3_up_q;", "logic [63:0] moved;"}},

@@ -8,7 +8,7 @@ using namespace rayclock::test;
 
 namespace {
 
-constexpr int row_bits = pixel_bits;   // pixels of a row: 2^14
+constexpr int row_bits = max_pixel_bits;   // pixels of a row: 2^14
 
 bool right_component(std::int32_t d, std::uint32_t recip, std::uint32_t len, const Config& config) {
     if (d == 0) return recip == 1 && len == 0;
