@@ -181,7 +181,7 @@ module rc_list (
 
   // ---- Triangle, ray and hit to beat, together to tri.
   localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
-  localparam int unsigned TriRayW = rc_pkg::TriRayBits;   // follows the number in ray_t and tri_req_t
+  localparam int unsigned TriRayW = rc_pkg::TriRayBits;   // behind the number in ray_t, tri_req_t
   logic [rc_pkg::RayW-1:0] ray_flat;
   logic [TriRayW-1:0] tri_ray;
   logic [BestW-1:0] tri_best;
