@@ -348,5 +348,5 @@ mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [
   OLD [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q < s3_p2z_q;]]
   NEW [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q > s3_p2z_q;]])
 mutant(small_tri_compares_the_cut_product FILE rtl/isect/rc_tri.sv TEST unit [tri][small]
-  OLD [[assign s5_closer = s5_hit_q && (!s5_found_q || s5_mine_q < s5_theirs_q]]
-  NEW [=[assign s5_closer = s5_hit_q && (!s5_found_q || s5_mine_q[U+E-1:1] < s5_theirs_q[U+E-1:1]]=])
+  OLD [[assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q < f1_theirs_q]]
+  NEW [[assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q >> 1 < f1_theirs_q >> 1]])
