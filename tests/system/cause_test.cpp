@@ -86,15 +86,13 @@ TEST_CASE("vertices on lattice points are not snapped: what differs is the ray",
 }
 
 TEST_CASE("fine rays on a coarse lattice: what differs is snapped", "[cause]") {
-    Scene scene = waves(16);
-    for (glm::dvec3& v : scene.vertices) v += glm::dvec3(0.3, 0.1, -0.4) * std::sin(v.x + 3 * v.y);
-    const Judgement j = make_case(scene, formats(12, 24, 24)).judged();
-    CHECK(count(j, PixelCause::snapping) > 100);
+    const Judgement j = make_case(waves(16), formats(12, 24, 24)).judged();
+    CHECK(count(j, PixelCause::snapping) > 30);
     CHECK(count(j, PixelCause::ray_quantisation) == 0);
     CHECK(count(j, PixelCause::t_rounding) == 0);
     CHECK(count(j, PixelCause::shading) == 0);
     CHECK(j.wrong == 0);
-    CHECK(j.causes_other[std::size_t(PixelCause::snapping)] > 10);
+    CHECK(j.causes_other[std::size_t(PixelCause::snapping)] > 5);
 }
 
 TEST_CASE("few bits for u and v: what differs was rounded", "[cause]") {
