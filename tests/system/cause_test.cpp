@@ -141,6 +141,25 @@ TEST_CASE("the oracle finds every answer right, and every pixel that differs has
     CHECK(tally_other == j.causes_other);
 }
 
+TEST_CASE("where coplanar triangles are hit at the same t, the oracle wants the lowest number", "[cause]") {
+    Scene scene = waves(16);
+    for (glm::dvec3& v : scene.vertices) v.z = scene.vertices[0].z;
+    const auto last = std::uint32_t(scene.vertices.size() - 1);
+    const std::uint32_t side = 20;
+    scene.triangles.push_back({{0, side, last}, 0});   // over all of it
+    scene.triangles.push_back({{0, last, last - side}, 0});
+    const Case made = make_case(scene, formats(16, 20, 16));
+    const Judgement j = made.judged();
+    CHECK(j.wrong == 0);
+    std::size_t hits = 0, large = 0;
+    for (const Closest& answer : made.answers) {
+        hits += answer.found;
+        large += answer.found && answer.prim >= scene.triangles.size() - 2;
+    }
+    CHECK(hits > 1000);
+    CHECK(large == 0);
+}
+
 TEST_CASE("an answer that is off in anything is a bug, whether or not it shows", "[cause]") {
     const Case sound = make_case("gears:1", named_config("default"));
     const Judgement before = sound.judged();
