@@ -128,7 +128,7 @@ int simulate_command(const Options& o) {
             {"rays", {{"primary", frame.pixels}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}},
             {"work", work_json(frame)}, {"clocks", clocks_json}, {"units", units_json(config, frame)}, {"memory", memory_json(config, runs[0].khz, frame)},
             {"error", error_json(error, judgement)},
-            {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
+            {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"judge_seconds", judgement ? judgement->seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
                       {"rays_per_second", double(frame.pixels * runs.size() * runs[0].frames.size()) / engine_seconds}}},
             {"digest", digest_text(digest.value())}};
         write_file(o.json, json.dump(2) + "\n");

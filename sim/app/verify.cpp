@@ -116,7 +116,7 @@ int verify_command(const Options& o) {
             {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
             {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
             {"memory", memory_json(config, job.khz, result.model)},
-            {"host", {{"seconds", seconds}}}, {"digest", digest_text(result.model.digest)}};
+            {"host", {{"seconds", seconds}, {"judge_seconds", judgement ? judgement->seconds : 0}}}, {"digest", digest_text(result.model.digest)}};
         write_file(o.json, json.dump(2) + "\n");
     }
     return good ? 0 : 1;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
-#include <string_view>
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -32,12 +31,6 @@ Scene on_lattice(const Scene& scene, const Lattice& lattice) {
         snapped.vertices[i] = {p[0], p[1], p[2]};
     });
     return snapped;
-}
-
-bool has_exact_test(const Config& config) {
-    for (const Parameter& p : parameters())
-        if (std::string_view(p.key) == "primitive_test") return value_text(config, p) == "exact";
-    return true;
 }
 
 bool on_edge(const Hit& hit) { return hit.primitive != no_primitive && std::min({hit.u, hit.v, 1 - hit.u - hit.v}) <= 0x1p-22f; }
@@ -75,7 +68,7 @@ private:
     /// Asks the oracle about every pixel; pixels that are right and differ are left to explain().
     void find(const Progress& progress) {
         const std::size_t pixels = answered_.answers.size();
-        const PixelCause fault = has_exact_test(asked_.config) ? PixelCause::bug : PixelCause::primitive_test;
+        const PixelCause fault = asked_.config.test() == PrimitiveTest::exact ? PixelCause::bug : PixelCause::primitive_test;
         judgement_.pixels.assign(pixels, PixelCause::none);
         judgement_.other.assign(pixels, false);
         std::vector<std::uint8_t> open(pixels);

@@ -101,7 +101,7 @@ ordered_json error_json(const std::optional<FrameError>& e, const std::optional<
     json["pixels_on_edge"] = j->on_edge;
     json["causes"] = causes_json(j->causes);
     json["causes_other_primitive"] = causes_json(j->causes_other);
-    json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}, {"seconds", j->seconds}};
+    json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}};
     return json;
 }
 

@@ -58,6 +58,21 @@ void check_shared(const json& report) {
     }
 }
 
+/// Every cause is there, what differs in primitive has one, and the oracle has judged all and found nothing wrong.
+void check_causes(const json& error) {
+    std::uint64_t sum = 0;
+    for (const char* cause : {"snapping", "ray_quantisation", "t_rounding", "shading", "primitive_test", "bug"}) {
+        INFO(cause);
+        const std::uint64_t all = error["causes"].at(cause), other = error["causes_other_primitive"].at(cause);
+        CHECK(other <= all);
+        sum += other;
+    }
+    CHECK(sum == error["pixels_other_primitive"]);
+    CHECK(error["causes"]["bug"] == 0);
+    CHECK(error["oracle"]["pixels"] == error["pixels"]);
+    CHECK(error["oracle"]["wrong"] == 0);
+}
+
 json parsed(const Outcome& outcome) {
     INFO(outcome.err);
     CHECK(outcome.err.empty());
@@ -77,7 +92,9 @@ TEST_CASE("simulate reports every key, on both engines alike") {
                         {"memory.node_cache.accesses", "number"}, {"memory.node_cache.hits", "number"}, {"memory.prim_cache.accesses", "number"},
                         {"memory.prim_cache.hits", "number"}, {"memory.dram.reads", "number"}, {"memory.dram.row_hits", "number"},
                         {"error.pixels", "number"}, {"error.pixels_other_primitive", "number"}, {"error.psnr_db", "number"},
-                        {"error.max_abs_depth", "number"}, {"host.cycles_per_second", "number"}, {"host.rays_per_second", "number"}});
+                        {"error.max_abs_depth", "number"}, {"error.pixels_on_edge", "number"}, {"error.oracle.pixels", "number"},
+                        {"error.oracle.wrong", "number"}, {"host.judge_seconds", "number"}, {"host.cycles_per_second", "number"}, {"host.rays_per_second", "number"}});
+    check_causes(report["error"]);
     CHECK(report["rays"]["primary"] == 24 * 18);
     CHECK(report["clocks"].size() == 2);
     CHECK(report["clocks"][1]["mhz"] == 90.5);
@@ -104,6 +121,8 @@ TEST_CASE("verify reports every key and says so in words") {
     check_shared(report);
     check_keys(report, {{"pixels", "number"}, {"events_compared", "number"}, {"value_mismatches", "number"}, {"account_mismatches", "number"}, {"cycle_gap", "number"},
                         {"first_divergence", "null"}, {"reference.pixels_other_primitive", "number"}, {"reference.psnr_db", "number"}});
+    check_causes(report["reference"]);
+    CHECK(outcome.out.find("oracle: 432 pixels judged") != std::string::npos);
     CHECK(report.contains("golden"));
     CHECK(report["pixels"] == 24 * 18);
     CHECK(report["value_mismatches"] == 0);

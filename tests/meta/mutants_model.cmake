@@ -264,3 +264,20 @@ mutant(stress_oracle_search_skips FILE model/oracle/surface.cpp TEST system "the
 mutant(stress_judge_forgets_leaks FILE sim/stress/judge.cpp TEST system "controls are noticed*"
   OLD [[counts.leaks += !missing.empty();]]
   NEW [[]])
+
+# ---- Answers that are off by a rounding or a tie, judged pixel by pixel.
+mutant(model_answer_t_rounded_down QUICK FILE model/isect/tri.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle finds every answer right*"
+  OLD [[q.whole + q.rest]]
+  NEW [[q.whole]])
+mutant(model_answer_weights_off FILE model/isect/tri.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle finds every answer right*"
+  OLD [[std::uint32_t(quotient(edge, config.bary_bits, det).whole)]]
+  NEW [[std::uint32_t(quotient(edge, config.bary_bits, det).whole | 1)]])
+mutant(model_answer_product_bits_dropped FILE model/isect/facet.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp model/trace/trace.cpp TEST system "the oracle finds every answer right*"
+  OLD [[sum += a[k] * std::uint64_t(std::int64_t(direction[k]));]]
+  NEW [[sum += (a[k] * std::uint64_t(std::int64_t(direction[k]))) & ~std::uint64_t(0xfff);]])
+mutant(model_answer_edges_inclusive FILE model/isect/facet.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp model/trace/trace.cpp TEST system "the oracle finds every answer right*"
+  OLD [[return u == 0 || v == 0 || det - u - v == 0;]]
+  NEW [[return det == 0;]])
+mutant(model_answer_tie_first_come FILE model/trace/record.inl WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "where coplanar triangles*"
+  OLD [[if (mine > theirs || (mine == theirs && facet.prim > best.prim)) return;]]
+  NEW [[if (mine >= theirs) return;]])

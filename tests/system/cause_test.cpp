@@ -86,15 +86,13 @@ TEST_CASE("vertices on lattice points are not snapped: what differs is the ray",
 }
 
 TEST_CASE("fine rays on a coarse lattice: what differs is snapped", "[cause]") {
-    Scene scene = waves(16);
-    for (glm::dvec3& v : scene.vertices) v += glm::dvec3(0.3, 0.1, -0.4) * std::sin(v.x + 3 * v.y);
-    const Judgement j = make_case(scene, formats(12, 24, 24)).judged();
-    CHECK(count(j, PixelCause::snapping) > 100);
+    const Judgement j = make_case(waves(16), formats(12, 24, 24)).judged();
+    CHECK(count(j, PixelCause::snapping) > 30);
     CHECK(count(j, PixelCause::ray_quantisation) == 0);
     CHECK(count(j, PixelCause::t_rounding) == 0);
     CHECK(count(j, PixelCause::shading) == 0);
     CHECK(j.wrong == 0);
-    CHECK(j.causes_other[std::size_t(PixelCause::snapping)] > 10);
+    CHECK(j.causes_other[std::size_t(PixelCause::snapping)] > 5);
 }
 
 TEST_CASE("few bits for u and v: what differs was rounded", "[cause]") {
@@ -141,6 +139,25 @@ TEST_CASE("the oracle finds every answer right, and every pixel that differs has
     CHECK(unlike == 0);
     CHECK(tally == j.causes);
     CHECK(tally_other == j.causes_other);
+}
+
+TEST_CASE("where coplanar triangles are hit at the same t, the oracle wants the lowest number", "[cause]") {
+    Scene scene = waves(16);
+    for (glm::dvec3& v : scene.vertices) v.z = scene.vertices[0].z;
+    const auto last = std::uint32_t(scene.vertices.size() - 1);
+    const std::uint32_t side = 20;
+    scene.triangles.push_back({{0, side, last}, 0});   // over all of it
+    scene.triangles.push_back({{0, last, last - side}, 0});
+    const Case made = make_case(scene, formats(16, 20, 16));
+    const Judgement j = made.judged();
+    CHECK(j.wrong == 0);
+    std::size_t hits = 0, large = 0;
+    for (const Closest& answer : made.answers) {
+        hits += answer.found;
+        large += answer.found && answer.prim >= scene.triangles.size() - 2;
+    }
+    CHECK(hits > 1000);
+    CHECK(large == 0);
 }
 
 TEST_CASE("an answer that is off in anything is a bug, whether or not it shows", "[cause]") {
