@@ -51,8 +51,6 @@ std::string per_million(std::uint64_t count, std::uint64_t rays) {
     return count == 0 ? "0" : fmt::format("{:.{}f}", 1e6 * double(count) / double(rays), 1e6 * double(count) / double(rays) < 10 ? 1 : 0);
 }
 
-bool is_control(const NamedTest& test) { return test.demand == Demand::double_hits || test.demand == Demand::leaks || test.demand == Demand::mismatches; }
-
 /// Leaks and double hits by test, on chosen families.
 std::string tests_table(const Plan& plan, const Outcome& outcome) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> groups{

@@ -76,8 +76,8 @@ std::optional<ordered_json> Cache::find(const std::string& kind, const std::stri
     std::ostringstream text;
     text << file.rdbuf();
     const ordered_json entry = ordered_json::parse(text.str(), nullptr, false);
-    if (!entry.is_object() || entry.value("key", "") != key || !entry.contains("value")) return std::nullopt;
-    if (entry.value("check", "") != hash_text(entry["value"].dump())) return std::nullopt;
+    if (!entry.is_object() || !entry.contains("key") || !entry.contains("check") || !entry.contains("value")) return std::nullopt;
+    if (entry["key"] != key || entry["check"] != hash_text(entry["value"].dump())) return std::nullopt;
     return entry["value"];
 }
 
