@@ -18,7 +18,7 @@ namespace rayclock {
 
 namespace {
 
-constexpr int stages = 5;
+constexpr int stages = 6;
 constexpr int packed_width = 256;
 
 /// The scene as the machine has it, in lattice steps, for the reference.
@@ -65,20 +65,21 @@ private:
         return holds_another(pixel) || srgb_bytes(expected_.pixels[pixel]) != srgb_bytes(answered_.picture.pixels[pixel]);
     }
 
-    /// Asks the oracle about every pixel; pixels that are right and differ are left to explain().
+    /// Asks the oracle about every pixel; pixels that differ and are no bugs are left to explain().
     void find(const Progress& progress) {
         const std::size_t pixels = answered_.answers.size();
-        const PixelCause fault = asked_.config.test() == PrimitiveTest::exact ? PixelCause::bug : PixelCause::primitive_test;
+        const bool exact = asked_.config.test() == PrimitiveTest::exact;
         judgement_.pixels.assign(pixels, PixelCause::none);
         judgement_.other.assign(pixels, false);
-        std::vector<std::uint8_t> open(pixels);
+        std::vector<std::uint8_t> open(pixels), wrong(pixels);
         std::mutex reporting;
         std::uint64_t done = 0;
         tbb::parallel_for(0, size_.height, [&](int row) {
             const std::size_t begin = std::size_t(row) * std::size_t(size_.width), end = begin + std::size_t(size_.width);
             for (std::size_t i = begin; i < end; ++i) {
                 const Closest right = truth_->answer(truth_->pixel(asked_.frame, x(i), row));
-                if (!same_answer(right, answered_.answers[i])) judgement_.pixels[i] = fault;
+                wrong[i] = !same_answer(right, answered_.answers[i]);
+                if (wrong[i] && exact) judgement_.pixels[i] = PixelCause::bug;
                 else open[i] = differs(i);
             }
             if (!progress) return;
@@ -88,6 +89,7 @@ private:
         for (std::size_t i = 0; i < pixels; ++i) {
             if (open[i]) open_.push_back(i);
             judgement_.other[i] = holds_another(i);
+            judgement_.wrong += wrong[i];
         }
     }
 
@@ -106,6 +108,7 @@ private:
             hits[1].hits[i] = snapped_->trace({eye[0], eye[1], eye[2]}, asked_.lattice.direction(rays.direction(px, py)));
             hits[2].hits[i] = {exact.primitive, 0, float(double(exact.u) / double(exact.den)), float(double(exact.v) / double(exact.den))};
             hits[3].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), truth_->answer(exact)});
+            hits[4].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), answered_.answers[open_[i]]});
         });
         std::array<Picture, stages - 1> pictures;
         for (std::size_t k = 0; k < hits.size(); ++k) pictures[k] = shade(asked_.scene, hits[k]);
@@ -136,7 +139,6 @@ private:
     void count(std::size_t pixel) {
         const PixelCause cause = judgement_.pixels[pixel];
         if (cause == PixelCause::none) return;
-        judgement_.wrong += cause == PixelCause::bug || cause == PixelCause::primitive_test;
         ++judgement_.causes[std::size_t(cause)];
         if (!judgement_.other[pixel]) return;
         ++judgement_.causes_other[std::size_t(cause)];
@@ -160,8 +162,8 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
     static constexpr std::array<PixelCauseInfo, pixel_causes + 1> infos{{{"snapping", {230, 159, 0}},
                                                                    {"ray_quantisation", {86, 180, 233}},
                                                                    {"t_rounding", {0, 158, 115}},
-                                                                   {"shading", {240, 228, 66}},
                                                                    {"primitive_test", {204, 121, 167}},
+                                                                   {"shading", {240, 228, 66}},
                                                                    {"bug", {255, 255, 255}},
                                                                    {"none", {0, 0, 0}}}};
     return infos[std::size_t(cause)];

@@ -6,10 +6,10 @@
 //   1  double precision, vertices on the lattice          snapping
 //   2  exact, with the integer direction                  ray_quantisation
 //   3  t, u and v rounded as promised                     t_rounding
-//   4  the colours that the machine's hits were given     shading
+//   4  the machine's answer                               primitive_test
+//   5  the colours that its hits were given               shading
 // If the primitive differs in the end, the cause is the first stage that changed it; otherwise the one that changed the colour
-// most. An answer that is not stage 3 to the bit is a bug, whether or not it shows; where the configuration's test of primitives
-// is not the exact one, it is that test's price.
+// most. With the exact primitive test stage 4 is stage 3 to the bit, or the pixel is a bug, whether or not it shows.
 #include <array>
 #include <span>
 
@@ -19,7 +19,7 @@
 
 namespace rayclock {
 
-enum class PixelCause : std::uint8_t { snapping, ray_quantisation, t_rounding, shading, primitive_test, bug, none };
+enum class PixelCause : std::uint8_t { snapping, ray_quantisation, t_rounding, primitive_test, shading, bug, none };
 constexpr std::size_t pixel_causes = 6;   ///< without `none`
 
 /// A cause's key in reports and its colour in the difference picture, sRGB.

@@ -195,6 +195,30 @@ TEST_CASE("an answer that is off in anything is a bug, whether or not it shows",
     CHECK(renamed.judged().wrong == 0);
 }
 
+TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "[cause]") {
+    const int test = GENERATE(1, 2, 3, 4, 5);   // all but exact
+    const Case made = make_case("gears:1", with(named_config("default"), {{"primitive_test", test}, {"dir_bits", 22}}));
+    const Judgement j = made.judged();
+    INFO(primitive_test_names()[std::size_t(test)] << ": " << j.wrong << " answers are not the oracle's");
+    CHECK(j.wrong > 0);
+    CHECK(j.bugs() == 0);
+    // It is never blamed for another primitive where it holds the oracle's.
+    const Truth truth(made.scene, made.job.image.lattice, made.job.config);
+    for (std::size_t i = 0; i < j.pixels.size(); ++i) {
+        if (j.pixels[i] != PixelCause::primitive_test || !j.other[i]) continue;
+        const std::uint32_t right = truth.pixel(made.job.frame, int(i) % size.width, int(i) / size.width).primitive;
+        CHECK(right != (made.answers[i].found ? made.answers[i].prim : no_primitive));
+    }
+    if (PrimitiveTest(test) == PrimitiveTest::truncated) CHECK(count(j, PixelCause::primitive_test) > 0);
+
+    Case exact = make_case("gears:1", with(named_config("default"), {{"dir_bits", 22}}));
+    CHECK(count(exact.judged(), PixelCause::primitive_test) == 0);
+    // The same answers from a machine that promises exactness are bugs.
+    exact.answers = made.answers;
+    exact.shade_again();
+    CHECK(exact.judged().bugs() == j.wrong);
+}
+
 TEST_CASE("a pixel on an edge of the reference's triangle is counted apart", "[cause]") {
     Case made = make_case(waves(16), formats(16, 24, 24));
     REQUIRE(made.judged().on_edge == 0);
