@@ -26,8 +26,10 @@ std::string plot_path(const std::string& page, const std::string& scene) {
     return path.replace_filename(path.stem().string() + "-" + name).string();
 }
 
+/// What to type for this page. Where this machine keeps its files is nobody's business.
 std::string command_of(const Options& o) {
-    std::string text = "rayclock tradeoff -o " + o.output;
+    const std::filesystem::path path(o.output);
+    std::string text = "rayclock tradeoff -o " + (path.is_absolute() ? path.filename() : path).string();
     if (o.scenes != default_tradeoff_scenes()) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.size != Options{}.size) text += " --size " + o.size;
     if (o.no_netlist) text += " --no-netlist";

@@ -73,6 +73,11 @@ public:
         return text;
     }
 
+    bool has_netlists() const {
+        const std::vector<Result>& results = scenes_[0].outcome.results;
+        return std::any_of(results.begin(), results.end(), [](const Result& r) { return r.multipliers.has_value(); });
+    }
+
 private:
     const Result& result(const SceneStudy& scene, std::size_t point) const { return scene.outcome.results[point]; }
 
@@ -180,7 +185,7 @@ std::string page(const Study& study, const std::vector<SceneStudy>& scenes, int 
     std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
     text += fmt::format("Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: configuration `default` but for what is varied, "
                         "{:g} MHz, the first frame of each scene{}.\n",
-                        command, khz / 1e3, yosys_version().empty() ? "" : "; " + yosys_version().substr(0, yosys_version().find(" (")));
+                        command, khz / 1e3, page.has_netlists() ? "; " + yosys_version().substr(0, yosys_version().find(" (")) : "");
     text += what_counts;
     text += "\n## In short\n\n" + page.knee_table();
     text += "\n## One width at a time\n";

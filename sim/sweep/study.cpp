@@ -46,7 +46,7 @@ Study make_study(int khz) {
     const Config base = named_config("default");
     Config deep = base;
     deep.stack_depth = 64;
-    maker.add_series("coord_bits=12:20:2", "Bits of a lattice coordinate: where the corners of triangles may lie. A bit less doubles the lattice's pitch.", base);
+    maker.add_series("coord_bits=12:20:2", "Bits of a lattice coordinate: where the corners of triangles may lie. A bit less doubles the lattice's pitch; a bit more widens every product of the triangle test.", base);
     maker.add_series("dir_bits=16:24:2", "Bits of a direction component: where rays may point to.", base);
     maker.add_series("box_bits=4:8", "Bits of a child box plane relative to its node. Boxes are rounded outwards, so that fewer bits cost visits and never a pixel.", base);
     maker.add_series("recip_bits=8:24:4", "Precision of the reciprocal directions that the box test multiplies with; rounded outwards likewise.", base);

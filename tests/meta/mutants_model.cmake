@@ -281,3 +281,20 @@ mutant(model_answer_edges_inclusive FILE model/isect/facet.hpp WITH tests/system
 mutant(model_answer_tie_first_come FILE model/trace/record.inl WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "where coplanar triangles*"
   OLD [[if (mine > theirs || (mine == theirs && facet.prim > best.prim)) return;]]
   NEW [[if (mine >= theirs) return;]])
+
+# ---- Sweeps.
+mutant(sweep_equal_points_beat_each_other FILE sim/sweep/front.cpp TEST sweep "the front is*"
+  OLD [[    return better;]]
+  NEW [[    return true;]])
+mutant(sweep_knee_above_the_chord FILE sim/sweep/front.cpp TEST sweep "*knee*"
+  OLD [[(1 - x - y)]]
+  NEW [[(x + y - 1)]])
+mutant(sweep_crack_in_front FILE sim/sweep/cracks.cpp TEST sweep "*crack*"
+  OLD [[num * hit.den > hit.num * den]]
+  NEW [[num * hit.den < hit.num * den]])
+mutant(sweep_believes_a_broken_entry FILE sim/sweep/cache.cpp TEST sweep "an entry*"
+  OLD [[entry["check"] != hash_text(entry["value"].dump())]]
+  NEW [[false]])
+mutant(sweep_takes_one_clock_for_another FILE sim/sweep/run.cpp TEST sweep "another parameter*"
+  OLD [[scene_key_, r.point.khz, timing_of]]
+  NEW [[scene_key_, 0, timing_of]])
