@@ -72,7 +72,8 @@ Work make_work(const Plan& plan) {
     for (const std::string& test : plan.tests)
         for (const int bits : plan.bits)
             for (const std::string& name : plan.families) work.cells.push_back({test, bits, name, {}});
-    work.rays_per_cell = std::max<std::uint64_t>(1, (plan.rays + work.cells.size() - 1) / work.cells.size());
+    const std::uint64_t cells_per_test = plan.bits.size() * plan.families.size();
+    work.rays_per_cell = (plan.rays + cells_per_test - 1) / cells_per_test;
     work.batches = (work.rays_per_cell + batch_rays - 1) / batch_rays;
     return work;
 }

@@ -109,12 +109,20 @@ std::string draw(const View& view, const std::vector<Ray>& rays) {
     return out;
 }
 
-/// Half the size of a view that shows the surroundings of a hit: some edges of the smallest triangle around it.
-double near_size(const Mesh& mesh, const Ray& ray) {
-    const oracle::Corners& t = mesh.triangles[ray.hits[0].primitive];
-    double size = 0;
-    for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) size = std::max(size, glm::distance(place(p), place(q)));
-    return std::max(1.2 * size, 4.0);
+/// The hit on the triangle with the shortest edge, and that edge: there is what makes the family hard.
+struct Place {
+    glm::dvec3 at{0};
+    double edge = 0;
+};
+Place smallest(const Mesh& mesh, const std::vector<Ray>& rays) {
+    Place best;
+    for (const Ray& ray : rays)
+        for (const oracle::ExactHit& hit : ray.hits) {
+            const oracle::Corners& t = mesh.triangles[hit.primitive];
+            for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)})
+                if (const double edge = glm::distance(place(p), place(q)); best.edge == 0 || edge < best.edge) best = {ray.at(hit), edge};
+        }
+    return best;
 }
 
 } // namespace
@@ -129,10 +137,9 @@ std::string sketch(const Family& family) {
     whole.half = 0.62 * glm::distance(place(subject.mesh.lo), place(subject.mesh.hi));
     View near = whole;
     near.left = panel + 10;
-    if (!rays.empty()) {
-        near.centre = near.flat(rays[0].at(rays[0].hits[0]));
-        near.half = near_size(subject.mesh, rays[0]);
-    }
+    const Place hard = smallest(subject.mesh, rays);
+    near.centre = near.flat(hard.at);
+    near.half = std::max(2.5 * hard.edge, 3.0);
     std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
                                   "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n", 2 * panel + 10, panel);
     for (const View* view : {&whole, &near})

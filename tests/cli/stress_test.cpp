@@ -11,7 +11,7 @@ using namespace rayclock::test;
 using nlohmann::json;
 
 TEST_CASE("stress reports every test, lattice and family") {
-    const Outcome run = run_program({"stress", "--bits", "12,20", "--test", "exact,moller", "--family", "edges,quad,t_junction", "--rays", "120000", "--json", "-"});
+    const Outcome run = run_program({"stress", "--bits", "12,20", "--test", "exact,moller", "--family", "edges,quad,t_junction", "--rays", "60000", "--json", "-"});
     REQUIRE(run.code == 0);
     const json report = json::parse(run.out);
     REQUIRE(report["tests"].size() == 2 * 2 * 3);
