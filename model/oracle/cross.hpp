@@ -65,8 +65,10 @@ template <class Int> struct Passage {
 template <class Int, class Short = Int> std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
     const Triple<Short> o = triple<Short>(origin), d = triple<Short>(direction);
     const Triple<Short> a = way(o, triple<Short>(t.a)), b = way(o, triple<Short>(t.b)), c = way(o, triple<Short>(t.c));
-    const Triple<Short> bc = area(b, c), ca = area(c, a), ab = area(a, b);
-    const Int along_bc = volume<Int>(d, bc), along_ca = volume<Int>(d, ca), along_ab = volume<Int>(d, ab);
+    const Triple<Short> bc = area(b, c), ca = area(c, a);
+    const Int along_bc = volume<Int>(d, bc), along_ca = volume<Int>(d, ca);
+    if ((along_bc > 0 && along_ca < 0) || (along_bc < 0 && along_ca > 0)) return std::nullopt;   // most end here
+    const Int along_ab = volume<Int>(d, area(a, b));
     const int first = side(along_bc, d, b, c);
     if (first == 0 || side(along_ca, d, c, a) != first || side(along_ab, d, a, b) != first) return std::nullopt;
     const Int size = along_bc + along_ca + along_ab, height = volume<Int>(a, bc);

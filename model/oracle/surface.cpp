@@ -68,11 +68,13 @@ struct Ray {
     }
 };
 
+constexpr std::uint32_t leaf = 1u << 31, none = ~0u;   // of a child's number
+
 // Every operation is exact, so both versions give the same.
 namespace plain {
 using Lanes = double __attribute__((vector_size(16)));
 inline unsigned signs(const Lanes& v) { return unsigned(v[0] < 0) | unsigned(v[1] < 0) << 1; }
-#include "model/oracle/meets.inl"
+#include "model/oracle/search.inl"
 } // namespace plain
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -81,14 +83,12 @@ inline unsigned signs(const Lanes& v) { return unsigned(v[0] < 0) | unsigned(v[1
 namespace avx2 {
 using Lanes = double __attribute__((vector_size(32)));
 inline unsigned signs(const Lanes& v) { return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), _mm256_setzero_pd(), _CMP_LT_OQ))); }
-#include "model/oracle/meets.inl"
+#include "model/oracle/search.inl"
 } // namespace avx2
 #pragma GCC pop_options
-unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
-    return __builtin_cpu_supports("avx2") ? avx2::meets(ray, boxes, near) : plain::meets(ray, boxes, near);
-}
+#define RAYCLOCK_SEARCH(closest, ...) (__builtin_cpu_supports("avx2") ? avx2::search<closest>(__VA_ARGS__) : plain::search<closest>(__VA_ARGS__))
 #else
-unsigned meets(const Ray& ray, const Boxes& boxes, double* near) { return plain::meets(ray, boxes, near); }
+#define RAYCLOCK_SEARCH(closest, ...) plain::search<closest>(__VA_ARGS__)
 #endif
 
 } // namespace
@@ -169,38 +169,10 @@ std::uint32_t Surface::build(std::uint32_t first, std::uint32_t count) {
     return number;
 }
 
-/// Calls meet(place in ordered_) for every triangle whose box the ray meets, and not after `best`, which meet may change.
-template <class Meet> void Surface::walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const {
-    if (root_ == none) return;
-    const Ray ray(o, d);
-    // 2^31 triangles quartered: at most 16 levels, each leaving three siblings.
-    std::array<std::pair<std::uint32_t, double>, 64> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {root_, -1e18};
-    double near[4];
-    while (depth > 0) {
-        const auto [number, begins] = stack[--depth];
-        if (ray.after(best, begins)) continue;
-        const Node& node = nodes_[number];
-        const std::size_t below = depth;
-        for (unsigned met = meets(ray, node.boxes, near) & node.there; met != 0; met &= met - 1) {
-            const auto i = unsigned(std::countr_zero(met));
-            if (ray.after(best, near[i])) continue;
-            if (node.child[i] & leaf) {
-                meet(node.child[i] & ~leaf);
-                continue;
-            }
-            // Farthest first, so that the nearest is popped first.
-            std::size_t at = depth++;
-            for (; at > below && stack[at - 1].second < near[i]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[i], near[i]};
-        }
-    }
-}
-
 ExactHit Surface::closest(const Vec3i& o, const Vec3i& d) const {
     ExactHit best;
-    walk(o, d, best, [&](std::uint32_t place) {
+    if (root_ == none) return best;
+    RAYCLOCK_SEARCH(true, Ray(o, d), nodes_.data(), root_, best, [&](std::uint32_t place) {
         const ExactHit hit = exact_hit(o, d, ordered_[place], order_[place]);
         if (hit.primitive != no_primitive && hit.before(best)) best = hit;
     });
@@ -209,7 +181,8 @@ ExactHit Surface::closest(const Vec3i& o, const Vec3i& d) const {
 
 void Surface::candidates(const Vec3i& o, const Vec3i& d, std::vector<std::uint32_t>& found) const {
     found.clear();
-    walk(o, d, ExactHit{}, [&](std::uint32_t place) { found.push_back(order_[place]); });
+    if (root_ == none) return;
+    RAYCLOCK_SEARCH(false, Ray(o, d), nodes_.data(), root_, ExactHit{}, [&](std::uint32_t place) { found.push_back(order_[place]); });
 }
 
 } // namespace rayclock::oracle

@@ -55,16 +55,14 @@ public:
 
 private:
     struct Node;
-    static constexpr std::uint32_t leaf = 1u << 31, none = ~0u;
     std::uint32_t build(std::uint32_t first, std::uint32_t count);
-    template <class Meet> void walk(const Vec3i& o, const Vec3i& d, const ExactHit& best, const Meet& meet) const;
 
     std::vector<Corners> triangles_;
     int margin_ = 0;
     std::vector<Corners> ordered_;        ///< as the leaves have them
     std::vector<std::uint32_t> order_;    ///< their numbers
     std::vector<Node> nodes_;
-    std::uint32_t root_ = none;
+    std::uint32_t root_ = ~0u;   ///< none
 };
 
 /// The crossing of triangle `primitive`, or no_primitive.

@@ -27,13 +27,13 @@ Mesh ball(int level, int n, Rng& rng) {
     return mesh;
 }
 
-Case random_rays(int n, int m, Rng& rng) { return aimed(ball(3, n, rng), Target::inside, n, m); }
-Case edges(int n, int m, Rng& rng) { return aimed(ball(3, n, rng), Target::edge, n, m); }
-Case corners(int n, int m, Rng& rng) { return aimed(ball(3, n, rng), Target::corner, n, m); }
+Case random_rays(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rng), Target::inside, n, m); }
+Case edges(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rng), Target::edge, n, m); }
+Case corners(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rng), Target::corner, n, m); }
 
 Case fan(int n, int m, Rng& rng) {
     Mesh mesh;
-    mesh.add(turned(bipyramid(128, 1), rng), scale(n, 64, rng));
+    mesh.add(turned(bipyramid(16 << rng.below(4), 1), rng), scale(n, 64, rng));
     return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
         return [&kept, n, m](Rng& from) {
             const Vec3i o = outside(kept, n, from);
@@ -132,7 +132,7 @@ Case coplanar(int n, int m, Rng& rng) {
 
 /// Along an axis through corners and edges.
 Case axis_parallel(int n, int m, Rng& rng) {
-    return with_rays(ball(3, n, rng), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
+    return with_rays(ball(1 + rng.below(3), n, rng), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
         return [&kept, n, m](Rng& from) {
             const oracle::Corners& t = any_triangle(kept, from);
             const Weights w = weights(Target::any, from);
@@ -211,7 +211,7 @@ Case stadium(int n, int m, Rng& rng) {
 Case far_off(int n, int m, Rng& rng) {
     Mesh mesh;
     const double size = std::max(24.0, most(n) / 64.0), place = most(n) - size - 1;
-    mesh.add(turned(sphere(3), rng), size, {place, place, place});
+    mesh.add(turned(sphere(1 + rng.below(3)), rng), size, {place, place, place});
     return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
         return [&kept, n, m](Rng& from) {
             Shot shot{{}, {}, 0};
@@ -301,10 +301,10 @@ Case quad(int n, int m, Rng& rng) {
 
 const std::vector<Family>& families() {
     static const std::vector<Family> all{
-        {"random", "a closed ball of 1,280 triangles, rays at the insides of triangles", true, false, random_rays},
+        {"random", "a closed ball of 80 to 1,280 triangles, rays at the insides of triangles", true, false, random_rays},
         {"edges", "the ball, rays through shared edges", true, false, edges},
         {"corners", "the ball, rays through shared corners", true, false, corners},
-        {"fan", "two cones of 128 triangles each: corners of valence 128, and edges that meet there", true, false, fan},
+        {"fan", "two cones of 16 to 128 triangles each: corners of that valence, and edges that meet there", true, false, fan},
         {"needles", "a spindle one to six lattice steps thin: triangles that are nearly lines, or quite", true, false, needles},
         {"slivers", "the ball with edges cut on one side and the seam closed by triangles without area", true, false, slivers},
         {"edge_on", "rays in the plane of a triangle, seen edge-on (det = 0)", true, false, edge_on},

@@ -70,7 +70,7 @@ public:
     Judge(const Case& subject, const Config& config, const NamedTest& test, bool closed);
     void judge(const Shot& shot, Counts& counts);
 
-    static constexpr int walk_every = 8, look_every = 8;
+    static constexpr int walk_every = 16, look_every = 4;
 
 private:
     struct Hit {

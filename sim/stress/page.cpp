@@ -35,10 +35,10 @@ own that provably skips none; 256-bit integers and fractions judge it in turn).
 - **double hit**: a hit that stands for no crossing. (Two of opposite sense that share a corner cancel: the ray grazes.)
 - Independently of the oracle's decisions, crossings inwards less crossings outwards must be minus the number of bodies around
   the origin. `sheared` moves corners by up to a lattice step, so it is judged by this sum alone, with origins clear of the surface.
-- **oracle mismatch**: any decision about a triangle that is not the exact one, or (every 8th ray) another closest hit at the end of
+- **oracle mismatch**: any decision about a triangle that is not the exact one, or (every 16th ray) another closest hit at the end of
   the machine's own walk through the tree.
 - **false shadow, light leak**: secondary rays from the surface by the machine's scheme of origins, blocked though truly free or the
-  other way round; one for every 16 rays. [origins.md](origins.md) has the scheme and its proof.
+  other way round; one for every 64 rays. [origins.md](origins.md) has the scheme and its proof.
 - **extra boxes**: child boxes that a walk looks into although the ray does not meet them, over those that it meets; of rays whose
   direction fills its bits. None that it meets may be left out. [boxes.md](boxes.md) has the proof and the cost on real scenes.
 

@@ -19,7 +19,7 @@ namespace rayclock::stress {
 
 namespace {
 
-constexpr std::uint64_t batch_rays = 1 << 16, shadow_every = 16;
+constexpr std::uint64_t batch_rays = 1 << 17, shadow_every = 64;
 constexpr double seconds_between_saves = 5;
 
 /// Processor time of this thread.

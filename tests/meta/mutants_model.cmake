@@ -258,7 +258,7 @@ mutant(stress_box_inward FILE model/accel/encode.cpp TEST system "the exact test
 mutant(stress_sheared_rounds_by_triangle FILE model/isect/sheared.cpp TEST system "controls are noticed*"
   OLD [[const Corner a = sheared(triangle.a, o, shear, frac),]]
   NEW [[const Corner a = sheared({triangle.a[0] + int(triangle.prim & 1), triangle.a[1], triangle.a[2]}, o, shear, frac),]])
-mutant(stress_oracle_search_skips FILE model/oracle/surface.cpp TEST system "the oracle's search*"
+mutant(stress_oracle_search_skips FILE model/oracle/search.inl WITH model/oracle/surface.cpp TEST system "the oracle's search*"
   OLD [[meet(node.child[i] & ~leaf);]]
   NEW [[if (node.child[i] % 97 != 5) meet(node.child[i] & ~leaf);]])
 mutant(stress_judge_forgets_leaks FILE sim/stress/judge.cpp TEST system "controls are noticed*"

@@ -90,8 +90,8 @@ TEST_CASE("the exact test stands every hard case, on every lattice", "[stress]")
         CHECK(cell.counts.crossings > cell.counts.rays / 20);
     }
     const auto sound = [](const Cell& cell) { return !family(cell.family).leaks; };
-    CHECK(sum(outcome.cells, sound).walked > 50'000);
-    CHECK(sum(outcome.cells, sound).shadow_rays > 10'000);
+    CHECK(sum(outcome.cells, sound).walked > 25'000);
+    CHECK(sum(outcome.cells, sound).shadow_rays > 5'000);
     CHECK(sum(outcome.cells, sound).boxes > 5'000);
     // The surface that does not fit leaks, although every decision about it is exact.
     const Counts seams = sum(outcome.cells, [](const Cell& cell) { return cell.family == "t_junction"; });
