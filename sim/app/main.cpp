@@ -90,7 +90,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     CLI::App& stress = add("stress", "numerical hard cases against the exact oracle",
                            "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started again, it goes on)", stress_command);
     stress.add_option("--bits", o.bits, "lattices: bits of a coordinate, as 12:20:2 or 16,18")->capture_default_str();
-    stress.add_option("--rays", o.rays, "rays for each test, shared by lattices and families")->capture_default_str();
+    stress.add_option("--rays", o.rays, "rays for exact and for sheared; a tenth for baselines and controls")->capture_default_str();
     stress.add_option("--test", o.tests, "primitive test, or all; may be repeated")->delimiter(',');
     stress.add_option("--family", o.families, "family of hard cases; may be repeated; all by default")->delimiter(',');
     stress.add_option("--seed", o.seed, "seed of the rays")->check(CLI::Range(1, 1 << 30));

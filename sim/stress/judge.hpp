@@ -52,6 +52,9 @@ struct NamedTest {
     Sense sense = nullptr;      ///< that of the exact normal
     int margin = 0;             ///< lattice steps by which it may be off
 };
+/// True for tests that the hardware has: exact and sheared. Baselines and controls are there for comparison.
+inline bool in_machine(const NamedTest& test) { return test.demand == Demand::truth || test.demand == Demand::watertight; }
+
 /// Judges a test on one surface.
 ///
 /// For each ray the triangles that it may meet are put to the oracle and to the test, each by itself. Where they disagree: a

@@ -55,7 +55,8 @@ std::string per_million(std::uint64_t count, std::uint64_t rays) {
 std::string tests_table(const Plan& plan, const Outcome& outcome) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> groups{
         {"random", {"random"}}, {"edges", {"edges"}}, {"corners", {"corners"}}, {"needles", {"needles", "slivers"}}, {"stadium", {"stadium", "far"}}, {"all closed", {}}};
-    std::string out = "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. The controls have a fault each and must be noticed.\n\n| test |";
+    std::string out = "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. Baselines and controls get a tenth of the rays of exact and sheared; "
+                      "the controls have a fault each and must be noticed.\n\n| test |";
     for (const auto& group : groups) out += fmt::format(" {} |", group.first);
     out += " not exact | verdict |\n|---|";
     for (std::size_t i = 0; i < groups.size(); ++i) out += "---|";

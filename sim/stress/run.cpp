@@ -55,26 +55,35 @@ Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::u
     return counts;
 }
 
-/// The work in the order in which it is done: every cell's first batch, then every cell's second.
+/// A batch of a cell.
+struct Unit {
+    std::size_t cell = 0;
+    std::uint64_t batch = 0, rays = 0;
+};
+/// The work in the order in which it is done: every cell's first batch, then every cell's second, and so on.
 struct Work {
     std::vector<Cell> cells;
-    std::uint64_t rays_per_cell, batches;
-    std::uint64_t units() const { return cells.size() * batches; }
-    std::uint64_t rays_of(std::uint64_t unit) const {
-        const std::uint64_t batch = unit / cells.size();
-        return std::min(batch_rays, rays_per_cell - batch * batch_rays);
-    }
-    Cell& cell(std::uint64_t unit) { return cells[unit % cells.size()]; }
+    std::vector<Unit> units;
 };
 
 Work make_work(const Plan& plan) {
     Work work;
+    std::vector<std::uint64_t> left;
+    const std::uint64_t cells_per_test = plan.bits.size() * plan.families.size();
     for (const std::string& test : plan.tests)
         for (const int bits : plan.bits)
-            for (const std::string& name : plan.families) work.cells.push_back({test, bits, name, {}});
-    const std::uint64_t cells_per_test = plan.bits.size() * plan.families.size();
-    work.rays_per_cell = (plan.rays + cells_per_test - 1) / cells_per_test;
-    work.batches = (work.rays_per_cell + batch_rays - 1) / batch_rays;
+            for (const std::string& name : plan.families) {
+                work.cells.push_back({test, bits, name, {}});
+                const std::uint64_t rays = in_machine(named_test(test)) ? plan.rays : (plan.rays + 9) / 10;
+                left.push_back((rays + cells_per_test - 1) / cells_per_test);
+            }
+    for (std::uint64_t batch = 0; work.units.empty() || work.units.back().batch + 1 == batch; ++batch)
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            if (left[i] == 0) continue;
+            const std::uint64_t rays = std::min(batch_rays, left[i]);
+            work.units.push_back({i, batch, rays});
+            left[i] -= rays;
+        }
     return work;
 }
 
@@ -98,12 +107,12 @@ Outcome run(const Plan& plan, const Progress& progress) {
 
     Outcome outcome;
     std::uint64_t rays_all = 0;
-    for (std::uint64_t u = 0; u < work.units(); ++u) (u < first ? outcome.rays_before : rays_all) += work.rays_of(u);
+    for (std::size_t u = 0; u < work.units.size(); ++u) (u < first ? outcome.rays_before : rays_all) += work.units[u].rays;
     rays_all += outcome.rays_before;
 
     // Results are added up in the order of the units, so that a state is always that of a beginning.
     const auto start = Clock::now();
-    std::vector<std::optional<Counts>> results(work.units() - first);
+    std::vector<std::optional<Counts>> results(work.units.size() - std::min<std::size_t>(first, work.units.size()));
     std::uint64_t added = first;
     std::atomic<std::uint64_t> next = first, done_rays = outcome.rays_before;
     std::mutex mutex;
@@ -115,12 +124,13 @@ Outcome run(const Plan& plan, const Progress& progress) {
     std::atomic<double> core_seconds = 0;
     const auto help = [&] {
         const double begin = thread_seconds();
-        for (std::uint64_t u = next++; u < std::min(work.units(), plan.stop_after) && !interrupted(); u = next++) {
-            const Counts counts = run_batch(plan, work.cells[u % work.cells.size()], u / work.cells.size(), work.rays_of(u));
+        for (std::uint64_t u = next++; u < std::min<std::uint64_t>(work.units.size(), plan.stop_after) && !interrupted(); u = next++) {
+            const Unit& unit = work.units[u];
+            const Counts counts = run_batch(plan, work.cells[unit.cell], unit.batch, unit.rays);
             done_rays += counts.rays;
             const std::lock_guard lock(mutex);
             results[u - first] = counts;
-            for (; added < work.units() && results[added - first]; ++added) work.cell(added).counts += *results[added - first];
+            for (; added < work.units.size() && results[added - first]; ++added) work.cells[work.units[added].cell].counts += *results[added - first];
             if (progress) progress(fmt::format("rays, {:.2f} M/s", double(done_rays - outcome.rays_before) / 1e6 / std::chrono::duration<double>(Clock::now() - start).count()),
                                    done_rays, rays_all);
             if (std::chrono::duration<double>(Clock::now() - saved).count() > seconds_between_saves) save();
@@ -134,7 +144,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
     for (auto& helper : helpers) helper.get();
     save();
 
-    outcome.partial = added < work.units();
+    outcome.partial = added < work.units.size();
     outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     outcome.core_seconds = core_seconds;
     for (const Cell& cell : work.cells) outcome.rays += cell.counts.rays;

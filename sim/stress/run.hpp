@@ -26,7 +26,7 @@ struct Plan {
     std::vector<std::string> tests{"exact"};
     std::vector<int> bits{12, 14, 16, 18, 20};
     std::vector<std::string> families;
-    std::uint64_t rays = 1'000'000;   ///< for each test, shared evenly by lattices and families
+    std::uint64_t rays = 1'000'000;   ///< for each test of the machine, a tenth for others; shared evenly by lattices and families
     std::uint64_t seed = 1;
     int threads = 0;
     std::uint64_t stop_after = ~std::uint64_t(0);   ///< batches, those of earlier runs included: a part of the run, as if interrupted

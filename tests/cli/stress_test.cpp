@@ -25,15 +25,15 @@ TEST_CASE("stress reports every test, lattice and family") {
         if (row["test"] == "moller" && row["family"] == "edges") moller_leaks += row["leaks"].get<std::uint64_t>();
     }
     CHECK(moller_leaks > 0);
-    CHECK(rays == 120000);
-    CHECK(report["total"]["rays"] == 120000);
+    CHECK(rays == 66000);   // a tenth for the baseline
+    CHECK(report["total"]["rays"] == 66000);
     CHECK(report["good"]["exact"] == true);
     CHECK(report["partial"] == false);
     CHECK(report["host"]["rays_per_core_second"].get<double>() > 0);
 }
 
 TEST_CASE("stress says what came of it, and exits with 1 if a demand is not met") {
-    const Outcome good = run_program({"stress", "--bits", "16", "--test", "exact,inclusive", "--family", "corners", "--rays", "2000"});
+    const Outcome good = run_program({"stress", "--bits", "16", "--test", "exact,inclusive", "--family", "corners", "--rays", "20000"});
     CHECK(good.code == 0);
     CHECK_THAT(good.out, Catch::Contains("every decision is the exact one") && Catch::Contains("a control: noticed"));
     // One ray does not find the seam, so the negative control fails.
