@@ -183,9 +183,9 @@ mutant(frames_tri_tie_turned FILE model/isect/tri.cpp TEST system "every pixel*"
 mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "every pixel*"
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(frames_list_skips_last_triangle FILE model/list/leaves.cpp TEST system "every pixel*"
-  OLD [[if (triangle_ + 1 < group_.count]]
-  NEW [[if (triangle_ + 2 < group_.count]])
+mutant(frames_record_skips_last_triangle FILE model/trace/record.inl WITH model/trace/record.cpp TEST system "every pixel*"
+  OLD [[n < node.count[child]; ++n)]]
+  NEW [[n + 1 < node.count[child]; ++n)]])
 
 # ---- fit: intervals that are too small or too large, a search that stops early.
 mutant(fit_box_far_with_r QUICK FILE sim/fit/ranges_box.cpp TEST unit "box's intervals*"
@@ -242,7 +242,7 @@ mutant(model_overlap_behind_the_origin FILE model/oracle/overlap.cpp TEST unit [
 # ---- Hard cases: faults of the machine that `rayclock stress` must notice by itself.
 mutant(stress_tri_tie_rule_without_flip FILE model/isect/tri.cpp TEST system "the exact test stands*"
   OLD [[return flip ? decides < 0 : decides > 0;]]
-  NEW [[return decides > 0;]])
+  NEW [[return decides > 0 || (flip && decides == 0);]])
 mutant(stress_tri_edges_inclusive FILE model/isect/tri.cpp TEST system "the exact test stands*"
   OLD [[if (u != 0 && v != 0 && w != 0) {]]
   NEW [[if (true) {]])

@@ -79,7 +79,7 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
         const char* base;
     };
     const Case c = GENERATE(Case{"teapot:4", {0.1, {}, 2}, "default"}, Case{"gears:1", {0.5, 42.0, 5}, "small"}, Case{"cornell", {2, {}, 0}, "wide"},
-                            Case{"tetra:5", {0.3, {}, 1}, "default"});
+                            Case{"tetra:5", {0.3, {}, 1}, "default"}, Case{"icosphere:3", {1, {}, 300}, "default"});
     const Scene scene = ready(c.scene, size);
     const HitFrame reference = Reference(scene).frame(*scene.camera, size);
     Measure measure(scene, size, 0);
