@@ -1,6 +1,7 @@
 #include "sim/stress/page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -93,7 +94,9 @@ std::string bits_table(const Plan& plan, const Outcome& outcome, const std::stri
 
 std::string family_part(const Family& which, const Outcome& outcome, const std::string& test, const std::string& picture) {
     const Counts c = sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.family == which.name; });
-    return fmt::format("### {}\n\n{}.\n\n![{}]({})\n\n{} rays: {} leaks, {} double hits, {} oracle mismatches{}{}.\n\n", which.name, which.what, which.name, picture,
+    std::string what = which.what;
+    what[0] = char(std::toupper(what[0]));
+    return fmt::format("### {}\n\n{}.\n\n![{}]({})\n\n{} rays: {} leaks, {} double hits, {} oracle mismatches{}{}.\n\n", which.name, what, which.name, picture,
                        grouped(c.rays), which.closed ? grouped(c.leaks) : "(open surface, not counted)", which.closed ? grouped(c.double_hits) : "(likewise)", grouped(c.oracle_mismatches),
                        c.shadow_rays > 0 ? fmt::format("; {} of {} secondary rays wrong", c.false_shadows + c.light_leaks, grouped(c.shadow_rays)) : "",
                        c.boxes > 0 ? fmt::format("; {} extra boxes", extra_boxes(c)) : "");
