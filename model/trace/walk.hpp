@@ -32,6 +32,8 @@ public:
     Step step() const { return leaves_.step(ray_.ray); }
     /// trav: to the next node, or the ray's end. Returns how many groups were dropped on the way.
     int decide(bool& done);
+    /// Groups on the ray's stack now.
+    int stack_height() const { return stack_.height(); }
 
     const Ray& ray() const { return ray_; }
     const BoxRay& box_ray() const { return box_ray_; }

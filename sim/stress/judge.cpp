@@ -139,7 +139,9 @@ void Judge::compare_hits(Counts& counts) {
 
 bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
     walk_->start_at(make_ray(shot.o, shot.d, config_));
+    bool within_stack = true;   // no ray may need a deeper stack than compilation promised
     for (bool done = false; !done; walk_->decide(done)) {
+        within_stack = within_stack && walk_->stack_height() <= image_.report.stack_need;
         const WideNode& node = decoder_->node(walk_->node());
         const bool leaves = walk_->test_node();
         if (look) look_at_boxes(shot, node, counts);
@@ -147,7 +149,7 @@ bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
             do walk_->test_triangle(); while (walk_->advance());
     }
     const Closest closest = walk_->closest();
-    return (closest.found ? closest.prim : no_primitive) == closest_.primitive;
+    return within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
 }
 
 /// Each child that the ray was told to look into, and each that it was not, against exact arithmetic on the same box.

@@ -66,7 +66,8 @@ inline bool in_machine(const NamedTest& test) { return test.demand == Demand::tr
 /// another surface than the oracle, so for it this sum alone decides: a leak if it found fewer hits than the oracle, a double hit
 /// if not. Its origin must be clear of the surface by more than it moves.
 ///
-/// Every `walk_every`th ray is walked through the tree as well, and its closest hit is compared with the oracle's; of these
+/// Every `walk_every`th ray is walked through the tree as well, and its closest hit is compared with the oracle's, its stack
+/// with the depth that compilation promised; of these
 /// every `look_every`th, if its direction fills its bits, is asked which child boxes it was told to look into.
 class Judge {
 public:

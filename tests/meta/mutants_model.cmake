@@ -298,3 +298,6 @@ mutant(sweep_believes_a_broken_entry FILE sim/sweep/cache.cpp TEST sweep "an ent
 mutant(sweep_takes_one_clock_for_another FILE sim/sweep/run.cpp TEST sweep "another parameter*"
   OLD [[scene_key_, r.point.khz, timing_of]]
   NEW [[scene_key_, 0, timing_of]])
+mutant(stress_stack_need_one_short FILE model/accel/emit.cpp TEST system "the exact test stands*"
+  OLD [[image_.report.stack_need = written_[0].need;]]
+  NEW [[image_.report.stack_need = written_[0].need - 1;]])
