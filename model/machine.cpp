@@ -5,7 +5,7 @@
 namespace rayclock {
 
 Machine::Machine(const Config& config, int khz, Traffic traffic)
-    : config_(config), has_l2_(config.l2_sets > 0), dispatch_(config), arbiter_(2 * config.pipelines), memory_(config, khz, traffic),
+    : config_(config), has_l2_(config.l2_sets > 0), dispatch_(config), clients_(std::uint32_t(config.clients())), arbiter_(config.clients() * config.pipelines), memory_(config, khz, traffic),
       undisturbed_(traffic.none()), shared_moves_(std::size_t(config.pipelines)), masks_(std::size_t(config.pipelines)) {
     for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
     if (has_l2_) l2_.emplace(l2_shape(config));
@@ -26,7 +26,8 @@ void Machine::settle_shared() {
     for (std::uint32_t p = 0; p < pipelines_.size(); ++p) {
         const Pipeline& pipeline = pipelines_[p];
         want |= std::uint32_t(pipeline.tile_ready()) << p;
-        misses |= (std::uint32_t(pipeline.node_miss_valid()) | std::uint32_t(pipeline.prim_miss_valid()) << 1) << 2 * p;
+        misses |= (std::uint32_t(pipeline.node_miss_valid()) | std::uint32_t(pipeline.prim_miss_valid()) << 1 | std::uint32_t(pipeline.surf_miss_valid()) << 2)
+            << clients_ * p;
         shared_moves_[p] = {};
     }
     granted_ = dispatch_.grant(want);
@@ -53,11 +54,11 @@ void Machine::settle_shared() {
     }
     const bool taken = fires(has_l2_ ? Channel::l2_req : Channel::mem_req);
     if (client_ >= 0) {
-        const std::size_t p = std::size_t(client_ >> 1);
-        const bool prim = client_ & 1;
-        const Cache::Miss miss = prim ? pipelines_[p].prim_miss() : pipelines_[p].node_miss();
+        const std::size_t p = std::size_t(client_) / clients_;
+        const std::uint32_t cache = std::uint32_t(client_) % clients_;
+        const Cache::Miss miss = cache == 0 ? pipelines_[p].node_miss() : cache == 1 ? pipelines_[p].prim_miss() : pipelines_[p].surf_miss();
         client_request_ = {std::uint32_t(client_) << (config_.client_id_bits() - config_.client_bits()) | miss.id, miss.addr};
-        (prim ? shared_moves_[p].prim_miss : shared_moves_[p].node_miss) = taken;
+        (cache == 0 ? shared_moves_[p].node_miss : cache == 1 ? shared_moves_[p].prim_miss : shared_moves_[p].surf_miss) = taken;
     }
     const std::uint32_t dispatch = granted_ >= 0 ? 0 : dispatch_.more() ? 2 : 1;
     last_shared_ = dispatch | (client_ < 0 ? 1u : taken ? 0u : 2u) << 2;
@@ -70,8 +71,9 @@ void Machine::route(bool answered, std::uint32_t id) {
     const int shift = config_.client_id_bits() - config_.client_bits();
     fill_client_ = int(id >> shift);
     fill_id_ = id & ((1u << shift) - 1);
-    SharedMoves& moves = shared_moves_[std::size_t(fill_client_ >> 1)];
-    (fill_client_ & 1 ? moves.prim_fill : moves.node_fill) = &fill_id_;
+    SharedMoves& moves = shared_moves_[std::size_t(fill_client_) / clients_];
+    const std::uint32_t cache = std::uint32_t(fill_client_) % clients_;
+    (cache == 0 ? moves.node_fill : cache == 1 ? moves.prim_fill : moves.surf_fill) = &fill_id_;
 }
 
 void Machine::settle_pipelines() {
@@ -110,7 +112,7 @@ bool Machine::shared_is_still() const {
     if (has_l2_ || memory_.valid()) return false;
     std::uint32_t busy = 0;
     for (const Pipeline& pipeline : pipelines_)
-        busy |= std::uint32_t(pipeline.node_miss_valid() | pipeline.prim_miss_valid() | (pipeline.tile_ready() && dispatch_.more()));
+        busy |= std::uint32_t(pipeline.node_miss_valid() | pipeline.prim_miss_valid() | pipeline.surf_miss_valid() | (pipeline.tile_ready() && dispatch_.more()));
     return !busy;
 }
 

@@ -78,6 +78,7 @@ private:
     bool has_l2_;
     Dispatch dispatch_;
     std::vector<Pipeline> pipelines_;
+    std::uint32_t clients_;
     Arbiter arbiter_;
     std::optional<Cache> l2_;
     Memory memory_;
@@ -109,12 +110,15 @@ template <class Observer> void Machine::show(Observer& observe) const {
             case Channel::node_miss: move.id = pipeline.node_miss().id, move.addr = pipeline.node_miss().addr; break;
             case Channel::prim_miss: move.id = pipeline.prim_miss().id, move.addr = pipeline.prim_miss().addr; break;
             case Channel::node_fill:
+            case Channel::surf_fill:
             case Channel::prim_fill: move.id = fill_id_; break;
+            case Channel::surf_miss: move.id = pipeline.surf_miss().id, move.addr = pipeline.surf_miss().addr; break;
             default: {
                 move.id = pipeline.ray_on(c);
                 const Slot& pixel = c == Channel::slot ? pipeline.slot() : pipeline.pixel(move.id);
                 move.x = pixel.x, move.y = pixel.y;
                 if (c == Channel::node_req) move.addr = pipeline.node_addr(move.id);
+                if (c == Channel::surf_req) move.addr = pipeline.surf_addr(move.id);
                 if (c == Channel::prim_req) move.addr = pipeline.prim_addr(move.id);
             }
             }

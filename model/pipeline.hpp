@@ -7,6 +7,7 @@
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
 #include "model/sched/sched.hpp"
+#include "model/shade/unit.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trav/trav.hpp"
 
@@ -16,9 +17,9 @@ namespace rayclock {
 /// none), and whether the caches' own requests are accepted.
 struct SharedMoves {
     const Tile* tile = nullptr;
-    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr;
-    bool node_miss = false, prim_miss = false;
-    bool any() const { return tile || node_fill || prim_fill || node_miss || prim_miss; }
+    const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_fill = nullptr;
+    bool node_miss = false, prim_miss = false, surf_miss = false;
+    bool any() const { return tile || node_fill || prim_fill || surf_fill || node_miss || prim_miss || surf_miss; }
 };
 
 /// One pipeline, cycle by cycle: *when* its rays, whose doings are in a trace, move from unit to unit. Mirror of
@@ -37,7 +38,7 @@ public:
     /// The two halves, for those who want to see the links in between.
     void settle(std::uint64_t now);
     void clock(std::uint64_t now, const SharedMoves& shared);
-    /// The clock edge with the units in the given order (a permutation of 0..7), for the test that it does not matter.
+    /// The clock edge with the units in the given order (a permutation of 0..pipeline_units - 1), for the test that it does not matter.
     void clock_in_order(std::uint64_t now, const SharedMoves& shared, const std::array<int, pipeline_units>& order);
 
     // ---- What is on the links, between settle() and clock().
@@ -49,11 +50,14 @@ public:
     bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
+    bool surf_miss_valid() const { return shading_ && surf_cache_.miss_valid(); }
+    Cache::Miss surf_miss() const { return surf_cache_.miss(); }
     std::uint32_t ray_on(Channel c) const;   ///< of links that carry one and move
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
     std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
     std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
+    std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
 
     // ---- For idle times.
 
@@ -63,6 +67,7 @@ public:
     void skip(std::uint64_t cycles) {
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
+        shades_[last_shades_] += cycles;
     }
 
     Accounts accounts() const;
@@ -71,22 +76,27 @@ public:
 private:
     /// Where a context's ray is in the trace.
     struct Place {
-        const std::uint32_t* at = nullptr;   ///< word of the visit, or of the triangle under way
-        std::uint32_t head = 0;              ///< the visit's word; turns count down
+        const std::uint32_t* at = nullptr;   ///< word of the visit, or of the triangle under way; the first after a ray
+        std::uint32_t head = 0;              ///< the visit's word; turns count down. After a ray the passes left
     };
     /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the caches.
     struct Moves {
         bool slot, ray, node_req, box_req, box_rsp, prim_req, tri_req, tri_rsp, step, hit;
+        bool closest, surf_req, surf_rsp, spawn;   // of a chip that shades
         Slot given;
-        Cache::Request node_out, prim_out;
-        std::uint32_t started, node_in, boxed, prim_in, tested, stepped, ended;
-        bool any() const { return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit; }
+        Cache::Request node_out, prim_out, surf_out;
+        std::uint32_t started, node_in, boxed, prim_in, tested, stepped, ended, closed, surf_in, spawned;
+        bool any() const {
+            return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit | closest | surf_req | surf_rsp | spawn;
+        }
     };
     Moves moving(std::uint64_t now);
     void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
     Turn::Kind decide(std::uint32_t ray);
     bool has_tests(std::uint32_t ray);
     bool has_more(std::uint32_t ray);
+    void moving_shaded(Moves& m, std::uint64_t now);
+    Shade::Turn turn_of(std::uint32_t ray);
     void account_units(const Moves& m, std::uint64_t now);
     void account_caches() {
         last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;
@@ -100,7 +110,11 @@ private:
     void clock_list(const Moves& m);
     void clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
     void clock_tri(const Moves& m, std::uint64_t now);
+    void clock_surf_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    void clock_shade(const Moves& m, std::uint64_t now);
+    std::uint32_t shaded_valid(const SharedMoves& shared, std::uint64_t now) const;
 
+    bool shading_;
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -110,22 +124,28 @@ private:
     List list_;
     Cache prim_cache_;
     Pipe<RayNumber> tri_;
+    Cache surf_cache_;
+    Shade shade_;
+    Merge raygen_link_;
+    std::uint32_t shade_code_ = 2;
     Sink sink_;
     std::vector<Place> rays_;
 
     Moves moves_{};   // of the cycle that was settled
-    CacheDeed node_deed_{}, prim_deed_{};
+    CacheDeed node_deed_{}, prim_deed_{}, surf_deed_{CacheDeed::starved};
     bool asleep_ = false;
 
     // Cycles by the units' codes, several units to an index; see account_units().
-    std::uint32_t last_units_ = 0, last_caches_ = 0;
+    std::uint32_t last_units_ = 0, last_caches_ = 0, last_shades_ = 0;
     std::array<std::uint64_t, 1 << 11> units_{};
     std::array<std::uint64_t, 1 << 6> caches_{};
+    std::array<std::uint64_t, 1 << 5> shades_{};   // surf_cache, shade
 };
 
 [[gnu::always_inline]] inline Pipeline::Moves Pipeline::moving(std::uint64_t now) {
     // What leaves one unit enters another: noted before either sees the clock edge.
     Moves m;
+    m.closest = m.surf_req = m.surf_rsp = m.spawn = false;
     if ((m.slot = sched_.slot_valid() && raygen_.ready())) m.given = sched_.slot();
     if ((m.ray = raygen_.valid(now) && trav_.ray_ready())) m.started = raygen_.front();
     if ((m.node_req = trav_.node_valid() && node_cache_.ready())) {
@@ -141,7 +161,8 @@ private:
     if ((m.tri_req = prim_cache_.valid(now) && tri_.ready())) m.prim_in = prim_cache_.answer();
     if ((m.tri_rsp = tri_.valid(now))) m.tested = tri_.front();
     if ((m.step = list_.step_valid() && trav_.step_ready())) m.stepped = list_.step_ray();
-    if ((m.hit = trav_.done_valid() && sink_.ready())) m.ended = trav_.done_ray();
+    if (shading_) [[unlikely]] moving_shaded(m, now);
+    else if ((m.hit = trav_.done_valid() && sink_.ready())) m.ended = trav_.done_ray();
     account_units(m, now);
     return m;
 }
@@ -189,6 +210,10 @@ inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
         place.at = ray_at(*trace_, m.given.x, m.given.y);
         place.head = *place.at;
     }
+    if (shading_) [[unlikely]] {
+        const bool slot = raygen_link_.second(shade_.spawn_valid());
+        raygen_link_.clock(shade_.spawn_valid() || sched_.slot_valid(), m.slot || m.spawn, slot);
+    }
     sched_.clock(m.slot, tile, m.hit ? &m.ended : nullptr);
     sink_.clock();
 }
@@ -196,10 +221,11 @@ inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
 inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
     if (m.ray) raygen_.leave();
     if (m.slot) raygen_.admit(now) = RayNumber(m.given.ray);
+    if (m.spawn) raygen_.admit(now) = RayNumber(m.spawned);
 }
 
 inline void Pipeline::clock_trav(const Moves& m) {
-    trav_.clock(m.ray ? &m.started : nullptr, m.step ? &m.stepped : nullptr, m.node_req, m.hit,
+    trav_.clock(m.ray ? &m.started : nullptr, m.step ? &m.stepped : nullptr, m.node_req, shading_ ? m.closest : m.hit,
                 [this](std::uint32_t ray) { return decide(ray); });
 }
 
@@ -238,6 +264,12 @@ inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     clock_tri(m, now);
     account_caches();
     asleep_ = node_deed_ > CacheDeed::drain && prim_deed_ > CacheDeed::drain && !turning && !m.any() && !shared.any();
+    if (shading_) [[unlikely]] {
+        asleep_ = asleep_ && !shade_.answers(now) && !shade_.offers(false);
+        clock_surf_cache(m, now, shared);
+        clock_shade(m, now);
+        asleep_ = asleep_ && surf_deed_ > CacheDeed::drain;
+    }
 }
 
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {

@@ -22,12 +22,19 @@ module rc_pipeline (
   output rc_pkg::prim_miss_t prim_miss_o,
   input  logic               prim_fill_fires_i,
   input  rc_pkg::prim_fill_t prim_fill_i,
+  output logic               surf_miss_valid_o,   // this and what follows: if the chip shades
+  input  logic               surf_miss_ready_i,
+  output rc_pkg::surf_miss_t surf_miss_o,
+  input  logic               surf_fill_fires_i,
+  input  rc_pkg::surf_fill_t surf_fill_i,
   output logic               hit_valid_o,
   input  logic               hit_ready_i,
   output rc_pkg::hit_t       hit_o
 );
   logic              slot_valid, slot_ready;
   rc_pkg::slot_t     slot;
+  logic              spawn_valid, spawn_ready;
+  rc_pkg::spawn_t    spawn;
   logic              ray_valid, ray_ready;
   rc_pkg::ray_t      ray;
   logic              node_req_valid, node_req_ready;
@@ -52,6 +59,12 @@ module rc_pipeline (
   rc_pkg::done_t     done;
   logic              closest_valid, closest_ready;
   rc_pkg::closest_t  closest;
+  logic              surf_req_valid, surf_req_ready;
+  rc_pkg::surf_req_t surf_req;
+  logic              surf_rsp_valid, surf_rsp_ready;
+  rc_pkg::surf_rsp_t surf_rsp;
+  logic              pixel_valid, pixel_ready;
+  rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, box_cause, list_cause;
   logic [2:0]        prim_cause, tri_cause;
@@ -59,11 +72,12 @@ module rc_pipeline (
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
     .slot_valid_o(slot_valid), .slot_ready_i(slot_ready), .slot_o(slot),
-    .closest_valid_i(closest_valid), .closest_ready_o(closest_ready), .closest_i(closest),
+    .pixel_valid_i(pixel_valid), .pixel_ready_o(pixel_ready), .pixel_i(pixel),
     .hit_valid_o, .hit_ready_i, .hit_o, .cause_o(sched_cause));
 
   rc_raygen u_raygen (
     .clk_i, .rst_ni, .frame_i,
+    .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
     .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
     .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray));
 
@@ -112,6 +126,39 @@ module rc_pipeline (
     .clk_i, .rst_ni,
     .req_valid_i(tri_req_valid), .req_ready_o(tri_req_ready), .req_i(tri_req),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
+
+  if (rc_pkg::Shading == 0) begin : gen_hits   // a pixel is what its ray hit
+    assign pixel_valid   = closest_valid;
+    assign closest_ready = pixel_ready;
+    assign pixel         = closest;
+    assign {spawn_valid, surf_req_valid, surf_req_ready, surf_rsp_valid, surf_rsp_ready} = '0;
+    assign {spawn, surf_req, surf_rsp, surf_miss_valid_o, surf_miss_o} = '0;
+    logic unused;
+    assign unused = ^{spawn_ready, surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
+        surf_rsp_ready, surf_rsp, surf_miss_ready_i, surf_fill_fires_i, surf_fill_i};
+  end else begin : gen_shade
+    logic       surf_waits;
+    logic [2:0] surf_cause, shade_cause;
+    rc_surf_cache u_surf_cache (
+      .clk_i, .rst_ni,
+      .req_valid_i(surf_req_valid), .req_ready_o(surf_req_ready), .req_i(surf_req),
+      .rsp_valid_o(surf_rsp_valid), .rsp_ready_i(surf_rsp_ready), .rsp_o(surf_rsp),
+      .miss_valid_o(surf_miss_valid_o), .miss_ready_i(surf_miss_ready_i), .miss_o(surf_miss_o),
+      .fill_fires_i(surf_fill_fires_i), .fill_i(surf_fill_i),
+      .waits_o(surf_waits), .deed_o(surf_cause));
+    rc_shade u_shade (
+      .clk_i, .rst_ni, .frame_i, .slot_fires_i(slot_valid && slot_ready), .slot_i(slot),
+      .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
+      .closest_valid_i(closest_valid), .closest_ready_o(closest_ready), .closest_i(closest),
+      .surf_req_valid_o(surf_req_valid), .surf_req_ready_i(surf_req_ready), .surf_req_o(surf_req),
+      .surf_rsp_valid_i(surf_rsp_valid), .surf_rsp_ready_o(surf_rsp_ready), .surf_rsp_i(surf_rsp),
+      .surf_waits_i(surf_waits),
+      .spawn_valid_o(spawn_valid), .spawn_ready_i(spawn_ready), .spawn_o(spawn),
+      .pixel_valid_o(pixel_valid), .pixel_ready_i(pixel_ready), .pixel_o(pixel),
+      .cause_o(shade_cause));
+    rc_tally u_surf_cache_tally (.clk_i, .cause_i(surf_cause));
+    rc_tally u_shade_tally (.clk_i, .cause_i(shade_cause));
+  end
 
   // What each unit did in this cycle; codes in model/core/accounts.hpp.
   assign raygen_cause = !ray_valid ? 3'd1 : ray_ready ? 3'd0 : 3'd2;

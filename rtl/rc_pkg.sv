@@ -8,6 +8,20 @@ package rc_pkg;
   localparam int unsigned BoxBits = 8;
   localparam int unsigned BaryBits = 16;
   localparam int unsigned PrimitiveTest = 0;
+  localparam int unsigned OriginBits = 0;
+  localparam int unsigned Shading = 0;
+  localparam int unsigned Spheres = 0;
+  localparam int unsigned Planes = 0;
+  localparam int unsigned Smooth = 0;
+  localparam int unsigned Refraction = 0;
+  localparam int unsigned Supersampling = 0;
+  localparam int unsigned Lights = 8;
+  localparam int unsigned Bounces = 5;
+  localparam int unsigned ShadeQueue = 64;
+  localparam int unsigned SurfSets = 64;
+  localparam int unsigned SurfWays = 4;
+  localparam int unsigned SurfWords = 1;
+  localparam int unsigned SurfMshrs = 8;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned Contexts = 64;
   localparam int unsigned StackDepth = 16;
@@ -34,6 +48,25 @@ package rc_pkg;
   localparam int unsigned EdgeBits = 58;
   localparam int unsigned NumBits = 56;
   localparam int unsigned TriRayBits = 114;
+  localparam int unsigned OriginWidth = 18;
+  localparam int unsigned RayDirBits = 20;
+  localparam int unsigned UvBits = 17;
+  localparam int unsigned LightBits = 26;
+  localparam int unsigned NormalBits = 39;
+  localparam int unsigned UnitBits = 16;
+  localparam int unsigned ShareBits = 12;
+  localparam int unsigned CornerBits = 11;
+  localparam int unsigned ShineFrac = 4;
+  localparam int unsigned ShineBits = 14;
+  localparam int unsigned IndexFrac = 12;
+  localparam int unsigned RatioBits = 16;
+  localparam int unsigned StrengthBits = 17;
+  localparam int unsigned PlaneBits = 12;
+  localparam int unsigned RootBits = 28;
+  localparam int unsigned MostFine = 4;
+  localparam int unsigned SampleBits = 6;
+  localparam int unsigned DepthBits = 4;
+  localparam int unsigned Clients = 2;
   localparam int unsigned GuardBits = 14;
   localparam int unsigned GuardDirBits = 34;
   localparam int unsigned RayBits = 6;
@@ -54,6 +87,94 @@ package rc_pkg;
   localparam int unsigned RaygenLatency = 11;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TriLatency = 18;
+  localparam int unsigned ShadeLatency = 28;
+  localparam int unsigned UnitStages = 8;
+  localparam int unsigned PowerStages = 7;
+
+  // Tables of the shade unit's cells: model/shade/tables.hpp.
+  localparam logic [11135:0] InverseRoot = {
+    29'h8020080, 29'h8040481, 29'h8060881, 29'h8080c81, 29'h80a1482, 29'h80c1c82, 29'h80e2482, 29'h8103083,
+    29'h8123c83, 29'h8144c84, 29'h8165c84, 29'h8187085, 29'h81a8084, 29'h81c9886, 29'h81eac85, 29'h820c486,
+    29'h822e087, 29'h824fc87, 29'h8271887, 29'h8293888, 29'h82b5888, 29'h82d7888, 29'h82f9c89, 29'h831c089,
+    29'h833e88a, 29'h836108a, 29'h8383c8b, 29'h83a688b, 29'h83c988c, 29'h83ec48b, 29'h840f88d, 29'h8432c8d,
+    29'h845608d, 29'h847948d, 29'h849d08f, 29'h84c088e, 29'h84e448f, 29'h8508490, 29'h852c490, 29'h8550490,
+    29'h8574891, 29'h8598c91, 29'h85bd492, 29'h85e1c92, 29'h8606893, 29'h862b493, 29'h8650494, 29'h8675494,
+    29'h869a494, 29'h86bf895, 29'h86e5096, 29'h870a896, 29'h8730497, 29'h8756097, 29'h877bc97, 29'h87a1c98,
+    29'h87c8099, 29'h87ee499, 29'h8814899, 29'h883b09a, 29'h8861c9b, 29'h888889b, 29'h88af89c, 29'h88d689c,
+    29'h88fdc9d, 29'h892509d, 29'h894c49d, 29'h897409f, 29'h899b89e, 29'h89c38a0, 29'h89eb8a0, 29'h8a138a0,
+    29'h8a3bca1, 29'h8a640a1, 29'h8a8c8a2, 29'h8ab54a3, 29'h8ade0a3, 29'h8b070a4, 29'h8b300a4, 29'h8b594a5,
+    29'h8b82ca6, 29'h8bac4a6, 29'h8bd5ca6, 29'h8bff8a7, 29'h8c298a8, 29'h8c538a8, 29'h8c7dca9, 29'h8ca84aa,
+    29'h8cd2caa, 29'h8cfd8ab, 29'h8d284ab, 29'h8d534ac, 29'h8d7e8ad, 29'h8da9cad, 29'h8dd54ae, 29'h8e00cae,
+    29'h8e2c8af, 29'h8e588b0, 29'h8e84cb1, 29'h8eb10b1, 29'h8edd4b1, 29'h8f09cb2, 29'h8f368b3, 29'h8f638b4,
+    29'h8f908b4, 29'h8fbdcb5, 29'h8feb4b6, 29'h9018cb6, 29'h90468b7, 29'h90748b8, 29'h90a28b8, 29'h90d0cb9,
+    29'h90ff4ba, 29'h912dcba, 29'h915c8bb, 29'h918b8bc, 29'h91bacbd, 29'h91ea0bd, 29'h92198be, 29'h92494bf,
+    29'h92790bf, 29'h92a90c0, 29'h92d94c1, 29'h9309cc2, 29'h933a4c2, 29'h936b0c3, 29'h939c0c4, 29'h93cd4c5,
+    29'h93fe8c5, 29'h94304c7, 29'h94620c7, 29'h9493cc7, 29'h94c60c9, 29'h94f84c9, 29'h952b0cb, 29'h955dccb,
+    29'h95908cb, 29'h95c3ccd, 29'h95f70cd, 29'h962accf, 29'h965e8cf, 29'h96928d0, 29'h96c68d0, 29'h96fb0d2,
+    29'h972fcd3, 29'h97648d3, 29'h97998d4, 29'h97cecd5, 29'h98044d6, 29'h983a0d7, 29'h98700d8, 29'h98a60d8,
+    29'h98dc8da, 29'h99130da, 29'h994a0dc, 29'h99810dc, 29'h99b84dd, 29'h99f00df, 29'h9a27cdf, 29'h9a5fce0,
+    29'h9a980e1, 29'h9ad08e2, 29'h9b094e3, 29'h9b424e4, 29'h9b7b8e5, 29'h9bb50e6, 29'h9bee8e6, 29'h9c288e8,
+    29'h9c62ce9, 29'h9c9d4ea, 29'h9cd80eb, 29'h9d130ec, 29'h9d4e4ed, 29'h9d89cee, 29'h9dc5cf0, 29'h9e01cf0,
+    29'h9e3e0f1, 29'h9e7a8f2, 29'h9eb78f4, 29'h9ef4cf5, 29'h9f320f5, 29'h9f6fcf7, 29'h9fadcf8, 29'h9fec0f9,
+    29'ha02a8fa, 29'ha0698fc, 29'ha0a88fc, 29'ha0e80fe, 29'ha127cff, 29'ha167d00, 29'ha1a8101, 29'ha1e8902,
+    29'ha229904, 29'ha26ad05, 29'ha2ac506, 29'ha2ee107, 29'ha330509, 29'ha372d0a, 29'ha3b590b, 29'ha3f8d0d,
+    29'ha43c10d, 29'ha47fd0f, 29'ha4c4111, 29'ha508511, 29'ha54d113, 29'ha592515, 29'ha5d7915, 29'ha61d517,
+    29'ha663919, 29'ha6aa11a, 29'ha6f0d1b, 29'ha73811d, 29'ha77f91e, 29'ha7c751f, 29'ha80f921, 29'ha858523,
+    29'ha8a1524, 29'ha8ea925, 29'ha934527, 29'ha97e929, 29'ha9c8d29, 29'haa13d2c, 29'haa5f12d, 29'haaaad2f,
+    29'haaf6d30, 29'hab43532, 29'hab90133, 29'habdd535, 29'hac2b137, 29'hac79138, 29'hacc793a, 29'had1693c,
+    29'had65d3d, 29'hadb593f, 29'hae05d41, 29'hae56542, 29'haea7945, 29'haef9146, 29'haf4b148, 29'haf9d549,
+    29'haff054c, 29'hb04394d, 29'hb09754f, 29'hb0eb951, 29'hb140553, 29'hb195955, 29'hb1eb557, 29'hb241959,
+    29'hb29815a, 29'hb2ef55d, 29'hb34715f, 29'hb39f160, 29'hb3f7d63, 29'hb451165, 29'hb4aad67, 29'hb505169,
+    29'hb55fd6b, 29'hb5bb16d, 29'hb617170, 29'hb673571, 29'hb6d0574, 29'hb72dd76, 29'hb78bd78, 29'hb7ea97b,
+    29'hb849d7d, 29'hb8a997f, 29'hb909d81, 29'hb96ad84, 29'hb9cc586, 29'hba2e989, 29'hba9158b, 29'hbaf4d8e,
+    29'hbb58d90, 29'hbbbd993, 29'hbc22d95, 29'hbc88997, 29'hbcef59b, 29'hbd5699d, 29'hbdbe59f, 29'hbe271a3,
+    29'hbe905a5, 29'hbefa1a7, 29'hbf64dab, 29'hbfd01ad, 29'hc03c1b0, 29'hc0a8db3, 29'hc1165b6, 29'hc1849b9,
+    29'hc1f39bc, 29'hc2635bf, 29'hc2d3dc2, 29'hc3451c5, 29'hc3b71c8, 29'hc429dcb, 29'hc49d5ce, 29'hc511dd2,
+    29'hc586dd4, 29'hc5fcdd8, 29'hc673ddc, 29'hc6eb5de, 29'hc7641e3, 29'hc7dd5e5, 29'hc8579e9, 29'hc8d2ded,
+    29'hc94edf0, 29'hc9cbdf4, 29'hca499f7, 29'hcac85fb, 29'hcb481ff, 29'hcbc8a02, 29'hcc4a607, 29'hcccce0a,
+    29'hcd5060e, 29'hcdd5213, 29'hce5aa16, 29'hcee121a, 29'hcf68e1f, 29'hcff1a23, 29'hd07b226, 29'hd10622c,
+    29'hd191e2f, 29'hd21ee34, 29'hd2ad239, 29'hd33c63d, 29'hd3cca41, 29'hd45e647, 29'hd4f0e4a, 29'hd584e50,
+    29'hd61a255, 29'hd6b0659, 29'hd74825f, 29'hd7e0e63, 29'hd87b269, 29'hd916a6e, 29'hd9b3673, 29'hda51678,
+    29'hdaf0e7e, 29'hdb91a83, 29'hdc33e89, 29'hdcd7a8f, 29'hdd7ca94, 29'hde2329a, 29'hdecb2a0, 29'hdf74aa6,
+    29'he01faac, 29'he0cc2b2, 29'he17a6b9, 29'he22a2bf, 29'he2db6c5, 29'he38e6cc, 29'he442ed2, 29'he4f96da,
+    29'he5b16e0, 29'he66b2e7, 29'he726aee, 29'he7e42f6, 29'he8a32fc, 29'he964705, 29'hea2730b, 29'heaec314,
+    29'hebb2f1b, 29'hec7bb23, 29'hed46b2c, 29'hee13733, 29'heee273c, 29'hefb3744, 29'hf086b4d, 29'hf15c356,
+    29'hf233b5e, 29'hf30db68, 29'hf3e9f71, 29'hf4c8b7b, 29'hf5a9b84, 29'hf68cf8d, 29'hf772f98, 29'hf85b7a2,
+    29'hf9467ac, 29'hfa343b7, 29'hfb247c1, 29'hfc17bcd, 29'hfd0d7d7, 29'hfe063e3, 29'hff01bee, 29'h100003fa};
+  localparam logic [3839:0] Log = {
+    30'h3fa385c8, 30'h3f46a5ce, 30'h3ee965d4, 30'h3e8bc5da, 30'h3e2dc5e0, 30'h3dcf75e5, 30'h3d70b5ec, 30'h3d1195f2,
+    30'h3cb215f8, 30'h3c5235fe, 30'h3bf1e605, 30'h3b91360b, 30'h3b302611, 30'h3acea618, 30'h3a6cc61e, 30'h3a0a8624,
+    30'h39a7d62b, 30'h3944b632, 30'h38e13638, 30'h387d463f, 30'h3818e646, 30'h37b4164d, 30'h374ed654, 30'h36e9365a,
+    30'h36831662, 30'h361c8669, 30'h35b58670, 30'h354e1677, 30'h34e6367e, 30'h347dd686, 30'h3415068d, 30'h33abb695,
+    30'h3341f69c, 30'h32d7b6a4, 30'h326d06ab, 30'h3201d6b3, 30'h319626bb, 30'h3129f6c3, 30'h30bd46cb, 30'h305016d3,
+    30'h2fe266db, 30'h2f7436e3, 30'h2f0586eb, 30'h2e9646f4, 30'h2e2686fc, 30'h2db63705, 30'h2d45670d, 30'h2cd40716,
+    30'h2c62171f, 30'h2befa727, 30'h2b7ca730, 30'h2b09073a, 30'h2a94e742, 30'h2a20274c, 30'h29aad755, 30'h2934f75e,
+    30'h28be7768, 30'h28476771, 30'h27cfb77b, 30'h27576785, 30'h26de878e, 30'h26650798, 30'h25ead7a3, 30'h257007ad,
+    30'h24f4a7b6, 30'h247887c2, 30'h23fbc7cc, 30'h237e67d6, 30'h230057e1, 30'h228197ec, 30'h220227f7, 30'h21821801,
+    30'h2101480d, 30'h207fb819, 30'h1ffd8823, 30'h1f7a8830, 30'h1ef6d83b, 30'h1e727846, 30'h1ded4853, 30'h1d67585f,
+    30'h1ce0a86b, 30'h1c593877, 30'h1bd0f884, 30'h1b47f890, 30'h1abe289d, 30'h1a3378ab, 30'h19a808b7, 30'h191bc8c4,
+    30'h188ea8d2, 30'h1800a8e0, 30'h1771d8ed, 30'h16e228fb, 30'h16519909, 30'h15c02917, 30'h152dc926, 30'h149a8934,
+    30'h14064944, 30'h13712952, 30'h12db1961, 30'h12440971, 30'h11ac0980, 30'h11130990, 30'h1079199f, 30'hfde19b0,
+    30'hf4209c1, 30'hea4f9d1, 30'he06e9e1, 30'hd67b9f3, 30'hcc77a04, 30'hc261a16, 30'hb83aa27, 30'hae01a39,
+    30'ha3b5a4c, 30'h9957a5e, 30'h8ee7a70, 30'h8463a84, 30'h79cca97, 30'h6f21aab, 30'h6463abe, 30'h5990ad3,
+    30'h4ea9ae7, 30'h43adafc, 30'h389cb11, 30'h2d76b26, 30'h223ab3c, 30'h16e8b52, 30'hb7fb69, 30'hb7f};
+  localparam logic [3583:0] Exp = {
+    28'h4059164, 28'h40b2966, 28'h410c567, 28'h4166d6a, 28'h41c1d6c, 28'h421d16d, 28'h4279170, 28'h42d5972,
+    28'h4332573, 28'h438fd76, 28'h43ed977, 28'h444c17a, 28'h44ab17c, 28'h450a97e, 28'h456a980, 28'h45cb182,
+    28'h462c184, 28'h468d986, 28'h46ef988, 28'h475218a, 28'h47b558d, 28'h481918f, 28'h487d591, 28'h48e2193,
+    28'h4947595, 28'h49ad197, 28'h4a1399a, 28'h4a7a99c, 28'h4ae219e, 28'h4b4a1a0, 28'h4bb2da3, 28'h4c1c1a5,
+    28'h4c85da7, 28'h4cf05aa, 28'h4d5b1ab, 28'h4dc69ae, 28'h4e32db1, 28'h4e9f9b3, 28'h4f0cdb5, 28'h4f7a9b7,
+    28'h4fe91ba, 28'h50585bd, 28'h50c7dbe, 28'h51385c2, 28'h51a91c3, 28'h521a9c6, 28'h528cdc9, 28'h52ff9cb,
+    28'h5372dcd, 28'h53e6dd0, 28'h545b9d3, 28'h54d0dd5, 28'h55469d7, 28'h55bd1da, 28'h56345dd, 28'h56ac1df,
+    28'h57249e2, 28'h579dde5, 28'h58179e7, 28'h58921ea, 28'h590d1ec, 28'h59891f0, 28'h5a055f1, 28'h5a829f5,
+    28'h5b005f7, 28'h5b7edfa, 28'h5bfe1fd, 28'h5c7ddff, 28'h5cfea03, 28'h5d7fe05, 28'h5e01e08, 28'h5e8460a,
+    28'h5f07e0e, 28'h5f8be10, 28'h6010a13, 28'h6096617, 28'h611ca19, 28'h61a3a1c, 28'h622b21e, 28'h62b3a22,
+    28'h633ce25, 28'h63c6e28, 28'h6451a2b, 28'h64dce2d, 28'h6569231, 28'h65f6234, 28'h6683e37, 28'h671263a,
+    28'h67a1a3d, 28'h6831a40, 28'h68c2a44, 28'h6954246, 28'h69e6a4a, 28'h6a79e4d, 28'h6b0de50, 28'h6ba2a53,
+    28'h6c38256, 28'h6ccea5a, 28'h6d65e5d, 28'h6dfde60, 28'h6e96e64, 28'h6f30a67, 28'h6fcb26a, 28'h7066a6e,
+    28'h7102e71, 28'h719fe74, 28'h723de78, 28'h72dca7b, 28'h737c67f, 28'h741ce82, 28'h74be285, 28'h7560a8a,
+    28'h7603a8c, 28'h76a7a90, 28'h774ca94, 28'h77f2697, 28'h789929b, 28'h7940e9f, 28'h79e96a2, 28'h7a92ea6,
+    28'h7b3d6aa, 28'h7be8aad, 28'h7c94eb1, 28'h7d41eb4, 28'h7df02b9, 28'h7e9f2bc, 28'h7f4f2c0, 28'h80002c4};
 
   typedef struct packed {
     logic [14:0] width;
@@ -78,6 +199,17 @@ package rc_pkg;
     logic [13:0] y;
   } slot_t;
   localparam int unsigned SlotW = 34;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [1:0] kind;
+    logic [13:0] x;
+    logic [13:0] y;
+    logic [5:0] sample;
+    logic [53:0] o;
+    logic [59:0] d;
+  } spawn_t;
+  localparam int unsigned SpawnW = 156;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -172,6 +304,49 @@ package rc_pkg;
 
   typedef struct packed {
     logic [5:0] ray;
+    logic [23:0] addr;
+  } surf_req_t;
+  localparam int unsigned SurfReqW = 30;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [1:0] kind;
+    logic smooth;
+    logic checkered;
+    logic schlick;
+    logic [2:0] fine;
+    logic [53:0] a;
+    logic [53:0] b;
+    logic [53:0] c;
+    logic [98:0] normal;
+    logic [38:0] colour;
+    logic [38:0] other;
+    logic [12:0] ambient;
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [12:0] mirror;
+    logic [12:0] transmit;
+    logic [12:0] r0;
+    logic [13:0] shine;
+    logic [15:0] enter;
+    logic [15:0] leave;
+  } surf_rsp_t;
+  localparam int unsigned SurfRspW = 477;
+
+  typedef struct packed {
+    logic id;
+    logic [23:0] addr;
+  } surf_miss_t;
+  localparam int unsigned SurfMissW = 25;
+
+  typedef struct packed {
+    logic id;
+    logic [511:0] line;
+  } surf_fill_t;
+  localparam int unsigned SurfFillW = 513;
+
+  typedef struct packed {
+    logic [5:0] ray;
     logic [53:0] o;
     logic [59:0] d;
     logic [53:0] a;
@@ -247,6 +422,16 @@ package rc_pkg;
   localparam int unsigned ClosestW = 97;
 
   typedef struct packed {
+    logic [5:0] ray;
+    logic found;
+    logic [31:0] prim;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+  } pixel_t;
+  localparam int unsigned PixelW = 97;
+
+  typedef struct packed {
     logic [13:0] x;
     logic [13:0] y;
     logic [5:0] ray;
@@ -257,4 +442,98 @@ package rc_pkg;
     logic [16:0] v;
   } hit_t;
   localparam int unsigned HitW = 125;
+
+  typedef struct packed {
+    logic [23:0] surfaces;
+    logic [3:0] depth;
+    logic [16:0] threshold;
+    logic [3:0] side;
+    logic [5:0] stride;
+    logic jitter;
+    logic [16:0] contrast;
+    logic [16:0] share;
+    logic [16:0] first_share;
+    logic [31:0] seed;
+    logic [50:0] background;
+    logic [6:0] lights;
+    logic [7:0] is_near;
+    logic [623:0] place;
+    logic [407:0] colour;
+  } shade_frame_t;
+  localparam int unsigned ShadeFrameW = 1237;
+
+  typedef struct packed {
+    logic [1:0] kind;
+    logic smooth;
+    logic checkered;
+    logic schlick;
+    logic [2:0] fine;
+    logic [53:0] a;
+    logic [53:0] b;
+    logic [53:0] c;
+    logic [98:0] normal;
+    logic [38:0] colour;
+    logic [38:0] other;
+    logic [12:0] ambient;
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [12:0] mirror;
+    logic [12:0] transmit;
+    logic [12:0] r0;
+    logic [13:0] shine;
+    logic [15:0] enter;
+    logic [15:0] leave;
+  } surface_t;
+  localparam int unsigned SurfaceW = 471;
+
+  typedef struct packed {
+    logic [13:0] x;
+    logic [13:0] y;
+    logic [2:0] purpose;
+    logic [1:0] pending;
+    logic found;
+    logic [31:0] prim;
+    logic [23:0] t;
+    logic [16:0] u;
+    logic [16:0] v;
+    logic [50:0] colour;
+    logic [16:0] weight;
+    logic [3:0] depth;
+    logic [53:0] o;
+    logic [116:0] n;
+    logic [53:0] normal;
+    logic [53:0] view;
+    logic [16:0] cosine;
+    logic is_far;
+    logic [38:0] albedo;
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [12:0] mirror;
+    logic [13:0] shine;
+    logic [6:0] light;
+    logic [50:0] share;
+    logic [5:0] sample;
+    logic [68:0] sum;
+    logic [50:0] least;
+    logic [50:0] most;
+    logic [3:0] waiting;
+    logic [12:0] transmit;
+    logic [15:0] ratio;
+    logic schlick;
+    logic [12:0] r0;
+    logic total;
+    logic [31:0] self;
+    logic is_inside;
+  } shade_state_t;
+  localparam int unsigned ShadeStateW = 901;
+
+  typedef struct packed {
+    logic [53:0] o;
+    logic [59:0] d;
+    logic [16:0] weight;
+    logic [3:0] depth;
+    logic [31:0] self;
+    logic is_inside;
+  } waiting_t;
+  localparam int unsigned WaitingW = 168;
 endpackage

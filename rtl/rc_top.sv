@@ -26,6 +26,8 @@ module rc_top (
   localparam int unsigned A  = rc_pkg::AddrBits;
   localparam int unsigned NB = rc_pkg::NodeMissW - A;
   localparam int unsigned PB = rc_pkg::PrimMissW - A;
+  localparam int unsigned SB = rc_pkg::SurfMissW - A;
+  localparam int unsigned K  = rc_pkg::Clients;
 
   logic [P-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;
@@ -34,36 +36,54 @@ module rc_top (
     .clk_i, .rst_ni, .start_i, .frame_i,
     .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
-  // Caches are clients of memory: 2 p reads nodes, 2 p + 1 primitives.
-  logic [2*P-1:0]             miss_valid, miss_ready, fill_fires;
-  logic [2*P*(MB+A)-1:0]      miss;
+  // Caches are clients of memory: K p reads nodes, K p + 1 primitives, K p + 2 surfaces, if
+  // the chip shades; K p + 3 is never there.
+  logic [K*P-1:0]             miss_valid, miss_ready, fill_fires;
+  logic [K*P*(MB+A)-1:0]      miss;
   logic                       fill_valid;
   logic [rc_pkg::L2RspW-1:0]  fill;
   for (genvar p = 0; p < P; p++) begin : gen_pipeline
     logic [rc_pkg::NodeMissW-1:0] node_miss;   // {id, address}
     logic [rc_pkg::PrimMissW-1:0] prim_miss;
+    logic [rc_pkg::SurfMissW-1:0] surf_miss;
+    logic                         surf_valid, surf_ready, surf_fires;
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
       .tile_ready_o(tile_ready[p]), .tile_fires_i(tile_fires[p]), .tile_i(tile),
-      .node_miss_valid_o(miss_valid[2*p]), .node_miss_ready_i(miss_ready[2*p]),
-      .node_miss_o(node_miss), .node_fill_fires_i(fill_fires[2*p]),
+      .node_miss_valid_o(miss_valid[K*p]), .node_miss_ready_i(miss_ready[K*p]),
+      .node_miss_o(node_miss), .node_fill_fires_i(fill_fires[K*p]),
       .node_fill_i({fill[rc_pkg::LineBits +: NB], fill[rc_pkg::LineBits-1:0]}),
-      .prim_miss_valid_o(miss_valid[2*p+1]), .prim_miss_ready_i(miss_ready[2*p+1]),
-      .prim_miss_o(prim_miss), .prim_fill_fires_i(fill_fires[2*p+1]),
+      .prim_miss_valid_o(miss_valid[K*p+1]), .prim_miss_ready_i(miss_ready[K*p+1]),
+      .prim_miss_o(prim_miss), .prim_fill_fires_i(fill_fires[K*p+1]),
       .prim_fill_i({fill[rc_pkg::LineBits +: PB], fill[rc_pkg::LineBits-1:0]}),
+      .surf_miss_valid_o(surf_valid), .surf_miss_ready_i(surf_ready),
+      .surf_miss_o(surf_miss), .surf_fill_fires_i(surf_fires),
+      .surf_fill_i({fill[rc_pkg::LineBits +: SB], fill[rc_pkg::LineBits-1:0]}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]));
-    assign miss[2*p*(MB+A) +: MB+A]     = {MB'(node_miss[A +: NB]), node_miss[A-1:0]};
-    assign miss[(2*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss[A +: PB]), prim_miss[A-1:0]};
+    assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_miss[A +: NB]), node_miss[A-1:0]};
+    assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss[A +: PB]), prim_miss[A-1:0]};
+    if (rc_pkg::Shading == 0) begin : gen_plain
+      assign {surf_ready, surf_fires} = '0;
+      logic unused;
+      assign unused = ^{surf_valid, surf_miss};
+    end else begin : gen_shaded
+      assign {surf_ready, surf_fires} = {miss_ready[K*p+2], fill_fires[K*p+2]};
+      assign miss_valid[K*p+2 +: 2] = {1'b0, surf_valid};
+      assign miss[(K*p+2)*(MB+A) +: 2*(MB+A)] = {
+          {(MB+A){1'b0}}, MB'(surf_miss[A +: SB]), surf_miss[A-1:0]};
+      logic unused;
+      assign unused = ^{miss_ready[K*p+3], fill_fires[K*p+3]};
+    end
   end
 
   logic          client_valid, client_ready;
   logic [CB-1:0] client;
   logic [MB+A-1:0] client_miss;
-  rc_arbiter #(.Sources(2 * P), .Width(MB + A)) u_arbiter (
+  rc_arbiter #(.Sources(K * P), .Width(MB + A)) u_arbiter (
     .clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
-  assign fill_fires = {{(2*P-1){1'b0}}, fill_valid} << fill[rc_pkg::L2RspW-1 -: CB];
+  assign fill_fires = {{(K*P-1){1'b0}}, fill_valid} << fill[rc_pkg::L2RspW-1 -: CB];
 
   logic [2:0] memport_cause;
   assign memport_cause = !client_valid ? 3'd1 : client_ready ? 3'd0 : 3'd2;

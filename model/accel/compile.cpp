@@ -1,10 +1,12 @@
 // compile_scene: lattice, tree, image, in that order.
 #include <bit>
 #include <chrono>
+#include <cmath>
 
 #include <tbb/parallel_for.h>
 
 #include "model/accel/emit.hpp"
+#include "model/accel/surfaces.hpp"
 #include "model/core/error.hpp"
 
 namespace rayclock {
@@ -23,15 +25,24 @@ bool has_area(const PrimData& t) {
     return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
 }
 
-/// The triangles that count on the lattice, in the scene's order.
-std::vector<PrimData> snap_triangles(const Scene& scene, const Lattice& lattice, const Config& config) {
-    std::vector<PrimData> all(scene.triangles.size());
-    tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
-        const auto corner = [&](std::size_t k) { return lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]); };
-        all[i] = {corner(0), corner(1), corner(2), std::uint32_t(i)};
-    });
+/// The primitives that count on the lattice, in the scene's order.
+std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice, const Config& config) {
+    std::vector<PrimData> all(primitive_count(scene));
+    tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) { all[i] = snap_primitive(scene, lattice, i); });
     std::erase_if(all, [&](const PrimData& t) { return !counts(t, config); });
     return all;
+}
+
+/// A plane is everywhere. A sphere's box holds every point of it, on the lattice or not.
+LatticeBox box_of(const PrimData& prim, int coord_bits) {
+    const std::int32_t most = (1 << (coord_bits - 1)) - 1;
+    if (PrimKind(prim.kind) == PrimKind::plane) return {{-most, -most, -most}, {most, most, most}};
+    const std::uint64_t square = radius_squared(prim, coord_bits);
+    auto radius = std::int32_t(std::sqrt(double(square)));
+    while (std::uint64_t(radius) * std::uint64_t(radius) < square) ++radius;
+    LatticeBox box;
+    for (std::size_t k = 0; k < 3; ++k) box.lo[k] = std::max(prim.a[k] - radius, -most), box.hi[k] = std::min(prim.a[k] + radius, most);
+    return box;
 }
 
 /// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger. Lattice::snap leaves out
@@ -39,6 +50,10 @@ std::vector<PrimData> snap_triangles(const Scene& scene, const Lattice& lattice,
 std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const Config& config) {
     std::vector<LatticeBox> boxes(triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (PrimKind(triangles[i].kind) != PrimKind::triangle) {
+            boxes[i] = box_of(triangles[i], config.coord_bits);
+            continue;
+        }
         for (const Vec3i& point : {triangles[i].a, triangles[i].b, triangles[i].c}) boxes[i].add(point);
         if (!config.is_sheared()) continue;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -50,13 +65,14 @@ std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const C
 }
 
 void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config, const std::string& name) {
+    const std::size_t all = primitive_count(scene);
     if (kept.empty())
-        throw UserError(name + ": all " + std::to_string(scene.triangles.size()) + " triangles vanish on a lattice of " +
+        throw UserError(name + ": all " + std::to_string(all) + (all == scene.triangles.size() ? " triangles" : " primitives") + " vanish on a lattice of " +
                         std::to_string(config.coord_bits) + " bits; a larger coord_bits or an eye closer to the scene would help");
     check_lines(kept.size() / 2, config, name);   // before the long work: two triangles a line at best
-    const auto need = int(std::bit_width(scene.triangles.size() - 1));
+    const auto need = int(std::bit_width(all - 1));
     if (need > config.prim_bits)
-        throw UserError(name + ": " + std::to_string(scene.triangles.size()) + " triangles need numbers of " + std::to_string(need) + " bits, and prim_bits is " +
+        throw UserError(name + ": " + std::to_string(all) + (all == scene.triangles.size() ? " triangles" : " primitives") + " need numbers of " + std::to_string(need) + " bits, and prim_bits is " +
                         std::to_string(config.prim_bits) + ": --set prim_bits=" + std::to_string(need));
 }
 
@@ -73,6 +89,7 @@ void check_stack(int need, const Config& config, const std::string& name) {
 } // namespace
 
 bool counts(const PrimData& t, const Config& config) {
+    if (PrimKind(t.kind) == PrimKind::sphere) return radius_squared(t, config.coord_bits) > 0;
     return config.is_sheared() ? t.a != t.b && t.b != t.c && t.c != t.a : has_area(t);
 }
 
@@ -92,17 +109,21 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     return image;
 }
 
-MemoryImage compile_scene(const Scene& scene, const glm::dvec3& eye, const Config& config, const Progress& progress) {
+MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Config& config, const Progress& progress) {
     const Clock::time_point start = Clock::now();
-    const std::string name = scene.name.empty() ? "the scene" : scene.name;
+    const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
-    const Lattice lattice = fit_lattice(scene, eye, config.coord_bits);
-    const std::vector<PrimData> triangles = snap_triangles(scene, lattice, config);
+    check_units(given, config, name);
+    const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0);
+    const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
+    const Scene& scene = moved ? *moved : given;
+    const std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);
     check_kept(triangles, scene, config, name);
     MemoryImage image = compile_triangles(triangles, config, name, progress);
     image.lattice = lattice;
+    if (config.shading) write_surfaces(scene, config, name, image);
     image.report.triangles = scene.triangles.size();
-    image.report.collapsed = scene.triangles.size() - triangles.size();
+    image.report.collapsed = primitive_count(scene) - triangles.size();
     image.report.pitch = lattice.pitch;
     image.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return image;

@@ -7,6 +7,10 @@
 // rounding of the double arithmetic here (below 2^-10 for 38 bits), |V| <= L * 2^G, and
 // floor((V + 2^(G-1)) / 2^G) lies in -L..L. C is the sum of pixel (0, 0) and fits; R and D are bounded apart, since in a
 // picture two pixels wide a step can be twice the largest direction. A step that no pixel takes is zero.
+//
+// With supersampling x and y are those of a sample, from -1/2 to w - 1/2 and h - 1/2, and what is summed is 256 V, with whole
+// numbers 256 x and 256 y. So m is that of the picture's corners, and V is off by at most (1 + w - 1/2 + h - 1/2) / 2 =
+// (w + h) / 2; the rest holds as it stands, with 2^8 times as fine fractions.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -34,14 +38,15 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
                         std::to_string(need) + " bits, and pixel_bits is " + std::to_string(config.pixel_bits) + ": --set pixel_bits=" + std::to_string(need));
     PixelRays rays = pixel_rays(camera, size);
     for (glm::dvec3* const part : {&rays.corner, &rays.right, &rays.down}) *part = lattice.direction(*part);
-    if (size.width == 1) rays.right = glm::dvec3{0};
-    if (size.height == 1) rays.down = glm::dvec3{0};
+    const double around = config.supersampling ? 0.5 : 0;   // from the outer pixels' middles to the outermost samples
+    if (size.width == 1 && !config.supersampling) rays.right = glm::dvec3{0};
+    if (size.height == 1 && !config.supersampling) rays.down = glm::dvec3{0};
     double m = std::max(largest(rays.right), largest(rays.down));
-    for (const int x : {0, size.width - 1})
-        for (const int y : {0, size.height - 1}) m = std::max(m, largest(rays.direction(x, y)));
+    for (const double x : {-around, size.width - 1 + around})
+        for (const double y : {-around, size.height - 1 + around}) m = std::max(m, largest(rays.direction(x, y)));
 
     const double limit = double(((std::int64_t(1) << (config.dir_bits - 1)) - 1) << guard_bits);
-    const double scale = (limit - 0.5 * (size.width + size.height - 1) - 1) / m;
+    const double scale = (limit - (0.5 * (size.width + size.height - 1) + around) - 1) / m;
     Frame frame;
     frame.width = std::uint32_t(size.width);
     frame.height = std::uint32_t(size.height);

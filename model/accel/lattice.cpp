@@ -13,19 +13,27 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/geometric.hpp>
+
 #include "model/accel/memory_image.hpp"
 
 namespace rayclock {
 
 namespace {
 
-constexpr double most_ratio = 2;
+constexpr double most_ratio = 2, room_around = 64;
+
+/// A pitch, at least as large, of which the first plane's squares are whole multiples.
+double with_planes(const Scene& scene, double pitch) {
+    const double side = glm::length(scene.planes[0].u), steps = std::floor(side / pitch);
+    return steps >= 4 ? side / steps : pitch;
+}
 
 double largest_coordinate(int coord_bits) { return double((1 << (coord_bits - 1)) - 1); }
 
 } // namespace
 
-Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits) {
+Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic) {
     const Bounds box = bounds(scene);
     Lattice lattice;
     lattice.coord_bits = coord_bits;
@@ -35,10 +43,13 @@ Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits) {
         middle[k] = 0.5 * lo + 0.5 * hi;   // lo + hi might overflow
         reach[k] = std::max(hi - middle[k], middle[k] - lo);
     }
-    const double largest = largest_coordinate(coord_bits), coarsest = std::max({reach.x, reach.y, reach.z}) / largest;
+    const double largest = largest_coordinate(coord_bits);
+    double coarsest = std::max({reach.x, reach.y, reach.z}) / largest;
+    if (!scene.planes.empty()) coarsest = with_planes(scene, room_around * coarsest);
+    const double finest = cubic ? coarsest : coarsest / most_ratio;
     for (int k = 0; k < 3; ++k) {
         // Everything in one point: any pitch will do. Extents at the very bottom of the format must not give a pitch of zero.
-        lattice.pitch[k] = coarsest > 0 ? std::max({reach[k] / largest, coarsest / most_ratio, std::numeric_limits<double>::min()}) : 1;
+        lattice.pitch[k] = coarsest > 0 ? std::max({reach[k] / largest, finest, std::numeric_limits<double>::min()}) : 1;
         lattice.centre[k] = eye[k] - lattice.pitch[k] * std::round((eye[k] - middle[k]) / lattice.pitch[k]);
     }
     return lattice;

@@ -10,6 +10,7 @@
 #include "model/core/progress.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
@@ -23,8 +24,10 @@ struct Lattice {
     glm::dvec3 direction(const glm::dvec3& d) const { return d * (coarsest() / pitch); }
     Vec3i snap(const glm::dvec3& point) const;   ///< nearest lattice point, halves away from zero
 };
-/// The eye becomes a lattice point.
-Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits);
+/// The eye becomes a lattice point. `cubic`: the same pitch along all axes, as spheres and shading need it; planes then have room
+/// to go on around the rest of the scene, and the pitch is a whole part of the first one's squares, if that costs no more than a
+/// quarter.
+Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic = false);
 
 /// What compilation found out.
 struct CompileReport {
@@ -42,6 +45,7 @@ struct CompileReport {
 struct MemoryImage {
     std::vector<std::uint32_t> words;     ///< 16 words a line, little-endian
     Lattice lattice;
+    std::uint32_t surfaces = 0;           ///< line of primitive 0's surface, if the chip shades
     CompileReport report;
 
     const std::uint32_t* line(std::uint32_t addr) const { return &words[std::size_t(addr) * 16]; }
@@ -59,6 +63,12 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 /// Whether a triangle can take a ray, or another triangle might rely on it. Without an area none does, but for the sheared test:
 /// rounding its corners may give it one, and take it from its neighbour.
 bool counts(const PrimData& triangle, const Config& config);
+
+/// Registers of a frame for a chip that shades. Throws UserError if the configuration has too few lights, bounces, or one sample only.
+ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image, const Config& config);
+
+/// The configuration with the units that the scene and the picture need, and without those that they do not.
+Config fitted_config(const Scene& scene, const Whitted& settings, Config config);
 
 /// Camera registers for a frame: the eye on the lattice and the pixel map scaled so that no component of any pixel's
 /// direction exceeds 2^(M-1) - 1. Throws UserError if the picture is larger than pixel_bits can tell.

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/core/config.hpp"
+
 namespace rayclock {
 
 /// Units of one pipeline; then those that all pipelines share. The memory is beside the chip.
-enum class Unit : std::uint8_t { sched, raygen, trav, node_cache, box, list, prim_cache, tri, dispatch, memport, l2, memory };
-constexpr std::size_t pipeline_units = 8, unit_count = 12, cause_count = 8;
+enum class Unit : std::uint8_t { sched, raygen, trav, node_cache, box, list, prim_cache, tri, surf_cache, shade, dispatch, memport, l2, memory };
+constexpr std::size_t pipeline_units = 10, unit_count = 14, cause_count = 8;
 
 enum class Kind : std::uint8_t { none, busy, starved, stalled };
 
@@ -35,12 +37,19 @@ constexpr std::array<UnitInfo, unit_count> unit_infos{{
     {"list", {busy(), starved("box")}},
     {"prim_cache", {busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved("list"), stalled("mshrs"), stalled("conflict"), stalled("tri")}},
     {"tri", {busy(), starved("memory"), starved("list"), stalled("list")}},
+    {"surf_cache", {busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved("shade"), stalled("mshrs"), stalled("conflict"), stalled("shade")}},
+    {"shade", {busy(), starved("memory"), starved("list"), stalled("queue")}},
     {"dispatch", {busy(), starved("frame"), stalled("sched")}},
     {"memport", {busy(), starved("caches"), stalled("memory")}},
     {"l2", {busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved("memport"), stalled("mshrs"), stalled("conflict"), stalled("memport")}},
     {"memory", {busy(), stalled("latency"), stalled("refresh"), starved("memport")}},
 }};
 constexpr std::size_t index(Unit u) { return std::size_t(u); }
+
+/// Whether a chip of this configuration has the unit.
+constexpr bool is_there(Unit u, const Config& config) {
+    return u == Unit::l2 ? config.l2_sets > 0 : u != Unit::surf_cache && u != Unit::shade ? true : config.shading != 0;
+}
 
 using CauseCounts = std::array<std::uint64_t, cause_count>;
 

@@ -11,13 +11,14 @@ namespace rayclock {
 /// Links of one pipeline; then those that all pipelines share.
 enum class Channel : std::uint8_t {
     tile, slot, ray, node_req, node_miss, node_fill, box_req, box_rsp, prim_req, prim_miss, prim_fill, tri_req, tri_rsp, step, hit,
+    closest, surf_req, surf_miss, surf_fill, surf_rsp, spawn,   // of a chip that shades
     l2_req, l2_rsp, mem_req, mem_rsp,
 };
-constexpr std::size_t pipeline_channels = 15, channel_count = 19;
+constexpr std::size_t pipeline_channels = 21, channel_count = 25, plain_channels = 15;   // plain: of a pipeline that does not shade
 
 /// Payload of each channel, by its number.
 using ChannelPayloads = std::tuple<Tile, Slot, Ray, NodeReq, NodeMiss, NodeFill, BoxReq, BoxRsp, PrimReq, PrimMiss, PrimFill, TriReq, TriRsp,
-                                   Step, HitOut, L2Req, L2Rsp, MemReq, MemRsp>;
+                                   Step, HitOut, Closest, SurfReq, SurfMiss, SurfFill, SurfRsp, Spawn, L2Req, L2Rsp, MemReq, MemRsp>;
 
 struct ChannelInfo {
     const char* name;
@@ -41,6 +42,12 @@ constexpr std::array<ChannelInfo, channel_count> channels{{
     {"tri_rsp", "tri", "list", false},
     {"step", "list", "trav", false},
     {"hit", "sched", "sink", false},
+    {"closest", "list", "shade", false},
+    {"surf_req", "shade", "surf_cache", false},
+    {"surf_miss", "surf_cache", "memport", false},
+    {"surf_fill", "memport", "surf_cache", true},
+    {"surf_rsp", "surf_cache", "shade", false},
+    {"spawn", "shade", "raygen", false},
     {"l2_req", "memport", "l2", false},
     {"l2_rsp", "l2", "memport", true},
     {"mem_req", "memport", "memory", false},

@@ -10,30 +10,44 @@
 namespace rayclock {
 
 int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
-int Config::edge_bits() const { return is_sheared() ? 2 * coord_bits + 3 : 2 * coord_bits + dir_bits + 2; }
+int Config::edge_bits() const {
+    if (is_sheared()) return 2 * coord_bits + 3;
+    const int plain = 2 * coord_bits + dir_bits + 2;
+    return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3) : plain;   // bounce; shadow ray: docs/origins.md
+}
+int Config::tri_ray_bits() const {
+    return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) + (spheres ? prim_bits + 1 : 0);
+}
 int Config::ray_bits() const { return index_bits(contexts); }
 int Config::group_bits() const { return index_bits(node_width + 1); }
 int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
 // Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/trav/rc_box.sv, rtl/isect/rc_tri.sv.
-int Config::raygen_latency() const { return 3 + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0); }
+int Config::raygen_latency() const { return 3 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0); }
 int Config::box_latency() const { return 6; }
-int Config::tri_latency() const { return (is_sheared() ? 8 : 6) + (std::max(t_bits(), bary_bits) + 1) / 2; }
+int Config::tri_latency() const {
+    const int triangle = (is_sheared() ? 8 : 6) + (std::max(t_bits(), uv_bits() - 1) + 1) / 2;
+    return spheres ? std::max(triangle, 8 + root_bits / 2 + (t_bits() + 1) / 2) : triangle;
+}
+int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 
 namespace {
 int miss_bits(int mshrs, int line) { return index_bits(mshrs) + (line > line_bytes ? index_bits(line / line_bytes) : 0); }
 } // namespace
 int Config::node_miss_bits() const { return miss_bits(node_mshrs, node_line); }
 int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
+int Config::surf_miss_bits() const { return shading ? miss_bits(surf_mshrs, surf_line) : 1; }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
 int Config::least_addr_bits() const {
     const auto beside_tag = [](int sets, int line) { return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2; };
-    const int own = std::max(beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line));
+    const int own = std::max({beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line), shading ? beside_tag(surf_sets, surf_line) : 0});
     return 1 + (l2_sets > 0 ? std::max(own, beside_tag(l2_sets, l2_line)) : own);
 }
-int Config::client_bits() const { return index_bits(2 * pipelines); }
-int Config::client_id_bits() const { return client_bits() + std::max(node_miss_bits(), prim_miss_bits()); }
+int Config::client_bits() const { return index_bits(clients() * pipelines); }
+int Config::client_id_bits() const {
+    return client_bits() + std::max({node_miss_bits(), prim_miss_bits(), shading ? surf_miss_bits() : 0});
+}
 int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }
 
@@ -67,6 +81,7 @@ const std::vector<Parameter>& parameters() {
         {"bary_bits", &Config::bary_bits, 4, 24, false, "fraction bits of u and v"},
         {"primitive_test", &Config::primitive_test, 0, int(primitive_test_names().size()) - 1, false,
          "ray-triangle test: exact, sheared; in software only: unit24, moller, woop, truncated", &primitive_test_names()},
+        {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most triangles in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
@@ -89,6 +104,19 @@ const std::vector<Parameter>& parameters() {
         {"l2_line", &Config::l2_line, 64, 256, true, "bytes a line"},
         {"l2_mshrs", &Config::l2_mshrs, 1, 64, true, "lines on their way"},
         {"cache_queue", &Config::cache_queue, 2, 256, true, "answers a cache may hold"},
+        {"shading", &Config::shading, 0, 1, false, "1: the chip makes finished colours, with shadow rays and bounces"},
+        {"spheres", &Config::spheres, 0, 1, false, "1: tri can test spheres"},
+        {"planes", &Config::planes, 0, 1, false, "1: tri can test infinite planes, and shade knows checkers"},
+        {"smooth", &Config::smooth, 0, 1, false, "1: normals between those of a triangle's corners"},
+        {"refraction", &Config::refraction, 0, 1, false, "1: refracted rays"},
+        {"supersampling", &Config::supersampling, 0, 1, false, "1: several samples in a pixel"},
+        {"lights", &Config::lights, 1, max_lights, false, "most point lights"},
+        {"bounces", &Config::bounces, 1, 15, false, "most rays of a pixel that wait: the largest depth"},
+        {"shade_queue", &Config::shade_queue, 2, 256, true, "answers shade may hold"},
+        {"surf_sets", &Config::surf_sets, 1, 4096, true, "surface cache of a pipeline: sets"},
+        {"surf_ways", &Config::surf_ways, 1, 8, true, "ways"},
+        {"surf_line", &Config::surf_line, 64, 256, true, "bytes a line"},
+        {"surf_mshrs", &Config::surf_mshrs, 1, 64, true, "lines on their way"},
         {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false, "memory: ideal, sdr, ddr3 or rpu", &dram_names()},
         {"mem_latency", &Config::mem_latency, 1, 10000, false, "ideal memory: cycles from request to answer"},
         {"mem_interval", &Config::mem_interval, 1, 1000, false, "ideal memory: cycles between requests"},
@@ -206,6 +234,20 @@ void check_config(const Config& c, const std::string& where) {
     if (c.is_sheared() && c.dir_bits < c.coord_bits + 2)
         refuse("primitive_test=sheared needs dir_bits of at least coord_bits + 2, " + std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " + std::to_string(c.dir_bits));
+    const std::pair<const char*, int> units[] = {
+        {"spheres", c.spheres}, {"planes", c.planes}, {"smooth", c.smooth}, {"refraction", c.refraction}, {"supersampling", c.supersampling}};
+    for (const auto& [key, is_there] : units)
+        if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
+    if (c.shading && c.test() != PrimitiveTest::exact) refuse("shading=1 needs primitive_test=exact: secondary rays are decided exactly");
+    if (c.shading && (c.ray_dir_bits() > 31 || c.ray_dir_bits() < c.dir_bits))
+        refuse("shadow rays need coord_bits + origin_bits + 1 bits of direction, at least dir_bits and at most 31, and that is " +
+               std::to_string(c.ray_dir_bits()) + ": --set origin_bits=" + std::to_string(std::clamp(30 - c.coord_bits, 2, 12)));
+    if (c.shading && c.origin_bits > c.bary_bits)
+        refuse("a secondary ray's origin is made from u and v: origin_bits must not exceed bary_bits, " + std::to_string(c.bary_bits) + ", and is " +
+               std::to_string(c.origin_bits));
+    if (c.uv_bits() > 32)
+        refuse("planes=1 needs bary_bits + " + std::to_string(plane_bits + 1) + " bits for u and v, at most 32, and bary_bits is " + std::to_string(c.bary_bits));
+    if (c.shading && c.dir_bits + c.t_frac_bits <= c.origin_bits + 1) refuse("shading=1 needs dir_bits + t_frac_bits above origin_bits + 1");
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
 }
 

@@ -7,6 +7,34 @@ namespace rayclock {
 /// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
+constexpr int guard_bits = 14;      ///< fraction bits of the camera's pixel steps, dropped by one rounding
+constexpr int max_addr_bits = 24;   ///< of Config::addr_bits
+constexpr int max_pixel_bits = 14;  ///< of Config::pixel_bits
+constexpr int exp_bits = 5;         ///< box exponent, and bit length of a direction component
+constexpr int max_prim_bits = 32;   ///< of Config::prim_bits
+constexpr int offset_bits = 6;      ///< child within its block, in steps of 32 bytes
+constexpr int count_bits = 3;       ///< triangles of a leaf, 1..6; 0 for an inner node
+constexpr int line_bits = 512;      ///< a memory line, one node
+constexpr int half_line_bits = 256; ///< one triangle
+constexpr int line_bytes = 64;      ///< what memory gives in one answer
+constexpr int unit_bits = 16;       ///< fraction bits of colours, of weights and of unit vectors' components
+constexpr int share_bits = 12;      ///< fraction bits of a material's colours and weights
+constexpr int corner_bits = 11;     ///< signed components of a corner's normal
+constexpr int shine_frac = 4;       ///< fraction bits of Phong's exponent, which has shine_bits
+constexpr int shine_bits = 14;
+constexpr int index_frac = 12;      ///< fraction bits of a ratio of refractive indices, which has ratio_bits
+constexpr int ratio_bits = 16;
+constexpr int root_bits = 28;       ///< of a square root in the sphere test
+constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fraction
+constexpr int light_reach = 8;      ///< a light may lie 2^8 times as far away as the lattice reaches
+constexpr int plane_bits = 12;      ///< whole bits of a plane's u and v
+constexpr int max_lights = 64;     ///< of Config::lights
+constexpr int most_fine = 4;        ///< of Surface::fine
+constexpr int sample_bits = 6;      ///< a pixel's sample, 0..63
+constexpr int depth_bits = 4;       ///< bounces of a camera ray, 0..15
+constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv,
+constexpr int power_stages = 7;     ///< and of rc_power.sv
+
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
 /// One C++ binary serves all of them; for the RTL they become the constants of rc_pkg.sv.
 struct Config {
@@ -20,6 +48,7 @@ struct Config {
     int box_bits = 8;        ///< bits of a child box plane relative to its node
     int bary_bits = 16;      ///< fraction bits of the barycentric u and v of a hit
     int primitive_test = 0;  ///< how a ray meets a triangle, see primitive_test_names()
+    int origin_bits = 12;    ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with `shading` only
 
     // Shape: counts, depths, latencies.
     int node_width = 8;      ///< W: children of a node, 2, 4 or 8
@@ -45,6 +74,21 @@ struct Config {
     int l2_mshrs = 16;
     int cache_queue = 4;     ///< answers a cache may hold, a power of two
 
+    // Shape: units that are there only if a scene needs them; all but the first need `shading`.
+    int shading = 0;         ///< 1: the chip makes finished colours, with shadow rays and bounces
+    int spheres = 0;         ///< 1: tri can test spheres
+    int planes = 0;          ///< 1: tri can test planes, and shade knows checkers
+    int smooth = 0;          ///< 1: normals between those of a triangle's corners
+    int refraction = 0;      ///< 1: refracted rays
+    int supersampling = 0;   ///< 1: several samples in a pixel
+    int lights = 8;          ///< most point lights
+    int bounces = 5;         ///< most rays of a pixel that wait for their turn: the largest depth
+    int shade_queue = 64;    ///< answers shade may hold, a power of two
+    int surf_sets = 64;      ///< surface cache of a pipeline, as the others
+    int surf_ways = 4;
+    int surf_line = 64;
+    int surf_mshrs = 8;
+
     // Beside the chip.
     int dram = 2;            ///< memory, see dram_names()
     int mem_latency = 8;     ///< cycles from a request to its answer, if the memory is `ideal`
@@ -60,8 +104,15 @@ struct Config {
     PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
     int edge_bits() const;                                           ///< signed edge function and determinant of a hit
-    int num_bits() const { return 3 * coord_bits + 2 + is_sheared(); }   ///< signed numerator of t
-    int tri_ray_bits() const { return 3 * coord_bits + 3 * dir_bits + (is_sheared() ? 3 : 0); }   ///< a ray in list, see TriReq
+    int num_bits() const { return 3 * coord_bits + 2 + is_sheared() + origin_frac(); }   ///< signed numerator of t
+    int tri_ray_bits() const;                                        ///< a ray in list, see TriReq
+    int origin_frac() const { return shading ? origin_bits : 0; }    ///< fraction bits of a ray's origin
+    int origin_width() const { return coord_bits + origin_frac(); }  ///< its bits, signed
+    int ray_dir_bits() const { return shading ? coord_bits + origin_bits + 1 : dir_bits; }   ///< M, or what a shadow ray needs
+    bool has_kinds() const { return spheres || planes; }             ///< of primitives
+    int light_bits() const { return coord_bits + light_reach; }      ///< signed coordinate of a light, in lattice steps
+    int normal_bits() const { return 2 * coord_bits + 3 > ray_dir_bits() || !shading ? 2 * coord_bits + 3 : ray_dir_bits(); }   ///< of a surface's normal, not unit: a triangle's, a sphere's
+    int uv_bits() const { return bary_bits + 1 + (planes ? plane_bits : 0); }   ///< u and v of a hit; signed if there are planes
     int slope_frac_bits() const { return dir_bits - 2; }             ///< S: of a sheared ray's slopes, which have dir_bits bits
     int guard_dir_bits() const;                                      ///< camera vectors: direction and guard bits
     int ray_bits() const;                                            ///< index of a context
@@ -71,26 +122,18 @@ struct Config {
     int raygen_latency() const;
     int box_latency() const;
     int tri_latency() const;
+    int shade_latency() const;
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way, word in it
     int prim_miss_bits() const;
+    int surf_miss_bits() const;
     int l2_miss_bits() const;
     int least_addr_bits() const;  ///< a tag of one bit in every cache
-    int client_bits() const;      ///< index of a cache among all of the pipelines': 2 p for nodes, 2 p + 1 for primitives
+    int clients() const { return shading ? 4 : 2; }   ///< of memory, in a pipeline: nodes, primitives, surfaces; the last is never there
+    int client_bits() const;      ///< index of a cache among all of the pipelines', clients() p + 0, 1, 2
     int client_id_bits() const;   ///< a cache's request, told apart from all other caches'
     int tile_coord_bits() const;  ///< a tile's coordinate, in tiles
     int mem_id_bits() const;      ///< a request at the memory port
 };
-
-constexpr int guard_bits = 14;      ///< fraction bits of the camera's pixel steps, dropped by one rounding
-constexpr int max_addr_bits = 24;   ///< of Config::addr_bits
-constexpr int max_pixel_bits = 14;  ///< of Config::pixel_bits
-constexpr int exp_bits = 5;         ///< box exponent, and bit length of a direction component
-constexpr int max_prim_bits = 32;   ///< of Config::prim_bits
-constexpr int offset_bits = 6;      ///< child within its block, in steps of 32 bytes
-constexpr int count_bits = 3;       ///< triangles of a leaf, 1..6; 0 for an inner node
-constexpr int line_bits = 512;      ///< a memory line, one node
-constexpr int half_line_bits = 256; ///< one triangle
-constexpr int line_bytes = 64;      ///< what memory gives in one answer
 
 /// One parameter as files, `--set` and reports know it.
 struct Parameter {

@@ -5,6 +5,7 @@
 // v("t_near", t_near, c.t_bits()). The first field is the most significant; element 0 of an array lies at the
 // bottom of its field, so that SystemVerilog's x[i*Width +: Width] is element i. Words are in Verilator's order:
 // bits 31..0 in word 0. The generated SystemVerilog structs come from the same calls.
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
@@ -36,7 +37,14 @@ public:
 class PackVisitor {
 public:
     PackVisitor(Words& words, int bits) : words_(words), at_(bits) {}
-    template <class T> void operator()(const char*, const T& value, int width) { put(std::uint64_t(value), width); }
+    template <class T> void operator()(const char*, const T& value, int width) {
+        if constexpr (sizeof(T) > 8) {
+            if (width > 64) put(std::uint64_t(value >> 64), width - 64);
+            put(std::uint64_t(value), std::min(width, 64));
+        } else {
+            put(std::uint64_t(value), width);
+        }
+    }
     template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>& value, int width, int count) {
         for (int i = count; i-- > 0;) put(std::uint64_t(value[std::size_t(i)]), width);
     }
@@ -58,7 +66,14 @@ private:
 class UnpackVisitor {
 public:
     UnpackVisitor(const std::uint32_t* words, int bits) : words_(words), at_(bits) {}
-    template <class T> void operator()(const char*, T& value, int width) { value = get<T>(width); }
+    template <class T> void operator()(const char*, T& value, int width) {
+        if constexpr (sizeof(T) > 8) {
+            const T high = width > 64 ? T(get<std::int64_t>(width - 64)) : 0;
+            value = width > 64 ? high * (T(1) << 64) + T(get<std::uint64_t>(64)) : T(get<std::int64_t>(width));
+        } else {
+            value = get<T>(width);
+        }
+    }
     template <class T, std::size_t n> void operator()(const char*, std::array<T, n>& value, int width, int count) {
         for (int i = count; i-- > 0;) value[std::size_t(i)] = get<T>(width);
     }

@@ -8,31 +8,12 @@
 #include <span>
 
 #include "model/core/config.hpp"
+#include "model/core/frame.hpp"
 #include "model/core/layout.hpp"
 
 namespace rayclock {
 
 constexpr int max_width = 8;
-
-using Vec3i = std::array<std::int32_t, 3>;
-using Vec3l = std::array<std::int64_t, 3>;
-
-/// Registers that the host sets for a frame. direction(x, y) = round((corner + x right + y down) / 2^guard_bits).
-struct Frame {
-    std::uint32_t width = 0, height = 0;
-    std::uint32_t root = 0;          ///< line of the root node
-    Vec3i eye{};                     ///< lattice point
-    Vec3l corner{}, right{}, down{}; ///< M + guard_bits bits, signed
-    template <class V> void fields(V& v, const Config& c) {
-        v("width", width, c.pixel_bits + 1);
-        v("height", height, c.pixel_bits + 1);
-        v("root", root, c.addr_bits);
-        v("eye", eye, c.coord_bits, 3);
-        v("corner", corner, c.guard_dir_bits(), 3);
-        v("right", right, c.guard_dir_bits(), 3);
-        v("down", down, c.guard_dir_bits(), 3);
-    }
-};
 
 /// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels; coordinates in such squares.
 struct Tile {
@@ -54,6 +35,27 @@ struct Slot {
     }
 };
 
+/// shade -> raygen: the next ray of a context. A camera ray is made from its pixel and sample, and has neither o nor d.
+struct Spawn {
+    std::uint32_t ray = 0;
+    std::uint32_t kind = 0;                 ///< RayKind
+    std::uint32_t x = 0, y = 0, sample = 0;
+    std::uint32_t self = 0, inside = 0;     ///< as in Ray
+    Vec3i o{};                              ///< N + B bits, B of them fraction
+    Vec3i d{};                              ///< N + B + 1 bits
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("kind", kind, 2);
+        v("x", x, c.pixel_bits);
+        v("y", y, c.pixel_bits);
+        v("sample", sample, sample_bits);
+        if (c.spheres) v("self", self, c.prim_bits);
+        if (c.spheres) v("is_inside", inside, 1);
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
+    }
+};
+
 /// A direction as the sheared test uses it (model/isect/sheared.hpp). In no payload of the other tests.
 struct Shear {
     std::uint32_t axis = 0;             ///< z: of the largest |d|
@@ -68,8 +70,10 @@ struct Shear {
     }
 };
 
-/// raygen -> trav, list: a camera ray with its reciprocal direction.
+/// raygen -> trav, list: a ray with its reciprocal direction.
 /// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0, recip 1.
+/// If the chip shades, o has B fraction bits, all zero but for a bounce; d has ray_dir_bits, which only a shadow ray fills, and
+/// len counts as if those of the others were as long: it is ray_dir_bits - M more than |d|'s bit length (but 0 for d = 0).
 struct Ray {
     std::uint32_t ray = 0;
     Vec3i o{};                              ///< origin, lattice point, N bits
@@ -77,11 +81,16 @@ struct Ray {
     std::array<std::uint32_t, 3> recip{};   ///< R + 1 bits
     std::array<std::uint32_t, 3> len{};     ///< 0..M
     Shear shear;                            ///< for the sheared test
+    std::uint32_t kind = 0;                 ///< RayKind
+    std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at; whether on a sphere's inside
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
-        v("o", o, c.coord_bits, 3);
-        v("d", d, c.dir_bits, 3);
+        if (c.shading) v("kind", kind, 2);
+        if (c.spheres) v("self", self, c.prim_bits);
+        if (c.spheres) v("is_inside", inside, 1);
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
         v("recip", recip, c.recip_bits + 1, 3);
         v("len", len, exp_bits, 3);
     }
@@ -106,15 +115,63 @@ struct Node {
     }
 };
 
-/// A triangle as it lies in 32 bytes of memory (right-aligned): corners a, b, c on the lattice and its number.
+enum class PrimKind : std::uint32_t { triangle, plane, sphere };
+
+/// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b, c on the lattice.
+/// Plane: the same without edges; b - a and c - a are the sides of a square of its checkers. Sphere: a is its centre, b[0] and
+/// b[1] the lower and the upper N bits of the square of its radius in lattice steps (radius_squared()).
 struct PrimData {
     Vec3i a{}, b{}, c{};
     std::uint32_t prim = 0;
+    std::uint32_t kind = 0;   ///< PrimKind
     template <class V> void fields(V& v, const Config& c_) {
+        if (c_.has_kinds()) v("prim_kind", kind, 2);
         v("a", a, c_.coord_bits, 3);
         v("b", b, c_.coord_bits, 3);
         v("c", c, c_.coord_bits, 3);
         v("prim", prim, c_.prim_bits);
+    }
+};
+
+inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
+    const std::uint64_t mask = (std::uint64_t(1) << coord_bits) - 1;
+    return (std::uint64_t(sphere.b[0]) & mask) | (std::uint64_t(sphere.b[1]) & mask) << coord_bits;
+}
+
+/// What shade must know about a primitive: a line of memory (right-aligned), line Frame::surfaces + number.
+struct Surface {
+    std::uint32_t kind = 0, smooth = 0, checkered = 0, schlick = 0;
+    /// Of a triangle: all components of its edges are multiples of 2^fine, so that points of B fraction bits lie 2^-(B + fine) of
+    /// an edge apart on it.
+    std::uint32_t fine = 0;
+    Vec3i a{}, b{}, c{};                          ///< as in PrimData
+    std::array<std::int32_t, 9> normal{};         ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth
+    std::array<std::uint32_t, 3> colour{}, other{};   ///< share_bits of fraction, as are all up to r0
+    std::uint32_t ambient = 0, diffuse = 0, highlight = 0, mirror = 0, transmit = 0;
+    std::uint32_t r0 = 0;                         ///< Schlick's reflectance at normal incidence
+    std::uint32_t shine = 0;                      ///< Phong's exponent, shine_frac of fraction
+    std::uint32_t enter = 0, leave = 0;           ///< ratio of refractive indices outside / inside, inside / outside; index_frac
+    template <class V> void fields(V& v, const Config& c_) {
+        v("kind", kind, 2);
+        v("smooth", smooth, 1);
+        v("checkered", checkered, 1);
+        v("schlick", schlick, 1);
+        v("fine", fine, 3);
+        v("a", a, c_.coord_bits, 3);
+        v("b", b, c_.coord_bits, 3);
+        v("c", c, c_.coord_bits, 3);
+        v("normal", normal, corner_bits, 9);
+        v("colour", colour, share_bits + 1, 3);
+        v("other", other, share_bits + 1, 3);
+        v("ambient", ambient, share_bits + 1);
+        v("diffuse", diffuse, share_bits + 1);
+        v("highlight", highlight, share_bits + 1);
+        v("mirror", mirror, share_bits + 1);
+        v("transmit", transmit, share_bits + 1);
+        v("r0", r0, share_bits + 1);
+        v("shine", shine, shine_bits);
+        v("enter", enter, ratio_bits);
+        v("leave", leave, ratio_bits);
     }
 };
 
@@ -156,6 +213,25 @@ struct PrimRsp {
     }
 };
 
+/// shade -> surface memory; address in lines.
+struct SurfReq {
+    std::uint32_t ray = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("addr", addr, c.addr_bits);
+    }
+};
+
+/// surface memory -> shade.
+struct SurfRsp {
+    std::uint32_t ray = 0;
+    Surface surface;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        surface.fields(v, c);
+    }
+};
+
 /// What memory gives in one answer: 64 bytes.
 using Line = std::array<std::uint32_t, 16>;
 
@@ -180,6 +256,8 @@ using NodeMiss = LineReq<&Config::node_miss_bits>;
 using NodeFill = LineRsp<&Config::node_miss_bits>;
 using PrimMiss = LineReq<&Config::prim_miss_bits>;
 using PrimFill = LineRsp<&Config::prim_miss_bits>;
+using SurfMiss = LineReq<&Config::surf_miss_bits>;
+using SurfFill = LineRsp<&Config::surf_miss_bits>;
 using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
 using L2Rsp = LineRsp<&Config::client_id_bits>;
 using MemReq = LineReq<&Config::mem_id_bits>;     ///< chip -> DRAM
@@ -188,12 +266,12 @@ using MemRsp = LineRsp<&Config::mem_id_bits>;
 /// trav -> box: the ray and the node that came from memory.
 struct BoxReq {
     std::uint32_t ray = 0;
-    Vec3i o{};
+    Vec3i o{};           ///< with B fraction bits if the chip shades
     std::array<std::uint32_t, 3> neg{}, recip{}, len{};
     Node node;
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        v("o", o, c.coord_bits, 3);
+        v("o", o, c.origin_width(), 3);
         v("neg", neg, 1, 3);
         v("recip", recip, c.recip_bits + 1, 3);
         v("len", len, exp_bits, 3);
@@ -221,10 +299,13 @@ struct BoxRsp {
     }
 };
 
-/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|).
+__extension__ using Wide = __int128;
+
+/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|). Of a sphere, t rounded up is num and
+/// 2^(M-1+F) det.
 struct Best {
     std::uint32_t found = 0;
-    std::int64_t num = 0, det = 0;
+    Wide num = 0, det = 0;
     std::uint32_t prim = 0;
     template <class V> void fields(V& v, const Config& c) {
         v("found", found, 1);
@@ -241,33 +322,41 @@ struct TriReq {
     PrimData triangle;
     Best best;
     Shear shear{};   ///< takes the place of d for the sheared test
+    std::uint32_t kind = 0, self = 0, inside = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
-        v("o", o, c.coord_bits, 3);
-        if (!c.is_sheared()) v("d", d, c.dir_bits, 3);
+        if (c.shading) v("kind", kind, 2);
+        if (c.spheres) v("self", self, c.prim_bits);
+        if (c.spheres) v("is_inside", inside, 1);
+        v("o", o, c.origin_width(), 3);
+        if (!c.is_sheared()) v("d", d, c.ray_dir_bits(), 3);
         triangle.fields(v, c);
         best.fields(v, c);
     }
 };
 
-/// tri -> list: whether this triangle is the closest so far, and if so where. All zero otherwise.
+/// tri -> list: whether this primitive is the closest so far, and if so where. All zero otherwise. Of a shadow ray `closer` says
+/// that the way is blocked, and the rest is zero.
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;
-    std::int64_t num = 0, det = 0;   ///< as in Best; det > 0
+    Wide num = 0, det = 0;    ///< as in Best; det > 0
     std::uint32_t prim = 0;
     std::uint32_t t = 0;             ///< ceil(2^(M-1+F) t), saturated
-    std::uint32_t u = 0, v = 0;      ///< floor(2^bary_bits u / det), weight of b and of c; 2^bary_bits is possible
+    std::uint32_t u = 0, v = 0;      ///< floor(2^bary_bits u / det), weight of b and of c; 2^bary_bits is possible. Of a plane two's
+                                     ///< complement of uv_bits, saturated; of a sphere 0
+    std::uint32_t back = 0;   ///< if the chip shades: seen from the side to which (b - a) x (c - a) does not point, or from inside
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("closer", closer, 1);
+        if (c.shading) v_("back", back, 1);
         v_("num", num, c.num_bits());
         v_("det", det, c.edge_bits());
         v_("prim", prim, c.prim_bits);
         v_("t", t, c.t_bits());
-        v_("u", u, c.bary_bits + 1);
-        v_("v", v, c.bary_bits + 1);
+        v_("u", u, c.uv_bits());
+        v_("v", v, c.uv_bits());
     }
 };
 
@@ -279,8 +368,10 @@ struct Step {
     std::uint32_t inner = 0;
     std::array<std::uint32_t, max_width> t_near{};
     std::array<std::uint32_t, max_width> slot{};     ///< line from base
+    std::uint32_t stop = 0;   ///< if the chip shades: a shadow ray is blocked, nothing else matters
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        if (c.shading) v("stop", stop, 1);
         v("t_best", t_best, c.t_bits());
         v("base", base, c.addr_bits);
         v("inner", inner, c.group_bits());
@@ -295,29 +386,43 @@ struct Done {
     template <class V> void fields(V& v, const Config& c) { v("ray", ray, c.ray_bits()); }
 };
 
-/// list -> sched: the closest hit of a finished ray.
+/// list -> sched, or shade: the closest hit of a finished ray; for a shadow ray whether it was blocked, and zeros.
 struct Closest {
     std::uint32_t ray = 0;
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
+    std::uint32_t back = 0;   ///< if the chip shades, as in TriRsp
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("found", found, 1);
+        if (c.shading) v_("back", back, 1);
         v_("prim", prim, c.prim_bits);
         v_("t", t, c.t_bits());
-        v_("u", u, c.bary_bits + 1);
-        v_("v", v, c.bary_bits + 1);
+        v_("u", u, c.uv_bits());
+        v_("v", v, c.uv_bits());
     }
 };
 
-/// sched -> outside: what the pixel's ray hit.
+/// shade -> sched: a finished pixel; what its first camera ray hit, and its colour.
+struct Pixel {
+    Closest first;
+    std::array<std::uint32_t, 3> colour{};   ///< unit_bits of fraction, 0..1
+    template <class V> void fields(V& v, const Config& c) {
+        first.fields(v, c);
+        if (c.shading) v("colour", colour, unit_bits + 1, 3);
+    }
+};
+
+/// sched -> outside: what the pixel's ray hit, and the pixel's colour if the chip shades.
 struct HitOut {
     std::uint32_t x = 0, y = 0;
     Closest closest;
+    std::array<std::uint32_t, 3> colour{};
     template <class V> void fields(V& v, const Config& c) {
         v("x", x, c.pixel_bits);
         v("y", y, c.pixel_bits);
         closest.fields(v, c);
+        if (c.shading) v("colour", colour, unit_bits + 1, 3);
     }
 };
 

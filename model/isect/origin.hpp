@@ -15,8 +15,6 @@
 
 namespace rayclock {
 
-__extension__ using Wide = __int128;
-
 constexpr int least_origin_bits = 2;    ///< with fewer no point lies inside
 constexpr int most_origin_bits = 16;
 

@@ -1,5 +1,6 @@
 #include "model/isect/tri.hpp"
 
+#include "model/isect/any.hpp"
 #include "model/isect/sheared.hpp"
 
 namespace rayclock {
@@ -26,7 +27,7 @@ bool inside(std::int64_t edge, const Vec3l& gradient, bool flip) {
 } // namespace
 
 void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out) {
-    out.closer = 0;
+    out.closer = out.back = 0;
     out.num = out.det = 0;
     out.prim = out.t = out.u = out.v = 0;
 
@@ -53,6 +54,7 @@ void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Be
         if (mine > theirs || (mine == theirs && triangle.prim > best.prim)) return;
     }
     out.closer = 1;
+    out.back = flip && config.shading;
     out.num = num;
     out.det = size;
     out.prim = triangle.prim;
@@ -64,8 +66,19 @@ void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Be
 TriRsp tri(const TriReq& req, const Config& config) {
     TriRsp rsp;
     rsp.ray = req.ray;
-    if (config.is_sheared()) sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);
-    else tri_test_of(config)(req.o, req.d, req.triangle, req.best, config, rsp);
+    if (config.shading) {
+        Ray ray;
+        ray.o = req.o;
+        ray.d = req.d;
+        ray.kind = req.kind;
+        ray.self = req.self;
+        ray.inside = req.inside;
+        any_test(ray, req.triangle, req.best, config, rsp);
+    } else if (config.is_sheared()) {
+        sheared_test(req.o, req.shear, req.triangle, req.best, config, rsp);
+    } else {
+        tri_test_of(config)(req.o, req.d, req.triangle, req.best, config, rsp);
+    }
     return rsp;
 }
 

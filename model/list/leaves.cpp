@@ -15,7 +15,8 @@ bool Leaves::begin() {
 bool Leaves::advance(const TriRsp& tri) {
     if (tri.closer) {
         best_ = {1, tri.num, tri.det, tri.prim};
-        found_ = {tri.ray, 1, tri.prim, tri.t, tri.u, tri.v};
+        found_ = {tri.ray, 1, tri.prim, tri.t, tri.u, tri.v, tri.back};   // zeros, if any hit will do
+        if (any_) return false;
     }
     if (triangle_ + 1 < group_.count[group_.inner + leaf_]) {
         ++triangle_;
@@ -27,13 +28,13 @@ bool Leaves::advance(const TriRsp& tri) {
 }
 
 Step Leaves::step(std::uint32_t ray) const {
-    Step step{ray, t_best(), group_.base, group_.inner, group_.t_near, {}};
+    Step step{ray, t_best(), group_.base, stop() ? 0 : group_.inner, group_.t_near, {}, stop()};
     for (std::size_t i = 0; i < max_width; ++i) step.slot[i] = group_.offset[i] >> 1;
     return step;
 }
 
 Closest Leaves::closest(std::uint32_t ray) const {
-    if (!best_.found) return {ray, 0, 0, 0, 0, 0};
+    if (!best_.found) return {ray, 0, 0, 0, 0, 0, 0};
     Closest closest = found_;
     closest.ray = ray;
     return closest;

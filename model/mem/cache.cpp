@@ -13,6 +13,7 @@ int log2_of(int n) { return std::countr_zero(unsigned(n)); }
 
 CacheShape node_cache_shape(const Config& c) { return shape(c.node_sets, c.node_ways, c.node_line, c.node_mshrs, c.cache_queue, c.ray_bits()); }
 CacheShape prim_cache_shape(const Config& c) { return shape(c.prim_sets, c.prim_ways, c.prim_line, c.prim_mshrs, c.cache_queue, c.ray_bits()); }
+CacheShape surf_cache_shape(const Config& c) { return shape(c.surf_sets, c.surf_ways, c.surf_line, c.surf_mshrs, c.cache_queue, c.ray_bits()); }
 CacheShape l2_shape(const Config& c) { return shape(c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.cache_queue, c.client_id_bits()); }
 
 Cache::Cache(const CacheShape& shape)

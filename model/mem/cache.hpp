@@ -19,6 +19,7 @@ struct CacheShape {
 };
 CacheShape node_cache_shape(const Config& config);
 CacheShape prim_cache_shape(const Config& config);
+CacheShape surf_cache_shape(const Config& config);
 CacheShape l2_shape(const Config& config);
 
 /// What a cache did in a cycle.

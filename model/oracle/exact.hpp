@@ -120,6 +120,7 @@ struct Interval {
 struct Licence {
     int precision = 0;
     Rational most;
+    Int drift = 0;   ///< how far off on each axis the origin may be taken to lie
 };
 
 /// The part with t >= 0 of the ray o + d t / unit that lies in the box (faces belong to it), or nothing.
@@ -130,6 +131,7 @@ struct Licence {
 /// again 2^(1-R) of the true time for a plane step; and t is rounded to an integer at last. So either end of each axis'
 /// interval may lie outwards by
 ///     2^(1-R) (|t| + t_step) + 1,    t_step: what the ray needs for one plane step of the axis.
+/// A drift of the origin is further time on top, longer by the reciprocal's error.
 /// If a component of d is zero, o is compared on the grid of planes: less than one step outside may count as inside.
 inline std::optional<Interval> interval(const Point& o, const Point& d, const Box& box, const Rational& unit,
                                         const Licence* licence = nullptr) {
@@ -142,7 +144,9 @@ inline std::optional<Interval> interval(const Point& o, const Point& d, const Bo
         }
         const auto time = [&](const Int& way) { return Rational(way, abs(d[k])) * unit; };
         const auto slack = [&](const Rational& t) {
-            return licence ? Rational(power_of_two(1 - licence->precision) * (abs(t) + time(box.step[k])) + 1) : Rational(0);
+            if (!licence) return Rational(0);
+            const Rational drift = time(licence->drift);
+            return Rational(power_of_two(1 - licence->precision) * (abs(t) + time(box.step[k]) + drift) + 1 + drift);
         };
         const Rational enter = d[k] > 0 ? time(box.lo[k] - o[k]) : time(o[k] - box.hi[k]);
         const Rational leave = d[k] > 0 ? time(box.hi[k] - o[k]) : time(o[k] - box.lo[k]);

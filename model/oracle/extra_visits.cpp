@@ -107,7 +107,7 @@ struct ByOracle {
 
     static bool less(const Time& a, const Time& b) { return oracle::less(a, b); }
     static Time beyond() { return {std::int64_t(1) << 62, 1}; }
-    static Time time(const TriRsp& hit) { return {hit.num, hit.det}; }
+    static Time time(const TriRsp& hit) { return {std::int64_t(hit.num), std::int64_t(hit.det)}; }
 
     void children(const WideNode& node, std::uint32_t line, std::vector<Taken<Time>>& out) const {
         const std::array<LatticeBox, max_width>* boxes = real ? &real->at(line) : nullptr;

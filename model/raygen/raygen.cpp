@@ -4,45 +4,83 @@
 #include <cstdlib>
 
 #include "model/isect/sheared.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
 Recip reciprocal(std::int32_t d, const Config& config) {
     if (d == 0) return {};
+    const int bits = config.ray_dir_bits();
     const std::uint32_t magnitude = std::uint32_t(std::abs(d));
     const int len = std::bit_width(magnitude);
-    const std::uint32_t m = magnitude << (config.dir_bits - len);   // M bits, top bit set
-    // Exact: a quotient that is no whole number misses the next one by 1 / m at least, far more than a double rounds.
-    const double power = double(std::uint64_t(1) << (config.dir_bits + config.recip_bits - 1));
+    const std::uint32_t m = magnitude << (bits - len);   // as many bits, top bit set
+    // Exact: |d| is 2^(M-1) or shorter than M bits, so m divides exactly or is even. Then a quotient that is no whole number misses
+    // the next one by 2 / m > 2^(1-M) at least, and a double below 2^R rounds by 2^(R-54) at most: enough, as M + R <= 31 + 24.
+    const double power = double(std::uint64_t(1) << (bits + config.recip_bits - 1));
     return {std::uint32_t(std::int64_t(power / double(m))), std::uint32_t(len)};
 }
 
-Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame) {
+namespace {
+
+/// Of the point (x, y), in pixels with `frac` fraction bits.
+Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame) {
     Vec3i d{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t sum = frame.corner[k] + x * frame.right[k] + y * frame.down[k];
-        d[k] = std::int32_t((sum + (std::int64_t(1) << (guard_bits - 1))) >> guard_bits);
+        const std::int64_t sum = (frame.corner[k] << frac) + x * frame.right[k] + y * frame.down[k];
+        d[k] = std::int32_t((sum + (std::int64_t(1) << (guard_bits + frac - 1))) >> (guard_bits + frac));
     }
     return d;
 }
 
-Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config) {
+} // namespace
+
+Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame) { return direction_of(x, y, 0, frame); }
+
+Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame, const Config& config) {
+    if (!config.supersampling) return pixel_direction(x, y, frame);
+    const ShadeFrame& s = frame.shade;
+    const SampleOffset offset = sample_offset(x, y, sample, int(s.side), s.jitter != 0, s.seed);
+    return direction_of(std::int64_t(x) * 256 + offset.x, std::int64_t(y) * 256 + offset.y, 8, frame);
+}
+
+Vec3i ray_origin(const Vec3i& point, const Config& config) {
+    Vec3i o;
+    for (std::size_t k = 0; k < 3; ++k) o[k] = point[k] * (1 << config.origin_frac());
+    return o;
+}
+
+Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind) {
     Ray ray;
     ray.o = o;
     ray.d = d;
+    ray.kind = std::uint32_t(kind);
+    const auto shorter = std::uint32_t(kind == RayKind::shadow ? 0 : config.ray_dir_bits() - config.dir_bits);
     for (std::size_t k = 0; k < 3; ++k) {
         const Recip r = reciprocal(d[k], config);
         ray.recip[k] = r.recip;
-        ray.len[k] = r.len;
+        ray.len[k] = r.len != 0 ? r.len + shorter : 0;
     }
     if (config.is_sheared()) ray.shear = shear_of(ray.d, config);
     return ray;
 }
 
-Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
-    Ray ray = make_ray(frame.eye, pixel_direction(slot.x, slot.y, frame), config);
-    ray.ray = slot.ray;
+Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
+    const auto kind = RayKind(spawn.kind);
+    Ray ray = kind == RayKind::camera
+        ? make_ray(ray_origin(frame.eye, config), sample_direction(spawn.x, spawn.y, spawn.sample, frame, config), config)
+        : make_ray(spawn.o, spawn.d, config, kind);
+    ray.ray = spawn.ray;
+    ray.self = spawn.self;
+    ray.inside = spawn.inside;
     return ray;
+}
+
+Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
+    Spawn spawn;
+    spawn.ray = slot.ray;
+    spawn.x = slot.x;
+    spawn.y = slot.y;
+    return spawn_ray(spawn, frame, config);
 }
 
 } // namespace rayclock

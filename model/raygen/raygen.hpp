@@ -3,19 +3,28 @@
 
 namespace rayclock {
 
-/// Camera ray through the centre of pixel (x, y), and the reciprocals of its direction rounded down.
+/// A ray that shade asks for, with the reciprocals of its direction rounded down. If it is a camera ray, it begins at the eye
+/// and goes through the middle of its sample of pixel (x, y); any other has the origin and the direction that were given.
 ///
-/// d = round((corner + x right + y down) / 2^guard_bits), halves up; M bits, the host sees to it that it fits.
+/// d = round((256 corner + px right + py down) / 2^(guard_bits + 8)), halves up, with px = 256 x + offset in 1/256 of a pixel
+/// (sample_offset(); 0 if the chip has no supersampling); M bits, the host sees to it that it fits.
 /// Mirror of rtl/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray per cycle.
+Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config);
+
+/// Camera ray of a context's new pixel: through its middle, or its first sample.
 Ray raygen(const Slot& slot, const Frame& frame, const Config& config);
 
-/// A ray along d from o, with d's reciprocals.
-Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config);
+/// A ray along d from o (with B fraction bits if the chip shades), with d's reciprocals.
+Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind = RayKind::camera);
 
-/// The direction alone.
+/// The direction alone: of the pixel's middle, and of a sample.
 Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame);
+Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame, const Config& config);
 
-/// Bit length of |d| and floor(2^(M+R-1) / (|d| << (M - len))); (1, 0) for d = 0.
+/// A lattice point as a ray's origin.
+Vec3i ray_origin(const Vec3i& point, const Config& config);
+
+/// Bit length of |d| and floor(2^(M+R-1) / (|d| << (M - len))); (1, 0) for d = 0. M is ray_dir_bits().
 struct Recip {
     std::uint32_t recip = 1, len = 0;
 };

@@ -17,8 +17,8 @@
 
 namespace rayclock {
 
-// The two tests of the reference tracer: one ray against the four boxes of a node, and against the two
-// triangles of a block. All in the tracer's own space, where the scene lies within -1..1.
+// The two tests of the reference tracer that all scenes need: one ray against the four boxes of a node, and against the
+// two triangles of a block. All in the tracer's own space, where the scene lies within -1..1.
 //
 // Nothing may be lost: a triangle that the triangle test accepts is in a box that the box test accepts.
 
@@ -30,11 +30,22 @@ struct RefBlock {
     std::uint32_t primitive[ref_block_size];
 };
 
-/// The closest hit so far: depth along the unit direction, weights of the second and third vertex.
+/// The closest hit so far: depth along the unit direction; of a triangle, the weights of the second and third vertex; of a
+/// plane, how many of its sides u and v from its point; of a sphere, nothing.
 struct RefClosest {
     double depth = std::numeric_limits<double>::infinity();
     double u = 0, v = 0;
     std::uint32_t primitive = no_primitive;
+
+    /// Is this one to be kept instead? At equal depth the lower primitive.
+    bool yields_to(double other, std::uint32_t number) const { return other > 0 && (other < depth || (other == depth && number < primitive)); }
+};
+
+/// A ray, and the primitive that it starts on, if any.
+struct RefPath {
+    glm::dvec3 from{0}, direction{0, 0, 1};       ///< direction: a unit vector
+    std::uint32_t left = no_primitive;
+    bool is_inside = false;                       ///< starts on a sphere and goes through its inside
 };
 
 /// The next float at or below x, or at or above.
@@ -124,7 +135,8 @@ inline int boxes_entered(const RefNode& node, const RefRay& ray, float limit, Re
     return lanes(near <= far);
 }
 
-/// Keeps the closer of `closest` and the block's hits with depth > 0; at equal depth the lower primitive.
+/// Keeps the closer of `closest` and the block's hits with depth > 0; at equal depth the lower primitive. A ray does not meet
+/// the triangle that it starts on.
 ///
 /// Watertight test (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection") in double: translate and
 /// shear so that the ray runs along z from the origin, then look on which side of each edge the origin lies.
@@ -133,7 +145,7 @@ inline int boxes_entered(const RefNode& node, const RefRay& ray, float limit, Re
 /// of both neighbours; so along the edges of a closed surface no ray slips through. Both sides are hit.
 /// A triangle whose image has no area is not hit. One without area of its own may get some by the rounding of its
 /// image, and is then needed: the images of its neighbours have moved apart by as much.
-inline void test_block(const RefBlock& block, const RefRay& ray, RefClosest& closest) {
+inline void test_block(const RefBlock& block, const RefRay& ray, RefClosest& closest, std::uint32_t start = no_primitive) {
     RefDouble2 x[3], y[3], z[3];
     for (int i = 0; i < 3; ++i) {
         z[i] = block.vertex[i][ray.axis[2]] - ray.origin[2];
@@ -152,7 +164,8 @@ inline void test_block(const RefBlock& block, const RefRay& ray, RefClosest& clo
         const double depth = (e0[i] * z[0][i] + e1[i] * z[1][i] + e2[i] * z[2][i]) / det[i] * ray.scale_z;
         const bool closer = depth < closest.depth
                             || (depth == closest.depth && block.primitive[i] < closest.primitive);
-        if (depth > 0 && closer) closest = {depth, e1[i] / det[i], e2[i] / det[i], block.primitive[i]};
+        if (depth > 0 && closer && block.primitive[i] != start)
+            closest = {depth, e1[i] / det[i], e2[i] / det[i], block.primitive[i]};
     }
 }
 

@@ -4,10 +4,19 @@
 #include "model/core/progress.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
-/// The double-precision software tracer: the scene as given, its own BVH, a watertight triangle test.
+/// A finished picture.
+struct WhittedFrame {
+    std::vector<glm::dvec3> pixels;   ///< linear RGB within 0..1, row by row from the top
+    RayCounts rays;
+    HitFrame hits;                    ///< of each pixel's first sample
+    std::vector<std::uint64_t> signatures;   ///< of each pixel (PathSignature)
+};
+
+/// The double-precision software tracer: the scene as given, its own BVHs, a watertight triangle test.
 /// It shares nothing with the fixed-point model but the scene and the camera's definition.
 class Reference {
 public:
@@ -20,6 +29,9 @@ public:
 
     /// Every primary ray of a frame; `threads` 0 means all cores. The result does not depend on it.
     HitFrame frame(const Camera& camera, FrameSize size, int threads = 0, const Progress& progress = {}) const;
+
+    /// The finished picture (model/scene/whitted.hpp). The scene that the tracer was made from must still be there, unchanged. Pixels and counts do not depend on `threads`.
+    WhittedFrame whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads = 0, const Progress& progress = {}) const;
 
 private:
     struct Impl;

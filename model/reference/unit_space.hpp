@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -10,23 +9,17 @@
 
 namespace rayclock {
 
-/// The reference tracer's own space, in which the scene's triangles lie within -1..1. The factor is a power of two,
+/// The reference tracer's own space, in which what bounds() counts lies within -1..1. The factor is a power of two,
 /// so scaling loses nothing; float boxes are then as good for a tiny scene, or one far from the origin, as for any.
 struct RefUnitSpace {
     glm::dvec3 centre{0};
     double scale = 1;
 
     explicit RefUnitSpace(const Scene& scene) {
-        if (scene.triangles.empty()) return;
-        constexpr double inf = std::numeric_limits<double>::infinity();
-        glm::dvec3 lo{inf}, hi{-inf};
-        for (const Triangle& triangle : scene.triangles)
-            for (const std::uint32_t v : triangle.vertex) {
-                lo = glm::min(lo, scene.vertices[v]);
-                hi = glm::max(hi, scene.vertices[v]);
-            }
-        centre = lo + 0.5 * (hi - lo);
-        const glm::dvec3 half = glm::max(hi - centre, centre - lo);
+        if (primitive_count(scene) == 0) return;
+        const Bounds box = bounds(scene);
+        centre = box.lo + 0.5 * (box.hi - box.lo);
+        const glm::dvec3 half = glm::max(box.hi - centre, centre - box.lo);
         const double side = std::max(half.x, std::max(half.y, half.z));
         if (side > 0) scale = std::ldexp(1.0, -std::ilogb(side) - 1);
     }

@@ -13,16 +13,27 @@
 namespace rayclock {
 namespace {
 
-constexpr std::array<Builtin, 9> all{{
-    {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_triangles, make_balls},
-    {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden", gears_triangles, make_gears},
-    {"mount", 6, 11, "fractal mountain: an even terrain of any density", mount_triangles, make_mount},
-    {"rings", 5, 19, "chains of rings: long thin triangles, much empty space", rings_triangles, make_rings},
-    {"teapot", 12, 389, "teapot on a checkerboard: small detail in a large room", teapot_triangles, make_teapot},
-    {"tetra", 6, 11, "Sierpinski's tetrahedron: most rays miss", tetra_triangles, make_tetra},
-    {"tree", 8, 15, "forking tree on a wide field: extreme range of sizes", tree_triangles, make_tree},
-    {"icosphere", 4, 9, "closed round ball: the smallest test for cracks", icosphere_triangles, make_icosphere},
-    {"cornell", 1, 1, "Cornell box: a handful of large triangles, no size", cornell_triangles, make_cornell},
+/// A scene without spheres is the same in both forms.
+template <std::uint64_t (*triangles)(int)> PrimitiveCounts all_triangles(int size, Primitives) { return {.triangles = triangles(size)}; }
+template <Scene (*make)(int)> Scene one_form(int size, Primitives) { return make(size); }
+
+PrimitiveCounts spheres_counts(int, Primitives) { return {.spheres = spheres_spheres, .planes = 1}; }
+PrimitiveCounts plane_counts(int, Primitives) { return {.planes = 1}; }
+
+constexpr std::array<Builtin, 13> all{{
+    {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
+    {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden", all_triangles<gears_triangles>, one_form<make_gears>},
+    {"mount", 6, 11, "fractal mountain: an even terrain of any density", mount_counts, make_mount},
+    {"rings", 5, 19, "chains of rings: long thin triangles, much empty space", rings_counts, make_rings},
+    {"teapot", 12, 389, "teapot on a checkerboard: small detail in a large room", all_triangles<teapot_triangles>, one_form<make_teapot>},
+    {"tetra", 6, 11, "Sierpinski's tetrahedron: most rays miss", all_triangles<tetra_triangles>, one_form<make_tetra>},
+    {"tree", 8, 15, "forking tree on a wide field: extreme range of sizes", tree_counts, make_tree},
+    {"icosphere", 4, 9, "closed round ball: the smallest test for cracks", all_triangles<icosphere_triangles>, one_form<make_icosphere>},
+    {"cornell", 1, 1, "Cornell box: a handful of large triangles, no size", all_triangles<cornell_triangles>, one_form<make_cornell>},
+    {"spheres", 1, 1, "glass, mirror and matt spheres on a checkered plane", spheres_counts, one_form<make_spheres>},
+    {"plane", 1, 1, "checkered plane as far as the horizon: what samples miss", plane_counts, one_form<make_plane>},
+    {"mirrors", 1, 1, "Cornell box whose side walls are mirrors: rays without end", all_triangles<cornell_triangles>, one_form<make_mirrors>},
+    {"square", 1, 1, "white square on black, slightly turned: how edges look", all_triangles<square_triangles>, one_form<make_square>},
 }};
 
 std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.find(':')); }
@@ -49,7 +60,7 @@ std::span<const Builtin> builtins() { return all; }
 
 bool is_builtin(std::string_view spec) { return find(name_of(spec)) != nullptr; }
 
-Scene make_builtin(std::string_view spec) {
+Scene make_builtin(std::string_view spec, Primitives primitives) {
     const std::string_view name = name_of(spec);
     const Builtin* builtin = find(name);
     if (!builtin) {
@@ -59,7 +70,7 @@ Scene make_builtin(std::string_view spec) {
                         " (`rayclock scenes` lists them)");
     }
     const int size = size_of(*builtin, spec);
-    Scene scene = builtin->make(size);
+    Scene scene = builtin->make(size, primitives);
     scene.name = builtin->max_size == 1 ? std::string(name) : std::string(name) + ":" + std::to_string(size);
     return scene;
 }

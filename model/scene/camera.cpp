@@ -17,28 +17,54 @@ namespace {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// v must be finite and not zero.
-glm::dvec3 unit(const glm::dvec3& v) {
-    const glm::dvec3 scaled = v / largest(v);
-    return scaled / glm::length(scaled);
-}
+/// Moves the eye back until all that it is shown is inside the picture; lengths in units of `scale`.
+class Fitting {
+public:
+    Fitting(const View& view, const glm::dvec3& middle, double scale, double aspect)
+        : view_(view), middle_(middle), scale_(scale), half_height_(view.half_height / margin), half_width_(half_height_ * aspect) {}
 
-/// Distance from the middle at which the whole scene is inside the picture; lengths in units of `scale`.
-double fitting_distance(const Scene& scene, const glm::dvec3& middle, double scale, const View& view, double aspect) {
-    constexpr double margin = 1.05;     // the scene fills at most 1/1.05 of the picture
-    constexpr double nearest = 0.1;     // and no vertex comes nearer to the eye than this
-    const double half_height = view.half_height / margin, half_width = half_height * aspect;
-    double distance = 0;
+    void point(const glm::dvec3& position) {
+        const glm::dvec3 p = (position - middle_) / scale_;
+        const double x = std::abs(glm::dot(p, view_.right)), y = std::abs(glm::dot(p, view_.up));
+        distance_ = std::max(distance_, std::max({x / half_width_, y / half_height_, nearest}) - glm::dot(p, view_.forward));
+    }
+
+    /// A sphere is inside the four planes through the eye if its centre is a radius away from each.
+    void sphere(const Sphere& sphere) {
+        const glm::dvec3 p = (sphere.centre - middle_) / scale_;
+        const double r = sphere.radius / scale_;
+        const double x = std::abs(glm::dot(p, view_.right)) + r * std::sqrt(1 + half_width_ * half_width_);
+        const double y = std::abs(glm::dot(p, view_.up)) + r * std::sqrt(1 + half_height_ * half_height_);
+        distance_ = std::max(distance_, std::max({x / half_width_, y / half_height_, r + nearest}) - glm::dot(p, view_.forward));
+    }
+
+    double distance() const { return distance_; }
+
+private:
+    static constexpr double margin = 1.05;     // the scene fills at most 1/1.05 of the picture
+    static constexpr double nearest = 0.1;     // and nothing comes nearer to the eye than this
+    View view_;
+    glm::dvec3 middle_;
+    double scale_, half_height_, half_width_, distance_ = 0;
+};
+
+/// Of planes, only what bounds() counts is to be seen whole.
+void show(Fitting& fitting, const Scene& scene, const Bounds& box) {
     for (const Triangle& triangle : scene.triangles)
-        for (const std::uint32_t index : triangle.vertex) {
-            const glm::dvec3 p = (scene.vertices[index] - middle) / scale;
-            const double x = std::abs(glm::dot(p, view.right)), y = std::abs(glm::dot(p, view.up));
-            distance = std::max(distance, std::max({x / half_width, y / half_height, nearest}) - glm::dot(p, view.forward));
-        }
-    return distance;
+        for (const std::uint32_t index : triangle.vertex) fitting.point(scene.vertices[index]);
+    for (const Sphere& sphere : scene.spheres) fitting.sphere(sphere);
+    if (!scene.triangles.empty() || !scene.spheres.empty()) return;
+    for (const double x : {box.lo.x, box.hi.x})
+        for (const double y : {box.lo.y, box.hi.y})
+            for (const double z : {box.lo.z, box.hi.z}) fitting.point({x, y, z});
 }
 
 } // namespace
+
+glm::dvec3 unit_of(const glm::dvec3& v) {
+    const glm::dvec3 scaled = v / largest(v);
+    return scaled / glm::length(scaled);
+}
 
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -71,11 +97,11 @@ View view_of(const Camera& camera, const std::string& where) {
     if (!is_finite(gaze)) refuse("the camera's eye " + text_of(camera.eye) + " is too far from " + text_of(camera.at));
     if (largest(camera.up) == 0) refuse("the camera's up " + text_of(camera.up) + " has no direction");
     View view;
-    view.forward = unit(gaze);
-    const glm::dvec3 across = glm::cross(view.forward, unit(camera.up));
+    view.forward = unit_of(gaze);
+    const glm::dvec3 across = glm::cross(view.forward, unit_of(camera.up));
     // Below this the direction of `across` is mostly rounding.
     if (!(glm::length(across) > 1e-9)) refuse("the camera's up " + text_of(camera.up) + " points along its line of sight");
-    view.right = unit(across);
+    view.right = unit_of(across);
     view.up = glm::cross(view.right, view.forward);
     view.half_height = std::tan(camera.fov_degrees * (std::numbers::pi / 360));
     return view;
@@ -98,13 +124,14 @@ Camera fit_camera(const Scene& scene, double aspect) {
     const Bounds box = bounds(scene);
     Camera camera;
     camera.at = 0.5 * box.lo + 0.5 * box.hi;
-    const glm::dvec3 towards_eye = unit({0.6, 0.5, 1});
+    const glm::dvec3 towards_eye = unit_of({0.6, 0.5, 1});
     // A mesh smaller than the rounding of its coordinates is looked at as if it were larger; a point, as if it were 1.
     double scale = std::max(largest(box.hi - box.lo), 1e-9 * std::max(largest(box.lo), largest(box.hi)));
     if (scale < 1e-200) scale = 1;
     const View view = view_of({towards_eye, glm::dvec3(0), camera.up, camera.fov_degrees}, "camera");
-    const double distance = fitting_distance(scene, camera.at, scale, view, aspect);
-    camera.eye = camera.at + distance * scale * towards_eye;
+    Fitting fitting(view, camera.at, scale, aspect);
+    show(fitting, scene, box);
+    camera.eye = camera.at + fitting.distance() * scale * towards_eye;
     if (!is_finite(camera.eye) || !is_finite(camera.at - camera.eye))
         throw UserError(scene.name + ": the scene reaches from " + text_of(box.lo) + " to " + text_of(box.hi) +
                         ", too large to be seen whole");

@@ -18,6 +18,9 @@ struct View {
 /// Throws UserError if the camera looks nowhere or its angle is not in (0, 180). `where` begins the sentence.
 View view_of(const Camera& camera, const std::string& where);
 
+/// v must be finite and not zero; its length may be anything a double can hold.
+glm::dvec3 unit_of(const glm::dvec3& v);
+
 /// Sees NaN and infinities in any component.
 bool is_finite(const glm::dvec3& v);
 

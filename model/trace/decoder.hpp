@@ -10,13 +10,17 @@ namespace rayclock {
 class Decoder {
 public:
     Decoder(const MemoryImage& image, const Config& config)
-        : image_(image), config_(config), read_node_(config), nodes_(image.lines()), prims_(std::size_t(image.lines()) * 2) {}
+        : image_(image), config_(config), read_node_(config), nodes_(image.lines()), prims_(std::size_t(image.lines()) * 2),
+          surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
     const WideNode& node(std::uint32_t line) const {
         return nodes_.get(line, [&] { return read_node_(image_.line(line)); });
     }
     const PrimData& prim(std::uint32_t half_line) const {
         return prims_.get(half_line, [&] { return unpack<PrimData>(image_.half_line(half_line), config_); });
+    }
+    const Surface& surface(std::uint32_t line) const {
+        return surfaces_.get(line - image_.surfaces, [&] { return unpack<Surface>(image_.line(line), config_); });
     }
 
 private:
@@ -25,6 +29,7 @@ private:
     NodeReader read_node_;
     LineCache<WideNode> nodes_;
     LineCache<PrimData> prims_;
+    LineCache<Surface> surfaces_;
 };
 
 } // namespace rayclock

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "model/isect/any.hpp"
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
@@ -37,6 +38,11 @@ void record_block_plain(const RecordJob& job, const RecordBlock& block, RecordSc
     plain::record(job, block, scratch, hits, totals);
 }
 
+std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::uint32_t root, const Ray& ray, std::size_t at, RecordScratch& scratch,
+                             RecordTotals& totals, Closest& hit) {
+    return plain::record_any(decoder, config, root, ray, at, scratch, totals, hit);
+}
+
 #ifdef RAYCLOCK_AVX2
 #pragma GCC push_options
 #pragma GCC target("avx2,bmi,bmi2,lzcnt,popcnt")
@@ -48,12 +54,14 @@ namespace avx2 {
 #undef RAYCLOCK_WITH_AVX2
 #pragma GCC pop_options
 
-RecordFunction* record_block() {
-    const bool able = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
-                      __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("lzcnt");
-    return able ? avx2::record : record_block_plain;
+static bool is_able() {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt") &&
+           __builtin_cpu_supports("lzcnt");
 }
+RecordFunction* record_block() { return is_able() ? avx2::record : record_block_plain; }
+RecordRayFunction* record_any() { return is_able() ? avx2::record_any : record_any_plain; }
 #else
+RecordRayFunction* record_any() { return record_any_plain; }
 RecordFunction* record_block() { return record_block_plain; }
 #endif
 

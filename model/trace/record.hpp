@@ -4,6 +4,7 @@
 #include "model/accel/memory_image.hpp"
 #include "model/isect/facet.hpp"
 #include "model/isect/primitive.hpp"
+#include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/trav/box.hpp"
 
@@ -81,5 +82,13 @@ using RecordFunction = void(const RecordJob& job, const RecordBlock& block, Reco
 RecordFunction record_block_plain;
 /// The same, faster, if this processor can; plain otherwise.
 RecordFunction* record_block();
+
+/// One ray of any kind, of a chip that shades: a Walk, but that only the trace and the answer are made. Its words begin at `at` in
+/// scratch.words, which grows as it must; returns where they end. scratch.groups must have stack_depth + 1 places.
+using RecordRayFunction = std::size_t(const Decoder& decoder, const Config& config, std::uint32_t root, const Ray& ray, std::size_t at,
+                                      RecordScratch& scratch, RecordTotals& totals, Closest& hit);
+RecordRayFunction record_any_plain;
+/// Likewise, the faster one if this processor can.
+RecordRayFunction* record_any();
 
 } // namespace rayclock

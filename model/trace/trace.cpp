@@ -4,8 +4,10 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <optional>
 
 #include "model/trace/record.hpp"
+#include "model/trace/record_shaded.hpp"
 
 namespace rayclock {
 
@@ -13,21 +15,25 @@ namespace rayclock {
 struct Recording::Work {
     static constexpr std::uint32_t block = RecordBlock::side;
 
-    Work(const MemoryImage& image, const Frame& frame_, const Config& config, Trace& trace_, const Progress& progress_)
+    Work(const MemoryImage& image_, const Frame& frame_, const Config& config, Trace& trace_, const Progress& progress_)
         : frame(frame_), trace(trace_), progress(progress_), columns((frame.width + block - 1) / block),
-          rows((frame.height + block - 1) / block), job(image, frame, config), record(record_block()) {
+          rows((frame.height + block - 1) / block), image(image_), job(image, frame, config), record(record_block()) {
+        if (config.shading) decoder = std::make_unique<Decoder>(image, config);
         trace.width = frame.width;
         trace.height = frame.height;
         trace.rays.assign(std::size_t(frame.width) * frame.height, nullptr);
         trace.hits.resize(trace.rays.size());
+        if (config.shading) trace.colours.resize(trace.rays.size()), trace.signatures.resize(trace.rays.size());
         trace.chunks.resize(std::size_t(columns) * rows);
     }
 
     void run() {
         RecordScratch scratch;
         RecordTotals totals;
+        std::optional<ShadedRecorder> shaded;
+        if (decoder) shaded.emplace(image, frame, job.config(), *decoder);
         try {
-            for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++) record_chunk(chunk, scratch, totals);
+            for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++) record_chunk(chunk, scratch, totals, shaded);
         } catch (...) {
             const std::lock_guard lock(mutex);
             error = std::current_exception();
@@ -38,13 +44,16 @@ struct Recording::Work {
         trace.box_tests += totals.box_tests;
         trace.triangle_tests += totals.triangle_tests;
         trace.turns += totals.turns;
+        if (shaded) trace.counts += shaded->counts();
+        else trace.counts.primary = trace.rays.size();
     }
 
-    void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals) {
+    void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals, std::optional<ShadedRecorder>& shaded) {
         RecordBlock pixels;
         pixels.x0 = std::uint32_t(chunk % columns) * block, pixels.y0 = std::uint32_t(chunk / columns) * block;
         pixels.x1 = std::min(pixels.x0 + block, frame.width), pixels.y1 = std::min(pixels.y0 + block, frame.height);
-        record(job, pixels, scratch, trace.hits.data(), totals);
+        if (shaded) shaded->block(pixels, scratch, trace, totals);
+        else record(job, pixels, scratch, trace.hits.data(), totals);
         std::vector<std::uint32_t>& words = trace.chunks[chunk];
         words.assign(scratch.words.begin(), scratch.words.begin() + std::ptrdiff_t(scratch.used));
         std::size_t n = 0;
@@ -60,8 +69,10 @@ struct Recording::Work {
     Trace& trace;
     const Progress progress;
     std::uint32_t columns, rows;
+    const MemoryImage& image;
     RecordJob job;
     RecordFunction* record;
+    std::unique_ptr<Decoder> decoder;   // of a chip that shades
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::uint64_t finished = 0;

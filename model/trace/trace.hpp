@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "model/accel/memory_image.hpp"
 #include "model/core/progress.hpp"
+#include "model/scene/whitted.hpp"
 
 namespace rayclock {
 
@@ -15,17 +17,23 @@ namespace rayclock {
 /// configuration of the same format, node width and leaf size, whatever its caches, memory, clock, contexts and pipelines.
 ///
 /// A visit is a word (bits 0..23 the node's line, then the flags below, then how many groups trav drops after it) followed,
-/// if it has any, by a word for each triangle (bits 0..24 the half line, bit 31 set in the last).
+/// if it has any, by a word for each triangle (bits 0..24 the half line, bit 31 set in the last). If the chip shades, a pixel has
+/// many rays, one after the other, and each is followed by two words: the line of the surface that must be read (if the flag is
+/// set) and whether the pixel then is finished; and how many passes through shade follow.
 struct Trace {
     static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
     static constexpr int turns_shift = 26;
     static constexpr std::uint32_t last_flag = 1u << 31;    ///< of a triangle's word
+    static constexpr std::uint32_t surface_flag = 1u << 24, pixel_flag = 1u << 25;   ///< of the word after a ray
     static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1, prim_mask = (2u << max_addr_bits) - 1;
 
     std::uint32_t width = 0, height = 0;
     std::vector<const std::uint32_t*> rays;   ///< [y * width + x]: into chunks
     std::vector<Closest> hits;                ///< likewise; `ray` is 0
+    std::vector<std::array<std::uint32_t, 3>> colours;   ///< likewise, if the chip shades: as in Pixel
+    std::vector<std::uint64_t> signatures;   ///< likewise: PathSignature
+    RayCounts counts;
     std::vector<std::vector<std::uint32_t>> chunks;
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0, turns = 0;
     double seconds = 0;                       ///< host time of recording

@@ -1,5 +1,6 @@
 #include "model/trace/walk.hpp"
 
+#include "model/isect/any.hpp"
 #include "model/raygen/raygen.hpp"
 
 namespace rayclock {
@@ -12,7 +13,7 @@ const Ray& Walk::start(const Slot& slot) { return start_at(raygen(slot, *frame_,
 const Ray& Walk::start_at(const Ray& ray) {
     ray_ = ray;
     box_ray_ = {ray_.o, {ray_.d[0] < 0, ray_.d[1] < 0, ray_.d[2] < 0}, ray_.recip, ray_.len};
-    leaves_.clear();
+    leaves_.clear(RayKind(ray.kind));
     stack_.clear();
     node_ = frame_->root;
     return ray_;
@@ -26,7 +27,9 @@ bool Walk::test_node() {
 
 const TriRsp& Walk::test_triangle() {
     tri_.ray = ray_.ray;
-    test_(ray_.o, ray_.d, decoder_->prim(leaves_.prim()), leaves_.best(), *config_, tri_);
+    const PrimData& prim = decoder_->prim(leaves_.prim());
+    if (config_->shading) any_test(ray_, prim, leaves_.best(), *config_, tri_);
+    else test_(ray_.o, ray_.d, prim, leaves_.best(), *config_, tri_);
     return tri_;
 }
 

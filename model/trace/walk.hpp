@@ -19,6 +19,7 @@ public:
     /// Any ray, made as raygen would.
     const Ray& start_at(const Ray& ray);
     std::uint32_t node() const { return node_; }
+    std::uint32_t children() const { return decoder_->node(node_).children; }   ///< of the next node
 
     /// box, on the next node. True if list has a triangle to be tested.
     bool test_node();

@@ -2,6 +2,8 @@
 #include <unordered_map>
 
 #include "model/machine.hpp"
+#include "model/raygen/raygen.hpp"
+#include "model/shade/shader.hpp"
 #include "model/trace/walk.hpp"
 
 namespace rayclock {
@@ -16,6 +18,7 @@ public:
     void start(const Frame& frame) {
         frame_ = frame;
         walks_.assign(std::size_t(config_.pipelines * config_.contexts), Walk(frame_, config_, decoder_));
+        if (config_.shading) shaders_.assign(walks_.size(), Shader(frame_, config_, image_));
         words_.clear();
     }
 
@@ -23,6 +26,7 @@ public:
     template <class See> void operator()(const Move& m, See&& see);
 
 private:
+    Shader& shader(const Move& m) { return shaders_[std::size_t(m.pipeline * config_.contexts) + m.id]; }
     Walk& walk(const Move& m) { return walks_[std::size_t(m.pipeline * config_.contexts) + m.id]; }
     Line line(std::uint32_t addr) const {
         Line words;
@@ -36,7 +40,8 @@ private:
     Config config_;
     Decoder decoder_;
     Frame frame_;
-    std::vector<Walk> walks_;   // [pipeline * contexts + context]
+    std::vector<Walk> walks_;       // [pipeline * contexts + context]
+    std::vector<Shader> shaders_;   // likewise, if the chip shades
     std::unordered_map<std::uint64_t, std::uint32_t> words_;   // addresses asked for
 };
 
@@ -44,8 +49,13 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
     const auto tell = [&](const auto& payload) { see(m.pipeline, m.channel, payload); };
     switch (m.channel) {
     case Channel::tile: return tell(Tile{m.x, m.y});
-    case Channel::slot: walk(m).start({m.id, m.x, m.y}); return tell(Slot{m.id, m.x, m.y});
-    case Channel::ray: return tell(walk(m).ray());
+    case Channel::slot:
+        walk(m).start({m.id, m.x, m.y});
+        if (config_.shading) shader(m).start({m.id, m.x, m.y});
+        return tell(Slot{m.id, m.x, m.y});
+    case Channel::ray:
+        if (config_.shading) shader(m).sent(walk(m).ray());
+        return tell(walk(m).ray());
     case Channel::node_req: return tell(NodeReq{m.id, walk(m).node()});
     case Channel::box_req: {
         Walk& w = walk(m);
@@ -58,7 +68,8 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
     case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
     case Channel::tri_req: {
         Walk& w = walk(m);
-        tell(TriReq{m.id, w.ray().o, w.ray().d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(), w.ray().shear});
+        const Ray& r = w.ray();
+        tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(), r.shear, r.kind, r.self, r.inside});
         w.test_triangle();
         return;
     }
@@ -69,7 +80,22 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
         walk(m).decide(done);
         return;
     }
-    case Channel::hit: return tell(HitOut{m.x, m.y, walk(m).closest()});
+    case Channel::hit:
+        if (!config_.shading) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
+        return tell(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
+    case Channel::closest:
+        tell(walk(m).closest());
+        shader(m).arrived(walk(m).closest());
+        if (!shader(m).wants_surface()) shader(m).run();
+        return;
+    case Channel::surf_req: return tell(SurfReq{m.id, shader(m).surface_line()});
+    case Channel::surf_rsp:
+        tell(SurfRsp{m.id, shader(m).surface()});
+        shader(m).run();
+        return;
+    case Channel::spawn: tell(shader(m).spawn()); walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_)); return;
+    case Channel::surf_miss: asked(m, Channel::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
+    case Channel::surf_fill: return tell(SurfFill{m.id, line(asked(m, Channel::surf_miss))});
     case Channel::node_miss: asked(m, Channel::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
     case Channel::prim_miss: asked(m, Channel::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
     case Channel::l2_req: asked(m, Channel::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});

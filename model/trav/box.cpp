@@ -63,7 +63,7 @@ namespace plain {
 void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
     std::array<std::uint32_t, max_width> t_near;
     const SlabRay slab = slab_ray(ray, config);
-    const std::uint32_t hits = plain::slab_test(slab, node, plain::lanes_of(node.org) - slab.o, node.children, t_near.data());
+    const std::uint32_t hits = plain::slab_test(slab, node, node.children, t_near.data());
     answer(hits, t_near.data(), node, out);
 }
 
@@ -74,7 +74,7 @@ void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& c
 namespace avx2 {
 #include "model/trav/slab.inl"
 static void test(const SlabRay& ray, const WideNode& node, std::uint32_t* t_near, std::uint32_t& hits) {
-    hits = slab_test(ray, node, lanes_of(node.org) - ray.o, node.children, t_near);
+    hits = slab_test(ray, node, node.children, t_near);
 }
 } // namespace avx2
 #undef RAYCLOCK_WITH_AVX2

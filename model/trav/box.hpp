@@ -26,7 +26,7 @@ WideNode widen(const Node& node, int node_width);
 
 /// What the slab test needs of a ray; made once per ray.
 struct BoxRay {
-    Vec3i o{};
+    Vec3i o{};   ///< with B fraction bits if the chip shades
     std::array<std::uint32_t, 3> neg{}, recip{}, len{};
 };
 
@@ -37,6 +37,8 @@ struct BoxRay {
 /// negated for d < 0): near = floor(2^x r (D + q 2^e)) and far = ceil(2^x (r + 1) (D + q 2^e)), x = F + M - len - R,
 /// where D r / 2^e is first rounded down for near and D (r + 1) / 2^e up for far. Negative near is 0, negative far a
 /// miss; both saturate at all ones. A zero component only asks whether o lies between the planes (rounded outward).
+/// If the chip shades, M is ray_dir_bits() here, in which len counts, and o may lie between lattice points: D of near is taken from
+/// the one further along the ray, D of far from the other (docs/origins.md, Boxes).
 /// Mirror of rtl/trav/rc_box.sv, latency Config::box_latency() + 1, one node per cycle.
 void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
 /// The same without the processor's wider vectors, whether it has them or not: for the tests.

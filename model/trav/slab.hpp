@@ -27,7 +27,7 @@ using Whole = std::int32_t __attribute__((vector_size(16)));
 
 /// What the slab test needs of a ray, lane k for axis k; the fourth lane is 0.
 struct SlabRay {
-    Lanes o;
+    Lanes near_o, far_o;     ///< lattice points from which near and far planes are measured; one point, but for a bounce
     Lanes near, far;         ///< signed r and r + 1
     Mask scale;              ///< of a step of lattice times r, to t's unit: a double's exponent
     double beyond, past;     ///< all ones, and 1 more
@@ -38,14 +38,19 @@ struct SlabRay {
 
 // Whole vectors are made, as a vector read from parts just written would have to wait for them.
 inline SlabRay slab_ray(const BoxRay& ray, const Config& c) {
-    SlabRay slab;
+    SlabRay slab{};
     const auto turned = [&](std::size_t k, std::int32_t r) { return double(ray.neg[k] != 0 ? -r : r); };
     const auto r = [&](std::size_t k) { return turned(k, std::int32_t(ray.recip[k])); };
     const auto r_up = [&](std::size_t k) { return turned(k, std::int32_t(ray.recip[k]) + (ray.len[k] != 0)); };
-    slab.o = Lanes{double(ray.o[0]), double(ray.o[1]), double(ray.o[2]), 0};
+    const int frac = c.origin_frac();
+    const std::int32_t rest = (1 << frac) - 1;
+    const auto before = [&](std::size_t k) { return double((ray.o[k] + (ray.neg[k] != 0 ? rest : 0)) >> frac); };
+    const auto beyond = [&](std::size_t k) { return double((ray.o[k] + (ray.neg[k] != 0 ? 0 : rest)) >> frac); };
+    slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};
+    slab.far_o = Lanes{before(0), before(1), before(2), 0};
     slab.near = Lanes{r(0), r(1), r(2), 0};
     slab.far = Lanes{r_up(0), r_up(1), r_up(2), 0};
-    const int unit = 1023 + c.t_frac_bits + c.dir_bits - c.recip_bits;
+    const int unit = 1023 + c.t_frac_bits + c.ray_dir_bits() - c.recip_bits;
     slab.scale = Mask{unit - int(ray.len[0]), unit - int(ray.len[1]), unit - int(ray.len[2]), 0} << 52;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t lo = std::uint32_t(k * max_width), hi = lo + 3 * max_width;

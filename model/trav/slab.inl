@@ -52,18 +52,18 @@ RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
 RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) { return std::uint32_t((m[0] & 1) | (m[1] & 2)); }
 #endif
 
-/// The children that the ray meets (bit i: child i), and the t_near of all eight. `distance` is the node's org - o, lane k
-/// for axis k; children beyond `width` need not be looked at.
+/// The children that the ray meets (bit i: child i), and the t_near of all eight. `before` and `beyond` are the node's org - near_o
+/// and org - far_o, lane k for axis k; children beyond `width` need not be looked at.
 ///
 /// Per axis near = (floor(D r / 2^e) + q r) 2^(x + e), where 2^(x + e) is multiplied in beforehand. A child is met if near
 /// rounded down <= far rounded up, and far >= 0; floor(near) <= ceil(far) is floor(near) - 1 < far.
 template <bool zeros>
-RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& node, const Lanes& distance, std::uint32_t width,
-                                           std::uint32_t* t_near) {
+RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& node, const Lanes& before, const Lanes& beyond,
+                                           std::uint32_t width, std::uint32_t* t_near) {
     const Mask e = exponents_of(node.exp);
     const Lanes shrink = Lanes((std::int64_t(1023) << 52) - e), scale = Lanes(ray.scale + e);
-    const Lanes near_0 = round_down(distance * (ray.near * shrink)) * scale, near_step = ray.near * scale;
-    const Lanes far_0 = round_up(distance * (ray.far * shrink)) * scale, far_step = ray.far * scale;
+    const Lanes near_0 = round_down(before * (ray.near * shrink)) * scale, near_step = ray.near * scale;
+    const Lanes far_0 = round_up(beyond * (ray.far * shrink)) * scale, far_step = ray.far * scale;
     std::uint32_t hits = 0;
     for (std::uint32_t h = 0; h < width; h += sizeof(Children) / sizeof(double)) {
         Children near{}, far = ray.past - near;   // in every lane: x - 0 is x, x + 0 is work
@@ -84,9 +84,19 @@ RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& n
     }
     return hits & node.children_mask;
 }
+RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& before, const Lanes& beyond,
+                                        std::uint32_t width, std::uint32_t* t_near) {
+    if (ray.zeros) [[unlikely]] return slab_test_of<true>(ray, node, before, beyond, width, t_near);
+    if (width <= 4) return slab_test_of<false>(ray, node, before, beyond, 4, t_near);
+    return slab_test_of<false>(ray, node, before, beyond, max_width, t_near);
+}
+/// The same for a ray from a lattice point, `distance` away.
 RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& distance, std::uint32_t width,
                                         std::uint32_t* t_near) {
-    if (ray.zeros) [[unlikely]] return slab_test_of<true>(ray, node, distance, width, t_near);
-    if (width <= 4) return slab_test_of<false>(ray, node, distance, 4, t_near);
-    return slab_test_of<false>(ray, node, distance, max_width, t_near);
+    return slab_test(ray, node, distance, distance, width, t_near);
+}
+/// And for any ray.
+RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, std::uint32_t width, std::uint32_t* t_near) {
+    const Lanes org = lanes_of(node.org);
+    return slab_test(ray, node, org - ray.near_o, org - ray.far_o, width, t_near);
 }

@@ -6,6 +6,10 @@
 namespace rayclock {
 
 Turn Stack::decide(const Step& s) {
+    if (s.stop) {
+        height_ = 0;
+        return {};
+    }
     if (s.inner == 0 || s.t_near[0] > s.t_best) return pop(s.t_best);
     const Turn forward{Turn::Kind::visit, s.base + s.slot[0]};
     if (s.inner == 1) return forward;

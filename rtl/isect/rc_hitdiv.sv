@@ -1,15 +1,18 @@
 // Distance and barycentrics of a hit: t = ceil(2^(M-1+F) num / den), saturated at all
 // ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. den, det > 0, num > 0,
-// 0 <= u, v <= det. Latency Stages, throughput 1 per cycle; a stage works only if
-// valid_i came with its operands.
+// 0 <= u, v <= det. If there are planes, any u and v, as magnitude and sign; the answer is
+// in two's complement and saturates at both ends. Latency Stages, throughput 1 per cycle; a
+// stage works only if valid_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
-  parameter  int unsigned Stages = 12,   // at least half of T and of B
+  parameter  int unsigned Stages = 16,   // at least half of T and of K + B
   parameter  int unsigned E = 8,         // bits of den, at least those of det
   localparam int unsigned D = rc_pkg::EdgeBits,
   localparam int unsigned U = rc_pkg::NumBits,
   localparam int unsigned T = rc_pkg::TBits,
-  localparam int unsigned B = rc_pkg::BaryBits
+  localparam int unsigned B = rc_pkg::BaryBits,
+  localparam int unsigned V = rc_pkg::UvBits,
+  localparam int unsigned K = V - 1 - B  // whole bits of u and v that a plane has
 ) (
   input  logic         clk_i,
   input  logic         valid_i,
@@ -18,9 +21,11 @@ module rc_hitdiv #(
   input  logic [D-1:0] det_i,
   input  logic [D-1:0] u_i,
   input  logic [D-1:0] v_i,
+  input  logic         u_neg_i,   // if K > 0
+  input  logic         v_neg_i,
   output logic [T-1:0] t_o,
-  output logic [B:0]   u_o,
-  output logic [B:0]   v_o
+  output logic [V-1:0] u_o,
+  output logic [V-1:0] v_o
 );
   localparam int unsigned Q       = 2 * Stages;           // quotient bits made, at least T and B
   // num * 2^(M-1+F) * 2^(Q-T) / den in Q bits: the dividend above the quotient's bits is
@@ -43,41 +48,79 @@ module rc_hitdiv #(
     assign num_below = '0;
   end
 
-  // u = det is possible: then the top quotient bit is one and nothing remains.
-  logic u_top, v_top;
-  assign u_top = u_i == det_i;
-  assign v_top = v_i == det_i;
-
   logic [Q-1:0]  t_quo;
   logic          t_inexact;
   rc_divide #(.Width(E), .Stages(Stages)) u_t (
     .clk_i, .valid_i, .rem_i(beyond ? '0 : num_above[E-1:0]), .low_i(num_below), .den_i,
     .quo_o(t_quo), .inexact_o(t_inexact));
 
-  // u and v have fewer bits: they are done earlier, and wait for t.
-  localparam int unsigned Short = (B + 1) / 2;
+  // u and v have fewer bits: they are done earlier, and wait for t. Their quotients have K + B
+  // bits, and one more is needed: without planes for u = det, with them for all that saturates.
+  localparam int unsigned Short = (K + B + 1) / 2;
   localparam int unsigned Rest  = Stages - Short;
-  logic [2*Short-1:0] u_quo, v_quo;
-  logic               u_inexact, v_inexact;
+  localparam int unsigned R     = 2 * Short;
+  logic [D-1:0] u_above, v_above;
+  logic [R-1:0] u_below, v_below, u_quo, v_quo;
+  logic         u_top, v_top, u_inexact, v_inexact;
+  if (K > 0) begin : gen_whole
+    assign u_above = u_i >> K;
+    assign v_above = v_i >> K;
+    logic [D+K-1:0] u_wide, v_wide;   // small formats have fewer than K bits
+    assign u_wide  = {{K{1'b0}}, u_i};
+    assign v_wide  = {{K{1'b0}}, v_i};
+    assign u_below = {u_wide[K-1:0], {(R-K){1'b0}}};
+    assign v_below = {v_wide[K-1:0], {(R-K){1'b0}}};
+    logic unused;
+    assign unused  = ^{u_wide, v_wide};
+    assign u_top   = u_above >= det_i;
+    assign v_top   = v_above >= det_i;
+  end else begin : gen_no_whole
+    assign u_above = u_i;
+    assign v_above = v_i;
+    assign u_below = '0;
+    assign v_below = '0;
+    assign u_top   = u_i == det_i;
+    assign v_top   = v_i == det_i;
+  end
   rc_divide #(.Width(D), .Stages(Short)) u_u (
-    .clk_i, .valid_i, .rem_i(u_top ? '0 : u_i), .low_i('0), .den_i(det_i),
+    .clk_i, .valid_i, .rem_i(u_top ? '0 : u_above), .low_i(u_below), .den_i(det_i),
     .quo_o(u_quo), .inexact_o(u_inexact));
   rc_divide #(.Width(D), .Stages(Short)) u_v (
-    .clk_i, .valid_i, .rem_i(v_top ? '0 : v_i), .low_i('0), .den_i(det_i),
+    .clk_i, .valid_i, .rem_i(v_top ? '0 : v_above), .low_i(v_below), .den_i(det_i),
     .quo_o(v_quo), .inexact_o(v_inexact));
 
+  // A negative one is rounded down as well: -q, or -q - 1 if something is left.
+  localparam int unsigned UvW = K + B + (K > 0 ? 1 : 0);
   logic [Stages-1:0] valid_q;
   logic [2:0]        end_flags;
-  logic [2*B-1:0]    short_uv, end_uv;
+  logic [2*UvW-1:0]  short_uv, end_uv;
   always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
   rc_delay #(.Width(3), .Stages(Stages)) u_flags (
     .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i({beyond, u_top, v_top}),
     .data_o(end_flags));
-  assign short_uv = {u_quo[2*Short-1 -: B], v_quo[2*Short-1 -: B]};
+  if (K > 0) begin : gen_signed
+    logic [4*Short-1:0] how_q;   // oldest at the top
+    logic               u_many, u_neg, v_many, v_neg, u_left, v_left;
+    logic [V-1:0]       u_size, v_size, u_end, v_end;
+    always_ff @(posedge clk_i) how_q <= {how_q[4*Short-5:0], u_top, u_neg_i, v_top, v_neg_i};
+    assign {u_many, u_neg, v_many, v_neg} = how_q[4*Short-1 -: 4];
+    assign u_left   = u_inexact || (R > K + B && u_quo[0]);
+    assign v_left   = v_inexact || (R > K + B && v_quo[0]);
+    assign u_size   = {1'b0, u_quo[R-1 -: K+B]};
+    assign v_size   = {1'b0, v_quo[R-1 -: K+B]};
+    assign u_end    = u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left} : u_size;
+    assign v_end    = v_neg ? ~v_size + {{(V-1){1'b0}}, !v_left} : v_size;
+    assign short_uv = {u_many ? {u_neg, {(V-1){!u_neg}}} : u_end,
+                       v_many ? {v_neg, {(V-1){!v_neg}}} : v_end};
+  end else begin : gen_positive
+    assign short_uv = {u_quo[R-1 -: B], v_quo[R-1 -: B]};
+    logic unused;
+    assign unused = ^{u_neg_i, v_neg_i, u_inexact, v_inexact};
+  end
   if (Rest == 0) begin : gen_no_wait
     assign end_uv = short_uv;
   end else begin : gen_wait
-    rc_delay #(.Width(2 * B), .Stages(Rest)) u_uv (
+    rc_delay #(.Width(2 * UvW), .Stages(Rest)) u_uv (
       .clk_i, .valid_i(valid_q[Stages-2:Short-1]), .data_i(short_uv), .data_o(end_uv));
   end
 
@@ -91,10 +134,16 @@ module rc_hitdiv #(
     assign t_up = t_inexact;
   end
   assign t_o = end_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
-  assign u_o = {end_u_top, end_uv[2*B-1 -: B]};
-  assign v_o = {end_v_top, end_uv[B-1:0]};
+  if (K > 0) begin : gen_end
+    assign {u_o, v_o} = end_uv;
+    logic unused;
+    assign unused = ^{end_u_top, end_v_top};
+  end else begin : gen_end_one
+    assign u_o = {end_u_top, end_uv[2*B-1 -: B]};
+    assign v_o = {end_v_top, end_uv[B-1:0]};
+  end
 
   logic unused;
-  assign unused = ^{u_quo, v_quo, u_inexact, v_inexact, num_above[WideW-1:E], valid_q[Stages-1]};
+  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid_q[Stages-1]};
 endmodule
 `default_nettype wire

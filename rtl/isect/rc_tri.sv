@@ -2,6 +2,10 @@
 // configuration: rc_edges decides exactly (model/isect/tri.hpp), rc_shear with rounded
 // corners (model/isect/sheared.hpp); there are the formulas, tie rules and proven widths.
 //
+// If the chip shades: rays of every kind, planes and spheres as well (model/isect/any.hpp); of
+// a ray from or to a light the answer is only whether the primitive is in its way. Spheres have a
+// pipeline of their own, rc_sphere, which is longer; the others' answers wait for it.
+//
 // Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 per cycle, answers in
 // order. A triangle seen edge-on never hits.
 `default_nettype none
@@ -18,15 +22,23 @@ module rc_tri (
   localparam bit          IsSheared = rc_pkg::PrimitiveTest == 1;
   localparam int unsigned N    = rc_pkg::CoordBits;
   localparam int unsigned M    = rc_pkg::DirBits;
+  localparam int unsigned W    = rc_pkg::OriginWidth;
+  localparam int unsigned H    = rc_pkg::RayDirBits;
+  localparam int unsigned T    = rc_pkg::TBits;
+  localparam int unsigned V    = rc_pkg::UvBits;
   localparam int unsigned D    = rc_pkg::EdgeBits;   // of det, u, v
   localparam int unsigned U    = rc_pkg::NumBits;
-  localparam int unsigned E    = 2 * N + M + 2;      // of den
+  localparam int unsigned E    = IsSheared ? 2 * N + M + 2 : D;   // of den
   localparam int unsigned I    = rc_pkg::RayBits;
   localparam int unsigned P    = rc_pkg::PrimBits;
   localparam int unsigned L    = rc_pkg::TriLatency;
   localparam int unsigned Front = IsSheared ? 6 : 4; // stages before the comparison
   localparam int unsigned Pre   = Front + 2;         // and before the divisions
-  localparam int unsigned TailW = 1 + U + D + P;     // closer, num, det, prim
+  localparam int unsigned Divide = ((T > V - 1 ? T : V - 1) + 1) / 2;   // stages of these
+  localparam int unsigned Late   = L - Pre - Divide; // and after them
+  localparam int unsigned BackW  = rc_pkg::Shading;
+  localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
+  localparam int unsigned HitW   = TailW + T + 2 * V;
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;
 
   logic admit;
@@ -52,11 +64,42 @@ module rc_tri (
   logic [D-1:0]               f0_det, f0_u, f0_v;
   logic [U-1:0]               f0_num;
   logic [E-1:0]               f0_den;
+  logic                       f0_back, f0_u_neg, f0_v_neg;
+  logic                       s0_any;      // any hit will do: a ray from or to a light
+  logic                       s0_leaves;   // from a surface: a bounce, or away to a light
+  logic                       s0_plane, s0_sphere;
   assign req     = req_i;
   assign tri_ray = req[rc_pkg::TriReqW-I-1 -: TriRayW];
   assign s0_a    = req_i.a;
   assign s0_b    = req_i.b;
   assign s0_c    = req_i.c;
+  if (rc_pkg::Shading == 1) begin : gen_kind
+    assign {s0_any, s0_leaves} = tri_ray[TriRayW-1 -: 2];
+  end else begin : gen_camera
+    assign s0_any    = 1'b0;
+    assign s0_leaves = 1'b0;
+  end
+  if (rc_pkg::Planes == 1 || rc_pkg::Spheres == 1) begin : gen_prim_kind
+    assign s0_plane  = rc_pkg::Planes == 1 && req[rc_pkg::TriReqW-I-TriRayW-1 -: 2] == 2'd1;
+    assign s0_sphere = rc_pkg::Spheres == 1 && req[rc_pkg::TriReqW-I-TriRayW-1 -: 2] == 2'd2;
+  end else begin : gen_triangle
+    assign s0_plane  = 1'b0;
+    assign s0_sphere = 1'b0;
+  end
+  // What is no sphere, up to the divisions.
+  logic           flat;
+  logic [Pre-1:0] flat_q;
+  if (rc_pkg::Spheres == 1) begin : gen_flat
+    assign flat = admit && !s0_sphere;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) flat_q <= '0;
+      else         flat_q <= {flat_q[Pre-2:0], flat};
+    end
+  end else begin : gen_all_flat
+    assign flat   = admit;
+    assign flat_q = valid_q[Pre-1:0];
+  end
+
   if (IsSheared) begin : gen_sheared
     logic [M-1:0] f0_size;
     rc_shear u_shear (
@@ -65,23 +108,30 @@ module rc_tri (
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     assign f0_den = {{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};
+    assign {f0_back, f0_u_neg, f0_v_neg} = '0;
   end else begin : gen_exact
     rc_edges u_edges (
-      .clk_i, .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]),
-      .s3_valid_i(valid_q[2]),
-      .s0_o_i(tri_ray[TriRayW-1:3*M]), .s0_d_i(tri_ray[3*M-1:0]), .s0_a_i(s0_a), .s0_b_i(s0_b),
+      .clk_i, .s0_valid_i(flat), .s1_valid_i(flat_q[0]), .s2_valid_i(flat_q[1]),
+      .s3_valid_i(flat_q[2]), .s0_leaves_i(s0_leaves), .s0_plane_i(s0_plane),
+      .s0_o_i(tri_ray[3*H +: 3*W]), .s0_d_i(tri_ray[3*H-1:0]), .s0_a_i(s0_a), .s0_b_i(s0_b),
       .s0_c_i(s0_c),
-      .s4_hit_o(f0_hit), .s4_det_o(f0_det), .s4_num_o(f0_num), .s4_u_o(f0_u), .s4_v_o(f0_v));
+      .s4_hit_o(f0_hit), .s4_det_o(f0_det), .s4_num_o(f0_num), .s4_u_o(f0_u), .s4_v_o(f0_v),
+      .s4_back_o(f0_back), .s4_u_neg_o(f0_u_neg), .s4_v_neg_o(f0_v_neg));
     assign f0_den = f0_det;
   end
 
-  // Meanwhile number and hit to beat wait.
+  // Meanwhile number and hit to beat wait. A ray from a light must be blocked before its end,
+  // t = 2^-B, and equality does not count; one away to a light has no end.
   localparam int unsigned BestW = P + 1 + U + D + P;
-  logic [BestW-1:0] f0_best;
+  logic [BestW-1:0] s0_best, f0_best;
+  logic             f0_any;
+  localparam logic [D-1:0] ShadowDet = D'(1) << rc_pkg::OriginBits;
+  assign s0_best = s0_any ? {req_i.prim, !s0_leaves, U'(1), ShadowDet, req_i.best_prim}
+      : {req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim};
   rc_delay #(.Width(BestW), .Stages(Front)) u_best (
-    .clk_i, .valid_i({valid_q[Front-2:0], admit}),
-    .data_i({req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim}),
-    .data_o(f0_best));
+    .clk_i, .valid_i({flat_q[Front-2:0], flat}), .data_i(s0_best), .data_o(f0_best));
+  rc_delay #(.Width(1), .Stages(Front)) u_any (
+    .clk_i, .valid_i({flat_q[Front-2:0], flat}), .data_i(s0_any), .data_o(f0_any));
 
   logic [P-1:0] f0_prim, f0_best_prim;
   logic         f0_found;
@@ -96,11 +146,12 @@ module rc_tri (
   logic [E-1:0]   f1_den_q;
   logic [D-1:0]   f1_det_q, f1_u_q, f1_v_q;
   logic [P-1:0]   f1_prim_q;
+  logic [3:0]     f1_flags_q;   // any, back, u_neg, v_neg
   always_ff @(posedge clk_i) begin
-    if (valid_q[Front-1]) f1_hit_q <= f0_hit;
-    if (valid_q[Front-1] && f0_hit) begin
+    if (flat_q[Front-1]) f1_hit_q <= f0_hit;
+    if (flat_q[Front-1] && f0_hit) begin
       f1_found_q <= f0_found;
-      f1_first_q <= f0_prim <= f0_best_prim;
+      f1_first_q <= f0_prim <= f0_best_prim && !f0_any;
       if (f0_found) begin
         f1_mine_q   <= {{D{1'b0}}, f0_num} * {{U{1'b0}}, f0_best_det};
         f1_theirs_q <= {{D{1'b0}}, f0_best_num} * {{U{1'b0}}, f0_det};
@@ -111,6 +162,7 @@ module rc_tri (
       f1_u_q    <= f0_u;
       f1_v_q    <= f0_v;
       f1_prim_q <= f0_prim;
+      f1_flags_q <= {f0_any, f0_back, f0_u_neg, f0_v_neg};
     end
   end
 
@@ -120,42 +172,106 @@ module rc_tri (
   logic [E-1:0] f2_den_q;
   logic [D-1:0] f2_det_q, f2_u_q, f2_v_q;
   logic [P-1:0] f2_prim_q;
+  logic [3:0]   f2_flags_q;
   assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q < f1_theirs_q
                                   || (f1_mine_q == f1_theirs_q && f1_first_q));
   always_ff @(posedge clk_i) begin
-    if (valid_q[Front]) f2_closer_q <= f1_closer;
-    if (valid_q[Front] && f1_closer) begin
+    if (flat_q[Front]) f2_closer_q <= f1_closer;
+    if (flat_q[Front] && f1_closer) begin
       f2_num_q  <= f1_num_q;
       f2_den_q  <= f1_den_q;
       f2_det_q  <= f1_det_q;
       f2_u_q    <= f1_u_q;
       f2_v_q    <= f1_v_q;
       f2_prim_q <= f1_prim_q;
+      f2_flags_q <= f1_flags_q;
     end
   end
 
   // Divisions; numerator, determinant and number wait.
-  logic f2_divide;
-  assign f2_divide = valid_q[Pre-1] && f2_closer_q;
-  logic [rc_pkg::TBits-1:0]  t;
-  logic [rc_pkg::BaryBits:0] u, v;
-  localparam int unsigned Rest = L - Pre;
-  rc_hitdiv #(.Stages(Rest), .E(E)) u_hitdiv (
+  logic         f2_divide, f2_block;
+  logic [T-1:0] t;
+  logic [V-1:0] u, v;
+  assign f2_divide = flat_q[Pre-1] && f2_closer_q && !f2_flags_q[3];
+  assign f2_block  = flat_q[Pre-1] && f2_closer_q && f2_flags_q[3];
+  rc_hitdiv #(.Stages(Divide), .E(E)) u_hitdiv (
     .clk_i, .valid_i(f2_divide), .num_i(f2_num_q), .den_i(f2_den_q), .det_i(f2_det_q),
-    .u_i(f2_u_q), .v_i(f2_v_q), .t_o(t), .u_o(u), .v_o(v));
+    .u_i(f2_u_q), .v_i(f2_v_q), .u_neg_i(f2_flags_q[1]), .v_neg_i(f2_flags_q[0]),
+    .t_o(t), .u_o(u), .v_o(v));
 
-  logic [Rest-1:0]  closer_q;
-  logic [TailW-2:0] tail;
-  always_ff @(posedge clk_i) closer_q <= {closer_q[Rest-2:0], f2_divide};
-  rc_delay #(.Width(TailW - 1), .Stages(Rest)) u_tail (
-    .clk_i, .valid_i({closer_q[Rest-2:0], f2_divide}), .data_i({f2_num_q, f2_det_q, f2_prim_q}),
-    .data_o(tail));
+  logic [Divide-1:0] closer_q, block_q;
+  logic [TailW-2:0]  f2_tail, tail;
+  if (rc_pkg::Shading == 1) begin : gen_back
+    assign f2_tail = {f2_flags_q[2], f2_num_q, f2_det_q, f2_prim_q};
+  end else begin : gen_no_back
+    assign f2_tail = {f2_num_q, f2_det_q, f2_prim_q};
+  end
+  always_ff @(posedge clk_i) begin
+    closer_q <= {closer_q[Divide-2:0], f2_divide};
+    block_q  <= {block_q[Divide-2:0], f2_block};
+  end
+  rc_delay #(.Width(TailW - 1), .Stages(Divide)) u_tail (
+    .clk_i, .valid_i({closer_q[Divide-2:0], f2_divide}), .data_i(f2_tail), .data_o(tail));
 
-  logic                       queue_ready, closer;
+  // hit: closer with all that is told, or blocked with nothing.
+  logic            closer, blocked;
+  logic [HitW-2:0] hit;
+  if (rc_pkg::Spheres == 1) begin : gen_sphere
+    localparam int unsigned BallBestW = 2 + U + D;
+    localparam int unsigned BestStage = L - 2;
+    localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
+    logic [Late-1:0]      late_closer_q, late_block_q;
+    logic [HitW-2:0]      flat_hit;
+    logic [BallBestW-1:0] ball_best;
+    logic [P-1:0]         ball_prim;
+    logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
+    logic [U-1:0]         ball_best_num;
+    logic [D-1:0]         ball_best_det;
+    logic [T-1:0]         ball_t;
+    logic                 s0_ball, s0_first, s0_own;
+    logic [P-1:0]         s0_self, s0_prim, s0_best_prim;
+    logic [U+D:0]         s0_found_num_det;
+    always_ff @(posedge clk_i) begin
+      late_closer_q <= {late_closer_q[Late-2:0], closer_q[Divide-1]};
+      late_block_q  <= {late_block_q[Late-2:0], block_q[Divide-1]};
+    end
+    rc_wait #(.Width(HitW - 1), .Stages(Late)) u_late (
+      .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}), .data_o(flat_hit));
+
+    assign s0_ball          = admit && s0_sphere;
+    assign s0_self          = tri_ray[TriRayW-3 -: P];
+    assign s0_best_prim     = req[P-1:0];
+    assign s0_found_num_det = req[P +: U+D+1];
+    assign s0_prim          = req[P+U+D+1 +: P];
+    assign s0_own           = (s0_any || s0_leaves) && s0_self == s0_prim;
+    assign s0_first         = s0_prim <= s0_best_prim;
+    rc_wait #(.Width(BallBestW), .Stages(BestStage)) u_ball_best (
+      .clk_i, .rst_ni, .valid_i(s0_ball), .data_i({s0_first, s0_found_num_det}),
+      .data_o(ball_best));
+    rc_wait #(.Width(P), .Stages(L)) u_ball_prim (
+      .clk_i, .rst_ni, .valid_i(s0_ball), .data_i(s0_prim), .data_o(ball_prim));
+    assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
+    rc_sphere u_sphere (
+      .clk_i, .rst_ni, .s0_valid_i(s0_ball), .s0_any_i(s0_any), .s0_leaves_i(s0_leaves),
+      .s0_own_i(s0_own),
+      .s0_inside_i(tri_ray[3*H+3*W]), .s0_o_i(tri_ray[3*H +: 3*W]), .s0_d_i(tri_ray[3*H-1:0]),
+      .s0_c_i(s0_a), .s0_rr_i(s0_b[2*N-1:0]), .best_found_i(ball_found),
+      .best_first_i(ball_first), .best_num_i(ball_best_num), .best_det_i(ball_best_det),
+      .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
+
+    assign closer  = late_closer_q[Late-1] || ball_closer;
+    assign blocked = late_block_q[Late-1] || ball_blocked;
+    assign hit     = late_closer_q[Late-1] ? flat_hit
+                   : {ball_far, {(U-T){1'b0}}, ball_t, Unit, ball_prim, ball_t, {(2*V){1'b0}}};
+  end else begin : gen_no_sphere
+    assign closer  = closer_q[Divide-1];
+    assign blocked = block_q[Divide-1];
+    assign hit     = {tail, t, u, v};
+  end
+
+  logic                       queue_ready;
   logic [rc_pkg::TriRspW-1:0] queue_data, rsp_data;
-  assign closer     = closer_q[Rest-1];
-  assign queue_data = closer ? {end_ray, 1'b1, tail, t, u, v}
-                             : {end_ray, {(rc_pkg::TriRspW-I){1'b0}}};
+  assign queue_data = closer ? {end_ray, 1'b1, hit} : {end_ray, blocked, {(HitW-1){1'b0}}};
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));
@@ -168,6 +284,6 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, req};
+  assign unused = ^{queue_ready, req, s0_leaves, s0_plane, s0_sphere, f2_flags_q[2]};
 endmodule
 `default_nettype wire

@@ -2,6 +2,10 @@
 // one by one, nearest leaf first and none beyond the best hit, and then hands the inner
 // children to trav. Keeps each ray's best hit, and gives it out when trav is done.
 //
+// A ray that asks for a light (kinds shadow and away) ends with the first primitive in its
+// way: no other is tested, and trav is told to stop. A shadow ray also ends at t = 2^-B:
+// 2^(N+F) is its distance to beat.
+//
 // A box answer and a tri answer are accepted in every cycle. Each sends its ray to one of
 // two links, prim or step, and has a queue of its own for each, so that neither waits for
 // the other; on the link tri's rays go first. One triangle of a ray is under way at a time.
@@ -58,13 +62,34 @@ module rc_list (
   assign tri_fires       = tri_rsp_valid_i;
   assign in              = box_rsp_i;
 
-  // ---- Best hits. found_q says whether the memories hold one for a ray.
-  logic [T-1:0] found_q;
-  logic         closer;
-  assign closer = tri_fires && tri_rsp_i.closer;
+  // ---- Best hits. found_q says whether the memories hold one for a ray; any_q, which rays
+  // any hit ends; shadow_q, which of these end at the surface as well. A ray's kind follows
+  // its number, if the chip shades.
+  localparam logic [TB-1:0] SurfaceT = TB'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
+  logic [rc_pkg::RayW-1:0] ray_flat;
+  logic [I-1:0] ray_number;
+  logic [1:0]   kind;
+  logic [T-1:0] found_q, any_q, shadow_q;
+  logic         closer, blocked;
+  assign ray_flat   = ray_i;
+  assign ray_number = ray_i.ray;
+  assign closer   = tri_fires && tri_rsp_i.closer;
+  assign blocked  = closer && any_q[tri_rsp_i.ray];
+  assign kind     = ray_flat[rc_pkg::RayW-I-1 -: 2];
   always_ff @(posedge clk_i) begin
-    if (ray_fires_i) found_q[ray_i.ray] <= 1'b0;
+    if (ray_fires_i) found_q[ray_number] <= 1'b0;
     if (closer)      found_q[tri_rsp_i.ray] <= 1'b1;
+  end
+  if (rc_pkg::Shading != 0) begin : gen_kinds
+    always_ff @(posedge clk_i) begin
+      if (ray_fires_i) begin
+        any_q[ray_number]    <= kind[1];
+        shadow_q[ray_number] <= kind == 2'd2;
+      end
+    end
+  end else begin : gen_camera
+    assign any_q    = '0;
+    assign shadow_q = '0;
   end
 
   logic [TB-1:0] tri_t_old, in_t_old, tri_t, in_t;
@@ -74,8 +99,9 @@ module rc_list (
   rc_ram #(.Width(TB), .Depth(T)) u_t_in (
     .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray), .write_data_i(tri_rsp_i.t),
     .read_addr_i(in.ray), .read_data_o(in_t_old));
-  assign tri_t = closer ? tri_rsp_i.t : found_q[tri_rsp_i.ray] ? tri_t_old : '1;
-  assign in_t  = found_q[in.ray] ? in_t_old : '1;
+  assign tri_t = closer ? tri_rsp_i.t : found_q[tri_rsp_i.ray] ? tri_t_old
+                      : shadow_q[tri_rsp_i.ray] ? SurfaceT : '1;
+  assign in_t  = found_q[in.ray] ? in_t_old : shadow_q[in.ray] ? SurfaceT : '1;
 
   // ---- Groups: the node's children per ray, written by box, read by tri's answer and by step.
   logic [GroupW-1:0] in_group, tri_group, step_group;
@@ -120,7 +146,7 @@ module rc_list (
   assign next_leaf      = more_triangles ? cursor_leaf : cursor_leaf + S'(1);
   assign next_triangle  = more_triangles ? cursor_triangle + C'(1) : '0;
   assign at             = more_triangles ? at_leaf : at_next;
-  assign tri_prim       = more_triangles || more_leaves;
+  assign tri_prim       = (more_triangles || more_leaves) && !blocked;
 
   // ---- Box's answer: the first leaf, or the step.
   logic [W*TB-1:0] in_near;
@@ -177,16 +203,25 @@ module rc_list (
   for (genvar i = 0; i < W; i++) begin : gen_slot
     assign step_slot[i*S +: S] = step_offset[i*O + 1 +: S];
   end
-  assign step_o = {end_ray, end_t, step_base, step_inner, step_near, step_slot};
+  logic [rc_pkg::StepW-I-1:0] step_rest;
+  if (rc_pkg::Shading != 0) begin : gen_stop
+    logic stop;
+    assign stop      = any_q[end_ray] && found_q[end_ray];
+    assign step_rest = {stop, end_t, step_base, stop ? {G{1'b0}} : step_inner, step_near,
+                        step_slot};
+  end else begin : gen_go_on
+    assign step_rest = {end_t, step_base, step_inner, step_near, step_slot};
+  end
+  assign step_o = {end_ray, step_rest};
 
   // ---- Triangle, ray and hit to beat, together to tri.
   localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;   // behind the number in both structs
-  logic [rc_pkg::RayW-1:0] ray_flat;
+  logic [rc_pkg::PrimRspW-1:0] prim_flat;
   logic [TriRayW-1:0] tri_ray;
   logic [BestW-1:0] tri_best;
   logic             tri_found;
-  assign ray_flat = ray_i;
+  assign prim_flat = prim_rsp_i;
   rc_ram #(.Width(TriRayW), .Depth(T)) u_ray (
     .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
     .write_data_i(ray_flat[rc_pkg::RayW-I-1 -: TriRayW]),
@@ -198,24 +233,31 @@ module rc_list (
   assign tri_found        = found_q[prim_rsp_i.ray];
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
-  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c,
-                      prim_rsp_i.prim,
+  assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_flat[rc_pkg::PrimRspW-I-1:0],
                       tri_found, tri_found ? tri_best : {BestW{1'b0}}};
 
   // ---- The answer for a ray that trav has finished.
   localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1;
-  logic [FoundW-1:0] end_found;
+  logic [rc_pkg::TriRspW-1:0] tri_flat;
+  logic [FoundW-1:0] new_found, end_found;
   logic              is_found;
   rc_ram #(.Width(FoundW), .Depth(T)) u_found (
     .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
-    .write_data_i({tri_rsp_i.prim, tri_rsp_i.t, tri_rsp_i.u, tri_rsp_i.v}),
+    .write_data_i(new_found),
     .read_addr_i(done_i.ray), .read_data_o(end_found));
+  assign tri_flat = tri_rsp_i;
+  if (rc_pkg::Shading != 0) begin : gen_side   // the side seen, behind number and `closer`
+    assign new_found = {tri_flat[rc_pkg::TriRspW-I-2], tri_flat[FoundW-2:0]};
+  end else begin : gen_no_side
+    assign new_found = tri_flat[FoundW-1:0];
+  end
   assign is_found        = found_q[done_i.ray];
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
   assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
 
   logic unused;
-  assign unused = ^{ray_flat, group_inner, step_offset, step_leaves, step_count};
+  assign unused = ^{ray_flat, kind, tri_flat, prim_flat, group_inner, step_offset, step_leaves,
+      step_count};
 endmodule
 `default_nettype wire

@@ -1,4 +1,8 @@
-// Pixel number -> camera ray with reciprocal direction.
+// A ray's request -> the ray with reciprocal direction.
+//
+// Takes a context's new pixel from sched and, if the chip shades, rays from shade, which go
+// first. A camera ray begins at the eye and goes through the middle of its pixel or of
+// its sample in it; other rays come with origin and direction.
 //
 // Latency rc_pkg::RaygenLatency + 1 (result queue), throughput 1 per cycle, answers in
 // order. Model: model/raygen/raygen.hpp. The host scales the camera vectors so that
@@ -8,6 +12,9 @@ module rc_raygen (
   input  logic           clk_i,
   input  logic           rst_ni,
   input  rc_pkg::frame_t frame_i,
+  input  logic           spawn_valid_i,   // 0, unless the chip shades
+  output logic           spawn_ready_o,
+  input  rc_pkg::spawn_t spawn_i,
   input  logic           slot_valid_i,
   output logic           slot_ready_o,
   input  rc_pkg::slot_t  slot_i,
@@ -16,92 +23,194 @@ module rc_raygen (
   output rc_pkg::ray_t   ray_o
 );
   localparam int unsigned M       = rc_pkg::DirBits;
-  localparam int unsigned G       = rc_pkg::GuardDirBits;
+  localparam int unsigned RD      = rc_pkg::RayDirBits;
   localparam int unsigned R1      = rc_pkg::RecipBits + 1;
   localparam int unsigned P       = rc_pkg::PixelBits;
   localparam int unsigned E       = rc_pkg::ExpBits;
   localparam int unsigned I       = rc_pkg::RayBits;
+  localparam int unsigned S       = rc_pkg::SampleBits;
+  localparam int unsigned SpawnW  = rc_pkg::SpawnW;
   localparam int unsigned Latency = rc_pkg::RaygenLatency;
+  localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // of rc_sample
+  localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
+  localparam int unsigned Q       = P + 1 + SubBits;                     // place, signed
+  localparam int unsigned GD      = rc_pkg::GuardDirBits;
+  localparam int unsigned G       = GD + SubBits;
   localparam int unsigned RecipL  = 1 + (rc_pkg::RecipBits + 1) / 2;   // of rc_recip
 
-  logic admit;
-  assign admit = slot_valid_i && slot_ready_o;
+  // s0: a new pixel is a camera ray through its first sample.
+  logic              req_valid, req_ready, admit;
+  logic [SpawnW-1:0] req, new_pixel;
+  assign new_pixel = {slot_i.ray, 2'd0, slot_i.x, slot_i.y, {(SpawnW-I-2-2*P){1'b0}}};
+  if (rc_pkg::Shading != 0) begin : gen_merge
+    rc_merge #(.Width(SpawnW)) u_req (
+      .clk_i, .rst_ni,
+      .first_valid_i(spawn_valid_i), .first_ready_o(spawn_ready_o), .first_i(spawn_i),
+      .second_valid_i(slot_valid_i), .second_ready_o(slot_ready_o), .second_i(new_pixel),
+      .valid_o(req_valid), .ready_i(req_ready), .data_o(req));
+  end else begin : gen_pixels
+    logic unused;
+    assign unused        = ^{spawn_valid_i, spawn_i};
+    assign req_valid     = slot_valid_i;
+    assign slot_ready_o  = req_ready;
+    assign spawn_ready_o = 1'b0;
+    assign req           = new_pixel;
+  end
+  assign admit = req_valid && req_ready;
   rc_door #(.Credits(rc_pkg::RaygenQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(slot_ready_o));
+    .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(req_ready));
 
-  // Ray number and direction wait beside the reciprocals.
+  // What a ray that shade asks for brings along: {self, inside,} o, d.
+  localparam int unsigned GivenW = SpawnW - I - 2 - 2 * P - S;
+  logic [I-1:0]      req_ray;
+  logic [1:0]        req_kind;
+  logic [P-1:0]      req_x, req_y;
+  logic [S-1:0]      req_sample;
+  logic [GivenW-1:0] req_given;
+  assign {req_ray, req_kind, req_x, req_y, req_sample, req_given} = req;
+
+  // valid[i]: stage i takes over a ray.
   logic [Latency-1:0] valid_q;
+  logic [Latency:0]   valid;
   logic [I-1:0]       end_ray;
-  logic [3*M-1:0]     s1_dir, s2_dir_q, end_dir;
+  assign valid = {valid_q, admit};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else         valid_q <= {valid_q[Latency-2:0], admit};
-    if (valid_q[0]) s2_dir_q <= s1_dir;
+    else         valid_q <= valid[Latency-1:0];
   end
   rc_delay #(.Width(I), .Stages(Latency)) u_ray (
-    .clk_i, .valid_i({valid_q[Latency-2:0], admit}), .data_i(slot_i.ray), .data_o(end_ray));
-  rc_delay #(.Width(3 * M), .Stages(Latency - 2)) u_dir (
-    .clk_i, .valid_i(valid_q[Latency-2:1]), .data_i(s2_dir_q), .data_o(end_dir));
+    .clk_i, .valid_i(valid[Latency-1:0]), .data_i(req_ray), .data_o(end_ray));
+
+  // Place in the picture, in pixels with SubBits of fraction, when stage SampleL begins.
+  logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic signed [Q-1:0]       x, y;
+  assign frame_flat = frame_i;
+  if (rc_pkg::Supersampling != 0) begin : gen_sample
+    // Where the registers lie in frame_t: behind the camera's, and first line, depth, threshold.
+    localparam int unsigned Unit     = rc_pkg::UnitBits + 1;
+    localparam int unsigned SideAt   = rc_pkg::FrameW - 2 * (P + 1) - 2 * rc_pkg::AddrBits
+                                     - 3 * rc_pkg::CoordBits - 9 * GD - rc_pkg::DepthBits - Unit
+                                     - 4;
+    localparam int unsigned StrideAt = SideAt - S;
+    localparam int unsigned JitterAt = StrideAt - 1;
+    localparam int unsigned SeedAt   = JitterAt - 3 * Unit - 32;
+    logic signed [7:0] offset_x, offset_y;
+    logic [P-1:0]      wait_x, wait_y;
+    rc_sample u_sample (
+      .clk_i, .valid_i(valid[3:0]), .side_i(frame_flat[SideAt +: 4]),
+      .stride_i(frame_flat[StrideAt +: S]), .jitter_i(frame_flat[JitterAt]),
+      .seed_i(frame_flat[SeedAt +: 32]), .x_i(req_x), .y_i(req_y), .sample_i(req_sample),
+      .x_o(offset_x), .y_o(offset_y));
+    rc_delay #(.Width(2 * P), .Stages(SampleL)) u_pixel (
+      .clk_i, .valid_i(valid[SampleL-1:0]), .data_i({req_x, req_y}), .data_o({wait_x, wait_y}));
+    assign x = $signed({1'b0, wait_x, 8'd0}) + Q'(offset_x);
+    assign y = $signed({1'b0, wait_y, 8'd0}) + Q'(offset_y);
+  end else begin : gen_middle
+    assign x = $signed({1'b0, req_x});
+    assign y = $signed({1'b0, req_y});
+  end
 
   logic [3*R1-1:0] recip;
   logic [3*E-1:0]  len;
-  logic [3*G-1:0]  corner, right, down;
-  logic [P-1:0]    s0_x, s0_y;
+  logic [3*GD-1:0] corner, right, down;
   assign corner = frame_i.corner;
   assign right  = frame_i.right;
   assign down   = frame_i.down;
-  assign s0_x   = slot_i.x;
-  assign s0_y   = slot_i.y;
 
+  logic [3*M-1:0]  s1_dir;
+  logic [3*RD-1:0] s1_d, s2_dir_q, end_dir;
+  logic            s2_short;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     // s1: pixel steps; modulo 2^G, since only the sum is sure to fit.
-    logic signed [G-1:0] s1_right_q, s1_down_q, s1_sum;
+    logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner, s1_sum;
     always_ff @(posedge clk_i) begin
-      if (admit) begin
-        s1_right_q <= $signed(right[k*G +: G]) * $signed({{(G-P){1'b0}}, s0_x});
-        s1_down_q  <= $signed(down[k*G +: G]) * $signed({{(G-P){1'b0}}, s0_y});
+      if (valid[SampleL]) begin
+        s1_right_q <= G'($signed(right[k*GD +: GD])) * G'(x);
+        s1_down_q  <= G'($signed(down[k*GD +: GD])) * G'(y);
       end
     end
     // s2: direction, rounded to nearest, halves up (Q(M).0).
-    assign s1_sum = $signed(corner[k*G +: G]) + s1_right_q + s1_down_q
-                  + $signed({{(M){1'b0}}, 1'b1, {(rc_pkg::GuardBits-1){1'b0}}});
+    assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
+    assign s1_sum = s1_corner + s1_right_q + s1_down_q
+                  + $signed({{(M){1'b0}}, 1'b1, {(G-M-1){1'b0}}});
     assign s1_dir[k*M +: M] = s1_sum[G-1 -: M];
     logic [R1+E-1:0] made;
     rc_recip u_recip (
-      .clk_i, .valid_i(valid_q[1]), .d_i($signed(s2_dir_q[k*M +: M])),
+      .clk_i, .valid_i(valid[SampleL+2]), .short_i(s2_short),
+      .d_i($signed(s2_dir_q[k*RD +: RD])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
-    if (Latency - 2 == RecipL) begin : gen_last
+    if (Latency - 2 - SampleL == RecipL) begin : gen_last
       assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
-      rc_delay #(.Width(R1 + E), .Stages(Latency - 2 - RecipL)) u_made (
-        .clk_i, .valid_i(valid_q[Latency-2:RecipL+1]), .data_i(made),
+      rc_delay #(.Width(R1 + E), .Stages(Latency - 2 - SampleL - RecipL)) u_made (
+        .clk_i, .valid_i(valid[Latency-1:SampleL+RecipL+2]), .data_i(made),
         .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
     end
     logic unused;
     assign unused = ^s1_sum[G-M-1:0];
   end
 
-  localparam int unsigned TailW = 3 * rc_pkg::CoordBits + 3 * (M + R1 + E);
-  logic                      queue_ready;
-  logic [rc_pkg::RayW-1:0]   queue_data, ray_data;
-  logic [TailW-1:0]          tail;
-  assign tail = {frame_i.eye, end_dir, recip, len};
-  // The sheared triangle test has slopes as well.
-  if (rc_pkg::PrimitiveTest == 1) begin : gen_sheared
-    localparam int unsigned ShearW = 3 * M + 3;
-    localparam int unsigned SlopeL = 1 + M / 2;   // of rc_slope
-    logic [ShearW-1:0] made, shear;
-    rc_slope u_slope (.clk_i, .valid_i(valid_q[1]), .d_i(s2_dir_q), .shear_o(made));
-    if (Latency - 2 == SlopeL) begin : gen_last
-      assign shear = made;
-    end else begin : gen_wait
-      rc_delay #(.Width(ShearW), .Stages(Latency - 2 - SlopeL)) u_made (
-        .clk_i, .valid_i(valid_q[Latency-2:SlopeL+1]), .data_i(made), .data_o(shear));
+  // Direction and origin wait beside the reciprocals.
+  localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);  // {shear, kind ...} o
+  logic [HeadW-1:0] end_head;
+  logic [3*rc_pkg::CoordBits-1:0] eye;
+  assign eye = frame_i.eye;
+  always_ff @(posedge clk_i) if (valid[SampleL+1]) s2_dir_q <= s1_d;
+  rc_delay #(.Width(3 * RD), .Stages(Latency - 2 - SampleL)) u_dir (
+    .clk_i, .valid_i(valid[Latency-1:SampleL+2]), .data_i(s2_dir_q), .data_o(end_dir));
+  if (rc_pkg::Shading != 0) begin : gen_given
+    localparam int unsigned OW = rc_pkg::OriginWidth;
+    localparam int unsigned N  = rc_pkg::CoordBits;
+    logic [1:0]        s1_kind;
+    logic [GivenW-1:0] s1_given;
+    logic [HeadW-1:0]  s1_head, s2_head_q;
+    logic [3*OW-1:0]   s1_eye;
+    logic              s1_camera;
+    rc_delay #(.Width(2 + GivenW), .Stages(SampleL + 1)) u_given (
+      .clk_i, .valid_i(valid[SampleL:0]), .data_i({req_kind, req_given}),
+      .data_o({s1_kind, s1_given}));
+    assign s1_camera = s1_kind == 2'd0;
+    for (genvar k = 0; k < 3; k++) begin : gen_eye
+      assign s1_d[k*RD +: RD] = s1_camera ? RD'($signed(s1_dir[k*M +: M]))
+                                          : s1_given[k*RD +: RD];
+      assign s1_eye[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
     end
-    assign queue_data = {end_ray, shear, tail};
-  end else begin : gen_plain
-    assign queue_data = {end_ray, tail};
+    // {self, inside} stay as they came.
+    assign s1_head[3*OW-1:0] = s1_camera ? s1_eye : s1_given[3*RD +: 3*OW];
+    assign s1_head[HeadW-1 -: 2] = s1_kind;
+    if (rc_pkg::Spheres != 0) begin : gen_self
+      assign s1_head[HeadW-3:3*OW] = s1_given[GivenW-1:3*RD+3*OW];
+    end
+    always_ff @(posedge clk_i) if (valid[SampleL+1]) s2_head_q <= s1_head;
+    rc_delay #(.Width(HeadW), .Stages(Latency - 2 - SampleL)) u_head (
+      .clk_i, .valid_i(valid[Latency-1:SampleL+2]), .data_i(s2_head_q), .data_o(end_head));
+    assign s2_short = s2_head_q[HeadW-1 -: 2] != 2'd2;
+  end else begin : gen_camera
+    logic unused;
+    assign unused   = ^{req_kind, req_given, req_sample};
+    assign s1_d     = s1_dir;
+    assign s2_short = 1'b1;
+    // The sheared triangle test has slopes as well.
+    if (rc_pkg::PrimitiveTest == 1) begin : gen_sheared
+      localparam int unsigned ShearW = 3 * M + 3;
+      localparam int unsigned SlopeL = 1 + M / 2;   // of rc_slope
+      logic [ShearW-1:0] made, shear;
+      rc_slope u_slope (.clk_i, .valid_i(valid[2]), .d_i(s2_dir_q), .shear_o(made));
+      if (Latency - 2 == SlopeL) begin : gen_last
+        assign shear = made;
+      end else begin : gen_wait
+        rc_delay #(.Width(ShearW), .Stages(Latency - 2 - SlopeL)) u_made (
+          .clk_i, .valid_i(valid[Latency-1:SlopeL+2]), .data_i(made), .data_o(shear));
+      end
+      assign end_head = {shear, eye};
+    end else begin : gen_plain
+      assign end_head = eye;
+    end
   end
+
+  logic                    queue_ready;
+  logic [rc_pkg::RayW-1:0] queue_data, ray_data;
+  assign queue_data = {end_ray, end_head, end_dir, recip, len};
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[Latency-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(ray_valid_o), .ready_i(ray_ready_i), .data_o(ray_data));
@@ -114,6 +223,6 @@ module rc_raygen (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, frame_i.width, frame_i.height, frame_i.root};
+  assign unused = ^{queue_ready, frame_flat, req_sample};
 endmodule
 `default_nettype wire

@@ -1,18 +1,20 @@
 // Reciprocal of one direction component, rounded down.
 //
 // For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m), an
-// R + 1 bit number between 2^(R-1) and 2^R. d = 0 gives len 0, recip 1.
+// R + 1 bit number between 2^(R-1) and 2^R. d = 0 gives len 0, recip 1. M is the width of
+// a ray's direction; len of one that has only DirBits counts as if it were as long.
 // Latency 1 + ceil(R / 2), throughput 1 per cycle. Model: model/raygen/raygen.hpp
 // (reciprocal).
 `default_nettype none
 module rc_recip (
-  input  logic                         clk_i,
-  input  logic                         valid_i,
-  input  logic signed [rc_pkg::DirBits-1:0] d_i,
-  output logic [rc_pkg::RecipBits:0]   recip_o,
-  output logic [rc_pkg::ExpBits-1:0]   len_o
+  input  logic                                 clk_i,
+  input  logic                                 valid_i,
+  input  logic                                 short_i,  // of DirBits only
+  input  logic signed [rc_pkg::RayDirBits-1:0] d_i,
+  output logic [rc_pkg::RecipBits:0]           recip_o,
+  output logic [rc_pkg::ExpBits-1:0]           len_o
 );
-  localparam int unsigned M      = rc_pkg::DirBits;
+  localparam int unsigned M      = rc_pkg::RayDirBits;
   localparam int unsigned R      = rc_pkg::RecipBits;
   localparam int unsigned E      = rc_pkg::ExpBits;
   localparam int unsigned Stages = (R + 1) / 2;
@@ -41,7 +43,7 @@ module rc_recip (
     s1_valid_q <= valid_i;
     if (valid_i) begin
       s1_m_q   <= s0_m;
-      s1_len_q <= s0_len;
+      s1_len_q <= short_i && s0_len != '0 ? s0_len + E'(M - rc_pkg::DirBits) : s0_len;
       s1_top_q <= s0_top;
       s1_rem_q <= s0_top ? '0 : {1'b1, {(M-1){1'b0}}};
     end

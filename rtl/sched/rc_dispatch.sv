@@ -61,7 +61,9 @@ module rc_dispatch (
     end
   end
 
-  logic unused;
-  assign unused = ^{frame_i.root, frame_i.eye, frame_i.corner, frame_i.right, frame_i.down};
+  logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic                      unused;
+  assign frame_flat = frame_i;
+  assign unused     = ^frame_flat;
 endmodule
 `default_nettype wire

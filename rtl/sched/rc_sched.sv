@@ -1,8 +1,9 @@
-// Gives the pixels of its tiles, in Morton order, to free contexts, and puts the pixel
-// to the hit when its ray is done. Holds two tiles. A pixel of a tile that lies outside
-// the picture costs a cycle in which nothing is given. A fresh machine uses contexts
-// 0..Contexts-1 first; after that the one that has been free longest. A new frame drops
-// what is left of the last one's tiles: pixels outside that picture.
+// Gives the pixels of its tiles, in Morton order, to free contexts, and puts its place to
+// a pixel that comes back: when its ray is done, or, if the chip shades, its colour. Holds
+// two tiles. A pixel of a tile that lies outside the picture costs a cycle in which nothing
+// is given. A fresh machine uses contexts 0..Contexts-1 first; after that the one that has
+// been free longest. A new frame drops what is left of the last one's tiles: pixels outside
+// that picture.
 //
 // A tile's first pixel is offered in the cycle after the tile came. A hit passes through
 // in the same cycle and frees its context. Model: model/sched/sched.hpp.
@@ -18,9 +19,9 @@ module rc_sched (
   output logic             slot_valid_o,
   input  logic             slot_ready_i,
   output rc_pkg::slot_t    slot_o,
-  input  logic             closest_valid_i,
-  output logic             closest_ready_o,
-  input  rc_pkg::closest_t closest_i,
+  input  logic             pixel_valid_i,
+  output logic             pixel_ready_o,
+  input  rc_pkg::pixel_t   pixel_i,
   output logic             hit_valid_o,
   input  logic             hit_ready_i,
   output rc_pkg::hit_t     hit_o,
@@ -33,7 +34,7 @@ module rc_sched (
   localparam int unsigned AW = K == 0 ? 1 : 2 * K;
 
   // The pixel at hand: at_q counts through the tile, its even bits go to x, its odd to y.
-  logic          tile_valid, last, in_frame, pixel_valid, pass, give;
+  logic          tile_valid, last, in_frame, at_hand, pass, give;
   rc_pkg::tile_t tile;
   logic [AW-1:0] at_q;
   rc_fifo #(.Width(rc_pkg::TileW), .Depth(2)) u_tiles (
@@ -54,9 +55,9 @@ module rc_sched (
     assign y[P-1:K] = tile.y;
     assign last     = at_q == '1;
   end
-  assign in_frame      = {1'b0, x} < frame_i.width && {1'b0, y} < frame_i.height;
-  assign pixel_valid = tile_valid && in_frame && !start_i;
-  assign pass        = tile_valid && !in_frame;
+  assign in_frame = {1'b0, x} < frame_i.width && {1'b0, y} < frame_i.height;
+  assign at_hand  = tile_valid && in_frame && !start_i;
+  assign pass     = tile_valid && !in_frame;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || start_i) at_q <= '0;
     else if (give || pass)  at_q <= last ? '0 : at_q + 1'b1;
@@ -67,7 +68,7 @@ module rc_sched (
   logic         fresh, freed, free_valid;
   logic [I-1:0] free_ray, slot_ray;
   assign fresh        = started_q != (I+1)'(T);
-  assign slot_valid_o = pixel_valid && (fresh || free_valid);
+  assign slot_valid_o = at_hand && (fresh || free_valid);
   assign slot_ray     = fresh ? started_q[I-1:0] : free_ray;
   assign slot_o       = {slot_ray, x, y};
   assign give         = slot_valid_o && slot_ready_i;
@@ -78,21 +79,23 @@ module rc_sched (
   end
 
   rc_queue #(.Width(I), .Depth(T)) u_free (
-    .clk_i, .rst_ni, .push_i(freed), .data_i(closest_i.ray),
+    .clk_i, .rst_ni, .push_i(freed), .data_i(pixel_i.ray),
     .valid_o(free_valid), .pop_i(give && !fresh), .data_o(free_ray));
 
-  logic [2*P-1:0] pixel;
+  logic [2*P-1:0] place;
   rc_ram #(.Width(2 * P), .Depth(T)) u_pixel (
     .clk_i, .write_i(give), .write_addr_i(slot_ray), .write_data_i({x, y}),
-    .read_addr_i(closest_i.ray), .read_data_o(pixel));
+    .read_addr_i(pixel_i.ray), .read_data_o(place));
 
-  assign hit_valid_o     = closest_valid_i;
-  assign closest_ready_o = hit_ready_i;
-  assign hit_o           = {pixel, closest_i};
+  assign hit_valid_o   = pixel_valid_i;
+  assign pixel_ready_o = hit_ready_i;
+  assign hit_o         = {place, pixel_i};
 
-  assign cause_o = give ? 3'd0 : slot_valid_o ? 3'd3 : pixel_valid ? 3'd1 : 3'd2;
+  assign cause_o = give ? 3'd0 : slot_valid_o ? 3'd3 : at_hand ? 3'd1 : 3'd2;
 
-  logic unused;
-  assign unused = ^{frame_i.root, frame_i.eye, frame_i.corner, frame_i.right, frame_i.down, at_q};
+  logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic                      unused;
+  assign frame_flat = frame_i;
+  assign unused     = ^{frame_flat, at_q};
 endmodule
 `default_nettype wire

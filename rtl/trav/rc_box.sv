@@ -16,6 +16,7 @@ module rc_box (
 );
   localparam int unsigned W  = rc_pkg::NodeWidth;
   localparam int unsigned N  = rc_pkg::CoordBits;
+  localparam int unsigned OW = rc_pkg::OriginWidth;
   localparam int unsigned B  = rc_pkg::BoxBits;
   localparam int unsigned R1 = rc_pkg::RecipBits + 1;
   localparam int unsigned E  = rc_pkg::ExpBits;
@@ -58,7 +59,8 @@ module rc_box (
     if (valid_q[2]) s4_shared_q <= s3_shared_q;
   end
 
-  logic [3*N-1:0]  s0_o, s0_org;
+  logic [3*OW-1:0] s0_o;
+  logic [3*N-1:0]  s0_org;
   logic [2:0]      s0_neg;
   logic [3*R1-1:0] s0_recip;
   logic [3*E-1:0]  s0_len, s0_exp;
@@ -76,7 +78,8 @@ module rc_box (
     rc_slab u_slab (
       .clk_i,
       .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]), .s3_valid_i(valid_q[2]),
-      .s0_o_i($signed(s0_o[k*N +: N])), .s0_org_i($signed(s0_org[k*N +: N])), .s0_neg_i(s0_neg[k]),
+      .s0_o_i($signed(s0_o[k*OW +: OW])), .s0_org_i($signed(s0_org[k*N +: N])),
+      .s0_neg_i(s0_neg[k]),
       .s0_recip_i(s0_recip[k*R1 +: R1]), .s0_len_i(s0_len[k*E +: E]), .s0_exp_i(s0_exp[k*E +: E]),
       .s2_lo_i(s2_axis_lo[k*W*B +: W*B]), .s2_hi_i(s2_axis_hi[k*W*B +: W*B]),
       .s3_near_o(s3_near[k*W*T +: W*T]), .s3_far_o(s3_far[k*W*T +: W*T]),

@@ -1,7 +1,8 @@
 // The rays' stacks of sibling groups, and the decision where a ray goes next. Part of
 // rc_trav. s0 reads the top group of a ray; in s1 the group is there, and either the
 // step's nearest child is visited and the others pushed, or the stack is popped.
-// One ray is never in both stages. Model: decide() and pop() in model/trav/trav.cpp.
+// A stop empties the stack: the ray is done. One ray is never in both stages.
+// Model: model/trav/stack.cpp.
 `default_nettype none
 module rc_stack (
   input  logic                        clk_i,
@@ -61,8 +62,14 @@ module rc_stack (
   assign near = s1_step_i.t_near;
   assign slot = s1_step_i.slot;
 
+  // Behind the ray's number, if the chip shades.
+  logic [rc_pkg::StepW-1:0] step_flat;
+  logic                     stop;
+  assign step_flat = s1_step_i;
+  assign stop      = rc_pkg::Shading != 0 && step_flat[rc_pkg::StepW-I-1];
+
   logic forward, last_sibling, top_matters;
-  assign forward      = s1_step_i.inner != '0 && near[T-1:0] <= s1_step_i.t_best;
+  assign forward      = !stop && s1_step_i.inner != '0 && near[T-1:0] <= s1_step_i.t_best;
   assign top_matters  = top_near[T-1:0] <= s1_step_i.t_best;
   assign last_sibling = top_count == G'(1);
 
@@ -84,8 +91,9 @@ module rc_stack (
         write    = 1'b1;
         height_d = s1_height_q + H'(1);
       end
-    end else if (s1_valid_i && s1_height_q == '0) begin
-      done_o = 1'b1;
+    end else if (s1_valid_i && (stop || s1_height_q == '0)) begin
+      done_o   = 1'b1;
+      height_d = '0;
     end else if (s1_valid_i && top_matters) begin
       visit_o  = 1'b1;
       level    = s1_height_q - H'(1);
@@ -100,6 +108,9 @@ module rc_stack (
       height_d = s1_height_q - H'(1);
     end
   end
+
+  logic unused;
+  assign unused = ^step_flat;
 
   always_ff @(posedge clk_i) begin
     if (s0_valid_i) s1_height_q <= s0_height;

@@ -36,13 +36,13 @@ module rc_trav (
   localparam int unsigned I = rc_pkg::RayBits;
   localparam int unsigned A = rc_pkg::AddrBits;
   localparam int unsigned T = rc_pkg::Contexts;
-  localparam int unsigned M = rc_pkg::DirBits;
-  localparam int unsigned N = rc_pkg::CoordBits;
+  localparam int unsigned M = rc_pkg::RayDirBits;
   localparam int unsigned TB = rc_pkg::TBits;
   localparam int unsigned S = rc_pkg::SlotBits;
 
   // Rays: origin, signs and reciprocals wait here for their nodes.
-  localparam int unsigned BoxRayW = 3 * N + 3 + 3 * (rc_pkg::RecipBits + 1) + 3 * rc_pkg::ExpBits;
+  localparam int unsigned BoxRayW = 3 * rc_pkg::OriginWidth + 3 + 3 * (rc_pkg::RecipBits + 1)
+                                  + 3 * rc_pkg::ExpBits;
   logic ray_fires;
   logic [3*M-1:0]     ray_d;
   logic [BoxRayW-1:0] box_ray;
@@ -65,13 +65,21 @@ module rc_trav (
   assign step_fires   = step_valid_i && step_ready_o;
   assign s0_ray       = again_q ? again_ray_q : step_i.ray;
 
+  // A step without children, of the ray that returns: `stop` is not set, nor anything else.
+  rc_pkg::step_t again_step;
+  always_comb begin
+    again_step        = '0;
+    again_step.ray    = again_ray_q;
+    again_step.t_best = again_t_q;
+  end
+
   logic                      s1_valid_q;
   logic [rc_pkg::StepW-1:0]  s1_step_q;
   rc_pkg::step_t             s1_step;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
     else         s1_valid_q <= again_q || step_fires;
-    if (again_q)         s1_step_q <= {again_ray_q, again_t_q, {(rc_pkg::StepW-I-TB){1'b0}}};
+    if (again_q)         s1_step_q <= again_step;
     else if (step_fires) s1_step_q <= step_i;
   end
   assign s1_step = s1_step_q;
@@ -113,10 +121,11 @@ module rc_trav (
     .clk_i, .rst_ni, .push_i(done), .data_i(s1_step.ray),
     .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
 
-  logic [rc_pkg::RayW-1:0] ray_flat;   // what only tri uses of a ray
-  logic                    unused;
-  assign ray_flat = ray_i;
-  assign unused = ^{ray_flat, frame_i.width, frame_i.height, frame_i.eye, frame_i.corner,
-      frame_i.right, frame_i.down};
+  logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
+  logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic                      unused;
+  assign ray_flat   = ray_i;
+  assign frame_flat = frame_i;
+  assign unused     = ^{ray_flat, frame_flat};
 endmodule
 `default_nettype wire

@@ -12,6 +12,9 @@ int stress_command(const Options& options);
 int fit_command(const Options& options);
 int tradeoff_command(const Options& options);
 int yardstick_command(const Options& options);
+int figures_command(const Options& options);
+int counts_command(const Options& options);
+int area_command(const Options& options);
 int bench_command(const Options& options);
 int scenes_command(const Options& options);
 int config_command(const Options& options);
@@ -20,5 +23,8 @@ int doctor_command(const Options& options);
 
 /// The scenes of docs/speed-against-error.md.
 const std::vector<std::string>& default_tradeoff_scenes();
+
+/// The scenes of docs/spd.md.
+std::vector<std::string> published_scenes();
 
 } // namespace rayclock

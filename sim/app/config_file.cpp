@@ -62,13 +62,16 @@ Config load_config(const std::string& name_or_file, const std::vector<std::strin
     const bool named = std::find(config_names().begin(), config_names().end(), name_or_file) != config_names().end();
     const bool file = name_or_file.find_first_of("./\\") != std::string::npos;
     if (std::filesystem::is_directory(name_or_file)) throw UserError(name_or_file + ": is a folder, not a configuration");
-    Config config = named || !file ? named_config(name_or_file) : read_config(name_or_file);
+    return with_settings(named || !file ? named_config(name_or_file) : read_config(name_or_file), set, name_or_file);
+}
+
+Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where) {
     for (const std::string& item : set) {
         const std::size_t equals = item.find('=');
         if (equals == std::string::npos) throw UserError("--set: '" + item + "' is not key=value");
         set_parameter(config, item.substr(0, equals), item.substr(equals + 1), "--set");
     }
-    check_config(config, name_or_file);
+    check_config(config, where);
     return config;
 }
 

@@ -23,6 +23,15 @@ void config_options(CLI::App& app, Options& o) {
 void json_option(CLI::App& app, Options& o) { app.add_option("--json", o.json, "report as JSON to a file, - for standard output"); }
 void clock_option(CLI::App& app, Options& o) { app.add_option("--clock", o.clock, "clock rates in MHz, with commas")->capture_default_str(); }
 void threads_option(CLI::App& app, Options& o) { app.add_option("--threads", o.threads, "threads, 0 for all cores")->check(CLI::Range(0, 1024)); }
+void finished_options(CLI::App& app, Options& o) {
+    constexpr const char* group = "Finished picture (shadows, reflection, refraction, made by the chip)";
+    app.add_option("--depth", o.depth, "bounces of a camera ray, 0..15; 5 if another option of this group is given")->group(group);
+    app.add_option("--threshold", o.threshold, "a reflected or refracted ray of less weight is not traced, 0..1; 0: all are")->group(group);
+    app.add_option("--aa", o.aa, "N x N samples a pixel, 1..8")->group(group);
+    app.add_flag("--jittered", o.jittered, "each sample anywhere in its cell (--seed)")->group(group);
+    app.add_option("--contrast", o.contrast, "after 4 samples take the rest only where a colour differs by more than this, 0..1")->group(group);
+    app.add_flag("--fresnel", o.fresnel, "weigh reflection and refraction by Schlick's approximation of Fresnel's term")->group(group);
+}
 void frames_options(CLI::App& app, Options& o) {
     app.add_option("--frames", o.frames, "frames on one machine, one after the other: the caches are warm from the second on")->capture_default_str();
     app.add_option("--pan", o.pan, "degrees that the camera turns from frame to frame");
@@ -55,6 +64,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
 
     CLI::App& render = add("render", "make a picture with one engine", "rayclock render gears:4 --engine rtl -o gears.png", render_command);
     scene_option(render, o);
+    finished_options(render, o);
     size_option(render, o);
     config_options(render, o);
     render.add_option("--engine", o.engine, "reference, model or rtl")->capture_default_str();
@@ -65,6 +75,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     CLI::App& simulate = add("simulate", "cycles, frames per second, work and accounts of a frame",
                              "rayclock simulate balls:3 --clock 66,90 --set contexts=32", simulate_command);
     scene_option(simulate, o);
+    finished_options(simulate, o);
     size_option(simulate, o);
     clock_option(simulate, o);
     config_options(simulate, o);
@@ -78,6 +89,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     CLI::App& verify = add("verify", "run model and RTL in lockstep, and compare both with the reference",
                            "rayclock verify teapot:12 -o out", verify_command);
     scene_option(verify, o);
+    finished_options(verify, o);
     size_option(verify, o);
     clock_option(verify, o);
     config_options(verify, o);
@@ -137,6 +149,29 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
                               "rayclock yardstick -o docs/yardstick.md", yardstick_command);
     yardstick.add_option("-o,--output", o.output, "Markdown file to write")->required();
     threads_option(yardstick, o);
+
+    CLI::App& figures = add("figures", "the page of the field's classic figures, drawn by all engines", "rayclock figures -o docs", figures_command);
+    figures.add_option("-o,--output", o.output, "folder for figures.md, and for its pictures in figures/")->required();
+    figures.add_option("--size", o.figure_size, "pictures, WIDTHxHEIGHT")->capture_default_str();
+    figures.add_option("--engine", o.engines, "engines, with commas")->capture_default_str();
+    threads_option(figures, o);
+    json_option(figures, o);
+
+    CLI::App& counts = add("counts", "rays of Haines' scenes by reference and model beside the published counts", "rayclock counts -o docs/spd.md", counts_command);
+    o.count_scenes = published_scenes();
+    counts.add_option("SCENE", o.count_scenes, "scenes, all with a published count by default");
+    counts.add_option("--size", o.count_size, "picture, WIDTHxHEIGHT; the published counts are of 513x513")->capture_default_str();
+    counts.add_option("-o,--output", o.output, "Markdown file to write");
+    threads_option(counts, o);
+    json_option(counts, o);
+
+    CLI::App& area = add("area", "what each unit takes of an ECP5, with and without the units that a scene may need", "rayclock area -o docs/area.md", area_command);
+    config_options(area, o);
+    area.add_option("--unit", o.units, "only these units, with commas; then no page and no speed")->delimiter(',');
+    area.add_option("-o,--output", o.output, "Markdown file to write, with the speed of simulation as well");
+    area.add_flag("--fresh", o.fresh, "work everything out again; otherwise what an earlier run has finished is taken from the cache");
+    threads_option(area, o);
+    json_option(area, o);
 
     CLI::App& bench = add("bench", "speed of the simulator itself: model, RTL and reference on one frame", "rayclock bench gears:8", bench_command);
     scene_option(bench, o);

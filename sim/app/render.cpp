@@ -7,6 +7,7 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/picture.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/json.hpp"
@@ -31,29 +32,38 @@ int render_command(const Options& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: '" + o.engine + "' is not reference, model or rtl");
-    const Config config = load_config(o.config, o.set);
-    if (o.engine == "rtl") check_rtl(config);
     check_picture_path(o.output);
     check_outputs(o);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o, size, progress);
+    const Request request = request_of(o, size, progress);
+    const Config& config = request.config;
+    const Scene& scene = request.scene;
+    if (o.engine == "rtl") check_rtl(config);
 
     const auto start = std::chrono::steady_clock::now();
     nlohmann::ordered_json json{{"scene", scene_json(scene)}, {"frame", {{"width", size.width}, {"height", size.height}}}, {"engine", o.engine}};
     HitFrame hits;
-    if (o.engine == "reference") {
+    Picture picture;
+    if (o.engine == "reference" && request.finished) {
+        WhittedFrame frame = Reference(scene).whitted(*scene.camera, size, request.settings, o.threads, progress);
+        picture = picture_of(frame);
+        hits = std::move(frame.hits);
+        json["digest"] = digest_text(digest_of(hits));
+    } else if (o.engine == "reference") {
         hits = Reference(scene).frame(*scene.camera, size, o.threads, progress);
         json["digest"] = digest_text(digest_of(hits));
     } else {
-        const Job job = make_job(scene, *scene.camera, size, config, progress);
+        const Job job = make_job(scene, *scene.camera, size, config, progress, request.settings);
         FrameRun run = o.engine == "model" ? run_model(job, {}, progress) : run_rtl(job, {}, progress);
         hits = std::move(run.hits);
+        if (request.finished) picture = picture_of(size, run.colours);
         json["config"] = config_json_object(config);
         json["cycles"] = run.cycles;
         json["digest"] = digest_text(run.digest);
     }
     json["host"] = {{"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
-    write_picture(o.output, shade(scene, hits), hits);
+    if (picture.pixels.empty()) picture = shade(scene, hits);
+    write_picture(o.output, picture, hits);
     if (o.json != "-") fmt::print("{}: {} triangles, {}x{}, {} -> {}\n", scene.name, grouped(scene.triangles.size()), size.width, size.height, o.engine, o.output);
     if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
     return 0;

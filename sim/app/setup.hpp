@@ -42,6 +42,13 @@ struct Options {
     bool fresh = false;
     bool no_netlist = false;
     std::vector<std::string> scenes;
+    std::optional<int> depth, aa;
+    std::optional<double> threshold, contrast;
+    bool jittered = false, fresnel = false;
+    std::string figure_size = "256x192", engines = "reference,model,rtl";   // of `figures`
+    std::string count_size = "513x513";                                     // of `counts`
+    std::vector<std::string> count_scenes;
+    std::vector<std::string> units;   // of `area`
 };
 
 /// "512x384". Throws UserError.
@@ -65,6 +72,8 @@ Scene ready_scene(const Options& options, FrameSize size, const Progress& progre
 
 /// Kind of file a configuration is kept in: JSON with every parameter, or "like": NAME and some of them.
 Config load_config(const std::string& name_or_file, const std::vector<std::string>& set);
+/// The configuration with every key=value of --set; `where` begins the sentence if it is not legal then. Throws UserError.
+Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where);
 std::string config_json(const Config& config);
 
 /// Fails early if an output could not be written later.

@@ -11,7 +11,9 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/picture.hpp"
 #include "sim/app/tables.hpp"
+#include "sim/cause/finished.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/text.hpp"
 
@@ -69,21 +71,22 @@ int simulate_command(const Options& o) {
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
     if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: '" + o.engine + "' is not model or rtl");
-    const Config config = load_config(o.config, o.set);
-    if (o.engine == "rtl") check_rtl(config);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o, size, progress);
+    const Request request = request_of(o, size, progress);
+    const Config& config = request.config;
+    const Scene& scene = request.scene;
+    if (o.engine == "rtl") check_rtl(config);
     const std::vector<Camera> path = camera_path(o, *scene.camera);
-    const Job job = make_job(scene, path[0], size, config, progress);
+    const Job job = make_job(scene, path[0], size, config, progress, request.settings);
     std::vector<FrameTrace> traces;
     std::vector<ClockRun> runs;
     if (o.engine == "model" && clocks.size() == 1 && path.size() == 1) {   // one replay, beside the recording
         const std::vector<FrameTiming> timings = record_and_replay(job, clocks[0], traces, traffic, o.threads, progress);
         runs.push_back({clocks[0], {frame_run(traces[0], timings[0])}});
     } else {
-        for (const Camera& camera : path) traces.push_back(record_frame(job, make_frame(camera, size, job.image.lattice, config), o.threads, progress));
+        for (const Camera& camera : path) traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
         runs = o.engine == "model" ? replay_clocks(job, clocks, traces, traffic, o.threads, progress)
                                    : run_rtl_clocks(job, clocks, traces, traffic, int(o.seed), progress);
     }
@@ -105,16 +108,27 @@ int simulate_command(const Options& o) {
     if (!o.no_reference && !partial) {
         const std::vector<Closest>& answers = o.engine == "model" ? traces.back().trace.hits : runs.back().last().answers;
         const Frame& shown = traces.back().frame;
-        const HitFrame hits = scaled(job, shown, answers), reference = Reference(scene).frame(path.back(), size, o.threads, progress);
-        error = frame_error(scene, hits, reference);
-        judgement = judge({scene, path.back(), shown, job.image.lattice, config}, {reference, answers, shade(scene, hits)}, o.threads, progress);
+        const HitFrame hits = scaled(job, shown, answers);
+        const Reference tracer(scene);
+        if (request.finished) {
+            const Colours& colours = o.engine == "model" ? traces.back().trace.colours : runs.back().last().colours;
+            const WhittedFrame reference = tracer.whitted(path.back(), size, request.settings, o.threads, progress);
+            const Picture picture = picture_of(size, colours);
+            error = frame_error(hits, picture, reference.hits, picture_of(reference));
+            judgement = judge_finished({scene, path.back(), shown, job.image.lattice, config}, request.settings,
+                                       {reference, picture, answers, traces.back().trace.signatures}, hits, o.threads, progress);
+        } else {
+            const HitFrame reference = tracer.frame(path.back(), size, o.threads, progress);
+            error = frame_error(scene, hits, reference);
+            judgement = judge({scene, path.back(), shown, job.image.lattice, config}, {reference, answers, shade(scene, hits)}, o.threads, progress);
+        }
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     const FrameRun& frame = runs[0].last();
     if (o.json != "-") {
         fmt::print("{}\n{}\n{}\n{}", heading(scene, size, job), clock_table(config, runs), work_table(config, runs[0]), unit_table(config, runs));
-        if (error) fmt::print("\n{}{}", error_line("against the reference", *error), cause_lines(*judgement));
+        if (error) fmt::print("\n{}{}", error_line("against the reference", *error), judgement ? cause_lines(*judgement) : "");
         fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n", seconds, record_seconds, grouped(cycles),
                    machine_seconds, double(cycles) / machine_seconds / 1e6);
         if (partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
@@ -125,11 +139,11 @@ int simulate_command(const Options& o) {
         const nlohmann::ordered_json json{
             {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
             {"frames", o.frames}, {"pan", o.pan}, {"engine", o.engine}, {"partial", partial}, {"compile", compile_json(job.image.report)},
-            {"rays", {{"primary", frame.pixels}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}},
+            {"rays", rays_json(frame)},
             {"work", work_json(frame)}, {"clocks", clocks_json}, {"units", units_json(config, frame)}, {"memory", memory_json(config, runs[0].khz, frame)},
             {"error", error_json(error, judgement)},
             {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"judge_seconds", judgement ? judgement->seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
-                      {"rays_per_second", double(frame.pixels * runs.size() * runs[0].frames.size()) / engine_seconds}}},
+                      {"rays_per_second", rays_of(frame) * double(runs.size() * runs[0].frames.size()) / engine_seconds}}},
             {"digest", digest_text(digest.value())}};
         write_file(o.json, json.dump(2) + "\n");
     }

@@ -10,10 +10,20 @@
 
 namespace rayclock {
 
+std::string primitives_text(const Scene& scene) {
+    std::string text;
+    const auto add = [&](std::size_t n, const char* one, const char* many) {
+        if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(n), n == 1 ? one : many);
+    };
+    add(scene.triangles.size(), "triangle", "triangles");
+    add(scene.spheres.size(), "sphere", "spheres");
+    add(scene.planes.size(), "plane", "planes");
+    return text;
+}
+
 std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     const CompileReport& r = job.image.report;
-    std::string text = fmt::format("{}: {} triangles, {}x{} pixels, configuration {}\n", scene.name, grouped(scene.triangles.size()), size.width,
-                                   size.height, job.config.name);
+    std::string text = fmt::format("{}: {}, {}x{} pixels, configuration {}\n", scene.name, primitives_text(scene), size.width, size.height, job.config.name);
     text += fmt::format("  memory image {} bytes: {} nodes, depth {}, stack {} of {}; lattice pitches {:.3g}, {:.3g}, {:.3g} scene units at {} bits", grouped(r.bytes),
                         grouped(r.nodes), r.depth, r.stack_need, job.config.stack_depth, r.pitch.x, r.pitch.y, r.pitch.z, job.config.coord_bits);
     if (r.collapsed) text += fmt::format("; {} triangles have no area on it and are left out", grouped(r.collapsed));
@@ -22,10 +32,18 @@ std::string heading(const Scene& scene, FrameSize size, const Job& job) {
 
 std::string work_table(const Config& config, const ClockRun& run) {
     const FrameRun& frame = run.last();
-    const double rays = std::max(1.0, double(frame.pixels));
+    const double rays = std::max(1.0, rays_of(frame));
     Table table({"work", "frame", "per ray"});
     const auto add = [&](const char* what, std::uint64_t n) { table.add({what, grouped(n), fmt::format("{:.2f}", double(n) / rays)}); };
-    table.add({"rays", grouped(frame.pixels), "1"});
+    if (frame.finished_picture) {
+        const RayCounts& r = frame.rays;
+        table.add({"pixels", grouped(frame.pixels), ""});
+        add("camera rays", r.primary);
+        add("shadow rays", r.shadow);
+        add("reflected rays", r.reflection);
+        add("refracted rays", r.refraction);
+    }
+    table.add({"rays", grouped(std::uint64_t(rays_of(frame))), "1"});
     add("node visits", frame.visits);
     add("box tests", frame.box_tests);
     add("triangle tests", frame.triangle_tests);
@@ -37,11 +55,11 @@ std::string clock_table(const Config& config, const std::vector<ClockRun>& runs)
     Table table({"clock MHz", "frame", "cycles", "fps", "Mrays/s", "cycles/ray", "node hits", "tri hits", "bytes/ray", "memory GB/s", "of peak", "bound", "reached"});
     const auto row = [&](const ClockRun& run, std::size_t i) {
         const FrameRun& f = run.frames[i];
-        const double fps = per_second(f, run.khz), bytes = double(bytes_read(f)), rays = std::max(1.0, double(f.pixels));
+        const double fps = per_second(f, run.khz), bytes = double(bytes_read(f)), rays = std::max(1.0, rays_of(f));
         const Bound bound = bound_of(config, run.khz, f);
         const auto percent = [](double share) { return fmt::format("{:.1f} %", share * 100); };
         table.add({fmt::format("{:g}", run.khz / 1e3), std::to_string(i + 1) + (f.partial ? " (partial)" : ""), grouped(f.cycles), fmt::format("{:.2f}", fps),
-                   fmt::format("{:.2f}", fps * double(f.pixels) / 1e6), fmt::format("{:.2f}", double(f.cycles) / rays),
+                   fmt::format("{:.2f}", fps * rays_of(f) / 1e6), fmt::format("{:.2f}", double(f.cycles) / rays),
                    percent(cache_account(f, Unit::node_cache).hit_rate()), percent(cache_account(f, Unit::prim_cache).hit_rate()),
                    fmt::format("{:.1f}", bytes / rays), fmt::format("{:.3f}", fps * bytes / 1e9), percent(fps * bytes / peak_bytes_per_second(config, run.khz)),
                    bound.unit, fmt::format("{:.0f} %", bound.reached * 100)});
@@ -99,6 +117,7 @@ std::string cause_lines(const Judgement& j) {
         return text;
     };
     std::string text = fmt::format("  causes: {}\n    where another primitive is held: {}", list(j.causes), list(j.causes_other));
+    if (!j.asked_oracle) return text + "\n";
     if (j.on_edge) text += fmt::format("; {} of these rays meet an edge exactly", grouped(j.on_edge));
     return text + fmt::format("\n  oracle: {} pixels judged in {:.2f} s, {} wrong\n", grouped(j.pixels.size()), j.seconds, grouped(j.wrong));
 }

@@ -8,6 +8,8 @@
 
 namespace rayclock {
 
+/// "12 triangles, 3 spheres, 1 plane".
+std::string primitives_text(const Scene& scene);
 std::string heading(const Scene& scene, FrameSize size, const Job& job);
 std::string work_table(const Config& config, const ClockRun& run);
 std::string clock_table(const Config& config, const std::vector<ClockRun>& runs);

@@ -10,7 +10,9 @@
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/picture.hpp"
 #include "sim/app/tables.hpp"
+#include "sim/cause/finished.hpp"
 #include "sim/image/golden.hpp"
 #include "sim/report/text.hpp"
 
@@ -39,16 +41,36 @@ GoldenResult golden_result(const Options& o, const Scene& scene, const Config& c
     return check_golden(folder, scene.name, shade(scene, run_model(job).hits), config.coord_bits);
 }
 
-void write_pictures(const std::string& folder, const Scene& scene, const HitFrame& reference, const LockstepResult& result, const std::optional<Judgement>& judgement) {
+/// What the engines drew.
+struct Pictures {
+    HitFrame hits;                           ///< the reference's
+    Picture reference, model, rtl;
+    WhittedFrame finished;                   ///< the reference's, of a finished picture
+};
+
+/// The lockstep has one thread: the reference works beside it.
+Pictures draw_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
+    const Reference tracer(request.scene);
+    if (!request.finished) {
+        HitFrame hits = tracer.frame(camera, size, threads);
+        Picture picture = shade(request.scene, hits);
+        return {std::move(hits), std::move(picture), {}, {}, {}};
+    }
+    WhittedFrame frame = tracer.whitted(camera, size, request.settings, threads);
+    Picture picture = picture_of(frame);
+    HitFrame hits = frame.hits;
+    return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
+}
+
+void write_pictures(const std::string& folder, const Pictures& p, const LockstepResult& result, const std::optional<Judgement>& judgement) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
     const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
-    const Picture expected = shade(scene, reference);
-    write_picture(path("reference.png"), expected, reference);
-    write_picture(path("model.png"), shade(scene, result.model.hits), result.model.hits);
-    write_picture(path("rtl.png"), shade(scene, result.rtl.hits), result.rtl.hits);
-    if (judgement) write_picture(path("difference.png"), cause_picture(expected, *judgement), reference);
+    write_picture(path("reference.png"), p.reference, p.hits);
+    write_picture(path("model.png"), p.model, result.model.hits);
+    write_picture(path("rtl.png"), p.rtl, result.rtl.hits);
+    if (judgement) write_picture(path("difference.png"), cause_picture(p.reference, *judgement), p.hits);
 }
 
 void print_lockstep(const LockstepResult& r) {
@@ -67,35 +89,41 @@ int verify_command(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
-    const Config config = load_config(o.config, o.set);
-    check_rtl(config);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o, size, progress);
+    const Request request = request_of(o, size, progress);
+    const Config& config = request.config;
+    const Scene& scene = request.scene;
+    check_rtl(config);
     if (!o.output.empty()) check_folder(o.output);
     const std::vector<Camera> path = camera_path(o, *scene.camera);
-    Job job = make_job(scene, path[0], size, config, progress);
+    Job job = make_job(scene, path[0], size, config, progress, request.settings);
     job.khz = clocks[0];
     std::vector<FrameTrace> traces;
-    for (const Camera& camera : path) traces.push_back(record_frame(job, make_frame(camera, size, job.image.lattice, config), o.threads, progress));
+    for (const Camera& camera : path) traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
 
-    // The reference works beside the lockstep, which has one thread.
-    auto reference_work = std::async(std::launch::async, [&] { return Reference(scene).frame(path.back(), size, o.threads); });
+    auto reference_work = std::async(std::launch::async, [&] { return draw_reference(request, path.back(), size, o.threads); });
     const LockstepResult result = run_lockstep(job, traces, traffic, progress, int(o.seed));
     const ClockRun run{job.khz, {result.model}};
-    const HitFrame reference = reference_work.get();
-    const FrameError model = frame_error(scene, result.model.hits, reference), rtl = frame_error(scene, result.rtl.hits, reference);
+    Pictures pictures = reference_work.get();
+    const HitFrame& reference = pictures.hits;
+    const auto drawn = [&](const FrameRun& made) { return request.finished ? picture_of(size, made.colours) : shade(scene, made.hits); };
+    pictures.model = drawn(result.model), pictures.rtl = drawn(result.rtl);
+    const FrameError model = frame_error(result.model.hits, pictures.model, reference, pictures.reference),
+                     rtl = frame_error(result.rtl.hits, pictures.rtl, reference, pictures.reference);
     // If the RTL is the model, what is said of one holds for both.
     const FrameRun& judged = result.agrees() ? result.model : result.rtl;
     const Asked asked{scene, path.back(), traces.back().frame, job.image.lattice, config};
     std::optional<Judgement> judgement;
-    if (!result.model.partial) judgement = judge(asked, {reference, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
-    const GoldenResult golden = golden_result(o, scene, config);
-    if (!o.output.empty()) write_pictures(o.output, scene, reference, result, judgement);
+    if (!result.model.partial && !request.finished) judgement = judge(asked, {reference, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
+    if (!result.model.partial && request.finished)
+        judgement = judge_finished(asked, request.settings, {pictures.finished, drawn(judged), judged.answers, traces.back().trace.signatures}, judged.hits, o.threads, progress);
+    const GoldenResult golden = request.finished ? GoldenResult{} : golden_result(o, scene, config);
+    if (!o.output.empty()) write_pictures(o.output, pictures, result, judgement);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool partial = result.model.partial;
-    const bool good = result.agrees() && !partial && judgement->bugs() == 0 && (!golden.found || golden.within);
+    const bool good = result.agrees() && !partial && (!judgement || judgement->bugs() == 0) && (!golden.found || golden.within);
 
     if (o.json != "-") {
         fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
@@ -114,7 +142,7 @@ int verify_command(const Options& o) {
             {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
             {"reference", error_json(model, judgement)},
             {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
-            {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
+            {"rays", rays_json(result.model)}, {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
             {"memory", memory_json(config, job.khz, result.model)},
             {"host", {{"seconds", seconds}, {"judge_seconds", judgement ? judgement->seconds : 0}}}, {"digest", digest_text(result.model.digest)}};
         write_file(o.json, json.dump(2) + "\n");

@@ -36,6 +36,7 @@ struct Judgement {
     std::vector<bool> other;         ///< holds another primitive
     PixelCauses causes{};
     PixelCauses causes_other{};       ///< of the pixels that hold another primitive
+    bool asked_oracle = true;        ///< not of finished pictures with spheres, planes or several samples
     std::uint64_t wrong = 0;         ///< pixels whose answer is not the only right one
     /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no precision decides there.
     std::uint64_t on_edge = 0;

@@ -47,12 +47,19 @@ void check_capacity(const MemoryImage& image, const Config& config) {
                                     part.name, capacity_bytes(part), std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
-Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress) {
+Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress, const Whitted& settings) {
     check_frame_size(size);
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
-    job.frame = make_frame(camera, size, job.image.lattice, config);
+    if (config.shading) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
+    job.frame = job_frame(job, camera);
     return job;
+}
+
+Frame job_frame(const Job& job, const Camera& camera) {
+    Frame frame = make_frame(camera, job.size, job.image.lattice, job.config);
+    frame.shade = job.frame.shade;
+    return frame;
 }
 
 FrameTrace record_frame(const Job& job, const Frame& frame, int threads, const Progress& progress) {
@@ -85,11 +92,14 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
 }
 
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
-    FrameRun run{timing, {}, {}};
+    FrameRun run;
+    static_cast<FrameTiming&>(run) = timing;
     run.visits = frame.trace.visits;
     run.box_tests = frame.trace.box_tests;
     run.triangle_tests = frame.trace.triangle_tests;
-    run.digest = digest_of(frame.trace.hits, timing.cycles);
+    run.rays = frame.trace.counts;
+    run.finished_picture = !frame.trace.colours.empty();
+    run.digest = digest_of(frame.trace.hits, timing.cycles, frame.trace.colours);
     return run;
 }
 
@@ -110,6 +120,7 @@ FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
     FrameRun run = frame_run(frames[0], timings[0]);
     run.hits = hits_of(job, frames[0]);
     run.answers = std::move(frames[0].trace.hits);
+    run.colours = std::move(frames[0].trace.colours);
     return run;
 }
 
@@ -119,7 +130,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
     const auto start = Clock::now();
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
-    FrameCollector collector(frame);
+    FrameCollector collector(frame, job.config.shading != 0);
     machine.start(frame);
     std::uint64_t quiet = 0;
     while (!machine.done() && !interrupted()) {
@@ -131,8 +142,13 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
         if (progress && machine.cycle() % cycles_between_reports == 0) progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
-    FrameRun run{{machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()}, {}, collector.hits()};
+    FrameRun run;
+    static_cast<FrameTiming&>(run) = {machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()};
+    run.answers = collector.hits();
     run.hits = scaled(job, frame, run.answers);
+    run.colours = collector.colours();
+    run.rays = machine.rays();
+    run.finished_picture = job.config.shading != 0;
     const auto lookups = [&](Unit cache) {
         const CauseCounts& c = run.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];
@@ -140,7 +156,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
     run.visits = lookups(Unit::node_cache);
     run.triangle_tests = lookups(Unit::prim_cache);
     run.box_tests = machine.box_tests();
-    run.digest = digest_of(collector.hits(), run.cycles);
+    run.digest = digest_of(collector.hits(), run.cycles, run.colours);
     return run;
 }
 
@@ -170,13 +186,28 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
 
 HitFrame hits_of(const Job& job, const FrameTrace& frame) { return scaled(job, frame.frame, frame.trace.hits); }
 
-std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles) {
+Picture picture_of(FrameSize size, const Colours& colours) {
+    Picture picture{size, {}};
+    picture.pixels.reserve(colours.size());
+    constexpr float one = 1 << unit_bits;
+    for (const auto& c : colours) picture.pixels.emplace_back(float(c[0]) / one, float(c[1]) / one, float(c[2]) / one);
+    return picture;
+}
+
+Picture picture_of(const WhittedFrame& reference) {
+    Picture picture{reference.hits.size, {}};
+    picture.pixels.assign(reference.pixels.begin(), reference.pixels.end());
+    return picture;
+}
+
+std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, const Colours& colours) {
     Digest digest;
     digest.add(cycles);
     for (const Closest& c : hits) {
         digest.add(c.found ? c.prim : no_primitive);
         digest.add(std::uint64_t(c.t) << 32 ^ std::uint64_t(c.u) << 16 ^ c.v);
     }
+    for (const auto& c : colours) digest.add(std::uint64_t(c[0]) << 40 ^ std::uint64_t(c[1]) << 20 ^ c[2]);
     return digest.value();
 }
 

@@ -6,6 +6,8 @@
 #include "model/core/accounts.hpp"
 #include "model/core/progress.hpp"
 #include "model/mem/memory.hpp"
+#include "model/reference/reference.hpp"
+#include "model/shade/shade.hpp"
 #include "model/scene/hit.hpp"
 #include "model/trace/trace.hpp"
 
@@ -23,7 +25,11 @@ struct Job {
 };
 /// The image must fit into the memory that the configuration names; throws UserError if it does not. make_job() asks this.
 void check_capacity(const MemoryImage& image, const Config& config);
-Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress = {});
+Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress = {}, const Whitted& settings = {});
+/// The job's frame, seen by another camera.
+Frame job_frame(const Job& job, const Camera& camera);
+
+using Colours = std::vector<std::array<std::uint32_t, 3>>;   ///< [y * width + x], unit_bits of fraction
 
 /// What a frame took.
 struct FrameTiming {
@@ -39,8 +45,11 @@ struct FrameTiming {
 struct FrameRun : FrameTiming {
     HitFrame hits;
     std::vector<Closest> answers;  ///< the same, as the machine gave them
+    Colours colours;               ///< likewise, if the chip shades: unit_bits of fraction
+    bool finished_picture = false; ///< the chip shades
+    RayCounts rays;                ///< of the RTL: only those that leave its raygen, by what they are for
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
-    std::uint64_t digest = 0;      ///< over every pixel's primitive, t, u and v, and the cycles
+    std::uint64_t digest = 0;      ///< over every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles
 };
 
 /// A frame of a sequence, and what its rays do.
@@ -66,25 +75,40 @@ std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>&
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
 
 /// One frame, recorded and replayed; or made by the RTL.
+/// Rays of a frame: of a finished picture all, else one for each pixel that is done.
+inline double rays_of(const FrameRun& run) {
+    return run.finished_picture ? double(run.rays.all()) : double(run.pixels);
+}
+
 FrameRun run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
 FrameRun run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
 /// A recorded frame as hits, and the digest of a frame that took so many cycles.
 HitFrame hits_of(const Job& job, const FrameTrace& frame);
-std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles);
+std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, const Colours& colours = {});
+/// Colours that a chip made, as a picture.
+Picture picture_of(FrameSize size, const Colours& colours);
+/// The same of those that the reference made.
+Picture picture_of(const WhittedFrame& reference);
 
 /// Gathers an RTL's hits as they come out.
 class FrameCollector {
 public:
-    explicit FrameCollector(const Frame& frame) : width_(frame.width), height_(frame.height), hits_(std::size_t(frame.width) * frame.height) {}
+    FrameCollector(const Frame& frame, bool shading)
+        : width_(frame.width), height_(frame.height), hits_(std::size_t(frame.width) * frame.height), colours_(shading ? hits_.size() : 0) {}
     void add(const HitOut& out) {
-        if (out.x < width_ && out.y < height_) hits_[std::size_t(out.y) * width_ + out.x] = out.closest;
+        if (out.x >= width_ || out.y >= height_) return;
+        const std::size_t at = std::size_t(out.y) * width_ + out.x;
+        hits_[at] = out.closest;
+        if (!colours_.empty()) colours_[at] = out.colour;
     }
     const std::vector<Closest>& hits() const { return hits_; }
+    const Colours& colours() const { return colours_; }
 
 private:
     std::uint32_t width_, height_;
     std::vector<Closest> hits_;
+    Colours colours_;
 };
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 

@@ -85,7 +85,7 @@ std::string units_text(const Config& config) {
 
 ordered_json units_json(const Config& config) {
     ordered_json needed = ordered_json::array(), absent = ordered_json::array({"sphere", "plane", "bounce"});
-    for (std::size_t u = 0; u < unit_count; ++u) (Unit(u) == Unit::l2 && config.l2_sets == 0 ? absent : needed).push_back(unit_infos[u].name);
+    for (std::size_t u = 0; u < unit_count; ++u) (is_there(Unit(u), config) ? needed : absent).push_back(unit_infos[u].name);
     return {{"needed", needed}, {"absent", absent}};
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "model/core/payloads.hpp"
+#include "model/shade/state.hpp"
+#include "model/shade/tables.hpp"
 
 namespace rayclock {
 
@@ -12,7 +14,7 @@ namespace {
 class StructVisitor {
 public:
     std::string text;
-    template <class T> void operator()(const char* name, const T&, int width) { member(name, width, std::is_signed_v<T>); }
+    template <class T> void operator()(const char* name, const T&, int width) { member(name, width, std::is_signed_v<T> || sizeof(T) > 8); }
     template <class T, std::size_t n> void operator()(const char* name, const std::array<T, n>&, int width, int count) {
         member(name, width * count, false);
     }
@@ -31,6 +33,17 @@ template <class P> std::string record(const char* type, const char* width_name, 
                        bits_of<P>(config));
 }
 
+/// A table as one vector, entry 0 lowest: value above, step below.
+template <std::size_t n> std::string table(const char* name, const std::array<TableEntry, n>& entries, int value_bits, int step_bits) {
+    const int width = value_bits + step_bits;
+    std::string text = fmt::format("  localparam logic [{}:0] {} = {{", int(n) * width - 1, name);
+    for (std::size_t i = n; i-- > 0;) {
+        if ((n - 1 - i) % 8 == 0) text += "\n   ";
+        text += fmt::format(" {}'h{:x}{}", width, std::uint64_t(entries[i].value) << step_bits | entries[i].step, i > 0 ? "," : "");
+    }
+    return text + "};\n";
+}
+
 } // namespace
 
 std::string rc_package(const Config& c) {
@@ -46,6 +59,20 @@ std::string rc_package(const Config& c) {
     constant("BoxBits", c.box_bits);
     constant("BaryBits", c.bary_bits);
     constant("PrimitiveTest", c.primitive_test);
+    constant("OriginBits", c.origin_frac());
+    constant("Shading", c.shading);
+    constant("Spheres", c.spheres);
+    constant("Planes", c.planes);
+    constant("Smooth", c.smooth);
+    constant("Refraction", c.refraction);
+    constant("Supersampling", c.supersampling);
+    constant("Lights", c.lights);
+    constant("Bounces", c.bounces);
+    constant("ShadeQueue", c.shade_queue);
+    constant("SurfSets", c.surf_sets);
+    constant("SurfWays", c.surf_ways);
+    constant("SurfWords", c.surf_line / line_bytes);
+    constant("SurfMshrs", c.surf_mshrs);
     constant("NodeWidth", c.node_width);
     constant("Contexts", c.contexts);
     constant("StackDepth", c.stack_depth);
@@ -72,6 +99,25 @@ std::string rc_package(const Config& c) {
     constant("EdgeBits", c.edge_bits());
     constant("NumBits", c.num_bits());
     constant("TriRayBits", c.tri_ray_bits());
+    constant("OriginWidth", c.origin_width());
+    constant("RayDirBits", c.ray_dir_bits());
+    constant("UvBits", c.uv_bits());
+    constant("LightBits", c.light_bits());
+    constant("NormalBits", c.normal_bits());
+    constant("UnitBits", unit_bits);
+    constant("ShareBits", share_bits);
+    constant("CornerBits", corner_bits);
+    constant("ShineFrac", shine_frac);
+    constant("ShineBits", shine_bits);
+    constant("IndexFrac", index_frac);
+    constant("RatioBits", ratio_bits);
+    constant("StrengthBits", strength_bits);
+    constant("PlaneBits", plane_bits);
+    constant("RootBits", root_bits);
+    constant("MostFine", most_fine);
+    constant("SampleBits", sample_bits);
+    constant("DepthBits", depth_bits);
+    constant("Clients", c.clients());
     constant("GuardBits", guard_bits);
     constant("GuardDirBits", c.guard_dir_bits());
     constant("RayBits", c.ray_bits());
@@ -92,9 +138,17 @@ std::string rc_package(const Config& c) {
     constant("RaygenLatency", c.raygen_latency());
     constant("BoxLatency", c.box_latency());
     constant("TriLatency", c.tri_latency());
+    constant("ShadeLatency", c.shade_latency());
+    constant("UnitStages", unit_stages);
+    constant("PowerStages", power_stages);
+    text += "\n  // Tables of the shade unit's cells: model/shade/tables.hpp.\n";
+    text += table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
+    text += table("Log", log_table(), log_value_bits, log_step_bits);
+    text += table("Exp", exp_table(), exp_value_bits, exp_step_bits);
     text += record<Frame>("frame_t", "FrameW", c);
     text += record<Tile>("tile_t", "TileW", c);
     text += record<Slot>("slot_t", "SlotW", c);
+    text += record<Spawn>("spawn_t", "SpawnW", c);
     text += record<Ray>("ray_t", "RayW", c);
     text += record<NodeReq>("node_req_t", "NodeReqW", c);
     text += record<NodeRsp>("node_rsp_t", "NodeRspW", c);
@@ -106,6 +160,10 @@ std::string rc_package(const Config& c) {
     text += record<PrimRsp>("prim_rsp_t", "PrimRspW", c);
     text += record<PrimMiss>("prim_miss_t", "PrimMissW", c);
     text += record<PrimFill>("prim_fill_t", "PrimFillW", c);
+    text += record<SurfReq>("surf_req_t", "SurfReqW", c);
+    text += record<SurfRsp>("surf_rsp_t", "SurfRspW", c);
+    text += record<SurfMiss>("surf_miss_t", "SurfMissW", c);
+    text += record<SurfFill>("surf_fill_t", "SurfFillW", c);
     text += record<TriReq>("tri_req_t", "TriReqW", c);
     text += record<TriRsp>("tri_rsp_t", "TriRspW", c);
     text += record<L2Req>("l2_req_t", "L2ReqW", c);
@@ -115,7 +173,12 @@ std::string rc_package(const Config& c) {
     text += record<Step>("step_t", "StepW", c);
     text += record<Done>("done_t", "DoneW", c);
     text += record<Closest>("closest_t", "ClosestW", c);
+    text += record<Pixel>("pixel_t", "PixelW", c);
     text += record<HitOut>("hit_t", "HitW", c);
+    text += record<ShadeFrame>("shade_frame_t", "ShadeFrameW", c);
+    text += record<Surface>("surface_t", "SurfaceW", c);
+    text += record<ShadeState>("shade_state_t", "ShadeStateW", c);
+    text += record<Waiting>("waiting_t", "WaitingW", c);
     return text + "endpackage\n";
 }
 

@@ -12,17 +12,33 @@
 namespace rayclock {
 namespace {
 
-glm::dvec3 weights(const JsonValue& in) {
+glm::dvec3 components(const JsonValue& in, double most) {
     const glm::dvec3 v = in.triple();
-    if (!(v.x >= 0 && v.y >= 0 && v.z >= 0)) in.expected("3 numbers, none negative");
+    for (int i = 0; i < 3; ++i)
+        if (!(v[i] >= 0 && v[i] <= most)) in.expected(fmt::format("3 numbers within 0 and {}", most));
     return v;
 }
 
-void read(const JsonValue& in, std::string_view key, double& out, double least) {
+void at_least(const JsonValue& in, std::string_view key, double& out, double least) {
     const auto value = in.find(key);
     if (!value) return;
     out = value->number();
     if (out < least) value->expected(fmt::format("at least {}", least));
+}
+
+void weight(const JsonValue& in, std::string_view key, double& out) {
+    const auto value = in.find(key);
+    if (!value) return;
+    out = value->number();
+    if (!(out >= 0 && out <= 1)) value->expected("a number within 0 and 1");
+}
+
+/// A vector that can be the side of something.
+glm::dvec3 side(const JsonValue& in) {
+    const glm::dvec3 v = in.triple();
+    const double length = glm::length(v);
+    if (!(length > 1e-100 && length < 1e100)) in.expected("a direction, no shorter than 1e-100 and no longer than 1e100");
+    return v;
 }
 
 /// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths beyond any
@@ -80,23 +96,54 @@ Light light_of(const JsonValue& in) {
     in.only_keys({"position", "colour"});
     Light light;
     light.position = in.at("position").triple();
-    if (const auto colour = in.find("colour")) light.colour = weights(*colour);
+    if (const auto colour = in.find("colour")) light.colour = components(*colour, most_light);
     return light;
 }
 
 Material material_of(const JsonValue& in, const std::string& name) {
-    in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index"});
+    in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index", "checkered", "other", "schlick"});
     Material material;
     material.name = name;
-    if (const auto colour = in.find("colour")) material.colour = weights(*colour);
-    read(in, "ambient", material.ambient, 0);
-    read(in, "diffuse", material.diffuse, 0);
-    read(in, "highlight", material.highlight, 0);
-    read(in, "shine", material.shine, 0);
-    read(in, "mirror", material.mirror, 0);
-    read(in, "transmit", material.transmit, 0);
-    read(in, "index", material.index, 0.01);
+    if (const auto colour = in.find("colour")) material.colour = colour_of(*colour);
+    if (const auto other = in.find("other")) material.other = colour_of(*other);
+    weight(in, "ambient", material.ambient);
+    weight(in, "diffuse", material.diffuse);
+    weight(in, "highlight", material.highlight);
+    at_least(in, "shine", material.shine, 0);
+    weight(in, "mirror", material.mirror);
+    weight(in, "transmit", material.transmit);
+    at_least(in, "index", material.index, 0.01);
+    material.checkered = flag_or(in, "checkered", false);
+    material.schlick = flag_or(in, "schlick", false);
     return material;
+}
+
+glm::dvec3 colour_of(const JsonValue& in) { return components(in, 1); }
+
+bool flag_or(const JsonValue& in, std::string_view key, bool otherwise) {
+    const auto value = in.find(key);
+    if (!value) return otherwise;
+    if (!value->raw().is_boolean()) value->expected("true or false");
+    return value->raw().get<bool>();
+}
+
+Sphere sphere_of(const JsonValue& in) {
+    in.only_keys({"centre", "radius", "material"});
+    Sphere sphere;
+    sphere.centre = in.at("centre").triple();
+    sphere.radius = in.at("radius").number();
+    if (!(sphere.radius > 0)) in.at("radius").expected("a number above 0");
+    return sphere;
+}
+
+Plane plane_of(const JsonValue& in) {
+    in.only_keys({"point", "u", "v", "material"});
+    Plane plane;
+    plane.point = in.at("point").triple();
+    plane.u = side(in.at("u"));
+    plane.v = side(in.at("v"));
+    if (!(glm::length(glm::cross(glm::normalize(plane.u), glm::normalize(plane.v))) > 1e-9)) in.at("v").expected("a direction that is not parallel to u");
+    return plane;
 }
 
 Scene inline_mesh(const JsonValue& in) {
@@ -126,6 +173,15 @@ glm::dmat4 transform_of(const JsonValue& object) {
     if (const auto rotate = object.find("rotate")) m = m * rotation(*rotate);
     if (const auto scale = object.find("scale")) m = m * scaling(*scale);
     return m;
+}
+
+bool keeps_spheres(const glm::dmat4& place) {
+    const glm::dmat3 m(place);
+    const double length = glm::length(m[0]);
+    const glm::dvec3 x = m[0] / length, y = m[1] / length, z = m[2] / length;
+    constexpr double rounding = 1e-9;
+    const auto is = [](double a, double b) { return std::abs(a - b) < rounding; };
+    return is(glm::length(y), 1) && is(glm::length(z), 1) && is(glm::dot(x, y), 0) && is(glm::dot(y, z), 0) && is(glm::dot(z, x), 0);
 }
 
 } // namespace rayclock

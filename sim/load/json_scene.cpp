@@ -26,9 +26,9 @@ using Part = std::shared_ptr<Scene>;
 class Library {
 public:
     explicit Library(const Progress& progress) : progress_(progress) {}
-    Scene json(const std::filesystem::path& path);
+    JsonLoad json(const std::filesystem::path& path);
     Part file(const std::filesystem::path& path, const JsonValue& from);
-    Part builtin(const std::string& spec, const JsonValue& from);
+    Part builtin(const std::string& spec, Primitives primitives, const JsonValue& from);
     const Progress& progress() const { return progress_; }
 
 private:
@@ -42,21 +42,26 @@ class JsonScene {
 public:
     JsonScene(const JsonValue& in, const std::filesystem::path& path, Library& library) : in_(in), path_(path), library_(library) {}
 
-    Scene build() {
-        in_.only_keys({"camera", "background", "lights", "materials", "meshes", "objects"});
+    JsonLoad build() {
+        in_.only_keys({"camera", "background", "lights", "materials", "meshes", "objects", "spheres", "planes"});
         scene_.name = path_.filename().string();
         if (const auto camera = in_.find("camera")) scene_.camera = camera_of(*camera);
-        if (const auto background = in_.find("background")) scene_.background = background->triple();
-        if (const auto lights = in_.find("lights"))
-            for (std::size_t i = 0; i < lights->array().size(); ++i) scene_.lights.push_back(light_of((*lights)[i]));
+        if (const auto background = in_.find("background")) scene_.background = colour_of(*background);
+        const auto lights = in_.find("lights");
+        if (lights) read_lights(lights->array());
         if (const auto materials = in_.find("materials"))
             for (const auto& [name, ignored] : materials->object().raw().items()) {
                 material_numbers_[name] = static_cast<std::uint32_t>(scene_.materials.size());
                 scene_.materials.push_back(material_of(materials->at(name), name));
             }
-        for (const auto& [name, ignored] : in_.at("meshes").object().raw().items()) meshes_[name] = {mesh(in_.at("meshes").at(name)), {}};
-        objects(in_.at("objects").array());
-        return std::move(scene_);
+        // Whoever has spheres or planes needs no mesh.
+        const bool has_others = in_.find("spheres") || in_.find("planes");
+        if (!has_others || in_.find("meshes"))
+            for (const auto& [name, ignored] : in_.at("meshes").object().raw().items()) meshes_[name] = {mesh(in_.at("meshes").at(name)), {}};
+        if (!has_others || in_.find("objects")) objects(in_.at("objects").array());
+        if (const auto spheres = in_.find("spheres")) read_each(spheres->array(), sphere_of, scene_.spheres);
+        if (const auto planes = in_.find("planes")) read_each(planes->array(), plane_of, scene_.planes);
+        return {std::move(scene_), lights.has_value()};
     }
 
 private:
@@ -73,13 +78,36 @@ private:
         name.refuse(fmt::format("names no {} of this file: {}{}", what, shown(name.string()), did_you_mean(name.string(), names)));
     }
 
+    void read_lights(const JsonValue& list) {
+        if (list.size() > most_lights) list.refuse(fmt::format("has {} lights; the most is {}", list.size(), most_lights));
+        for (std::size_t i = 0; i < list.size(); ++i) scene_.lights.push_back(light_of(list[i]));
+    }
+
+    template <class Primitive> void read_each(const JsonValue& list, Primitive (*read)(const JsonValue&), std::vector<Primitive>& into) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            into.push_back(read(list[i]));
+            into.back().material = material(list[i]);
+        }
+    }
+
+    /// The named one, or a grey one that all without a name share.
+    std::uint32_t material(const JsonValue& in) {
+        if (const auto name = in.find("material")) return known(material_numbers_, *name, "material");
+        if (!grey_) {
+            grey_ = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.push_back({.name = "default"});
+        }
+        return *grey_;
+    }
+
     Part mesh(const JsonValue& in) {
-        in.only_keys({"file", "builtin", "vertices", "triangles"});
+        in.only_keys({"file", "builtin", "native", "vertices", "triangles"});
         const bool is_inline = in.find("vertices") || in.find("triangles");
         if (is_inline + in.find("file").has_value() + in.find("builtin").has_value() != 1)
             in.refuse("needs one of 'file', 'builtin', or 'vertices' with 'triangles'");
+        if (const auto native = in.find("native"); native && !in.find("builtin")) native->refuse("belongs to a 'builtin' only");
         if (const auto file = in.find("file")) return library_.file(path_.parent_path() / file->string(), *file);
-        if (const auto builtin = in.find("builtin")) return library_.builtin(builtin->string(), *builtin);
+        if (const auto builtin = in.find("builtin")) return library_.builtin(builtin->string(), flag_or(in, "native", false) ? Primitives::native : Primitives::triangles, *builtin);
         return std::make_shared<Scene>(inline_mesh(in));
     }
 
@@ -87,11 +115,11 @@ private:
         if (list.size() == 0) list.refuse("is empty: there is nothing to see");
         // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or nowhere.
         bool any_smooth = false;
-        std::uint64_t triangles = 0;
+        std::uint64_t primitives = 0;
         for (std::size_t i = 0; i < list.size(); ++i) {
             const Scene& part = *named(list[i]).part;
             any_smooth = any_smooth || !part.normals.empty();
-            if ((triangles += part.triangles.size()) > max_triangles)
+            if ((primitives += primitive_count(part)) > max_triangles)
                 list[i].refuse(fmt::format("brings the scene above {} triangles", max_triangles));
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
@@ -117,7 +145,9 @@ private:
             mesh.material_base = static_cast<std::uint32_t>(scene_.materials.size());
             scene_.materials.insert(scene_.materials.end(), mesh.part->materials.begin(), mesh.part->materials.end());
         }
-        append(scene_, *mesh.part, transform_of(object), material, mesh.material_base.value_or(0));
+        const glm::dmat4 transform = transform_of(object);
+        if (!mesh.part->spheres.empty() && !keeps_spheres(transform)) object.refuse("stretches spheres, which can only be scaled alike in all directions");
+        append(scene_, *mesh.part, transform, material, mesh.material_base.value_or(0));
     }
 
     JsonValue in_;
@@ -125,16 +155,17 @@ private:
     Library& library_;
     Scene scene_;
     std::map<std::string, std::uint32_t> material_numbers_;
+    std::optional<std::uint32_t> grey_;
     std::map<std::string, Mesh> meshes_;
 };
 
-Scene Library::json(const std::filesystem::path& path) {
+JsonLoad Library::json(const std::filesystem::path& path) {
     const std::string text = read_file(path);
     const Json document = parse_json(path.string(), text);
     open_.push_back(std::filesystem::weakly_canonical(path));
-    Scene scene = JsonScene(JsonValue(document, path.string()), path, *this).build();
+    JsonLoad load = JsonScene(JsonValue(document, path.string()), path, *this).build();
     open_.pop_back();
-    return scene;
+    return load;
 }
 
 Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
@@ -145,16 +176,16 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     if (open_.size() > 50) from.refuse("lies deeper than 50 files");
     Part& part = known_[real.string()];
     if (part) return part;
-    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path));
+    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path).scene);
     if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
     return part = std::make_shared<Scene>(load_mesh_file(path, progress_));
 }
 
-Part Library::builtin(const std::string& spec, const JsonValue& from) {
-    Part& part = known_["builtin:" + spec];
+Part Library::builtin(const std::string& spec, Primitives primitives, const JsonValue& from) {
+    Part& part = known_[(primitives == Primitives::native ? "native:" : "builtin:") + spec];
     if (part) return part;
     try {
-        return part = std::make_shared<Scene>(make_builtin(spec));
+        return part = std::make_shared<Scene>(make_builtin(spec, primitives));
     } catch (const UserError& error) {
         from.refuse(std::string("cannot be made: ") + error.what());
     }
@@ -162,6 +193,6 @@ Part Library::builtin(const std::string& spec, const JsonValue& from) {
 
 } // namespace
 
-Scene load_json_scene(const std::filesystem::path& path, const Progress& progress) { return Library(progress).json(path); }
+JsonLoad load_json_scene(const std::filesystem::path& path, const Progress& progress) { return Library(progress).json(path); }
 
 } // namespace rayclock

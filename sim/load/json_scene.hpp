@@ -7,7 +7,12 @@
 
 namespace rayclock {
 
+struct JsonLoad {
+    Scene scene;
+    bool has_lights;   ///< the file has the key "lights", though the list may be empty: then it is to be as dark as that
+};
+
 /// Throws UserError naming the file and the path of the value, for example "desk.json: objects[2].scale must be ...".
-Scene load_json_scene(const std::filesystem::path& path, const Progress& progress);
+JsonLoad load_json_scene(const std::filesystem::path& path, const Progress& progress);
 
 } // namespace rayclock

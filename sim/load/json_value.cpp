@@ -34,19 +34,47 @@ std::string reason(std::string what) {
     return what.substr(0, 200);
 }
 
+/// Goes through a text that is known to parse and refuses a key that appears twice. A second reading, since the parser's own
+/// callbacks look at all that an array holds whenever an element ends: minutes for a million.
+class Keys : public nlohmann::json_sax<Json> {
+public:
+    explicit Keys(const std::string& file) : file_(file) {}
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_array(std::size_t) override { return true; }
+    bool end_array() override { return true; }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+    bool start_object(std::size_t) override {
+        open_.emplace_back();
+        return true;
+    }
+    bool end_object() override {
+        open_.pop_back();
+        return true;
+    }
+    bool key(string_t& name) override {
+        if (!open_.back().insert(name).second) throw UserError(fmt::format("{}: the key {} appears twice in one object", file_, shown(name)));
+        return true;
+    }
+
+private:
+    const std::string& file_;
+    std::vector<std::set<std::string>> open_;
+};
+
 } // namespace
 
 Json parse_json(const std::string& file, std::string_view text) {
-    std::vector<std::set<std::string>> open;
-    const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) open.emplace_back();
-        if (event == Json::parse_event_t::object_end) open.pop_back();
-        if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
-            throw UserError(fmt::format("{}: the key {} appears twice in one object", file, shown(parsed.get<std::string>())));
-        return true;
-    };
     try {
-        return Json::parse(text.begin(), text.end(), watch);
+        Json document = Json::parse(text.begin(), text.end());
+        Keys keys(file);
+        Json::sax_parse(text.begin(), text.end(), &keys);
+        return document;
     } catch (const Json::parse_error& error) {
         throw UserError(fmt::format("{}: {}: {}", file, position(text, error.byte), reason(error.what())));
     } catch (const Json::exception& error) {

@@ -20,10 +20,10 @@ bool is_file_name(const std::string& spec) {
     return spec.find_first_of("./") != spec.npos || std::filesystem::exists(spec, ignored);
 }
 
-Scene load_file(const std::string& spec, const Progress& progress) {
+JsonLoad load_file(const std::string& spec, const Progress& progress) {
     const std::filesystem::path path(spec);
     if (extension(path) == "json") return load_json_scene(path, progress);
-    if (is_mesh_file(path)) return load_mesh_file(path, progress);
+    if (is_mesh_file(path)) return {load_mesh_file(path, progress), false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);  // a directory or an unreadable file gets its own sentence
@@ -32,14 +32,15 @@ Scene load_file(const std::string& spec, const Progress& progress) {
 
 } // namespace
 
-Scene load_scene(const std::string& spec, const Progress& progress) {
+Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
     if (spec.empty()) throw UserError("the name of the scene is empty");
     if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
     try {
-        Scene scene = is_builtin(spec) || !is_file_name(spec) ? make_builtin(spec) : load_file(spec, progress);
-        check_scene(scene, spec);
-        add_missing_lights(scene);
-        return scene;
+        const bool is_made = is_builtin(spec) || !is_file_name(spec);
+        JsonLoad load = is_made ? JsonLoad{make_builtin(spec, primitives), true} : load_file(spec, progress);
+        check_scene(load.scene, spec);
+        if (!load.has_lights) add_missing_lights(load.scene);
+        return std::move(load.scene);
     } catch (const std::bad_alloc&) {
         Place{spec}.refuse("the scene does not fit in memory");
     } catch (const std::filesystem::filesystem_error& error) {

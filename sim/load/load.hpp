@@ -2,12 +2,14 @@
 #include <string>
 
 #include "model/core/progress.hpp"
+#include "model/scene/builtin.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
 
 /// SCENE of the command line: a built-in name with an optional size, or a file (.obj .ply .stl .glb .gltf .json).
-/// The result has passed check_scene() and has a light; the camera may be absent. Throws UserError.
-Scene load_scene(const std::string& spec, const Progress& progress = {});
+/// The result has passed check_scene(); the camera may be absent. A file without a light gets two, except a JSON scene whose list
+/// of lights is empty. `primitives` is the form of a built-in scene; a file decides for itself. Throws UserError.
+Scene load_scene(const std::string& spec, const Progress& progress = {}, Primitives primitives = Primitives::triangles);
 
 } // namespace rayclock

@@ -119,6 +119,10 @@ void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optio
         t.material = material ? *material : t.material + material_base;
         scene.triangles.push_back(t);
     }
+    const auto moved = [&](const glm::dvec3& p) { return glm::dvec3(place * glm::dvec4(p, 1)); };
+    const auto material_of = [&](const auto& primitive) { return material ? *material : primitive.material + material_base; };
+    for (const Sphere& s : part.spheres) scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s)});
+    for (const Plane& p : part.planes) scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p)});
 }
 
 } // namespace rayclock

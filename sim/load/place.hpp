@@ -37,8 +37,8 @@ private:
 /// Gives a flat part its facets' normals, so that it can stand beside smooth ones and stay flat.
 void make_smooth(Scene& part);
 
-/// Appends the part's triangles moved by `place`. A mirror image is turned inside out again; normals go by the
-/// inverse transpose. Materials: `material` for all, or the part's own plus `material_base`.
+/// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror image is turned inside
+/// out again; normals go by the inverse transpose. Materials: `material` for all, or the part's own plus `material_base`.
 /// Both must have normals or both none, unless `scene` is still empty.
 void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material, std::uint32_t material_base);
 

@@ -69,7 +69,7 @@ private:
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
-        FrameCollector hits(frame.frame);
+        FrameCollector hits(frame.frame, job_.config.shading != 0);
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
         witness_.start(frame.frame);
@@ -81,13 +81,14 @@ private:
         }
         if (parted_) run_apart(limit, hits);
         if (progress) progress("model and rtl", pixels, pixels);
-        finish(result_.model, model_.cycle() - first, model_.hits(), model_.accounts() - accounts, model_.memory().stats() - memory, frame.trace.hits, frame);
-        finish(result_.rtl, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(), rtl_.memory().stats() - memory, hits.hits(), frame);
+        finish(result_.model, model_.cycle() - first, model_.hits(), model_.accounts() - accounts, model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours, frame);
+        finish(result_.rtl, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(), rtl_.memory().stats() - memory, hits.hits(), hits.colours(), frame);
         result_.cycle_gap += model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
         if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
         if (!result_.model.partial)
             for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
-                result_.value_mismatches += !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]);
+                result_.value_mismatches += !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i])
+                    || (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
         result_.account_mismatches += !parted_ && !(result_.model.accounts == result_.rtl.accounts);
     }
 
@@ -150,7 +151,7 @@ private:
     }
 
     Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
-        const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only && c != Channel::node_miss && c != Channel::prim_miss;
+        const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only && c != Channel::node_miss && c != Channel::prim_miss && c != Channel::surf_miss;
         const Slot pixel = is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
         const bool several = job_.config.pipelines > 1 && index(c) < pipeline_channels;
         const std::string unit = channels[index(c)].from;
@@ -165,14 +166,17 @@ private:
     }
 
     void finish(FrameRun& run, std::uint64_t cycles, std::uint64_t pixels, const Accounts& accounts, const MemoryStats& memory,
-                const std::vector<Closest>& hits, const FrameTrace& frame) const {
+                const std::vector<Closest>& hits, const Colours& colours, const FrameTrace& frame) const {
         static_cast<FrameTiming&>(run) = {cycles, pixels, accounts, memory, 0, pixels < frame.trace.rays.size() && !parted_};
         run.hits = scaled(job_, frame.frame, hits);
         run.answers = hits;
+        run.colours = colours;
+        run.rays = frame.trace.counts;
+        run.finished_picture = job_.config.shading != 0;
         run.visits = frame.trace.visits;
         run.box_tests = frame.trace.box_tests;
         run.triangle_tests = frame.trace.triangle_tests;
-        run.digest = digest_of(hits, cycles);
+        run.digest = digest_of(hits, cycles, colours);
     }
 
     const Job& job_;

@@ -29,7 +29,7 @@ std::uint64_t count_of(Unit unit, const FrameRun& run) {
 std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run) {
     std::vector<UnitAccount> accounts;
     for (std::size_t u = 0; u < unit_count; ++u) {
-        if (Unit(u) == Unit::l2 && config.l2_sets == 0) continue;
+        if (!is_there(Unit(u), config)) continue;
         UnitAccount account{unit_infos[u].name, u < pipeline_units ? config.pipelines : 1, count_of(Unit(u), run), 0, 0, 0, {}, {}, {}};
         for (std::size_t i = 0; i < cause_count; ++i) {
             const Cause& cause = unit_infos[u].causes[i];

@@ -11,20 +11,23 @@ namespace rayclock {
 
 using nlohmann::ordered_json;
 
-FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame& reference) {
+FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitFrame& reference, const Picture& reference_picture) {
     FrameError error;
     error.pixels = frame.hits.size();
     for (std::size_t i = 0; i < frame.hits.size(); ++i) {
         const Hit &a = frame.hits[i], &b = reference.hits[i];
         if (a.primitive != b.primitive) ++error.pixels_other_primitive;
-        else error.max_abs_depth = std::max(error.max_abs_depth, double(std::fabs(a.depth - b.depth)));
+        else if (a.primitive != no_primitive) error.max_abs_depth = std::max(error.max_abs_depth, double(std::fabs(a.depth - b.depth)));
     }
-    error.psnr_db = compare(shade(scene, frame), shade(scene, reference)).psnr_db;
+    error.psnr_db = compare(picture, reference_picture).psnr_db;
     return error;
+}
+FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame& reference) {
+    return frame_error(frame, shade(scene, frame), reference, shade(scene, reference));
 }
 
 ordered_json scene_json(const Scene& scene) {
-    return {{"name", scene.name}, {"triangles", scene.triangles.size()}, {"spheres", 0}, {"planes", 0}};
+    return {{"name", scene.name}, {"triangles", scene.triangles.size()}, {"spheres", scene.spheres.size()}, {"planes", scene.planes.size()}};
 }
 
 ordered_json config_json_object(const Config& config) {
@@ -36,6 +39,10 @@ ordered_json config_json_object(const Config& config) {
 ordered_json compile_json(const CompileReport& r) {
     return {{"triangles", r.triangles}, {"collapsed", r.collapsed}, {"nodes", r.nodes}, {"leaves", r.leaves}, {"depth", r.depth},
             {"stack_need", r.stack_need}, {"bytes", r.bytes}, {"pitch", std::max({r.pitch.x, r.pitch.y, r.pitch.z})}, {"pitches", {r.pitch.x, r.pitch.y, r.pitch.z}}, {"seconds", r.seconds}};
+}
+
+ordered_json rays_json(const FrameRun& run) {
+    return {{"primary", run.rays.primary}, {"shadow", run.rays.shadow}, {"reflection", run.rays.reflection}, {"refraction", run.rays.refraction}};
 }
 
 ordered_json work_json(const FrameRun& run) {
@@ -50,9 +57,9 @@ ordered_json clock_json(const Config& config, const ClockRun& run) {
     for (const FrameRun& f : run.frames)
         frames.push_back({{"cycles", f.cycles}, {"fps", per_second(f, run.khz)}, {"dram_bytes", bytes_read(f)},
                           {"node_hit_rate", cache_account(f, Unit::node_cache).hit_rate()}, {"prim_hit_rate", cache_account(f, Unit::prim_cache).hit_rate()}});
-    return {{"mhz", run.khz / 1e3}, {"cycles", frame.cycles}, {"fps", fps}, {"mrays_per_s", fps * double(frame.pixels) / 1e6},
+    return {{"mhz", run.khz / 1e3}, {"cycles", frame.cycles}, {"fps", fps}, {"mrays_per_s", fps * rays_of(frame) / 1e6},
             {"dram_bytes", bytes_read(frame)}, {"dram_gb_per_s", gb}, {"dram_share_of_peak", gb * 1e9 / peak_bytes_per_second(config, run.khz)},
-            {"bytes_per_ray", frame.pixels ? double(bytes_read(frame)) / double(frame.pixels) : 0}, {"bound", bound.unit},
+            {"bytes_per_ray", rays_of(frame) > 0 ? double(bytes_read(frame)) / rays_of(frame) : 0}, {"bound", bound.unit},
             {"bounds", {{"trav", bound.nodes}, {"tri", bound.triangles}, {"memory", bound.memory}}}, {"bound_reached", bound.reached},
             {"bottleneck", bottleneck(config, run.khz, frame)}, {"units", units_json(config, frame)}, {"memory", memory_json(config, run.khz, frame)},
             {"frames", frames}};
@@ -79,6 +86,7 @@ ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
     };
     add("node_cache", Unit::node_cache);
     add("prim_cache", Unit::prim_cache);
+    if (config.shading) add("surf_cache", Unit::surf_cache);
     if (config.l2_sets > 0) add("l2", Unit::l2);
     json["dram"] = {{"reads", run.memory.reads}, {"row_hits", run.memory.row_hits}, {"row_conflicts", run.memory.row_conflicts},
                     {"refreshes", run.memory.refreshes}, {"peak_gb_per_s", peak_bytes_per_second(config, khz) / 1e9}};
@@ -101,7 +109,8 @@ ordered_json error_json(const std::optional<FrameError>& e, const std::optional<
     json["pixels_on_edge"] = j->on_edge;
     json["causes"] = causes_json(j->causes);
     json["causes_other_primitive"] = causes_json(j->causes_other);
-    json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}};
+    if (j->asked_oracle) json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}};
+    else json["oracle"] = nullptr;
     return json;
 }
 

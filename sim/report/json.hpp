@@ -27,10 +27,13 @@ struct FrameError {
     double max_abs_depth = 0;   ///< over pixels with the same primitive, scene units
 };
 FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame& reference);
+/// The same for pictures that were made otherwise.
+FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitFrame& reference, const Picture& reference_picture);
 
 nlohmann::ordered_json scene_json(const Scene& scene);
 nlohmann::ordered_json config_json_object(const Config& config);
 nlohmann::ordered_json compile_json(const CompileReport& report);
+nlohmann::ordered_json rays_json(const FrameRun& run);
 nlohmann::ordered_json work_json(const FrameRun& run);
 nlohmann::ordered_json clock_json(const Config& config, const ClockRun& run);
 nlohmann::ordered_json units_json(const Config& config, const FrameRun& run);

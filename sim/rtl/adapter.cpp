@@ -44,6 +44,11 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
             add(name, fmt::format("{}_valid_o", name), fmt::format("{}_ready_i", name), fmt::format("{}_o", name));
         for (const char* name : {"tile", "node_fill", "prim_fill"}) add(name, fmt::format("{}_fires_i", name), "", fmt::format("{}_i", name));
         for (const char* unit : {"sched", "raygen", "trav", "node_cache", "box", "list", "prim_cache", "tri"}) tally(unit, path, index);
+        if (!config.shading) continue;
+        for (const char* name : {"closest", "surf_req", "surf_rsp", "spawn"}) add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
+        add("surf_miss", "surf_miss_valid_o", "surf_miss_ready_i", "surf_miss_o");
+        add("surf_fill", "surf_fill_fires_i", "", "surf_fill_i");
+        for (const char* unit : {"surf_cache", "shade"}) tally(unit, path + ".gen_shade", index);
     }
     tally("dispatch", "", "");
     tally("memport", "", "");
@@ -53,6 +58,9 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
     taps.push_back({"l2_rsp", tap, ".gen_shared.u_l2", "rc_l2", "rsp_valid_o", "", "rsp_o"});
     return taps;
 }
+
+/// Arithmetic cells have no reset.
+bool has_reset(const std::string& module) { return module != "rc_unit" && module != "rc_power"; }
 
 } // namespace
 
@@ -65,8 +73,8 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return ports;
     }
     if (module == "rc_dispatch") return {{"frame", fixed}, {"start", fixed}, {"want", fixed}, {"tile_fires", plain}, {"tile", plain}, {"cause", plain}};
-    if (module == "rc_sched") return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out}, {"closest", in}, {"hit", out}, {"cause", plain}};
-    if (module == "rc_raygen") return {{"frame", fixed}, {"slot", in}, {"ray", out}};
+    if (module == "rc_sched") return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out}, {"pixel", in}, {"hit", out}, {"cause", plain}};
+    if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav")
         return {{"frame", fixed}, {"ray", in}, {"step", in}, {"node_req", out}, {"node_rsp", in}, {"box_req", out}, {"done", out}};
     if (module == "rc_box" || module == "rc_tri") return {{"req", in}, {"rsp", out}};
@@ -75,6 +83,15 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
                 {"step", out}, {"done", in}, {"closest", out}};
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
+    if (module == "rc_shade")
+        return {{"frame", fixed}, {"slot", listen}, {"ray", listen}, {"closest", in}, {"surf_req", out}, {"surf_rsp", in}, {"surf_waits", fixed},
+                {"spawn", out}, {"pixel", out}, {"cause", plain}};
+    if (module == "rc_unit") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
+    if (module == "rc_pass")
+        return {{"frame", fixed}, {"valid", fixed}, {"ray", fixed}, {"state", fixed}, {"hit", fixed}, {"o", fixed}, {"d", fixed},
+                {"surface", fixed}, {"top", fixed}, {"end_valid", plain}, {"end_ray", plain}, {"end_state", plain}, {"leave", plain},
+                {"spawn", plain}, {"pixel", plain}, {"push", plain}, {"pushed", plain}};
+    if (module == "rc_power") return {{"valid", fixed}, {"c", fixed}, {"n", fixed}, {"power", plain}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }
 
@@ -95,6 +112,7 @@ struct Handle {{
     VerilatedContext context;
     Vrc top;
     std::vector<RcPort> list;
+    unsigned char no_reset = 0;
     explicit Handle(int seed) : top{{prepare(context, seed)}} {{
 {1}    }}
     static VerilatedContext* prepare(VerilatedContext& context, int seed) {{
@@ -136,14 +154,14 @@ int eval(void* handle, int clock) {{
     of(handle).top.eval();
     return of(handle).context.gotError();
 }}
-unsigned char* reset(void* handle) {{ return &of(handle).top.rst_ni; }}
+unsigned char* reset(void* handle) {{ return {2}; }}
 unsigned ports(void* handle, const RcPort** list) {{
     *list = of(handle).list.data();
     return static_cast<unsigned>(of(handle).list.size());
 }}
 }}
 extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
-)", module, ports);
+)", module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset");
 }
 
 std::string adapter_vlt(const std::string& module, const Config& config) {

@@ -7,13 +7,13 @@
 namespace rayclock {
 
 RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
-    : config_(config), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed), links_(std::size_t(config.pipelines)),
+    : config_(config), channels_there_(config.shading ? pipeline_channels : plain_channels), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed), links_(std::size_t(config.pipelines)),
       start_(&rtl_.port("start")), mem_req_(&rtl_.port("mem_req")), mem_rsp_(&rtl_.port("mem_rsp")), hit_ready_(&rtl_.port("hit_ready")),
       memory_(config, khz, traffic), valid_(links_.size()), fire_(links_.size()) {
     for (int p = 0; p < config.pipelines; ++p) {
         auto& links = links_[std::size_t(p)];
         links.fill(nullptr);
-        for (std::size_t c = 0; c < pipeline_channels; ++c) links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
+        for (std::size_t c = 0; c < channels_there_; ++c) links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
         sinks_.emplace_back(traffic, p);
     }
     links_[0][index(Channel::mem_req)] = mem_req_;
@@ -36,6 +36,7 @@ void RtlMachine::start(const Frame& frame) {
     std::memcpy(start_->data, &off, 1);
     pixels_ = std::uint64_t(frame.width) * frame.height;
     hits_ = box_tests_ = 0;
+    rays_ = {};
     at_start_ = read_counters();
     at_start_.units[index(Unit::memory)] = memory_.deeds();
 }
@@ -58,7 +59,7 @@ void RtlMachine::settle() {
     moved_ = false;
     for (std::size_t p = 0; p < links_.size(); ++p) {
         std::uint32_t valid = 0, fire = 0;
-        for (std::size_t c = 0; c < pipeline_channels; ++c) {
+        for (std::size_t c = 0; c < channels_there_; ++c) {
             const RcPort& link = *links_[p][c];
             valid |= std::uint32_t(*link.valid) << c;
             fire |= std::uint32_t(link.ready ? *link.valid & *link.ready : *link.valid) << c;
@@ -86,6 +87,11 @@ void RtlMachine::clock() {
     }
     for (std::size_t p = 0; p < links_.size(); ++p) {
         hits_ += fire_[p] >> index(Channel::hit) & 1;
+        rays_.primary += fire_[p] >> index(Channel::slot) & 1;
+        if (fire_[p] & bit(Channel::spawn)) {
+            const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Channel::spawn)], config_).kind;
+            ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary : ends_at_any(kind) ? rays_.shadow : rays_.reflection);
+        }
         if (fire_[p] & bit(Channel::node_req))
             box_tests_ += std::uint64_t(decoder_.node(get_data<NodeReq>(*links_[p][index(Channel::node_req)], config_).addr).children);
     }
@@ -103,7 +109,7 @@ Accounts RtlMachine::read_counters() const {
         for (std::size_t i = 0; i < cause_count; ++i) sums.units[unit][i] += counts[i];
     };
     for (std::size_t u = 0; u < pipeline_units; ++u)
-        for (int p = 0; p < config_.pipelines; ++p) add(u, fmt::format("tally.{}[{}]", unit_infos[u].name, p));
+        for (int p = 0; is_there(Unit(u), config_) && p < config_.pipelines; ++p) add(u, fmt::format("tally.{}[{}]", unit_infos[u].name, p));
     add(index(Unit::dispatch), "tally.dispatch");
     add(index(Unit::memport), "tally.memport");
     if (config_.l2_sets > 0) add(index(Unit::l2), "tally.l2");

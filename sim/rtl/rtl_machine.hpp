@@ -43,6 +43,7 @@ public:
     Accounts accounts() const;
     const Memory& memory() const { return memory_; }
     std::uint64_t box_tests() const { return box_tests_; }
+    const RayCounts& rays() const { return rays_; }
 
 private:
     void drive();
@@ -50,6 +51,7 @@ private:
     Accounts read_counters() const;
 
     Config config_;
+    std::size_t channels_there_;   // of a pipeline
     const MemoryImage& image_;
     Decoder decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
@@ -57,6 +59,7 @@ private:
     const RcPort *start_, *mem_req_, *mem_rsp_, *hit_ready_;
     Memory memory_;
     std::vector<Sink> sinks_;
+    RayCounts rays_;   // refracted ones are counted with the reflected: the link does not tell them apart
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
     std::vector<std::uint32_t> valid_, fire_;
     std::uint32_t shared_valid_ = 0, shared_fire_ = 0;

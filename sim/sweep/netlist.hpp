@@ -4,6 +4,7 @@
 
 #include "model/core/config.hpp"
 #include "sim/sweep/cache.hpp"
+#include "sim/sweep/yosys.hpp"
 
 namespace rayclock::sweep {
 
@@ -15,9 +16,6 @@ struct Netlist {
 
 /// Whether there is RTL for a configuration: some tests of primitives are software only.
 bool exists_in_rtl(const Config& config);
-
-/// First line of `yosys -V`, or empty if there is none. Asked once.
-const std::string& yosys_version();
 
 /// What the counts depend on; the same for configurations whose RTL is the same.
 std::string netlist_key(const Config& config);

@@ -19,14 +19,14 @@ Config with_dir_bits(int bits) {
 }
 
 /// Worst component of a pixel's direction, and of its distance from the best scaled double direction.
-struct Pixel {
+struct Worst {
     std::int64_t largest = 0;
     double error = 0;
 };
-Pixel look(const PixelRays& rays, const Frame& frame, double scale, int x, int y, const Config& config) {
+Worst look(const PixelRays& rays, const Frame& frame, double scale, int x, int y, const Config& config) {
     const Ray ray = raygen({0, std::uint32_t(x), std::uint32_t(y)}, frame, config);
     const glm::dvec3 wanted = scale * rays.direction(x, y);
-    Pixel pixel;
+    Worst pixel;
     for (int k = 0; k < 3; ++k) {
         // As raygen sums it, before the component is cut to its width.
         const auto a = std::size_t(k);
@@ -84,7 +84,7 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     for (int i = 0; i < 1000; ++i) {
         const int x = i < 4 ? (i & 1) * (size.width - 1) : int(draw() % std::uint32_t(size.width));
         const int y = i < 4 ? (i >> 1) * (size.height - 1) : int(draw() % std::uint32_t(size.height));
-        const Pixel pixel = look(rays, frame, scale, x, y, config);
+        const Worst pixel = look(rays, frame, scale, x, y, config);
         largest = std::max(largest, pixel.largest);
         error = std::max(error, pixel.error);
     }
@@ -112,6 +112,26 @@ TEST_CASE("small pictures are right in every pixel") {
                 REQUIRE(std::abs(ray.d[std::size_t(k)] - scale * d[k]) < 1);
             }
         }
+}
+
+TEST_CASE("every sample's direction fits, half a pixel around the outer pixels' middles") {
+    const double fov = GENERATE(1.0, 120.0, 179.0);
+    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{2, 1}, FrameSize{1, 2}, FrameSize{3, 5}, FrameSize{512, 384}, FrameSize{16384, 16384});
+    Config config = with_dir_bits(GENERATE(12, 20, 24));
+    config.shading = config.supersampling = 1;
+    const Frame frame = make_frame({{3, 4, 5}, {-1, 0.5, 0.25}, {0.1, 1, 0.2}, fov}, size, Lattice{}, config);
+    INFO(config.dir_bits << " bits, " << fov << " degrees, " << size.width << "x" << size.height);
+    for (const Vec3l& v : {frame.corner, frame.right, frame.down}) CHECK(fits(v, config.guard_dir_bits()));
+    const std::int64_t most = (std::int64_t(1) << (config.dir_bits - 1)) - 1;
+    std::int64_t largest = 0;
+    for (const std::int64_t x : {-128, 256 * size.width - 129})      // in 1/256 of a pixel
+        for (const std::int64_t y : {-128, 256 * size.height - 129})
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::int64_t sum = 256 * frame.corner[k] + x * frame.right[k] + y * frame.down[k];
+                largest = std::max(largest, std::abs((sum + (std::int64_t(1) << (guard_bits + 7))) >> (guard_bits + 8)));
+            }
+    CHECK(largest <= most);
+    if (size.width > 2 && size.height > 2) CHECK(double(largest) > 0.98 * double(most));
 }
 
 TEST_CASE("what a configuration's addresses and numbers cannot tell is refused in a sentence") {

@@ -116,3 +116,25 @@ prove(mutant:formal_divide_keeps_a_rest_too_large TOP divide RTL fixed/rc_divide
 prove(mutant:formal_divide_one_bit_short TOP divide RTL fixed/rc_divide.sv CYCLES 5 FILE fixed/rc_divide.sv
   OLD [[first_less  = first - {1'b0, den_d};]]
   NEW [[first_less  = {1'b0, first[Width-1:0]} - {1'b0, den_d};]])
+
+# ---- Square root, for every operand.
+foreach(stages IN ITEMS 2 3)
+  prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL fixed/rc_sqrt.sv WITH Stages=${stages} INDUCTION 6)
+endforeach()
+prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
+  OLD [[first_less  = first - {1'b0, root_d, 2'b01};]]
+  NEW [[first_less  = first - {1'b0, root_d, 2'b00};]])
+prove(mutant:formal_sqrt_rest_one_bit_short TOP sqrt RTL fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
+  OLD [[rem_q    <= second_less[RootW+2] ? second[RootW:0] : second_less[RootW:0];]]
+  NEW [[rem_q    <= {1'b0, second_less[RootW+2] ? second[RootW-1:0] : second_less[RootW-1:0]};]])
+
+# ---- Data beside a long pipeline.
+foreach(stages IN ITEMS 2 3 4)
+  prove(formal:wait_of_${stages} TOP wait_ring RTL prim/rc_wait.sv prim/rc_ram.sv WITH Stages=${stages} INDUCTION 8)
+endforeach()
+prove(mutant:formal_wait_a_cycle_longer TOP wait_ring RTL prim/rc_wait.sv prim/rc_ram.sv CYCLES 10 FILE prim/rc_wait.sv
+  OLD [[at_q == IndexW'(Stages - 1)) at_q]]
+  NEW [[at_q == IndexW'(Stages)) at_q]])
+prove(mutant:formal_wait_writes_what_is_not_valid TOP wait_ring RTL prim/rc_wait.sv prim/rc_ram.sv CYCLES 10 FILE prim/rc_wait.sv
+  OLD [[.write_i(valid_i), .write_addr_i(at_q)]]
+  NEW [[.write_i(1'b1), .write_addr_i(valid_i ? at_q : '0)]])

@@ -1,6 +1,8 @@
 // What can be wrong in a JSON scene: the sentence names the path of the value and the value.
 #include <catch2/catch.hpp>
 
+#include <chrono>
+
 #include <unistd.h>
 
 #include "tests/load/files.hpp"
@@ -22,6 +24,28 @@ std::string scene(const std::string& object, const std::string& more = "", const
 
 std::string inline_mesh(const std::string& vertices, const std::string& triangles) {
     return scene("", "", std::string("\"vertices\":") + vertices + ",\"triangles\":" + triangles);
+}
+
+/// A scene of one sphere or plane, and what else is said.
+std::string ball(const std::string& keys, const std::string& more = "") { return std::string("{") + more + R"("spheres":[{)" + keys + "}]}"; }
+std::string floor(const std::string& keys) { return std::string(R"({"planes":[{)") + keys + "}]}"; }
+std::string glass(const std::string& keys) {
+    return ball(R"("centre":[0,0,0],"radius":1,"material":"glass")", R"("materials":{"glass":{)" + keys + "}},");
+}
+
+void check_refused(const Folder& folder, const std::vector<Bad>& cases) {
+    for (const Bad& bad : cases) {
+        const std::string sentence = complaint(folder.write("bad.json", bad.text));
+        INFO(bad.text);
+        INFO("sentence: " << sentence);
+        CHECK(!sentence.empty());
+        CHECK(sentence.find(".json: ") + sentence.find("none.obj: ") != 2 * std::string::npos);
+        CHECK(sentence.find('\n') == std::string::npos);
+        for (const std::string& word : bad.words) {
+            INFO("wanted: " << word);
+            CHECK(sentence.find(word) != std::string::npos);
+        }
+    }
 }
 
 } // namespace
@@ -85,18 +109,58 @@ TEST_CASE("bad JSON scenes") {
         {inline_mesh("[[0,0,0],[1,0,0],[0,1,0]]", "[]"), {"meshes.ball.triangles", "no triangles"}},
         {inline_mesh("[[0,0,0],[1,0],[0,1,0]]", "[[0,1,2]]"), {"meshes.ball.vertices[1]", "[1,0]"}},
         {inline_mesh("[]", "[[0,1,2]]"), {"meshes.ball.triangles[0][0]", "0"}}};
-    for (const Bad& bad : cases) {
-        const std::string sentence = complaint(folder.write("bad.json", bad.text));
-        INFO(bad.text);
-        INFO("sentence: " << sentence);
-        CHECK(!sentence.empty());
-        CHECK(sentence.find(".json: ") + sentence.find("none.obj: ") != 2 * std::string::npos);
-        CHECK(sentence.find('\n') == std::string::npos);
-        for (const std::string& word : bad.words) {
-            INFO("wanted: " << word);
-            CHECK(sentence.find(word) != std::string::npos);
-        }
-    }
+    check_refused(folder, cases);
+}
+
+TEST_CASE("bad spheres, planes, materials and lights in a JSON scene") {
+    const Folder folder;
+    check_refused(folder, {
+        {"{\"spheres\":[]}", {"nothing to see"}},
+        {"{\"spheres\":{}}", {"spheres", "an array"}},
+        {ball(R"("centre":[0,0,0])"), {"spheres[0]", "'radius'"}},
+        {ball(R"("radius":1)"), {"spheres[0]", "'centre'"}},
+        {ball(R"("centre":[0,0,0],"radius":0)"), {"spheres[0].radius", "above 0", "not 0"}},
+        {ball(R"("centre":[0,0,0],"radius":-1)"), {"spheres[0].radius", "-1"}},
+        {ball(R"("centre":[0,0,0],"radius":nan)"), {"line 1"}},
+        {ball(R"("centre":[0,0,0],"radius":null)"), {"spheres[0].radius", "null"}},
+        {ball(R"("centre":[0,0],"radius":1)"), {"spheres[0].centre", "[0,0]"}},
+        {ball(R"("center":[0,0,0],"radius":1)"), {"spheres[0]", "'center'", "did you mean 'centre'"}},
+        {ball(R"("centre":[0,0,0],"radius":1,"material":"glas")", R"("materials":{"glass":{}},)"), {"spheres[0].material", "did you mean 'glass'"}},
+        {ball(R"("centre":[1e308,0,0],"radius":1e308)"), {"further than a double can tell"}},
+        {floor(R"("point":[0,0,0],"u":[1,0,0])"), {"planes[0]", "'v'"}},
+        {floor(R"("point":[0,0,0],"u":[1,0,0],"v":[-2,0,0])"), {"planes[0].v", "parallel", "[-2,0,0]"}},
+        {floor(R"("point":[0,0,0],"u":[0,0,0],"v":[1,0,0])"), {"planes[0].u", "[0,0,0]"}},
+        {floor(R"("point":[0,0,0],"u":[1e200,0,0],"v":[0,1,0])"), {"planes[0].u", "1e+200"}},
+        {floor(R"("u":[1,0,0],"v":[0,1,0])"), {"planes[0]", "'point'"}},
+        {glass(R"("transmit":0.9,"index":0)"), {"materials.glass.index", "not 0"}},
+        {glass(R"("transmit":0.9,"index":-1.5)"), {"materials.glass.index", "-1.5"}},
+        {glass(R"("transmit":1.1)"), {"materials.glass.transmit", "1.1"}},
+        {glass(R"("mirror":-0.1)"), {"materials.glass.mirror", "-0.1"}},
+        {glass(R"("ambient":2)"), {"materials.glass.ambient", "2"}},
+        {glass(R"("diffuse":2)"), {"materials.glass.diffuse", "2"}},
+        {glass(R"("highlight":9)"), {"materials.glass.highlight", "9"}},
+        {glass(R"("shine":-1)"), {"materials.glass.shine", "-1"}},
+        {glass(R"("colour":[0.5,1.2,0])"), {"materials.glass.colour", "[0.5,1.2,0"}},
+        {glass(R"("other":[0.5,-0.2,0])"), {"materials.glass.other", "[0.5,-0.2,0"}},
+        {glass(R"("checkered":1)"), {"materials.glass.checkered", "true or false", "1"}},
+        {glass(R"("schlick":"yes")"), {"materials.glass.schlick", "yes"}},
+        {scene("", R"("background":[0,0,1.5],)"), {"background", "1.5"}},
+        {scene("", R"("lights":[{"position":[0,0,0],"colour":[17,0,0]}],)"), {"lights[0].colour", "within 0 and 16", "[17,0,0]"}},
+        {scene("", R"("lights":[{"position":[0,0,0],"colour":[1,-1,0]}],)"), {"lights[0].colour", "[1,-1,0]"}},
+        {scene("", "", R"("builtin":"balls:1","native":1)"), {"meshes.ball.native", "true or false"}},
+        {scene("", "", R"("file":"x.obj","native":true)"), {"meshes.ball.native", "builtin"}},
+        {scene(R"(,"scale":[1,2,1])", "", R"("builtin":"balls:1","native":true)"), {"objects[1]", "stretches spheres"}},
+    });
+}
+
+TEST_CASE("a million lights are refused, and soon") {
+    std::string lights(R"("lights":[)");
+    for (int i = 0; i < 1'000'000; ++i) lights += i == 0 ? R"({"position":[0,0,0]})" : R"(,{"position":[0,0,0]})";
+    const Folder folder;
+    const std::string file = folder.write("lights.json", scene("", lights + "],"));
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK(complaint(file) == file + ": lights has 1000000 lights; the most is 64");
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));   // 1 s optimised
 }
 
 TEST_CASE("a JSON scene cannot blow up by copies of copies") {

@@ -138,6 +138,62 @@ TEST_CASE("json: meshes from files, scenes and built-ins keep their materials") 
     CHECK(scene.materials[scene.triangles.back().material].name == "red");
 }
 
+TEST_CASE("json: spheres and planes arrive, with or without meshes") {
+    Json json = {{"spheres", {{{"centre", {1, 2, 3}}, {"radius", 0.5}, {"material", "red"}}, {{"centre", {0, 0, 0}}, {"radius", 1e30}}}},
+                 {"planes", {{{"point", {0, -1, 0}}, {"u", {2, 0, 0}}, {"v", {0, 0, -2}}, {"material", "board"}}}},
+                 {"materials", {{"red", {{"colour", {1, 0, 0}}, {"schlick", true}}}, {"board", {{"checkered", true}, {"other", {0.1, 0.2, 0.3}}}}}}};
+    const Scene scene = load(json);
+    REQUIRE(scene.spheres.size() == 2);
+    CHECK(scene.triangles.empty());
+    CHECK(scene.spheres[0].centre == glm::dvec3(1, 2, 3));
+    CHECK(scene.spheres[0].radius == 0.5);
+    CHECK(scene.materials[scene.spheres[0].material].name == "red");
+    CHECK(scene.materials[scene.spheres[0].material].schlick);
+    CHECK(scene.materials[scene.spheres[1].material].name == "default");
+    REQUIRE(scene.planes.size() == 1);
+    CHECK(scene.planes[0].point == glm::dvec3(0, -1, 0));
+    CHECK(scene.planes[0].v == glm::dvec3(0, 0, -2));
+    const Material board = scene.materials[scene.planes[0].material];
+    CHECK(board.checkered);
+    CHECK_FALSE(board.schlick);
+    CHECK(board.other == glm::dvec3(0.1, 0.2, 0.3));
+    json.update(document());
+    CHECK(load(json).triangles.size() == 8);
+    CHECK(load(json).spheres.size() == 2);
+}
+
+TEST_CASE("json: a mesh may bring spheres and planes, which move with it") {
+    Json json = {{"meshes", {{"s", {{"builtin", "spheres"}}}, {"b", {{"builtin", "balls:1"}, {"native", true}}}}},
+                 {"objects", {{{"mesh", "s"}, {"translate", {1, 2, 3}}, {"rotate", {{"axis", {0, 0, 1}}, {"degrees", 90}}}, {"scale", -2}},
+                              {{"mesh", "b"}}}}};
+    const Scene scene = load(json), spheres = load_scene("spheres");
+    REQUIRE(scene.spheres.size() == spheres.spheres.size() + 10);
+    for (std::size_t i = 0; i < spheres.spheres.size(); ++i) {
+        const glm::dvec3 c = spheres.spheres[i].centre;
+        check_near(scene.spheres[i].centre, {2 * c.y + 1, -2 * c.x + 2, -2 * c.z + 3});
+        CHECK(scene.spheres[i].radius == Approx(2 * spheres.spheres[i].radius));
+        CHECK(scene.materials[scene.spheres[i].material].name == spheres.materials[spheres.spheres[i].material].name);
+    }
+    REQUIRE(scene.planes.size() == 1);
+    check_near(scene.planes[0].point, {1, 2, 3});
+    check_near(scene.planes[0].u, {0, -2, 0});
+    check_near(scene.planes[0].v, {0, 0, 2});
+    CHECK(scene.materials[scene.spheres.back().material].name == "balls");
+}
+
+TEST_CASE("an empty list of lights means darkness; no list means the usual two") {
+    Json json = document();
+    CHECK(load(json).lights.size() == 2);
+    json["lights"] = Json::array();
+    CHECK(load(json).lights.empty());
+    CHECK(load_scene("square").lights.empty());
+}
+
+TEST_CASE("the form of a built-in scene is the caller's choice") {
+    CHECK(load_scene("balls:1").spheres.empty());
+    CHECK(load_scene("balls:1", {}, Primitives::native).spheres.size() == 10);
+}
+
 TEST_CASE("the example scenes load") {
     for (const auto& entry : std::filesystem::directory_iterator("scenes")) {
         const std::string kind = entry.path().extension().string();

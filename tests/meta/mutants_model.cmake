@@ -49,8 +49,48 @@ mutant(model_box_far_with_r QUICK FILE model/trav/slab.hpp WITH model/trav/box.c
   OLD [[std::int32_t(ray.recip[k]) + (ray.len[k] != 0));]]
   NEW [[std::int32_t(ray.recip[k]));]])
 mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[(sum + (std::int64_t(1) << (guard_bits - 1))) >> guard_bits]]
-  NEW [[sum >> guard_bits]])
+  OLD [[(sum + (std::int64_t(1) << (guard_bits + frac - 1))) >> (guard_bits + frac)]]
+  NEW [[sum >> (guard_bits + frac)]])
+# A chip that shades: origins between lattice points, rays that stop, long directions, samples.
+mutant(model_box_near_from_the_point_before QUICK FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box][shading]
+  OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
+  NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
+mutant(model_box_far_from_the_point_beyond FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box][shading]
+  OLD [[slab.far_o = Lanes{before(0), before(1), before(2), 0};]]
+  NEW [[slab.far_o = Lanes{beyond(0), beyond(1), beyond(2), 0 * before(0)};]])
+mutant(model_list_goes_on_behind_a_blocker QUICK FILE model/list/leaves.cpp TEST unit [list][shading]
+  OLD [[        if (any_) return false;]]
+  NEW [[]])
+mutant(model_list_keeps_children_of_a_blocked_ray FILE model/list/leaves.cpp TEST unit [list][shading]
+  OLD [[stop() ? 0 : group_.inner]]
+  NEW [[group_.inner]])
+mutant(model_list_looks_beyond_the_surface FILE model/list/leaves.hpp WITH model/list/leaves.cpp tests/unit/list_test.cpp TEST unit [list][shading]
+  OLD [[start_ = kind == RayKind::shadow ? surface_ : beyond_;]]
+  NEW [[start_ = beyond_;]])
+mutant(model_trav_stop_keeps_the_stack QUICK FILE model/trav/stack.cpp TEST unit [trav][shading]
+  OLD [[    if (s.stop) {
+        height_ = 0;
+        return {};]]
+  NEW [[    if (s.stop) {
+        return {};]])
+mutant(model_trav_goes_on_when_stopped FILE model/trav/stack.cpp TEST unit [trav][shading]
+  OLD [[    if (s.stop) {]]
+  NEW [[    if (s.stop && height_ == 0) {]])
+mutant(model_recip_of_fewer_bits FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
+  OLD [[power / double(m)]]
+  NEW [[power / double(float(m))]])
+mutant(model_raygen_away_counts_as_long QUICK FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
+  OLD [[kind == RayKind::shadow ? 0 :]]
+  NEW [[ends_at_any(std::uint32_t(kind)) ? 0 :]])
+mutant(model_sample_order_without_strides FILE model/scene/whitted.cpp TEST unit [raygen][shading]
+  OLD [[cell = s * stride[side] %]]
+  NEW [[cell = s %]])
+mutant(model_sample_jitter_repeats FILE model/scene/whitted.cpp TEST unit [raygen][shading]
+  OLD [[jitter ? hash(seed, x, y, s)]]
+  NEW [[jitter ? hash(seed, x, y, 0)]])
+mutant(frame_forgets_the_outer_samples FILE model/accel/frame.cpp TEST accel "every sample*"
+  OLD [[config.supersampling ? 0.5 : 0;]]
+  NEW [[0;]])
 mutant(model_list_skips_last_triangle FILE model/list/leaves.cpp TEST unit [list]
   OLD [[if (triangle_ + 1 < group_.count]]
   NEW [[if (triangle_ + 2 < group_.count]])
@@ -155,6 +195,12 @@ mutant(model_where_forgets_trav FILE model/pipeline.cpp TEST unit [stuck]
 mutant(model_takes_no_hit FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
   OLD [[if ((m.hit = trav_.done_valid() && sink_.ready()))]]
   NEW [[if ((m.hit = trav_.done_valid() && sink_.ready() && trav_.done_ray() != 7))]])
+mutant(model_trace_looks_on_after_a_light_is_blocked QUICK FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
+  OLD [[bool stop() const { return any && best.found; }]]
+  NEW [[bool stop() const { return false; }]])
+mutant(model_trace_shadow_ray_goes_beyond_the_surface FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
+  OLD [[RayKind(from.kind) == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)]]
+  NEW [[RayKind(from.kind) == RayKind::shadow ? (1u << config.t_bits()) - 1]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
   OLD [[flags |= turns << Trace::turns_shift;]]
   NEW [[flags |= std::uint32_t(turns > 0) << Trace::turns_shift;]])
@@ -184,8 +230,8 @@ mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
 mutant(frames_record_skips_last_triangle FILE model/trace/record.inl WITH model/trace/record.cpp TEST system "every pixel*"
-  OLD [[n < node.count[child]; ++n)]]
-  NEW [[n + 1 < node.count[child]; ++n)]])
+  OLD [[n < node.count[child] && !way.stop(); ++n)]]
+  NEW [[n + 1 < node.count[child] && !way.stop(); ++n)]])
 
 # ---- fit: intervals that are too small or too large, a search that stops early.
 mutant(fit_box_far_with_r QUICK FILE sim/fit/ranges_box.cpp TEST unit "box's intervals*"
@@ -301,3 +347,17 @@ mutant(sweep_takes_one_clock_for_another FILE sim/sweep/run.cpp TEST sweep "anot
 mutant(stress_stack_need_one_short FILE model/accel/emit.cpp TEST system "the exact test stands*"
   OLD [[image_.report.stack_need = written_[0].need;]]
   NEW [[image_.report.stack_need = written_[0].need - 1;]])
+
+# ---- Scenes: what is counted and what is refused.
+mutant(scene_bounds_without_spheres FILE model/scene/scene.cpp TEST scene [check]
+  OLD [[growing.add(sphere.centre - sphere.radius, sphere.centre + sphere.radius);]]
+  NEW [[growing.add(sphere.centre, sphere.centre);]])
+mutant(scene_takes_a_million_lights FILE model/scene/scene.cpp TEST scene [check]
+  OLD [[if (scene.lights.size() > most_lights)]]
+  NEW [[if (scene.lights.size() > 1000 * most_lights * most_lights)]])
+mutant(scene_takes_glass_without_index FILE model/scene/scene.cpp TEST scene [check]
+  OLD [[if (m.transmit > 0 && !(m.index > 0))]]
+  NEW [[if (m.transmit > 0 && m.index < 0)]])
+mutant(load_stretches_spheres FILE sim/load/json_scene.cpp TEST load "bad*"
+  OLD [[if (!mesh.part->spheres.empty() && !keeps_spheres(transform))]]
+  NEW [[if (mesh.part->spheres.size() > 1000 && !keeps_spheres(transform))]])

@@ -8,7 +8,7 @@ mutant(box_near_below_far QUICK FILE rtl/trav/rc_box.sv TEST unit [box][lockstep
   OLD [[s4_hit_q[i] <= near <= far &&]]
   NEW [[s4_hit_q[i] <= near < far &&]])
 mutant(slab_far_rounded_down QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[s3_up_q    <= ~({R1{1'b1}} << s2_right[5:0]);]]
+  OLD [[s3_up_q    <= ~({R1{1'b1}} << s2_right[4:0]);]]
   NEW [[s3_up_q    <= '0;]])
 mutant(slab_near_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
   OLD [[near = scale($unsigned(s3_near_q), s3_left_q]]
@@ -43,8 +43,8 @@ mutant(edges_origin_counts FILE rtl/isect/rc_edges.sv TEST unit [tri]
   OLD [[&& s3_num_q != '0 && s3_num_q[U-1] == s3_flip]]
   NEW [[&& (s3_num_q == '0 || s3_num_q[U-1] == s3_flip)]])
 mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
-  OLD [[f1_first_q <= f0_prim <= f0_best_prim;]]
-  NEW [[f1_first_q <= f0_prim >= f0_best_prim;]])
+  OLD [[f1_first_q <= f0_prim <= f0_best_prim &&]]
+  NEW [[f1_first_q <= f0_prim >= f0_best_prim &&]])
 mutant(tri_equal_is_not_closer FILE rtl/isect/rc_tri.sv TEST unit [tri]
   OLD [[(f1_mine_q == f1_theirs_q && f1_first_q)]]
   NEW [[(f1_mine_q == f1_theirs_q && f1_first_q && f1_mine_q == '0)]])
@@ -107,11 +107,11 @@ mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[&& group_near[at_next*TB +: TB] <= tri_t;]]
   NEW [[&& (group_near[at_next*TB +: TB] <= tri_t || tri_t != '0);]])
 mutant(list_keeps_old_hit FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[if (ray_fires_i) found_q[ray_i.ray] <= 1'b0;]]
+  OLD [[if (ray_fires_i) found_q[ray_number] <= 1'b0;]]
   NEW [[if (ray_fires_i && !closer) found_q[ray_i.ray] <= 1'b0;]])
 mutant(sched_frees_another_context QUICK FILE rtl/sched/rc_sched.sv TEST unit [sched][lockstep]
-  OLD [[.push_i(freed), .data_i(closest_i.ray)]]
-  NEW [[.push_i(freed), .data_i(closest_i.ray ^ I'(1))]])
+  OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
+  NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
 mutant(sched_one_row_more FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[{1'b0, y} < frame_i.height;]]
   NEW [[{1'b0, y} <= frame_i.height;]])
@@ -124,8 +124,8 @@ mutant(sched_waits_outside FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[else if (give || pass)  at_q]]
   NEW [[else if (give)          at_q]])
 mutant(sched_gives_a_pixel_at_the_start FILE rtl/sched/rc_sched.sv TEST unit [sched]
-  OLD [[assign pixel_valid = tile_valid && in_frame && !start_i;]]
-  NEW [[assign pixel_valid = tile_valid && in_frame;]])
+  OLD [[assign at_hand  = tile_valid && in_frame && !start_i;]]
+  NEW [[assign at_hand  = tile_valid && in_frame;]])
 mutant(sched_keeps_the_last_frames_tile FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[if (!rst_ni || start_i) at_q <= '0;]]
   NEW [[if (!rst_ni) at_q <= '0;]])
@@ -150,8 +150,8 @@ mutant(top_never_serves_primitives FILE rtl/rc_top.sv TEST unit [machine][lockst
   OLD [[.clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready)]]
   NEW [[.clk_i, .rst_ni, .valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)]])
 mutant(sched_loses_hits_of_used_contexts FILE rtl/sched/rc_sched.sv TEST unit [machine][lockstep]
-  OLD [[assign hit_valid_o     = closest_valid_i;]]
-  NEW [[assign hit_valid_o     = closest_valid_i && fresh;]])
+  OLD [[assign hit_valid_o   = pixel_valid_i;]]
+  NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])
 mutant(tally_of_box_blames_trav QUICK FILE rtl/rc_pipeline.sv TEST unit "model and rtl of the machine count the same"
   OLD [[(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;]]
   NEW [[(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd2 : 3'd1;]])
@@ -159,8 +159,8 @@ mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of
   OLD [[count_q[cause_i] + 1'b1;]]
   NEW [[count_q[cause_i] + {{(CountW-1){1'b0}}, cause_i != 3'd5};]])
 mutant(sched_cause_blames_dispatch FILE rtl/sched/rc_sched.sv TEST unit [sched]
-  OLD [[: pixel_valid ? 3'd1 : 3'd2;]]
-  NEW [[: !pixel_valid ? 3'd1 : 3'd2;]])
+  OLD [[: at_hand ? 3'd1 : 3'd2;]]
+  NEW [[: !at_hand ? 3'd1 : 3'd2;]])
 
 # ---- doors and queues.
 mutant(fifo_full_one_early QUICK FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]
@@ -173,8 +173,8 @@ mutant(merge_changes_its_mind FILE rtl/prim/rc_merge.sv TEST unit [list][lockste
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = held_q && first_valid_i && held_second_q ? 1'b0 : !first_valid_i;]])
 mutant(raygen_direction_rounded_down FILE rtl/raygen/rc_raygen.sv TEST unit [raygen]
-  OLD [[$signed({{(M){1'b0}}, 1'b1, {(rc_pkg::GuardBits-1){1'b0}}});]]
-  NEW [[$signed({{(M){1'b0}}, 1'b0, {(rc_pkg::GuardBits-1){1'b0}}});]])
+  OLD [[$signed({{(M){1'b0}}, 1'b1, {(G-M-1){1'b0}}});]]
+  NEW [[$signed({{(M){1'b0}}, 1'b0, {(G-M-1){1'b0}}});]])
 
 # ---- one cycle late, each unit.
 mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep]
@@ -234,12 +234,12 @@ mutant(list_one_cycle_late FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_data_q),]])
 mutant(sched_one_cycle_late FILE rtl/sched/rc_sched.sv TEST unit [sched][lockstep]
   OLD [[  rc_queue #(.Width(I), .Depth(T)) u_free (
-    .clk_i, .rst_ni, .push_i(freed), .data_i(closest_i.ray),]]
+    .clk_i, .rst_ni, .push_i(freed), .data_i(pixel_i.ray),]]
   NEW [[  logic late_q;
   logic [I-1:0] late_ray_q;
   always_ff @(posedge clk_i) begin
     late_q     <= rst_ni && freed;
-    late_ray_q <= closest_i.ray;
+    late_ray_q <= pixel_i.ray;
   end
   rc_queue #(.Width(I), .Depth(T)) u_free (
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_ray_q),]])
@@ -333,8 +333,8 @@ mutant(small_slab_distance_one_bit_short QUICK FILE rtl/trav/rc_slab.sv TEST uni
   OLD [[localparam int unsigned D  = N + 1; ]]
   NEW [[localparam int unsigned D  = N; ]])
 mutant(small_slab_saturation_wraps FILE rtl/trav/rc_slab.sv TEST unit [box][small]
-  OLD [[scale = |moved[63:T] ? '1 : moved[T-1:0];]]
-  NEW [[scale = |moved[63:T+1] || (moved[T] && moved[0]) ? '1 : moved[T-1:0];]])
+  OLD [[scale = |down[V-1:T] || |moved[2*T-1:T] ? '1 : moved[T-1:0];]]
+  NEW [[scale = |down[V-1:T] || |moved[2*T-1:T+1] || (moved[T] && moved[0]) ? '1 : moved[T-1:0];]])
 mutant(small_slab_zero_is_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][small]
   OLD [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};]]
   NEW [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, 1'b1};]])
@@ -342,8 +342,8 @@ mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [rayg
   OLD [[assign s0_top = s0_m[M-2:0] == '0;]]
   NEW [[assign s0_top = s0_m[M-2:0] == '0 && !s0_m[M-1];]])
 mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][small]
-  OLD [[+ $signed({{(M){1'b0}}, 1'b1, {(rc_pkg::GuardBits-1){1'b0}}});]]
-  NEW [[+ $signed({{(M){1'b0}}, 1'b0, {(rc_pkg::GuardBits-1){1'b1}}});]])
+  OLD [[+ $signed({{(M){1'b0}}, 1'b1, {(G-M-1){1'b0}}});]]
+  NEW [[+ $signed({{(M){1'b0}}, 1'b0, {(G-M-1){1'b1}}});]])
 mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
   OLD [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q < s3_p2z_q;]]
   NEW [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q > s3_p2z_q;]])

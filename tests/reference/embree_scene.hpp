@@ -9,33 +9,21 @@
 
 namespace rayclock {
 
-/// A scene in Embree 3, single precision, one geometry: its primitive numbers are the scene's.
-class EmbreeScene {
+/// One geometry in Embree 3, single precision: its primitive numbers are the scene's.
+class EmbreeGeometry {
 public:
-    EmbreeScene(const Scene& scene, RTCSceneFlags flags) : device_(rtcNewDevice("threads=1")) {
+    EmbreeGeometry(RTCSceneFlags flags, RTCGeometryType type) : device_(rtcNewDevice("threads=1")) {
         if (device_ == nullptr) throw std::runtime_error("Embree has no device");
         scene_ = rtcNewScene(device_);
         rtcSetSceneFlags(scene_, flags);
-        const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), scene.vertices.size()));
-        for (const glm::dvec3& v : scene.vertices)
-            for (int k = 0; k < 3; ++k) *vertex++ = static_cast<float>(v[k]);
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), scene.triangles.size()));
-        for (const Triangle& t : scene.triangles)
-            for (const std::uint32_t v : t.vertex) *index++ = v;
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
+        geometry_ = rtcNewGeometry(device_, type);
     }
-    ~EmbreeScene() {
+    ~EmbreeGeometry() {
         rtcReleaseScene(scene_);
         rtcReleaseDevice(device_);
     }
-    EmbreeScene(const EmbreeScene&) = delete;
-    EmbreeScene& operator=(const EmbreeScene&) = delete;
+    EmbreeGeometry(const EmbreeGeometry&) = delete;
+    EmbreeGeometry& operator=(const EmbreeGeometry&) = delete;
 
     /// Closest hit; `direction` must be a unit vector, so that depth is the distance.
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const {
@@ -56,9 +44,48 @@ public:
         return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
     }
 
+protected:
+    template <class T> T* buffer(RTCBufferType type, RTCFormat format, std::size_t components, std::size_t count) {
+        return static_cast<T*>(rtcSetNewGeometryBuffer(geometry_, type, 0, format, components * sizeof(T), count));
+    }
+    void commit() {
+        rtcCommitGeometry(geometry_);
+        rtcAttachGeometry(scene_, geometry_);
+        rtcReleaseGeometry(geometry_);
+        rtcCommitScene(scene_);
+    }
+
 private:
     RTCDevice device_;
     RTCScene scene_;
+    RTCGeometry geometry_;
+};
+
+/// A scene's triangles.
+class EmbreeScene : public EmbreeGeometry {
+public:
+    EmbreeScene(const Scene& scene, RTCSceneFlags flags) : EmbreeGeometry(flags, RTC_GEOMETRY_TYPE_TRIANGLE) {
+        auto* vertex = buffer<float>(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3, scene.vertices.size());
+        for (const glm::dvec3& v : scene.vertices)
+            for (int k = 0; k < 3; ++k) *vertex++ = static_cast<float>(v[k]);
+        auto* index = buffer<unsigned>(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3, scene.triangles.size());
+        for (const Triangle& t : scene.triangles)
+            for (const std::uint32_t v : t.vertex) *index++ = v;
+        commit();
+    }
+};
+
+/// A scene's spheres.
+class EmbreeSpheres : public EmbreeGeometry {
+public:
+    explicit EmbreeSpheres(const Scene& scene) : EmbreeGeometry(RTC_SCENE_FLAG_ROBUST, RTC_GEOMETRY_TYPE_SPHERE_POINT) {
+        auto* sphere = buffer<float>(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4, scene.spheres.size());
+        for (const Sphere& s : scene.spheres) {
+            for (int k = 0; k < 3; ++k) *sphere++ = static_cast<float>(s.centre[k]);
+            *sphere++ = static_cast<float>(s.radius);
+        }
+        commit();
+    }
 };
 
 } // namespace rayclock

@@ -109,3 +109,45 @@ TEST_CASE("shading without a camera or with an unknown primitive is refused", "[
     bench.scene.camera.reset();
     CHECK_THROWS(bench.colour());
 }
+
+TEST_CASE("a sphere is shaded by its depth, a plane by its square", "[shade]") {
+    Bench bench;
+    bench.scene.lights = {{{3, 0, 4}, {1, 1, 1}}};
+    bench.scene.triangles.clear();
+    bench.scene.vertices.clear();
+    bench.scene.spheres = {{{0, 0, -2}, 2, 0}};
+    bench.frame.hits[0] = {0, 5, 0, 0};            // the point (0, 0, 0), whose normal is (0, 0, 1)
+    check_colour(bench.colour(), {0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8});
+    bench.scene.spheres[0].centre.z = 2;           // seen from inside: the normal is turned
+    check_colour(bench.colour(), {0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8});
+
+    bench.scene.planes = {{{-1, -2, 0}, {2, 0, 0}, {0, -1, 0}, 0}};
+    bench.scene.materials[0].other = {0.5, 0.5, 1};
+    bench.frame.hits[0] = {1, 5, 0.5f, -2, };      // (0, 0, 0) again
+    const glm::dvec3 plain(0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8);
+    check_colour(bench.colour(), plain);
+    bench.scene.materials[0].checkered = true;
+    check_colour(bench.colour(), plain);           // square (0, -2)
+    bench.frame.hits[0].v = -2.001f;               // square (0, -3)
+    const glm::vec3 other = bench.colour();
+    CHECK(other.r == Approx(0.3).margin(1e-3));
+    CHECK(other.b == Approx(0.6).margin(1e-3));
+    bench.frame.hits[0].primitive = 2;
+    CHECK_THROWS(bench.colour());
+}
+
+TEST_CASE("a picture with spheres takes the rays of its own pixels", "[shade]") {
+    Scene scene = empty_scene();
+    scene.camera = Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45};
+    scene.spheres = {{{0, 0, 0}, 1, 0}};
+    scene.lights = {{{0, 0, 1000}, {1, 1, 1}}};
+    scene.materials[0] = Material{"", {1, 1, 1}, 0, 1, 0, 1, 0, 0, 1};
+    const FrameSize size{31, 21};
+    const PixelRays rays = pixel_rays(*scene.camera, size);
+    HitFrame frame{size, std::vector<Hit>(31 * 21)};
+    const glm::dvec3 d = glm::normalize(rays.direction(12, 8));
+    const double b = -glm::dot(rays.eye, d), depth = b - std::sqrt(1 - glm::dot(rays.eye + b * d, rays.eye + b * d));
+    frame.hits[8 * 31 + 12] = {0, static_cast<float>(depth), 0, 0};
+    // The light comes along z from far away: the colour is the normal's z.
+    CHECK(shade(scene, frame).pixels[8 * 31 + 12].r == Approx((rays.eye + depth * d).z).epsilon(1e-3));
+}

@@ -21,7 +21,8 @@ TEST_CASE("Names are listed once, with purposes", "[scene][builtin]") {
         CHECK(b.purpose.size() > 10);
         CHECK(is_builtin(b.name));
     }
-    CHECK(names == std::set<std::string_view>{"balls", "cornell", "gears", "icosphere", "mount", "rings", "teapot", "tetra", "tree"});
+    CHECK(names == std::set<std::string_view>{"balls", "cornell", "gears", "icosphere", "mirrors", "mount", "plane", "rings", "spheres",
+                                             "square", "teapot", "tetra", "tree"});
 }
 
 TEST_CASE("A name alone has its default size", "[scene][builtin]") {
@@ -48,7 +49,7 @@ TEST_CASE("is_builtin looks at the name only", "[scene][builtin]") {
 TEST_CASE("An unknown name gets the nearest known one", "[scene][builtin]") {
     CHECK(sentence("gaers") == "no built-in scene is called 'gaers'; did you mean 'gears'? (`rayclock scenes` lists them)");
     CHECK(sentence("teapots:4") == "no built-in scene is called 'teapots'; did you mean 'teapot'? (`rayclock scenes` lists them)");
-    CHECK(sentence("sphere") == "no built-in scene is called 'sphere'; did you mean 'icosphere'? (`rayclock scenes` lists them)");
+    CHECK(sentence("sphere") == "no built-in scene is called 'sphere'; did you mean 'spheres'? (`rayclock scenes` lists them)");
     CHECK(sentence("bunny/meadow.obj") == "no built-in scene is called 'bunny/meadow.obj' (`rayclock scenes` lists them)");
     CHECK(sentence("xyzxyz") == "no built-in scene is called 'xyzxyz' (`rayclock scenes` lists them)");
     CHECK_FALSE(sentence("").empty());

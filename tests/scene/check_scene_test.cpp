@@ -39,14 +39,14 @@ TEST_CASE("A sound scene passes, degenerate triangles and all", "[scene][check]"
 }
 
 TEST_CASE("Missing parts and wrong indices are named", "[scene][check]") {
-    CHECK(sentence([](Scene& s) { s.triangles.clear(); }) == "bunny.obj: there are no triangles");
+    CHECK(sentence([](Scene& s) { s.triangles.clear(); }) == "bunny.obj: there is nothing to see: no triangle, no sphere, no plane");
     CHECK(sentence([](Scene& s) { s.materials.clear(); }) == "bunny.obj: there are no materials");
     CHECK(sentence([](Scene& s) { s.triangles[1].vertex[2] = 4; }) == "bunny.obj: triangle 1 uses vertex 4 (counted from 0), and there are 4");
     CHECK(sentence([](Scene& s) { s.triangles[0].vertex[0] = 0xffffffff; }) ==
           "bunny.obj: triangle 0 uses vertex 4294967295 (counted from 0), and there are 4");
     CHECK(sentence([](Scene& s) { s.triangles[1].material = 2; }) == "bunny.obj: triangle 1 uses material 2 (counted from 0), and there are 2");
     CHECK(sentence([](Scene& s) { s.normals.resize(3); }) == "bunny.obj: there are 3 normals for 4 vertices");
-    CHECK(sentence([](Scene& s) { s = Scene{}; }) == "bunny.obj: there are no triangles");
+    CHECK(sentence([](Scene& s) { s = Scene{}; }) == "bunny.obj: there is nothing to see: no triangle, no sphere, no plane");
 }
 
 TEST_CASE("Every number must be finite", "[scene][check]") {
@@ -56,7 +56,7 @@ TEST_CASE("Every number must be finite", "[scene][check]") {
     CHECK(sentence([](Scene& s) { s.lights[0].position.z = not_a_number; }) == "bunny.obj: light 0 (counted from 0) is at (0, 0, nan), not a finite point");
     CHECK(sentence([](Scene& s) { s.lights[0].colour.x = infinite; }) ==
           "bunny.obj: light 0 (counted from 0) has the colour (inf, 1, 1), not finite numbers");
-    CHECK(sentence([](Scene& s) { s.background.x = not_a_number; }) == "bunny.obj: the background (nan, 0.361, 0.753) is not a colour");
+    CHECK(sentence([](Scene& s) { s.background.x = not_a_number; }) == "bunny.obj: the background (nan, 0.361, 0.753) is not a colour: three numbers within 0 and 1");
     for (double Material::*member : {&Material::ambient, &Material::diffuse, &Material::highlight, &Material::shine,
                                      &Material::mirror, &Material::transmit, &Material::index})
         for (const double bad : {not_a_number, infinite})
@@ -86,5 +86,100 @@ TEST_CASE("Bounds cover used vertices only", "[scene][check]") {
     CHECK(box.hi == glm::dvec3(1, 1, 0));
     scene.triangles.clear();
     scene.name = "empty";
-    CHECK(refusal([&] { bounds(scene); }) == "empty: there are no triangles");
+    CHECK(refusal([&] { bounds(scene); }) == "empty: there is nothing to see: no triangle, no sphere, no plane");
+}
+
+TEST_CASE("Spheres and planes are scenes of their own", "[scene][check]") {
+    const auto only = [](const auto& change) {
+        return sentence([&](Scene& s) {
+            s.triangles.clear();
+            s.vertices.clear();
+            change(s);
+        });
+    };
+    CHECK(only([](Scene& s) { s.spheres.push_back({}); }).empty());
+    CHECK(only([](Scene& s) { s.planes.push_back({}); }).empty());
+    CHECK(only([](Scene& s) { s.spheres.push_back({{0, 0, 0}, 1e30, 0}); }).empty());
+    CHECK(only([](Scene& s) { s.spheres.push_back({{1e308, 0, 0}, 1e308, 0}); }) ==
+          "bunny.obj: the scene reaches from (0, -1e+308, -1e+308) to (inf, 1e+308, 1e+308), further than a double can tell");
+    // Camera and light inside a sphere are somebody's intention.
+    CHECK(only([](Scene& s) {
+        s.spheres.push_back({});
+        s.camera = Camera{{0, 0, 0.5}, {0, 0, 0}, {0, 1, 0}, 45};
+        s.lights[0].position = {0, 0.1, 0};
+    }).empty());
+}
+
+TEST_CASE("A sphere has a centre, a radius and a material", "[scene][check]") {
+    const auto with = [](const Sphere& sphere) { return sentence([&](Scene& s) { s.spheres = {{}, sphere}; }); };
+    for (const auto& [radius, text] : {std::pair(0.0, "0"), {-0.5, "-0.5"}, {not_a_number, "nan"}, {infinite, "inf"}})
+        CHECK(with({{0, 0, 0}, radius, 0}) ==
+              std::string("bunny.obj: sphere 1 (counted from 0) has the radius ") + text + ", which must be above 0 and finite");
+    CHECK(with({{0, infinite, 0}, 1, 0}) == "bunny.obj: sphere 1 (counted from 0) has the centre (0, inf, 0), not a finite point");
+    CHECK(with({{0, 0, 0}, 1, 2}) == "bunny.obj: sphere 1 uses material 2 (counted from 0), and there are 2");
+}
+
+TEST_CASE("A plane has a point, two sides that part, and a material", "[scene][check]") {
+    const auto with = [](const Plane& plane) { return sentence([&](Scene& s) { s.planes = {plane}; }); };
+    CHECK(with({{0, 0, 0}, {1e-30, 0, 0}, {0, 1e30, 0}, 0}).empty());
+    CHECK(with({{not_a_number, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0}) == "bunny.obj: plane 0 (counted from 0) goes through (nan, 0, 0), not a finite point");
+    CHECK(with({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0}) == "bunny.obj: plane 0 (counted from 0) has the side (0, 0, 0), not a direction of finite length");
+    CHECK(with({{0, 0, 0}, {1, 0, 0}, {0, infinite, 0}, 0}) ==
+          "bunny.obj: plane 0 (counted from 0) has the side (0, inf, 0), not a direction of finite length");
+    CHECK(with({{0, 0, 0}, {1, 2, 3}, {-2, -4, -6}, 0}) ==
+          "bunny.obj: plane 0 (counted from 0) has the sides (1, 2, 3) and (-2, -4, -6), which are parallel");
+    CHECK(with({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 7}) == "bunny.obj: plane 0 uses material 7 (counted from 0), and there are 2");
+}
+
+TEST_CASE("Weights and colours have their ranges", "[scene][check]") {
+    for (const auto& [name, member] : {std::pair("ambient", &Material::ambient), {"diffuse", &Material::diffuse}, {"highlight", &Material::highlight},
+                                       {"mirror", &Material::mirror}, {"transmit", &Material::transmit}}) {
+        for (const double good : {0.0, 1.0}) CHECK(sentence([&, member = member](Scene& s) { s.materials[1].*member = good; }).empty());
+        CHECK(sentence([&, member = member](Scene& s) { s.materials[1].*member = 1.5; }) ==
+              std::string("bunny.obj: material 1 'brass' has ") + name + " 1.5, which must lie within 0 and 1");
+        CHECK(sentence([&, member = member](Scene& s) { s.materials[1].*member = -0.25; }) ==
+              std::string("bunny.obj: material 1 'brass' has ") + name + " -0.25, which must lie within 0 and 1");
+    }
+    CHECK(sentence([](Scene& s) { s.materials[1].shine = 1e5; }).empty());
+    CHECK(sentence([](Scene& s) { s.materials[1].shine = -1; }) == "bunny.obj: material 1 'brass' has shine -1, which must not be negative");
+    CHECK(sentence([](Scene& s) { s.materials[1].colour.y = 1.01; }) ==
+          "bunny.obj: material 1 'brass' has the colour (0.8, 1.01, 0.8), which must lie within 0 and 1");
+    CHECK(sentence([](Scene& s) { s.materials[1].other.x = -1; }) ==
+          "bunny.obj: material 1 'brass' has the colour (-1, 0.2, 0.2), which must lie within 0 and 1");
+    CHECK(sentence([](Scene& s) { s.background.z = 2; }) ==
+          "bunny.obj: the background (0.078, 0.361, 2) is not a colour: three numbers within 0 and 1");
+}
+
+TEST_CASE("What transmits has a refractive index", "[scene][check]") {
+    const auto with = [](double transmit, double index) {
+        return sentence([&](Scene& s) { s.materials[1].transmit = transmit, s.materials[1].index = index; });
+    };
+    CHECK(with(0.5, 1).empty());
+    CHECK(with(0.5, 0.5).empty());
+    CHECK(with(0, 0).empty());
+    CHECK(with(0.5, 0) == "bunny.obj: material 1 'brass' has the refractive index 0, which must be above 0");
+    CHECK(with(0.5, -1.5) == "bunny.obj: material 1 'brass' has the refractive index -1.5, which must be above 0");
+}
+
+TEST_CASE("There are at most 64 lights, each at most 16 strong", "[scene][check]") {
+    CHECK(sentence([](Scene& s) { s.lights.assign(64, {}); }).empty());
+    CHECK(sentence([](Scene& s) { s.lights.assign(1'000'000, {}); }) == "bunny.obj: there are 1000000 lights; the most is 64");
+    CHECK(sentence([](Scene& s) { s.lights[0].colour = glm::dvec3(16); }).empty());
+    CHECK(sentence([](Scene& s) { s.lights[0].colour.y = 17; }) ==
+          "bunny.obj: light 0 (counted from 0) has the colour (1, 17, 1), which must lie within 0 and 16");
+    CHECK(sentence([](Scene& s) { s.lights[0].colour.y = -1; }) ==
+          "bunny.obj: light 0 (counted from 0) has the colour (1, -1, 1), which must lie within 0 and 16");
+}
+
+TEST_CASE("Bounds cover spheres; of planes alone, ten squares each way", "[scene][check]") {
+    Scene scene = good_scene();
+    scene.spheres.push_back({{5, 0, 0}, 2, 0});
+    scene.planes.push_back({{100, 100, 100}, {1, 0, 0}, {0, 0, -1}, 0});
+    CHECK(bounds(scene).lo == glm::dvec3(0, -2, -2));
+    CHECK(bounds(scene).hi == glm::dvec3(7, 2, 2));
+    scene.triangles.clear();
+    CHECK(bounds(scene).lo == glm::dvec3(3, -2, -2));
+    scene.spheres.clear();
+    CHECK(bounds(scene).lo == glm::dvec3(95, 100, 95));
+    CHECK(bounds(scene).hi == glm::dvec3(105, 100, 105));
 }

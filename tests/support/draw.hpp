@@ -1,5 +1,6 @@
 #pragma once
 // Seeded random operands, half of them from the corners, where comparisons and overflow go wrong.
+#include <algorithm>
 #include <array>
 #include <random>
 
@@ -68,7 +69,7 @@ public:
 
 private:
     template <class T> T any(int width) {
-        if constexpr (std::is_signed_v<T>) return T(draw_.number(width));
+        if constexpr (std::is_signed_v<T> || sizeof(T) > 8) return T(draw_.number(std::min(width, 63)));
         else return T(draw_.natural(width));
     }
     Draw& draw_;

@@ -158,8 +158,18 @@ private:
 };
 
 /// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions, the widest; each
-/// also as "sheared:..." with that primitive test, and one whose reciprocals are longer than its slopes.
+/// also as "sheared:..." with that primitive test, one whose reciprocals are longer than its slopes, and one of coarse reciprocals; as "shading:..." of a chip
+/// that shades, with all primitives, and as "samples:..." of one with several samples in a pixel and triangles only.
 inline Config format(const std::string& name) {
+    if (name.starts_with("shading:") || name.starts_with("samples:")) {
+        Config config = format(name.substr(8));
+        config.shading = 1;
+        config.origin_bits = std::min(config.origin_bits, 30 - config.coord_bits);
+        (name.starts_with("samples:") ? config.supersampling : config.spheres) = 1;
+        config.planes = config.spheres;
+        check_config(config, name);
+        return config;
+    }
     if (name.starts_with("sheared:")) {
         Config config = format(name.substr(8));
         config.primitive_test = int(PrimitiveTest::sheared);
@@ -169,6 +179,12 @@ inline Config format(const std::string& name) {
         Config config = format("narrow");
         config.dir_bits = 15;
         config.recip_bits = 24;
+        return config;
+    }
+    if (name == "coarse") {   // few bits of reciprocal and many of t: the longest shifts
+        Config config;
+        config.name = name;
+        config.recip_bits = config.t_frac_bits = 8;
         return config;
     }
     if (name == "default" || name == "small") return named_config(name);

@@ -33,7 +33,7 @@ public:
         tri_req.offer.reset();
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
-            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear};
+            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear, r.kind, r.self, r.inside};
         }
         done.ready = closest.ready;
         closest.offer.reset();
@@ -46,7 +46,7 @@ public:
                     step.fires());
         if (!ray) return;
         rays_[ray->ray] = *ray;
-        leaves_[ray->ray].clear();
+        leaves_[ray->ray].clear(RayKind(ray->kind));
     }
 
 private:

@@ -7,6 +7,7 @@
 namespace rayclock::test {
 
 /// One ray at list, told simply: leaves from near to far, each triangle of a leaf in turn, no leaf that begins beyond the best hit.
+/// One that asks for a light wants nothing more after its first hit.
 struct LeafWalk {
     Ray ray;
     TriRsp found;             ///< best so far; closer 0: none
@@ -15,9 +16,11 @@ struct LeafWalk {
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
 
+    bool asks_for_light() const { return ray.kind == 2 || ray.kind == 3; }
+    bool blocked() const { return asks_for_light() && found.closer; }
     std::uint32_t t_best() const { return found.closer ? found.t : beyond; }
     std::size_t entry() const { return node.inner + leaf; }
-    bool more() const { return leaf < node.leaves && (triangle > 0 || node.t_near[entry()] <= t_best()); }
+    bool more() const { return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[entry()] <= t_best()); }
     std::uint32_t address() const { return 2 * node.base + node.offset[entry()] + triangle; }
     void next() {
         if (++triangle < node.count[entry()]) return;
@@ -33,6 +36,7 @@ public:
 
     bool finished() const { return left_ == 0 && running_ == 0; }
     int triangles() const { return triangles_; }
+    int stopped() const { return stopped_; }
 
     void drive(ListLinks& dut) {
         dut.ray.reset();
@@ -111,7 +115,8 @@ private:
             c.nodes = draw_.between(1, 8);
             c.walk.ray = random_payload<Ray>(draw_, config_);
             c.walk.ray.ray = std::uint32_t(number);
-            c.walk.beyond = (1u << config_.t_bits()) - 1;
+            // To the surface: t = 2^-B, in units of 2^-F of a direction of N + B bits.
+            c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits) : (1u << config_.t_bits()) - 1;
             dut.ray = c.walk.ray;
             waiting_for_box_.push_back(std::uint32_t(number));
             --left_;
@@ -131,8 +136,8 @@ private:
         const std::uint32_t best = contexts_[rsp.ray].walk.t_best();
         for (std::size_t i = 0; i < std::size_t(children); ++i) {
             std::uint32_t& t = near[i >= rsp.inner];
-            t = draw_.below(4) == 0 ? std::max(t, best) : t + std::uint32_t(draw_.below(40));   // exactly as far counts
-            rsp.t_near[i] = t = std::min(t, contexts_[rsp.ray].walk.beyond);
+            t = draw_.below(4) == 0 ? std::max(t, best + std::uint32_t(draw_.below(4) == 0)) : t + std::uint32_t(draw_.below(40));   // exactly as far counts
+            rsp.t_near[i] = t = std::min(t, (1u << config_.t_bits()) - 1);
             rsp.offset[i] = i < rsp.inner ? 2 * std::uint32_t(draw_.below(config_.node_width)) : std::uint32_t(draw_.bits(offset_bits));
             rsp.count[i] = i < rsp.inner ? 0 : std::uint32_t(draw_.between(1, 6));
         }
@@ -150,9 +155,11 @@ private:
         TriRsp rsp;
         if (draw_.below(3) == 0) {
             const std::uint32_t best = std::min(contexts_[ray].walk.t_best(), 150u);
-            rsp = random_payload<TriRsp>(draw_, config_);
+            if (!contexts_[ray].walk.asks_for_light()) {
+                rsp = random_payload<TriRsp>(draw_, config_);
+                rsp.t = std::uint32_t(draw_.below(int(best) + 1));
+            }
             rsp.closer = 1;
-            rsp.t = std::uint32_t(draw_.below(int(best) + 1));
         }
         rsp.ray = ray;
         tri_ = rsp;
@@ -172,7 +179,7 @@ private:
 
     void check_test(const TriReq& req) const {
         const LeafWalk& walk = contexts_[prim_->ray].walk;
-        TriReq expected{walk.ray.ray, walk.ray.o, walk.ray.d, prim_->triangle, {}, walk.ray.shear};
+        TriReq expected{walk.ray.ray, walk.ray.o, walk.ray.d, prim_->triangle, {}, walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside};
         if (walk.found.closer) expected.best = {1, walk.found.num, walk.found.det, walk.found.prim};
         REQUIRE(same(req, expected, config_));
     }
@@ -183,27 +190,30 @@ private:
         const LeafWalk& walk = c.walk;
         REQUIRE((c.here && !c.out));
         REQUIRE_FALSE(walk.more());
-        REQUIRE((step.t_best == walk.t_best() && step.base == walk.node.base && step.inner == walk.node.inner));
+        REQUIRE(step.stop == walk.blocked());
+        stopped_ += walk.blocked();
+        REQUIRE(step.inner == (walk.blocked() ? 0 : walk.node.inner));
+        REQUIRE((walk.blocked() || (step.t_best == walk.t_best() && step.base == walk.node.base)));
         for (std::size_t i = 0; i < step.inner; ++i) {
             REQUIRE(step.t_near[i] == walk.node.t_near[i]);
             REQUIRE(step.slot[i] == walk.node.offset[i] / 2);
         }
         c.here = false;
-        if (--c.nodes > 0) waiting_for_box_.push_back(step.ray);
+        if (--c.nodes > 0 && !walk.blocked()) waiting_for_box_.push_back(step.ray);
         else ending_.push_back(step.ray);
     }
 
     void check_closest(const Closest& closest) const {
         const TriRsp& f = contexts_[done_->ray].walk.found;
         Closest expected{done_->ray, 0, 0, 0, 0, 0};
-        if (f.closer) expected = {done_->ray, 1, f.prim, f.t, f.u, f.v};
+        if (f.closer) expected = {done_->ray, 1, f.prim, f.t, f.u, f.v, f.back};
         REQUIRE(same(closest, expected, config_));
     }
 
     Config config_;
     Flow flow_;
     Draw draw_;
-    int left_, running_ = 0, triangles_ = 0;
+    int left_, running_ = 0, triangles_ = 0, stopped_ = 0;
     std::vector<Context> contexts_;
     std::vector<std::uint32_t> waiting_for_box_, fetched_, tested_, ending_;
     std::optional<BoxRsp> box_;

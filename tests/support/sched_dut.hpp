@@ -9,7 +9,7 @@ namespace rayclock::test {
 struct SchedLinks {
     Link<Tile> tile;
     Link<Slot> slot;
-    Link<Closest> closest;
+    Link<Pixel> pixel;
     Link<HitOut> hit;
     std::optional<std::uint32_t> cause;   ///< what it did in the cycle, if this machine tells
 };
@@ -22,13 +22,13 @@ public:
         tile.ready = sched_.tile_ready();
         slot.offer.reset();
         if (sched_.slot_valid()) slot.offer = sched_.slot();
-        closest.ready = hit.ready;
+        pixel.ready = hit.ready;
         hit.offer.reset();
-        if (!closest.offer) return;
-        const Slot& pixel = sched_.pixel(closest.offer->ray);
-        hit.offer = HitOut{pixel.x, pixel.y, *closest.offer};
+        if (!pixel.offer) return;
+        const Slot& place = sched_.pixel(pixel.offer->first.ray);
+        hit.offer = HitOut{place.x, place.y, pixel.offer->first, pixel.offer->colour};
     }
-    void commit() { sched_.clock(slot.fires(), tile.fires() ? &*tile.offer : nullptr, hit.fires() ? &closest.offer->ray : nullptr); }
+    void commit() { sched_.clock(slot.fires(), tile.fires() ? &*tile.offer : nullptr, hit.fires() ? &pixel.offer->first.ray : nullptr); }
 
 private:
     Sched sched_;
@@ -61,7 +61,7 @@ public:
             links_.settle();
         }
         links_.read_out("slot", slot);
-        links_.read_in("closest", closest);
+        links_.read_in("pixel", pixel);
         links_.read_out("hit", hit);
         cause = links_.plain("cause");
     }
@@ -70,7 +70,7 @@ public:
 private:
     void drive() {
         links_.drive_out("slot", slot);
-        links_.drive_in("closest", closest);
+        links_.drive_in("pixel", pixel);
         links_.drive_out("hit", hit);
     }
     RtlLinks links_;

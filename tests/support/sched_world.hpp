@@ -6,13 +6,13 @@
 
 namespace rayclock::test {
 
-struct Pixel {
+struct Place {
     std::uint32_t x = 0, y = 0;
-    friend bool operator==(const Pixel&, const Pixel&) = default;
+    friend bool operator==(const Place&, const Place&) = default;
 };
 
 /// Pixels of a square in Morton order: its four quarters one after the other, upper left, upper right, lower left, lower right.
-inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side, std::deque<Pixel>& to) {
+inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side, std::deque<Place>& to) {
     if (side == 1) {
         to.push_back({x, y});
         return;
@@ -49,15 +49,15 @@ public:
             tile_ = coming_.front();
             coming_.pop_front();
         }
-        if (!closest_ && !running_.empty() && !draw_.percent(flow_.idle_percent) && draw_.coin()) {
+        if (!pixel_ && !running_.empty() && !draw_.percent(flow_.idle_percent) && draw_.coin()) {
             const auto at = running_.begin() + draw_.below(int(running_.size()));
-            closest_ = random_payload<Closest>(draw_, config_);
-            closest_->ray = at->ray;
-            pixel_ = *at;
+            pixel_ = random_payload<Pixel>(draw_, config_);
+            pixel_->first.ray = at->ray;
+            place_ = *at;
             running_.erase(at);
         }
         dut.tile.offer = tile_;
-        dut.closest.offer = closest_;
+        dut.pixel.offer = pixel_;
         dut.slot.ready = !draw_.percent(flow_.idle_percent);
         dut.hit.ready = !draw_.percent(flow_.stall_percent);
     }
@@ -66,12 +66,12 @@ public:
         const bool has_pixel = !tiles_.empty() && inside(tiles_.front().front());
         REQUIRE(dut.tile.ready == (tiles_.size() < 2));
         REQUIRE(dut.slot.offer.has_value() == (has_pixel && !free_.empty()));
-        REQUIRE(dut.closest.ready == dut.hit.ready);
-        REQUIRE(dut.hit.offer.has_value() == closest_.has_value());
-        if (closest_) REQUIRE(same(*dut.hit.offer, HitOut{pixel_.x, pixel_.y, *closest_}, config_));
+        REQUIRE(dut.pixel.ready == dut.hit.ready);
+        REQUIRE(dut.hit.offer.has_value() == pixel_.has_value());
+        if (pixel_) REQUIRE(same(*dut.hit.offer, HitOut{place_.x, place_.y, pixel_->first, pixel_->colour}, config_));
         if (dut.slot.offer) {
             const Slot& slot = *dut.slot.offer;
-            REQUIRE((Pixel{slot.x, slot.y} == tiles_.front().front() && slot.ray == free_.front()));
+            REQUIRE((Place{slot.x, slot.y} == tiles_.front().front() && slot.ray == free_.front()));
         }
         if (dut.cause) REQUIRE(*dut.cause == (dut.slot.fires() ? 0u : dut.slot.offer ? 3u : has_pixel ? 1u : 2u));
         if (dut.slot.fires()) {
@@ -88,14 +88,14 @@ public:
             tile_.reset();
         }
         if (dut.hit.fires()) {   // free from the next cycle on
-            free_.push_back(closest_->ray);
-            closest_.reset();
+            free_.push_back(pixel_->first.ray);
+            pixel_.reset();
             ++hits_;
         }
     }
 
 private:
-    bool inside(const Pixel& p) const { return p.x < frame_.width && p.y < frame_.height; }
+    bool inside(const Place& p) const { return p.x < frame_.width && p.y < frame_.height; }
     void shuffle() {
         for (std::size_t i = coming_.size(); i > 1; --i) std::swap(coming_[i - 1], coming_[std::size_t(draw_.below(int(i)))]);
     }
@@ -106,11 +106,11 @@ private:
     Draw draw_;
     std::deque<Tile> coming_;
     std::optional<Tile> tile_;
-    std::deque<std::deque<Pixel>> tiles_;   // what is left of each that is there
+    std::deque<std::deque<Place>> tiles_;   // what is left of each that is there
     std::deque<std::uint32_t> free_;
     std::vector<Slot> running_;
-    std::optional<Closest> closest_;
-    Slot pixel_;
+    std::optional<Pixel> pixel_;
+    Slot place_;
     std::uint32_t hits_ = 0;
 };
 

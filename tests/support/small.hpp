@@ -49,17 +49,28 @@ template <class Dut, class Make, class Judge> void pour(Dut& dut, std::uint64_t 
 struct AxisCase {
     std::int32_t o = 0, org = 0, d = 0;
     std::uint32_t exp = 0;
+    bool is_long = false;   ///< d fills ray_dir_bits; of all three axes or of none
 };
 using PlanePair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Everything that fits the format; exponents up to the largest that a node needs, and one more.
 inline std::vector<AxisCase> all_axis_cases(const Config& c) {
     std::vector<AxisCase> all;
-    const int n = 1 << (c.coord_bits - 1), m = 1 << (c.dir_bits - 1);
-    for (int o = -n; o < n; ++o)
+    const int n = 1 << (c.coord_bits - 1), from = 1 << (c.origin_width() - 1), m = 1 << (c.dir_bits - 1);
+    for (int o = -from; o < from; ++o)
         for (int org = -n; org < n; ++org)
             for (int d = -m; d < m; ++d)
                 for (int e = 0; e <= c.coord_bits - c.box_bits + 1; ++e) all.push_back({o, org, d, std::uint32_t(e)});
+    return all;
+}
+/// The same with the directions of shadow rays, from lattice points.
+inline std::vector<AxisCase> all_shadow_cases(const Config& c) {
+    std::vector<AxisCase> all;
+    const int n = 1 << (c.coord_bits - 1), m = 1 << (c.ray_dir_bits() - 1);
+    for (int o = -n; o < n; ++o)
+        for (int org = -n; org < n; ++org)
+            for (int d = -m; d < m; ++d)
+                for (int e = 0; e <= c.coord_bits - c.box_bits + 1; ++e) all.push_back({o << c.origin_frac(), org, d, std::uint32_t(e), true});
     return all;
 }
 inline std::vector<PlanePair> all_planes(const Config& c) {
@@ -91,11 +102,13 @@ class BoxRequests {
 public:
     BoxRequests(BoxSpace space, const Config& config) : space_(std::move(space)), config_(config) {
         BoxCase c;
-        const int m = 1 << (config.dir_bits - 1);
-        for (int d = -m; d < m; ++d) {
-            set_direction(c, {d, 0, 0}, config);
-            recip_.push_back({c.req.recip[0], c.req.len[0]});
-        }
+        const int m = 1 << (config.ray_dir_bits() - 1);
+        for (const bool is_long : {false, true})
+            for (int d = -m; d < m; ++d) {
+                c.is_long = is_long;
+                set_direction(c, {d, 0, 0}, config);
+                recip_[is_long].push_back({c.req.recip[0], c.req.len[0]});
+            }
     }
     std::uint64_t size() const {
         std::uint64_t n = (space_.children() + max_width - 1) / max_width;
@@ -110,8 +123,9 @@ public:
             const AxisCase& a = space_.axes[k][at_[k]];
             c.req.o[k] = a.o;
             c.d[k] = a.d;
+            c.is_long |= a.is_long;
             c.req.neg[k] = a.d < 0;
-            std::tie(c.req.recip[k], c.req.len[k]) = recip_[std::size_t(a.d + (1 << (config_.dir_bits - 1)))];
+            std::tie(c.req.recip[k], c.req.len[k]) = recip_[a.is_long][std::size_t(a.d + (1 << (config_.ray_dir_bits() - 1)))];
             c.req.node.org[k] = a.org;
             c.req.node.exp[k] = a.exp;
         }
@@ -140,7 +154,7 @@ private:
 
     BoxSpace space_;
     Config config_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> recip_;
+    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2> recip_;   // of short and of long directions
     std::array<std::size_t, 3> at_{};
     std::size_t child_ = 0;
 };
@@ -150,6 +164,8 @@ struct BoxVerdict {
     std::uint64_t boxes = 0, met = 0, taken = 0, lost = 0, late = 0;
 };
 inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& config, BoxVerdict& verdict) {
+    const std::int64_t parts = std::int64_t(1) << config.origin_frac();   // all lengths in steps of 2^-B
+    const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     std::array<std::int64_t, max_width> said;
     said.fill(-1);
     for (std::size_t i = 0; i < rsp.inner; ++i) said[rsp.offset[i] / 2] = rsp.t_near[i];
@@ -159,15 +175,15 @@ inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& confi
         for (std::size_t k = 0; k < 3; ++k) {
             o[k] = c.req.o[k];
             d[k] = c.d[k];
-            lo[k] = c.req.node.org[k] + (std::int64_t(c.req.node.lo[3 * i + k]) << c.req.node.exp[k]);
-            hi[k] = c.req.node.org[k] + (std::int64_t(c.req.node.hi[3 * i + k]) << c.req.node.exp[k]);
+            lo[k] = (c.req.node.org[k] + (std::int64_t(c.req.node.lo[3 * i + k]) << c.req.node.exp[k])) * parts;
+            hi[k] = (c.req.node.org[k] + (std::int64_t(c.req.node.hi[3 * i + k]) << c.req.node.exp[k])) * parts;
         }
         ++verdict.boxes;
         const auto enter = oracle::overlap(o, d, lo, hi);
         if (!enter) continue;
         ++verdict.met;
         verdict.lost += said[i] < 0;
-        verdict.late += said[i] * enter->den > enter->num << (config.dir_bits - 1 + config.t_frac_bits);
+        verdict.late += said[i] * enter->den * parts > enter->num << (bits - 1 + config.t_frac_bits);
     }
 }
 

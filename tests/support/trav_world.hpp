@@ -17,6 +17,7 @@ public:
     };
     /// The next place after `step`, or nothing: the ray is done. `level` is that of the node that was just tested.
     std::optional<Place> next(const Step& step, int level) {
+        if (step.stop) return std::nullopt;
         for (std::size_t i = step.inner; i-- > 0;) pile_.push_back({step.t_near[i], step.base + step.slot[i], level + 1});
         while (!pile_.empty()) {
             const Place top = pile_.back();
@@ -39,6 +40,7 @@ public:
 
     bool finished() const { return ended_ == started_ && left_ == 0; }
     int nodes() const { return nodes_; }
+    int stopped() const { return stopped_; }   ///< rays
 
     /// Sets the inputs of one cycle; the same for every machine that gets them.
     void drive(TravLinks& dut) {
@@ -134,6 +136,8 @@ private:
         Context& c = contexts_[step.ray];
         if (draw_.below(4) == 0) c.t_best = std::uint32_t(draw_.below(int(std::min(c.t_best, 1u << 20)) + 1));
         step.t_best = c.t_best;
+        step.stop = config_.shading && draw_.below(12) == 0;   // whatever else the step says
+        stopped_ += int(step.stop);
         step.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         c.reached_bottom |= c.level == config_.stack_depth;
         const bool deep = step.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last place
@@ -176,7 +180,7 @@ private:
     Config config_;
     Flow flow_;
     Draw draw_;
-    int left_, started_ = 0, ended_ = 0, nodes_ = 0;
+    int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0;
     std::vector<Context> contexts_;
     std::vector<std::uint32_t> fetched_, tested_;   // rays whose node is on its way, rays whose boxes are
     std::optional<Ray> ray_;

@@ -48,6 +48,27 @@ Config quick_config(const std::string& name) {
 
 namespace {
 
+/// The word after a visit and its triangles.
+const std::uint32_t* after_visit(const std::uint32_t* word) {
+    if (*word++ & Trace::tests_flag)
+        while (!(*word++ & Trace::last_flag)) {}
+    return word;
+}
+
+/// Refracted rays that were counted and not sent: the trace knows how many rays there were.
+std::uint64_t totally_reflected(const Trace& trace) {
+    std::uint64_t rays = 0;
+    for (const std::uint32_t* word : trace.rays)
+        for (bool done = false; !done;) {
+            while (!(*word & Trace::end_flag)) word = after_visit(word);
+            word = after_visit(word);
+            done = *word & Trace::pixel_flag;
+            word += 2;
+            ++rays;
+        }
+    return trace.counts.all() - rays;
+}
+
 /// Every cycle of every unit has one cause, and what a unit did is what the rays needed.
 void check_accounts(const FrameRun& run, const Config& config, const Trace& trace) {
     const std::uint64_t pixels = trace.rays.size();
@@ -59,20 +80,21 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
             sum += run.accounts.units[u][c];
             if (unit_infos[u].causes[c].kind == Kind::none) CHECK(run.accounts.units[u][c] == 0);
         }
-        const std::uint64_t instances = u < pipeline_units ? std::uint64_t(config.pipelines) : Unit(u) == Unit::l2 && config.l2_sets == 0 ? 0 : 1;
+        const std::uint64_t instances = !is_there(Unit(u), config) ? 0 : u < pipeline_units ? std::uint64_t(config.pipelines) : 1;
         CHECK(sum == instances * run.cycles);
     }
     CHECK(code(Unit::sched, 0) == pixels);
-    CHECK(code(Unit::raygen, 0) == pixels);
+    const std::uint64_t sent = config.shading ? trace.counts.all() - totally_reflected(trace) : pixels;
+    CHECK(code(Unit::raygen, 0) == sent);
     CHECK(code(Unit::trav, 0) >= run.visits);
     CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == run.visits + trace.turns);   // a turn is work, or holds a step up
     CHECK(code(Unit::box, 0) == run.visits);
     CHECK(code(Unit::tri, 0) == run.triangle_tests);
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == run.visits);
     CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) == run.triangle_tests);
-    for (const Unit cache : {Unit::node_cache, Unit::prim_cache}) CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
+    for (const Unit cache : {Unit::node_cache, Unit::prim_cache, Unit::surf_cache}) CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
     const std::uint64_t words = code(Unit::node_cache, 1) * std::uint64_t(config.node_line / line_bytes) +
-        code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes);
+        code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes) + code(Unit::surf_cache, 1) * std::uint64_t(config.surf_line / line_bytes);
     CHECK(code(Unit::memport, 0) == words);
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
     CHECK(run.memory.reads == (config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words));

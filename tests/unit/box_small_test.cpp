@@ -9,8 +9,8 @@ using namespace rayclock::test;
 
 namespace {
 
-BoxVerdict try_model(const Config& config, unsigned which) {
-    BoxRequests requests(box_space(config, which), config);
+BoxVerdict try_model(const Config& config, const BoxSpace& space) {
+    BoxRequests requests(space, config);
     BoxVerdict verdict;
     BoxRsp rsp;
     for (std::uint64_t n = requests.size(); n-- > 0;) {
@@ -24,10 +24,11 @@ BoxVerdict try_model(const Config& config, unsigned which) {
     REQUIRE(verdict.boxes == requests.boxes());
     return verdict;
 }
+BoxVerdict try_model(const Config& config, unsigned which) { return try_model(config, box_space(config, which)); }
 
 /// Ends at the first answer that differs from the model's.
-BoxVerdict try_rtl(const Config& config, unsigned which) {
-    BoxRequests requests(box_space(config, which), config);
+BoxVerdict try_rtl(const Config& config, const BoxSpace& space) {
+    BoxRequests requests(space, config);
     Rtl<BoxUnit> rtl{config};
     std::deque<BoxCase> cases;
     BoxVerdict verdict;
@@ -46,6 +47,7 @@ BoxVerdict try_rtl(const Config& config, unsigned which) {
     REQUIRE(verdict.boxes == requests.boxes());
     return verdict;
 }
+BoxVerdict try_rtl(const Config& config, unsigned which) { return try_rtl(config, box_space(config, which)); }
 
 void good(const BoxVerdict& v, double most_extra) {
     INFO(v.boxes << " boxes, " << v.met << " met, " << v.taken << " taken");
@@ -58,6 +60,19 @@ void good(const BoxVerdict& v, double most_extra) {
 // One axis: N = 3, M = 4, R = 3, F = 1, planes of 2 bits, exponents 0..2: 8 origins, 8 corners, 16 directions, 3 exponents, 10
 // pairs of planes. Two axes: N = 2, M = 3, planes of 1 bit. Three: N = 1, M = 2, planes of 1 bit, exponents 0 and 1.
 const Config one_axis = small_format(3, 4, 3, 1, 2), two_axes = small_format(2, 3, 3, 1, 1), three_axes = small_format(1, 2, 3, 1, 1);
+
+/// A chip that shades: origins with `frac` bits of fraction.
+Config shading(Config config, int frac) {
+    config.name += "shading";
+    config.shading = 1;
+    config.origin_bits = frac;
+    return config;
+}
+BoxSpace shadow_space(const Config& config, std::size_t axis) {
+    BoxSpace space = box_space(config, 1u << axis);
+    space.axes[axis] = all_shadow_cases(config);
+    return space;
+}
 
 /// Rays that hit a triangle whose quantised box box() does not take, or for which it names a t_near beyond the hit's t: of the
 /// requests from `first` to `last`.
@@ -97,6 +112,27 @@ TEST_CASE("rtl of box is right for every operand of an axis and of all three at 
 
 TEST_CASE("rtl of box is right for every operand of two axes at small widths", "[box][small][slow]") {
     for (const unsigned axes : {3u, 5u, 6u}) good(try_rtl(two_axes, axes), 0.2);
+}
+
+TEST_CASE("model of box is right for every origin between lattice points and every shadow ray at small widths", "[box][small][shading]") {
+    for (const std::size_t axis : {0u, 1u, 2u}) {
+        good(try_model(shading(one_axis, 2), 1u << axis), 0.25);
+        good(try_model(shading(one_axis, 2), shadow_space(shading(one_axis, 2), axis)), 0.25);
+    }
+    for (const unsigned axes : {3u, 5u, 6u}) good(try_model(shading(two_axes, 1), axes), 0.3);
+    good(try_model(shading(three_axes, 1), 7), 0.3);
+}
+
+TEST_CASE("rtl of box is right for every origin between lattice points and every shadow ray of an axis at small widths", "[box][small][shading]") {
+    for (const std::size_t axis : {0u, 1u, 2u}) {
+        good(try_rtl(shading(one_axis, 2), 1u << axis), 0.25);
+        good(try_rtl(shading(one_axis, 2), shadow_space(shading(one_axis, 2), axis)), 0.25);
+    }
+}
+
+TEST_CASE("rtl of box is right for every origin between lattice points of two and three axes at small widths", "[box][small][shading][slow]") {
+    for (const unsigned axes : {3u, 5u, 6u}) good(try_rtl(shading(two_axes, 1), axes), 0.3);
+    good(try_rtl(shading(three_axes, 1), 7), 0.3);
 }
 
 TEST_CASE("box at small widths is as far outside as it may be", "[box][small]") {

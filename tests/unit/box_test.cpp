@@ -12,17 +12,16 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
     const Config config = format(name);
     INFO(name << ", seed " << seed);
     Draw draw{seed};
-    std::deque<Vec3i> directions;
+    std::deque<BoxCase> cases;
     Dut dut{config, Frame{}, int(seed)};
     stream(dut, config, flow, draw, count,
         [&](Draw& from) {
-            const BoxCase c = random_box_case(from, config);
-            directions.push_back(c.d);
-            return c.req;
+            cases.push_back(random_box_case(from, config));
+            return cases.back().req;
         },
-        [&](const BoxReq& req, const BoxRsp& rsp) {
-            judge({req, directions.front()}, rsp, config);
-            directions.pop_front();
+        [&](const BoxReq&, const BoxRsp& rsp) {
+            judge(cases.front(), rsp, config);
+            cases.pop_front();
         });
 }
 
@@ -46,6 +45,11 @@ TEMPLATE_TEST_CASE("box loses no child that the ray meets and takes few others",
 TEMPLATE_TEST_CASE("box loses no child that the ray meets, many draws", "[box][slow]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
     for (unsigned seed = 101; seed <= 110; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 2000);
+}
+
+TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets and takes few others", "[box][shading]", Model<BoxUnit>, Rtl<BoxUnit>) {
+    const auto name = GENERATE("shading:default", "shading:small", "shading:narrow", "shading:wide", "shading:coarse");
+    for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
 }
 
 TEST_CASE("box is right for every pair of planes of one axis", "[box]") {
@@ -115,6 +119,13 @@ TEMPLATE_TEST_CASE("box takes a node in every cycle", "[box]", Model<BoxUnit>, R
 
 TEST_CASE("model and rtl of box make the same moves in every cycle", "[box][lockstep]") {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed)
+            check_lockstep<BoxUnit>(config, {}, flow, seed, 2000, [&](Draw& draw) { return random_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays", "[box][lockstep][shading]") {
+    const Config config = format(GENERATE("shading:default", "shading:small", "shading:narrow", "shading:wide", "shading:coarse"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<BoxUnit>(config, {}, flow, seed, 2000, [&](Draw& draw) { return random_req(draw, config); });

@@ -38,7 +38,7 @@ public:
 
 private:
     void add(std::uint64_t value, int width) {
-        for (int i = width - 1; i >= 0; --i) bits.push_back(value >> i & 1);
+        for (int i = width - 1; i >= 0; --i) bits.push_back(value >> std::min(i, 63) & 1);   // beyond 64 the sign
     }
 };
 

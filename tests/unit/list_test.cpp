@@ -6,7 +6,8 @@ using namespace rayclock::test;
 
 namespace {
 
-template <class Dut> void serve_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
+/// Returns how many rays were stopped by what blocks a light.
+template <class Dut> int serve_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
     INFO(config.name << ", " << flow.name << ", seed " << seed);
     Dut dut{config, int(seed)};
     ListWorld world{config, seed, flow, rays};
@@ -23,6 +24,7 @@ template <class Dut> void serve_rays(const Config& config, unsigned seed, const 
         dut.commit();
     }
     REQUIRE(world.triangles() >= rays);
+    return world.stopped();
 }
 
 void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles) {
@@ -96,6 +98,12 @@ TEMPLATE_TEST_CASE("list asks for each leaf's triangles, nearest leaf first, non
         for (unsigned seed = 1; seed <= 3; ++seed) serve_rays<TestType>(format("default"), seed, flow, 300);
 }
 
+TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and nothing beyond the surface", "[list][shading]", ListModel, ListRtl) {
+    for (const auto* name : {"shading:default", "samples:default"})
+        for (const Flow& flow : flows)
+            for (unsigned seed = 1; seed <= 2; ++seed) REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300) > 50);
+}
+
 TEMPLATE_TEST_CASE("list asks for each leaf's triangles in nodes of four", "[list][slow]", ListModel, ListRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 10; ++seed) serve_rays<TestType>(format("small"), seed, flow, 300);
@@ -149,7 +157,7 @@ TEMPLATE_TEST_CASE("list takes a node and a test in every cycle", "[list]", List
 }
 
 TEST_CASE("model and rtl of list make the same moves in every cycle", "[list][lockstep]") {
-    const Config config = format(GENERATE("default", "sheared:small"));
+    const Config config = format(GENERATE("default", "sheared:small", "shading:default"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }

@@ -86,7 +86,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     for (std::size_t u = 0; u < unit_count; ++u) {
         INFO(unit_infos[u].name);
         const std::uint64_t all = u < pipeline_units ? cycles * std::uint64_t(job.config.pipelines) : cycles;
-        REQUIRE(sum(accounts.units[u]) == (u == index(Unit::l2) && job.config.l2_sets == 0 ? 0 : all));
+        REQUIRE(sum(accounts.units[u]) == (is_there(Unit(u), job.config) ? all : 0));
         for (std::size_t c = 0; c < cause_count; ++c)
             if (unit_infos[u].causes[c].kind == Kind::none) REQUIRE(accounts.units[u][c] == 0);
     }

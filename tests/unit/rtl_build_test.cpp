@@ -4,6 +4,7 @@
 
 #include "sim/rtl/builder.hpp"
 #include "tests/support/cache_dut.hpp"
+#include "tests/support/pass_cases.hpp"
 #include <catch2/catch.hpp>
 
 using namespace rayclock;
@@ -34,7 +35,9 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_tri", "small"}, {"rc_raygen", "default"}, {"rc_raygen", "wide"}, {"rc_raygen", "narrow"}, {"rc_raygen", "small"},
                         {"rc_sched", "default"}, {"rc_node_cache", "default", test::cache_config}, {"rc_prim_cache", "default", test::cache_config},
                         {"rc_node_cache", "smallest", test::cache_config}, {"rc_prim_cache", "wide", test::cache_config},
-                        {"rc_l2", "direct", test::cache_config},
+                        {"rc_l2", "direct", test::cache_config}, {"rc_unit", "default"}, {"rc_power", "default"},
+                        {"rc_pass", "all", test::shaded_format}, {"rc_pass", "plain", test::shaded_format}, {"rc_pass", "narrow", test::shaded_format},
+                        {"rc_shade", "all", test::shaded_format}, {"rc_shade", "plain", test::shaded_format},
                         {"rc_sched", "0", tiled}, {"rc_sched", "3", tiled}, {"rc_dispatch", "1", pipelines}, {"rc_dispatch", "2", pipelines}, {"rc_dispatch", "8", pipelines}};
     std::array<std::exception_ptr, 2> failed;
     std::array<std::thread, 2> builders;

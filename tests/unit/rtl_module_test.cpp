@@ -14,7 +14,7 @@ namespace {
 bool misuse(SchedRtl& dut, int times) {
     dut.slot.ready = false;
     dut.hit.ready = true;
-    dut.closest.offer = Closest{};
+    dut.pixel.offer = Pixel{};
     try {
         for (int i = 0; i < times; ++i) {
             dut.eval();

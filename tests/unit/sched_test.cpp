@@ -34,7 +34,7 @@ template <class Dut> void give_pixels(const Config& config, const Frame& frame, 
         world.watch(dut);
         dut.commit();
     }
-    dut.closest.offer.reset();
+    dut.pixel.offer.reset();
     dut.tile.offer.reset();
     for (int i = 0; i < 70; ++i) {
         dut.eval();
@@ -56,7 +56,7 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
         rtl.eval();
         REQUIRE(same(model.tile, rtl.tile, config));
         REQUIRE(same(model.slot, rtl.slot, config));
-        REQUIRE(same(model.closest, rtl.closest, config));
+        REQUIRE(same(model.pixel, rtl.pixel, config));
         REQUIRE(same(model.hit, rtl.hit, config));
         world.watch(rtl);
         model.commit();
@@ -65,12 +65,12 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
 }
 
 /// Tiles as they are wanted, row by row, and every ray ends in the next cycle: the order in which pixels are given.
-template <class Dut> std::vector<Pixel> order_of(const Config& config, const Frame& frame) {
+template <class Dut> std::vector<Place> order_of(const Config& config, const Frame& frame) {
     Dut dut{frame, config};
     std::deque<Tile> tiles = tiles_of(frame, config.tile_bits);
     const std::size_t patience = (tiles.size() + 2) << 2 * config.tile_bits;
     dut.slot.ready = dut.hit.ready = true;
-    std::vector<Pixel> order;
+    std::vector<Place> order;
     for (std::size_t cycle = 0; order.size() < std::size_t(frame.width) * frame.height; ++cycle) {
         if (cycle > patience) FAIL("no pixel after " << order.size());
         dut.tile.offer.reset();
@@ -79,11 +79,11 @@ template <class Dut> std::vector<Pixel> order_of(const Config& config, const Fra
         if (dut.tile.fires()) tiles.pop_front();
         const std::optional<Slot> slot = dut.slot.offer;
         dut.commit();
-        dut.closest.offer.reset();
+        dut.pixel.offer.reset();
         if (!slot) continue;
         order.push_back({slot->x, slot->y});
-        dut.closest.offer = Closest{};
-        dut.closest.offer->ray = slot->ray;
+        dut.pixel.offer = Pixel{};
+        dut.pixel.offer->first.ray = slot->ray;
     }
     return order;
 }
@@ -127,15 +127,15 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     dut.eval();
     REQUIRE_FALSE(dut.slot.offer);   // a pixel, and no context
     REQUIRE(dut.tile.ready);
-    dut.closest.offer = Closest{};
-    dut.closest.offer->ray = 17;
+    dut.pixel.offer = Pixel{};
+    dut.pixel.offer->first.ray = 17;
     dut.hit.ready = true;
     dut.eval();
     REQUIRE(dut.hit.fires());
     REQUIRE((dut.hit.offer->x == 21 && dut.hit.offer->y == 8));   // the 17th pixel: first row of the second quarter
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
-    dut.closest.offer.reset();
+    dut.pixel.offer.reset();
     dut.eval();
     REQUIRE(dut.slot.fires());   // in the next cycle
     REQUIRE((dut.slot.offer->ray == 17 && dut.slot.offer->x == 24 && dut.slot.offer->y == 8));
@@ -185,12 +185,21 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
 TEMPLATE_TEST_CASE("sched reaches every pixel of the largest picture's rows", "[sched]", SchedModel, SchedRtl) {
     for (const int tile_bits : {0, 3}) {
         const Frame frame = frame_of(16384, 2);
-        std::deque<Pixel> expected;
+        std::deque<Place> expected;
         for (const Tile& tile : tiles_of(frame, tile_bits)) in_morton_order(tile.x << tile_bits, tile.y << tile_bits, 1u << tile_bits, expected);
-        std::erase_if(expected, [&](const Pixel& p) { return p.y >= frame.height; });
-        const std::vector<Pixel> order = order_of<TestType>(tiled(tile_bits), frame);
-        REQUIRE((order == std::vector<Pixel>(expected.begin(), expected.end())));
+        std::erase_if(expected, [&](const Place& p) { return p.y >= frame.height; });
+        const std::vector<Place> order = order_of<TestType>(tiled(tile_bits), frame);
+        REQUIRE((order == std::vector<Place>(expected.begin(), expected.end())));
     }
+}
+
+TEMPLATE_TEST_CASE("sched gives out the colours of finished pixels", "[sched][shading]", SchedModel, SchedRtl) {
+    for (const auto& [width, height] : sizes)
+        for (const Flow& flow : flows) give_pixels<TestType>(format("shading:default"), frame_of(width, height), 1, flow);
+}
+
+TEST_CASE("model and rtl of sched make the same moves in every cycle, with colours", "[sched][lockstep][shading]") {
+    for (const Flow& flow : flows) lockstep(format("samples:small"), frame_of(40, 17), 11, flow);
 }
 
 TEST_CASE("model and rtl of sched make the same moves in every cycle", "[sched][lockstep]") {

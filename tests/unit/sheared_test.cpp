@@ -10,17 +10,17 @@ using namespace rayclock::test;
 
 namespace {
 
-struct Plane {
+struct Seen {
     long double x, y, z;
 };
 /// A corner as the ray sees it, in real numbers.
-Plane seen(const Vec3i& p, const Vec3i& o, const Vec3i& d, std::size_t kz) {
+Seen seen(const Vec3i& p, const Vec3i& o, const Vec3i& d, std::size_t kz) {
     const std::size_t kx = (kz + 1) % 3, ky = (kz + 2) % 3;
     const long double z = p[kz] - o[kz];
     return {p[kx] - o[kx] - z * d[kx] / d[kz], p[ky] - o[ky] - z * d[ky] / d[kz], z};
 }
 /// Distance of (0, 0) from a segment, the larger of x and y.
-long double distance_of(const Plane& p, const Plane& q) {
+long double distance_of(const Seen& p, const Seen& q) {
     // Convex along the segment: halving finds the least.
     const auto at = [&](long double s) { return std::max(std::abs(p.x + s * (q.x - p.x)), std::abs(p.y + s * (q.y - p.y))); };
     long double lo = 0, hi = 1;
@@ -103,7 +103,7 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         const Shear shear = shear_of(req.d, config);
         if (shear.size == 0) continue;
         const std::size_t kz = shear.axis;
-        const Plane a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz), c = seen(req.triangle.c, req.o, req.d, kz);
+        const Seen a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz), c = seen(req.triangle.c, req.o, req.d, kz);
         const long double sign = shear.neg ? -1 : 1;
         if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0) continue;   // all of it ahead
         const TriRsp there = ask(exact, req.o, req.d, req.triangle), here = ask(config, req.o, req.d, req.triangle);
@@ -153,7 +153,7 @@ TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primi
         const std::int32_t most = (1 << (bits - 1)) - 1;
         return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
     };
-    std::int64_t largest_num = 0, largest_det = 0;
+    Wide largest_num = 0, largest_det = 0;
     for (int a = 0; a < 8; ++a)
         for (int b = 0; b < 8; ++b)
             for (int c = 0; c < 8; ++c)

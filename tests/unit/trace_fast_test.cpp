@@ -173,9 +173,10 @@ TEST_CASE("a triangle seen from a point is the triangle", "[trace]") {
             const std::int64_t sign = hit.det < 0 ? -1 : 1;
             REQUIRE(rsp.det == sign * hit.det);
             REQUIRE(rsp.num == sign * hit.num);
-            REQUIRE(rsp.t == distance(rsp.num, rsp.det, config));
-            REQUIRE(rsp.u == barycentric(sign * hit.u, rsp.det, config));
-            REQUIRE(rsp.v == barycentric(sign * hit.v, rsp.det, config));
+            const auto num = std::int64_t(rsp.num), det = std::int64_t(rsp.det);
+            REQUIRE(rsp.t == distance(num, det, config));
+            REQUIRE(rsp.u == barycentric(sign * hit.u, det, config));
+            REQUIRE(rsp.v == barycentric(sign * hit.v, det, config));
         }
     }
     REQUIRE(ahead > 1000);

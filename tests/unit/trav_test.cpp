@@ -13,7 +13,8 @@ Frame frame_at(std::uint32_t root) {
     return frame;
 }
 
-template <class Dut> void walk_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
+/// Returns how many rays were stopped.
+template <class Dut> int walk_rays(const Config& config, unsigned seed, const Flow& flow, int rays) {
     INFO(config.name << ", " << flow.name << ", seed " << seed);
     const Frame frame = frame_at(1234 + seed);
     Dut dut{frame, config, int(seed)};
@@ -31,6 +32,7 @@ template <class Dut> void walk_rays(const Config& config, unsigned seed, const F
         dut.commit();
     }
     REQUIRE(world.nodes() >= rays);
+    return world.stopped();
 }
 
 void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles) {
@@ -146,6 +148,35 @@ TEMPLATE_TEST_CASE("trav ends a ray at once when nothing below can matter", "[tr
     REQUIRE(seen.done.offer);
 }
 
+TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its stack", "[trav][shading]", TravModel, TravRtl) {
+    for (const Flow& flow : flows)
+        for (unsigned seed = 1; seed <= 3; ++seed) REQUIRE(walk_rays<TestType>(format("shading:default"), seed, flow, 300) > 100);
+
+    Hand<TestType> hand{format("shading:default")};
+    hand.cycle({}, ray_of(3));
+    hand.cycle();
+    TravLinks seen;
+    for (std::uint32_t level = 0; level < 10; ++level) hand.wait(step_of(3, 1000, {1, 500}), seen);
+    Step stop = step_of(3, 1000, {2, 3});
+    stop.stop = 1;
+    REQUIRE(hand.wait(stop, seen) == 2);   // ten groups that all could matter
+    REQUIRE(seen.done.offer);
+    hand.cycle({}, ray_of(3));
+    hand.cycle();
+    REQUIRE(hand.wait(step_of(3, 1000, {}), seen) == 2);
+    REQUIRE(seen.done.offer);
+}
+
+TEST_CASE("a stack that is stopped is empty", "[trav][shading]") {
+    Stack stack{format("shading:default")};
+    for (int level = 0; level < 10; ++level) REQUIRE(stack.decide(step_of(3, 1000, {1, 500})).kind == Turn::Kind::visit);
+    REQUIRE(stack.height() == 10);
+    Step stop = step_of(3, 1000, {2, 3});
+    stop.stop = 1;
+    REQUIRE(stack.decide(stop).kind == Turn::Kind::done);
+    REQUIRE(stack.height() == 0);
+}
+
 TEMPLATE_TEST_CASE("trav takes a child exactly as far as the best hit", "[trav]", TravModel, TravRtl) {
     Hand<TestType> hand{format("default")};
     hand.cycle({}, ray_of(1));
@@ -187,8 +218,9 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
 }
 
 TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lockstep]") {
+    const Config config = format(GENERATE("default", "shading:default"));
     for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(format("default"), seed, flow, 3000);
+        for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
 
 TEST_CASE("model and rtl of trav make the same moves, four children, one context and many", "[trav][lockstep][slow]") {

@@ -36,7 +36,8 @@ int side(const Vec3i& o, const Vec3i& d, const Vec3i& p, const Vec3i& q, std::in
 /// With A = a - o and so on, t d = w A + u B + v C. So u = vol(d, C, A) / S, v = vol(d, A, B) / S, w = vol(d, B, C) / S and
 /// t = vol(A, B, C) / S with S = vol(d, b - a, c - a), the sum of the three.
 TriRsp truth(const TriReq& req, const Config& config) {
-    const auto& [a, b, c, prim] = req.triangle;
+    const Vec3i &a = req.triangle.a, &b = req.triangle.b, &c = req.triangle.c;
+    const std::uint32_t prim = req.triangle.prim;
     TriRsp rsp;
     rsp.ray = req.ray;
     std::int64_t u = 0, v = 0, w = 0;
@@ -45,7 +46,7 @@ TriRsp truth(const TriReq& req, const Config& config) {
     if (s == 0 || num <= 0) return rsp;
     if (side(req.o, req.d, c, a, u) != sign || side(req.o, req.d, a, b, v) != sign || side(req.o, req.d, b, c, w) != sign) return rsp;
     if (req.best.found) {
-        const std::int64_t mine = num * req.best.det, theirs = req.best.num * det;
+        const Wide mine = num * req.best.det, theirs = req.best.num * det;
         if (mine > theirs || (mine == theirs && prim > req.best.prim)) return rsp;
     }
     rsp.closer = 1;

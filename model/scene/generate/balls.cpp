@@ -63,14 +63,18 @@ std::uint64_t spheres(int size) {
 
 } // namespace
 
-std::uint64_t balls_triangles(int size) { return spheres(size) * sphere_triangles + 2; }
+PrimitiveCounts balls_counts(int size, Primitives primitives) {
+    if (primitives == Primitives::native) return {.triangles = 2, .spheres = spheres(size)};
+    return {.triangles = spheres(size) * sphere_triangles + 2};
+}
 
-Scene make_balls(int size) {
+Scene make_balls(int size, Primitives primitives) {
+    const bool is_cut = primitives == Primitives::triangles;
     Scene scene;
     scene.camera = Camera{{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights = white_lights({{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
-    MeshWriter mesh(scene);
-    mesh.reserve(spheres(size) * sphere_vertices + 4, balls_triangles(size), true);
+    MeshWriter mesh(scene, primitives);
+    mesh.reserve((is_cut ? spheres(size) * sphere_vertices : 0) + 4, balls_counts(size, primitives), is_cut);
     mesh.material({.name = "floor", .colour{1, 0.75, 0.33}, .ambient = 0.2, .diffuse = 0.4});
     mesh.flat({{12, 12, -0.5}, {-12, 12, -0.5}, {-12, -12, -0.5}, {12, -12, -0.5}});
     mesh.material({.name = "balls", .colour{1, 0.9, 0.7}, .ambient = 0.15, .diffuse = 0.5, .highlight = 0.5,

@@ -32,11 +32,33 @@ void block(MeshWriter& mesh, const std::array<glm::dvec3, 4>& foot, double heigh
     for (std::size_t i = 0; i < 4; ++i) quad(mesh, {low[i], low[(i + 1) % 4], high[(i + 1) % 4], high[i]});
 }
 
+struct Walls {
+    Material red{.name = "red", .colour{0.65, 0.05, 0.05}, .ambient = 0.15, .diffuse = 0.9};
+    Material green{.name = "green", .colour{0.12, 0.45, 0.15}, .ambient = 0.15, .diffuse = 0.9};
+};
+
+Scene make_room(const Walls& walls);
+
 } // namespace
 
 std::uint64_t cornell_triangles(int) { return room + ceiling_and_lamp + 2 * block_sides; }
 
-Scene make_cornell(int) {
+Scene make_cornell(int) { return make_room({}); }
+
+/// The two coloured walls face each other; each keeps a little of its colour, so that one can count how often a picture was mirrored.
+Scene make_mirrors(int) {
+    Walls walls;
+    for (Material* wall : {&walls.red, &walls.green}) {
+        wall->name += " mirror";
+        wall->diffuse = 0.25;
+        wall->mirror = 0.75;
+    }
+    return make_room(walls);
+}
+
+namespace {
+
+Scene make_room(const Walls& walls) {
     Scene scene;
     scene.background = glm::dvec3(0);
     scene.camera = Camera{{278, 273, -800}, {278, 273, 0}, {0, 1, 0}, 39.3};   // a 25 mm film behind a 35 mm lens
@@ -55,13 +77,15 @@ Scene make_cornell(int) {
     }
     block(mesh, {{{130, 0, 65}, {82, 0, 225}, {240, 0, 272}, {290, 0, 114}}}, 165);
     block(mesh, {{{423, 0, 247}, {265, 0, 296}, {314, 0, 456}, {472, 0, 406}}}, 330);
-    mesh.material({.name = "red", .colour{0.65, 0.05, 0.05}, .ambient = 0.15, .diffuse = 0.9});
+    mesh.material(walls.red);
     quad(mesh, {floor[0], floor[3], ceiling[3], ceiling[0]});
-    mesh.material({.name = "green", .colour{0.12, 0.45, 0.15}, .ambient = 0.15, .diffuse = 0.9});
+    mesh.material(walls.green);
     quad(mesh, {floor[2], floor[1], ceiling[1], ceiling[2]});
     mesh.material({.name = "lamp", .colour = glm::dvec3(1), .ambient = 1, .diffuse = 0});
     quad(mesh, {lamp[3], lamp[2], lamp[1], lamp[0]});
     return scene;
 }
+
+} // namespace
 
 } // namespace rayclock

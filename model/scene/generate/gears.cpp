@@ -96,7 +96,7 @@ Scene make_gears(int size) {
     scene.camera = Camera{{-1.1, -2.1, 2.6}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights = white_lights({{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}});
     MeshWriter mesh(scene);
-    mesh.reserve((gears_triangles(size) - 2) / triangles_per_gear * 2 * corners + 4, gears_triangles(size), false);
+    mesh.reserve((gears_triangles(size) - 2) / triangles_per_gear * 2 * corners + 4, {.triangles = gears_triangles(size)}, false);
     mesh.material({.name = "ground", .colour{1, 0.85, 0.7}, .ambient = 0.15, .diffuse = 0.3, .highlight = 0.3,
                    .shine = shine_of(37), .mirror = 0.6});
     const std::uint32_t ground = mesh.vertex({2, 2, 0});

@@ -1,27 +1,28 @@
 #pragma once
 #include <cstdint>
 
+#include "model/scene/builtin.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
 
-// One file per built-in scene; builtin.cpp lists them. Each has the exact number of triangles by formula and the
+// builtin.cpp lists the scenes; most have a file of their own. Each has the exact number of primitives by formula and the
 // scene itself for a size >= 1. Memory and time grow with the result only, and the same size always gives the
 // same bits. Curved things come as Haines' package cuts them by default (tessellation factor 3) with smooth normals;
-// a scene without anything curved has no normals. Lights are 1/sqrt(their number) strong; three or more still blow out
+// a scene without curved triangles has no normals. Lights are 1/sqrt(their number) strong; three or more still blow out
 // what they all shine on, so such surfaces have half of Haines' Kd (shading is free in his description).
 
-std::uint64_t balls_triangles(int size);
-Scene make_balls(int size);
+PrimitiveCounts balls_counts(int size, Primitives primitives);
+Scene make_balls(int size, Primitives primitives);
 
 std::uint64_t gears_triangles(int size);
 Scene make_gears(int size);
 
-std::uint64_t mount_triangles(int size);
-Scene make_mount(int size);
+PrimitiveCounts mount_counts(int size, Primitives primitives);
+Scene make_mount(int size, Primitives primitives);
 
-std::uint64_t rings_triangles(int size);
-Scene make_rings(int size);
+PrimitiveCounts rings_counts(int size, Primitives primitives);
+Scene make_rings(int size, Primitives primitives);
 
 std::uint64_t teapot_triangles(int size);
 Scene make_teapot(int size);
@@ -29,13 +30,22 @@ Scene make_teapot(int size);
 std::uint64_t tetra_triangles(int size);
 Scene make_tetra(int size);
 
-std::uint64_t tree_triangles(int size);
-Scene make_tree(int size);
+PrimitiveCounts tree_counts(int size, Primitives primitives);
+Scene make_tree(int size, Primitives primitives);
 
 std::uint64_t icosphere_triangles(int size);
 Scene make_icosphere(int size);
 
 std::uint64_t cornell_triangles(int size);
 Scene make_cornell(int size);
+Scene make_mirrors(int size);             ///< as many triangles as the Cornell box
+
+constexpr std::uint64_t spheres_spheres = 5;
+Scene make_spheres(int size);
+
+Scene make_plane(int size);
+
+std::uint64_t square_triangles(int size);
+Scene make_square(int size);
 
 } // namespace rayclock

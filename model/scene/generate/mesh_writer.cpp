@@ -30,7 +30,7 @@ std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions) {
 
 double shine_of(double degrees) { return std::log(0.5) / std::log(std::cos(degrees * std::numbers::pi / 180)); }
 
-MeshWriter::MeshWriter(Scene& scene) : scene_(scene) {
+MeshWriter::MeshWriter(Scene& scene, Primitives primitives) : scene_(scene), primitives_(primitives) {
     // Points of the (f+1)^3 lattice on the cube's surface; sides that meet in an edge find the same points.
     std::uint32_t number[f + 1][f + 1][f + 1] = {};
     const auto on_surface = [](int k) { return k == 0 || k == f; };
@@ -58,10 +58,12 @@ MeshWriter::MeshWriter(Scene& scene) : scene_(scene) {
                 }
 }
 
-void MeshWriter::reserve(std::uint64_t vertices, std::uint64_t triangles, bool with_normals) {
+void MeshWriter::reserve(std::uint64_t vertices, const PrimitiveCounts& counts, bool with_normals) {
+    with_normals_ = with_normals;
     scene_.vertices.reserve(vertices);
     scene_.normals.reserve(with_normals ? vertices : 0);
-    scene_.triangles.reserve(triangles);
+    scene_.triangles.reserve(counts.triangles);
+    scene_.spheres.reserve(counts.spheres);
 }
 
 void MeshWriter::material(const Material& material) {
@@ -75,7 +77,7 @@ std::uint32_t MeshWriter::vertex(const glm::dvec3& position) {
 }
 
 std::uint32_t MeshWriter::vertex(const glm::dvec3& position, const glm::dvec3& normal) {
-    scene_.normals.push_back(normal);
+    if (with_normals_) scene_.normals.push_back(normal);
     return vertex(position);
 }
 
@@ -92,6 +94,10 @@ void MeshWriter::flat(std::initializer_list<glm::dvec3> corners) {
 }
 
 void MeshWriter::sphere(const glm::dvec3& centre, double radius) {
+    if (primitives_ == Primitives::native) {
+        scene_.spheres.push_back({centre, radius, material_});
+        return;
+    }
     const auto first = static_cast<std::uint32_t>(scene_.vertices.size());
     for (const glm::dvec3& p : sphere_points_) vertex(centre + radius * p, p);
     for (const auto& [a, b, c] : sphere_faces_) triangle(first + a, first + b, first + c);

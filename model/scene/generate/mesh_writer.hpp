@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "model/scene/builtin.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
@@ -23,9 +24,10 @@ constexpr int cone_vertices = 2 * cone_sectors;
 /// A scene is written either with normals throughout or without any.
 class MeshWriter {
 public:
-    explicit MeshWriter(Scene& scene);
+    explicit MeshWriter(Scene& scene, Primitives primitives = Primitives::triangles);
 
-    void reserve(std::uint64_t vertices, std::uint64_t triangles, bool with_normals);
+    /// Memory for what is to come. Without normals, those of vertex(), flat() and cone() are dropped.
+    void reserve(std::uint64_t vertices, const PrimitiveCounts& counts, bool with_normals);
 
     /// The material of the triangles to come: a new one, or one of the scene's by number.
     void material(const Material& material);
@@ -38,7 +40,7 @@ public:
     /// Planar convex polygon, cut as a fan, with its face normal at every corner.
     void flat(std::initializer_list<glm::dvec3> corners);
 
-    /// Closed; equal-angle cube grid (spd.md 5), normals radial.
+    /// One native sphere; or closed, an equal-angle cube grid (spd.md 5), normals radial.
     void sphere(const glm::dvec3& centre, double radius);
 
     /// Side only, no caps: base ring first, then apex ring.
@@ -46,6 +48,8 @@ public:
 
 private:
     Scene& scene_;
+    Primitives primitives_;
+    bool with_normals_ = true;
     std::uint32_t material_ = 0;
     std::vector<glm::dvec3> sphere_points_;                      ///< of the unit sphere
     std::vector<std::array<std::uint32_t, 3>> sphere_faces_;

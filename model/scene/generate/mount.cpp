@@ -95,18 +95,22 @@ void rock(MeshWriter& mesh, const Terrain& terrain, std::uint32_t width, std::ui
     rock(mesh, terrain, h, x, y + h);
 }
 
-constexpr std::uint64_t glass_triangles = 4 * sphere_triangles;
-
 } // namespace
 
-std::uint64_t mount_triangles(int size) { return (std::uint64_t{2} << 2 * size) + glass_triangles; }
+PrimitiveCounts mount_counts(int size, Primitives primitives) {
+    const std::uint64_t rock_triangles = std::uint64_t{2} << 2 * size;
+    if (primitives == Primitives::native) return {.triangles = rock_triangles, .spheres = 4};
+    return {.triangles = rock_triangles + 4 * sphere_triangles};
+}
 
-Scene make_mount(int size) {
+Scene make_mount(int size, Primitives primitives) {
+    const bool is_cut = primitives == Primitives::triangles;
     Scene scene;
     scene.camera = Camera{{-1.6, 1.6, 1.7}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights = white_lights({{-100, -100, 100}});
-    MeshWriter mesh(scene);
-    mesh.reserve((mount_triangles(size) - glass_triangles) * 3 + 4 * sphere_vertices, mount_triangles(size), true);
+    MeshWriter mesh(scene, primitives);
+    const std::uint64_t rock_corners = 3 * mount_counts(size, Primitives::native).triangles;
+    mesh.reserve(rock_corners + (is_cut ? 4 * sphere_vertices : 0), mount_counts(size, primitives), is_cut);
     mesh.material({.name = "glass", .colour{1, 1, 1}, .ambient = 0.2, .diffuse = 0.1, .highlight = 0.4,
                    .shine = shine_of(6.7), .mirror = 0.1, .transmit = 0.9, .index = 1.5});
     glass_spheres(mesh);

@@ -101,7 +101,7 @@ Scene make_teapot(int size) {
     scene.lights = white_lights({{-3.1, 9.8, 12.1}, {11.3, 5.1, 8.8}});
     MeshWriter mesh(scene);
     const auto grid = static_cast<std::uint64_t>(size + 1) * static_cast<std::uint64_t>(size + 1);
-    mesh.reserve((teapot_patches.size() + 1) * grid, teapot_triangles(size), true);
+    mesh.reserve((teapot_patches.size() + 1) * grid, {.triangles = teapot_triangles(size)}, true);
     checkerboard(mesh, scene, size);
     mesh.material({.name = "teapot", .colour{1, 0.5, 0.1}, .ambient = 0.15, .diffuse = 0.75, .highlight = 0.25,
                    .shine = shine_of(37), .mirror = 0.25});

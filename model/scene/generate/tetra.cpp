@@ -31,7 +31,7 @@ Scene make_tetra(int size) {
     scene.camera = Camera{{1.022846, -3.177154, -2.174512}, {-0.004103, -0.004103, 0.216539}, {-0.816497, -0.816497, 0.816497}, 45};
     scene.lights = white_lights({{2, -18, -5}});
     MeshWriter mesh(scene);
-    mesh.reserve(tetra_triangles(size), tetra_triangles(size), false);
+    mesh.reserve(tetra_triangles(size), {.triangles = tetra_triangles(size)}, false);
     mesh.material({.name = "tetra", .colour{1, 0.2, 0.2}, .ambient = 0.1, .diffuse = 1});
     pyramid(mesh, size, glm::dvec3(0), 1);
     return scene;

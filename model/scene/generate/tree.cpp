@@ -35,15 +35,19 @@ std::uint64_t branches(int size) { return (std::uint64_t{2} << size) - 1; }
 
 } // namespace
 
-std::uint64_t tree_triangles(int size) { return branches(size) * (sphere_triangles + cone_triangles) + 2; }
+PrimitiveCounts tree_counts(int size, Primitives primitives) {
+    if (primitives == Primitives::native) return {.triangles = branches(size) * cone_triangles + 2, .spheres = branches(size)};
+    return {.triangles = branches(size) * (sphere_triangles + cone_triangles) + 2};
+}
 
-Scene make_tree(int size) {
+Scene make_tree(int size, Primitives primitives) {
     Scene scene;
     scene.camera = Camera{{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}, 45};
     scene.lights = white_lights({{-5, 5, 50}, {30, -30, 30}, {-40, -30, 20},
                                  {10, 30, 40}, {-30, 40, 10}, {50, 25, 20}, {-10, -60, 30}});
-    MeshWriter mesh(scene);
-    mesh.reserve(branches(size) * (sphere_vertices + cone_vertices) + 4, tree_triangles(size), true);
+    MeshWriter mesh(scene, primitives);
+    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices;
+    mesh.reserve(branches(size) * vertices + 4, tree_counts(size, primitives), true);
     mesh.material({.name = "field", .colour{0.2, 0.7, 0.2}, .ambient = 0.1, .diffuse = 0.5});
     mesh.flat({{50, 50, 0}, {-50, 50, 0}, {-50, -50, 0}, {50, -50, 0}});
     mesh.material({.name = "wood", .colour{0.55, 0.4, 0.2}, .ambient = 0.1, .diffuse = 0.5});

@@ -1,0 +1,73 @@
+#pragma once
+// What the host sets before a frame, described as payloads are: payloads.hpp has the symbols.
+#include <array>
+#include <cstdint>
+
+#include "model/core/config.hpp"
+
+namespace rayclock {
+
+using Vec3i = std::array<std::int32_t, 3>;
+using Vec3l = std::array<std::int64_t, 3>;
+
+/// Where a ray comes from: a camera ray from the eye, a bounce (reflected or refracted) from a point of a surface, a shadow
+/// ray from the light to such a point, which it would reach at t = 2^-B (docs/origins.md). A light beyond the lattice is asked
+/// for by a ray away from that point and without end: a bounce but that, as for a shadow ray, any hit will do.
+enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
+constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(RayKind::shadow); }
+
+/// Registers that the host sets for a frame, if the chip shades.
+struct ShadeFrame {
+    std::uint32_t surfaces = 0;         ///< line of primitive 0's surface
+    std::uint32_t depth = 0;            ///< most bounces
+    std::uint32_t threshold = 0;        ///< least weight of a ray, unit_bits of fraction
+    std::uint32_t side = 1;             ///< a pixel has side * side samples
+    std::uint32_t stride = 1;           ///< from sample to sample through the cells
+    std::uint32_t jitter = 0;
+    std::uint32_t contrast = 0;         ///< unit_bits of fraction; 0: all samples
+    std::uint32_t share = 0, first_share = 0;   ///< round(2^unit_bits / samples): of all of them; of the first
+    std::uint32_t seed = 0;
+    std::array<std::uint32_t, 3> background{};          ///< unit_bits of fraction
+    std::uint32_t lights = 0;
+    std::array<std::uint32_t, max_lights> near{};      ///< the light lies within the lattice
+    std::array<std::int32_t, 3 * max_lights> place{};  ///< [3 * light + axis], lattice points
+    std::array<std::uint32_t, 3 * max_lights> colour{};///< share_bits of fraction
+    template <class V> void fields(V& v, const Config& c) {
+        v("surfaces", surfaces, c.addr_bits);
+        v("depth", depth, depth_bits);
+        v("threshold", threshold, unit_bits + 1);
+        v("side", side, 4);
+        v("stride", stride, sample_bits);
+        v("jitter", jitter, 1);
+        v("contrast", contrast, unit_bits + 1);
+        v("share", share, unit_bits + 1);
+        v("first_share", first_share, unit_bits + 1);
+        v("seed", seed, 32);
+        v("background", background, unit_bits + 1, 3);
+        v("lights", lights, 7);
+        v("is_near", near, 1, c.lights);
+        v("place", place, c.light_bits(), 3 * c.lights);
+        v("colour", colour, strength_bits, 3 * c.lights);
+    }
+};
+
+/// Registers that the host sets for a frame. direction(x, y) = round((corner + x right + y down) / 2^guard_bits).
+struct Frame {
+    std::uint32_t width = 0, height = 0;
+    std::uint32_t root = 0;          ///< line of the root node
+    Vec3i eye{};                     ///< lattice point
+    Vec3l corner{}, right{}, down{}; ///< M + guard_bits bits, signed
+    ShadeFrame shade;
+    template <class V> void fields(V& v, const Config& c) {
+        v("width", width, c.pixel_bits + 1);
+        v("height", height, c.pixel_bits + 1);
+        v("root", root, c.addr_bits);
+        v("eye", eye, c.coord_bits, 3);
+        v("corner", corner, c.guard_dir_bits(), 3);
+        v("right", right, c.guard_dir_bits(), 3);
+        v("down", down, c.guard_dir_bits(), 3);
+        if (c.shading) shade.fields(v, c);
+    }
+};
+
+} // namespace rayclock

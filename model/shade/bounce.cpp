@@ -1,0 +1,78 @@
+#include "model/shade/bounce.hpp"
+
+#include <algorithm>
+
+#include "model/shade/dot.hpp"
+#include "model/shade/square_root.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::int64_t one = 1 << unit_bits;
+
+/// A vector of about unit length, with no component above 1.
+std::array<std::int32_t, 3> within(const Vec3l& v) {
+    std::array<std::int32_t, 3> unit{};
+    for (std::size_t k = 0; k < 3; ++k) unit[k] = std::int32_t(std::clamp(v[k], -one, one));
+    return unit;
+}
+
+/// Sign of n . d, exactly.
+int side_of(const Vec3l& n, const Vec3i& d) {
+    const Wide dot = Wide(n[0]) * d[0] + Wide(n[1]) * d[1] + Wide(n[2]) * d[2];
+    return dot > 0 ? 1 : dot < 0 ? -1 : 0;
+}
+
+/// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5.
+std::int64_t schlick(const ShadeState& state) {
+    const std::int64_t q = one - state.cosine, q2 = rounded(q * q, unit_bits), q4 = rounded(q2 * q2, unit_bits), q5 = rounded(q4 * q, unit_bits);
+    return (std::int64_t(state.r0) << (unit_bits - share_bits)) + rounded(((1 << share_bits) - std::int64_t(state.r0)) * q5, share_bits);
+}
+
+std::uint32_t times(std::uint32_t weight, std::int64_t share) {
+    return std::uint32_t(rounded(weight * std::min(share, one), unit_bits));
+}
+std::int64_t widened(std::uint32_t share) { return std::int64_t(share) << (unit_bits - share_bits); }
+
+/// 2^32 times the squared cosine of the refracted ray; negative: total reflection. The ratio's square times the sine's, rounded down.
+std::int64_t refracted_cosine(const ShadeState& state) {
+    const std::uint64_t sine2 = (std::uint64_t(1) << 2 * unit_bits) - std::uint64_t(state.cosine) * state.cosine;
+    const auto bent = std::uint64_t(Wide(std::uint64_t(state.ratio) * state.ratio) * sine2 >> 2 * index_frac);
+    return (std::int64_t(1) << 2 * unit_bits) - std::int64_t(bent);
+}
+
+} // namespace
+
+BounceOut reflect(const Config& c, const ShadeState& state) {
+    BounceOut out;
+    Vec3l mirrored{};
+    for (std::size_t k = 0; k < 3; ++k) mirrored[k] = rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];
+    out.d = direction_of(within(mirrored), c);
+    out.goes = side_of(state.n, out.d) > 0;
+    std::int64_t share = widened(state.mirror);
+    if (c.refraction) {
+        if (state.total) share += widened(state.transmit);
+        else if (state.schlick) share += rounded(state.transmit * schlick(state), share_bits);
+    }
+    out.weight = times(state.weight, share);
+    return out;
+}
+
+BounceOut refract(const Config& c, const ShadeState& state) {
+    BounceOut out;
+    const std::int64_t cosine2 = refracted_cosine(state);
+    out.total = cosine2 < 0;
+    const std::int64_t root = out.total ? 0 : std::int64_t(square_root(std::uint64_t(cosine2)));
+    const std::int64_t along = rounded(std::int64_t(state.ratio) * state.cosine, index_frac) - root;
+    Vec3l bent{};
+    for (std::size_t k = 0; k < 3; ++k)
+        bent[k] = rounded(along * state.normal[k] - (std::int64_t(state.ratio) * state.view[k] << (unit_bits - index_frac)), unit_bits);
+    out.d = direction_of(within(bent), c);
+    out.goes = !out.total && side_of(state.n, out.d) < 0;
+    const std::int64_t share = state.schlick ? rounded(state.transmit * (one - schlick(state)), share_bits) : widened(state.transmit);
+    out.weight = times(state.weight, share);
+    return out;
+}
+
+} // namespace rayclock

@@ -1,0 +1,37 @@
+#include "model/shade/light.hpp"
+
+#include <algorithm>
+
+#include "model/shade/dot.hpp"
+#include "model/shade/power.hpp"
+#include "model/shade/unit_vector.hpp"
+
+namespace rayclock {
+
+LightOut light(const Frame& frame, const Config& c, ShadeState& state) {
+    const std::int32_t* place = &frame.shade.place[3 * state.light];
+    LightOut out;
+    Vec3l to{};
+    Wide side = 0;
+    for (std::size_t k = 0; k < 3; ++k) to[k] = (std::int64_t(place[k]) << c.origin_bits) - state.o[k];
+    const std::array<std::int32_t, 3> unit = unit_vector(to);
+    const bool near = frame.shade.near[state.light] != 0;
+    out.d = near ? Vec3i{std::int32_t(-to[0]), std::int32_t(-to[1]), std::int32_t(-to[2])} : direction_of(unit, c);
+    // On the side seen, exactly: the ray's own direction decides.
+    for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * out.d[k];
+    if (near) side = -side;
+    const std::uint32_t cosine = clamped_dot(state.normal, unit);   // N . L
+    out.counts = side > 0 && cosine > 0;
+    // R . V with R = 2 (N . L) N - L.
+    const std::int64_t mirrored = rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits) - unit_dot(unit, state.view);
+    const std::uint32_t phong = power(std::uint32_t(std::clamp<std::int64_t>(mirrored, 0, 1 << unit_bits)), state.shine);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint64_t matte = rounded(std::uint64_t(state.diffuse) * cosine * state.albedo[k], 2 * share_bits);
+        const std::uint64_t gloss = rounded(std::uint64_t(state.highlight) * phong, share_bits);
+        const std::uint64_t share = rounded((matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight, share_bits + unit_bits);
+        state.share[k] = std::uint32_t(std::min<std::uint64_t>(share, 1 << unit_bits));
+    }
+    return out;
+}
+
+} // namespace rayclock

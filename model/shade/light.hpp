@@ -1,0 +1,14 @@
+#pragma once
+#include "model/shade/state.hpp"
+
+namespace rayclock {
+
+/// The part of a pass that a light takes: what it would add, into state.share, and the shadow ray's direction.
+/// Mirror of rtl/shade/rc_light.sv.
+struct LightOut {
+    bool counts = false;   ///< the light lies on the side seen, and its cosine is positive
+    Vec3i d{};             ///< near: from the light to o, times 2^B; else from o to the light, of M bits
+};
+LightOut light(const Frame& frame, const Config& config, ShadeState& state);
+
+} // namespace rayclock

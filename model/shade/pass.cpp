@@ -1,0 +1,173 @@
+#include "model/shade/pass.hpp"
+
+#include <algorithm>
+
+#include "model/scene/whitted.hpp"
+#include "model/shade/bounce.hpp"
+#include "model/shade/dot.hpp"
+#include "model/shade/light.hpp"
+#include "model/shade/surf.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::uint32_t one = 1 << unit_bits;
+using Colour = std::array<std::uint32_t, 3>;
+
+void add(Colour& colour, const Colour& more) {
+    for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], one);
+}
+
+ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c) {
+    if (s.far || s.depth >= frame.shade.depth) return ShadeEvent::pop;
+    if (c.refraction && s.transmit > 0) return ShadeEvent::refract;
+    return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;
+}
+
+/// The event after a surface (light -1) or a light.
+void next_light(ShadeState& s, std::uint32_t light, const Frame& frame, const Config& c) {
+    s.light = light;
+    s.event = std::uint32_t(light < frame.shade.lights ? ShadeEvent::light : after_lights(s, frame, c));
+}
+
+Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
+    Spawn spawn;
+    spawn.ray = in.ray;
+    spawn.kind = std::uint32_t(kind);
+    spawn.x = s.x, spawn.y = s.y, spawn.sample = s.sample;
+    return spawn;
+}
+
+void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s) {
+    if (s.depth == 0 && s.sample == 0) {
+        s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
+    }
+    if (in.hit.found) {
+        add(s.colour, surf(in, c, s));
+        next_light(s, 0, frame, c);
+        return;
+    }
+    Colour background{};
+    for (std::size_t k = 0; k < 3; ++k) background[k] = std::uint32_t(rounded(std::uint64_t(s.weight) * frame.shade.background[k], unit_bits));
+    add(s.colour, background);
+    s.event = std::uint32_t(ShadeEvent::pop);
+}
+
+void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const LightOut found = light(frame, c, s);
+    const std::uint32_t index = s.light;
+    next_light(s, index + 1, frame, c);
+    if (!found.counts) return;
+    if (s.far) {
+        s.pending = std::uint32_t(Pending::sure);
+        return;
+    }
+    s.pending = std::uint32_t(Pending::answer);
+    out.leave = PassOut::Leave::spawn;
+    const bool near = frame.shade.near[index] != 0;
+    out.spawn = spawn_of(in, s, near ? RayKind::shadow : RayKind::away);
+    out.spawn.self = s.self, out.spawn.inside = s.inside;
+    for (std::size_t k = 0; k < 3; ++k) out.spawn.o[k] = near ? frame.shade.place[3 * index + k] * (1 << c.origin_bits) : s.o[k];
+    out.spawn.d = found.d;
+}
+
+void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
+    ShadeState& s = out.state;
+    s.weight = ray.weight, s.depth = ray.depth;
+    s.event = std::uint32_t(ShadeEvent::arrive);
+    out.leave = PassOut::Leave::spawn;
+    out.spawn = spawn_of(in, s, RayKind::bounce);
+    out.spawn.o = ray.o, out.spawn.d = ray.d;
+    out.spawn.self = ray.self, out.spawn.inside = ray.inside;
+}
+
+Waiting bounced(const ShadeState& s, const BounceOut& found, bool through) {
+    return {s.o, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through)};
+}
+
+/// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other way round.
+void send_refracted(const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const BounceOut found = refract(c, s);
+    s.total = found.total;
+    s.event = std::uint32_t(ShadeEvent::reflect);
+    if (found.weight < frame.shade.threshold) return;
+    out.refracted = true;
+    if (!found.goes) return;
+    out.push = true;
+    out.pushed = bounced(s, found, true);
+    ++s.waiting;
+}
+
+void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    const BounceOut found = reflect(c, s);
+    s.event = std::uint32_t(ShadeEvent::pop);
+    if (found.weight < frame.shade.threshold || !found.goes) return;
+    send_bounce(in, bounced(s, found, false), out);
+}
+
+/// A sample is finished: the next one, or the pixel.
+void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
+    ShadeState& s = out.state;
+    bool same = frame.shade.contrast > 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        s.sum[k] += s.colour[k];
+        s.least[k] = std::min(s.least[k], s.colour[k]);
+        s.most[k] = std::max(s.most[k], s.colour[k]);
+        same = same && s.most[k] - s.least[k] <= frame.shade.contrast;
+    }
+    const std::uint32_t done = s.sample + 1, all = frame.shade.side * frame.shade.side;
+    const bool first = done == std::min(first_samples, all) && same;
+    if (c.supersampling && done < all && !first) {
+        s.sample = done;
+        s.colour = {};
+        s.weight = one, s.depth = 0;
+        s.event = std::uint32_t(ShadeEvent::arrive);
+        out.leave = PassOut::Leave::spawn;
+        out.spawn = spawn_of(in, s, RayKind::camera);
+        return;
+    }
+    out.leave = PassOut::Leave::pixel;
+    out.pixel.first = {in.ray, s.found, s.prim, s.t, s.u, s.v, 0};
+    const std::uint32_t share = done < all ? frame.shade.first_share : frame.shade.share;
+    for (std::size_t k = 0; k < 3; ++k)
+        out.pixel.colour[k] = c.supersampling ? std::uint32_t(std::min<std::uint64_t>(rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one)) : s.colour[k];
+}
+
+} // namespace
+
+ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
+    ShadeState s;
+    s.x = x, s.y = y;
+    s.least = {one, one, one};
+    s.weight = one;
+    return s;
+}
+
+PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
+    PassOut out;
+    out.state = in.state;
+    ShadeState& s = out.state;
+    const Pending pending = Pending(s.pending);
+    if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
+    s.pending = std::uint32_t(Pending::none);
+    switch (ShadeEvent(s.event)) {
+    case ShadeEvent::arrive: arrive(in, frame, c, s); break;
+    case ShadeEvent::light: send_shadow(in, frame, c, out); break;
+    case ShadeEvent::refract: send_refracted(frame, c, out); break;
+    case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
+    case ShadeEvent::pop:
+        if (s.waiting > 0) {
+            --s.waiting;
+            send_bounce(in, in.top, out);
+        } else {
+            finish(in, frame, c, out);
+        }
+    }
+    return out;
+}
+
+} // namespace rayclock

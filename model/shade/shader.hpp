@@ -1,0 +1,68 @@
+#pragma once
+#include <vector>
+
+#include "model/accel/memory_image.hpp"
+#include "model/scene/hit.hpp"
+#include "model/scene/whitted.hpp"
+#include "model/shade/pass.hpp"
+
+namespace rayclock {
+
+/// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, the passes one after the other.
+class Shader {
+public:
+    Shader(const Frame& frame, const Config& config, const MemoryImage& image) : frame_(&frame), config_(&config), image_(&image) {}
+
+    /// sched -> raygen: a pixel.
+    void start(const Slot& slot);
+    /// raygen -> trav: a ray of this context.
+    void sent(const Ray& ray);
+    /// list -> shade: its answer.
+    void arrived(const Closest& hit) {
+        arrived(hit, [this](std::uint32_t) { return surface(); });
+    }
+    /// The same, if somebody else has read the surface: surface_at(line).
+    template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
+        in_.hit = hit;
+        if (is_arrival()) signature_.met(hit.found ? hit.prim : no_primitive);
+        else signature_.asked(hit.found != 0);
+        if (wants_surface()) in_.surface = surface_at(surface_line());
+        counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
+    }
+    /// A surface must come before the next pass: its line.
+    bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
+    std::uint32_t surface_line() const { return frame_->shade.surfaces + in_.hit.prim; }
+    Surface surface() const { return unpack<Surface>(image_->line(surface_line()), *config_); }
+
+    /// Passes until a ray or the pixel leaves; returns how many.
+    int run();
+    bool is_finished() const { return out_.leave == PassOut::Leave::pixel; }
+    const Spawn& spawn() const { return out_.spawn; }
+    const Pixel& pixel() const { return out_.pixel; }
+    /// Of the pixel so far.
+    std::uint64_t signature() const { return signature_.value(); }
+    /// Of all pixels that this has shaded.
+    const RayCounts& counts() const { return counts_; }
+
+private:
+    bool is_arrival() const { return in_.state.event == std::uint32_t(ShadeEvent::arrive); }
+    void count(ShadeEvent event);
+
+    const Frame* frame_;
+    const Config* config_;
+    const MemoryImage* image_;
+    PassIn in_;
+    PassOut out_;
+    std::vector<Waiting> stack_;
+    RayCounts counts_;
+    PathSignature signature_;
+};
+
+/// The slot's ray as raygen would get it from shade.
+inline Spawn first_spawn(const Slot& slot) {
+    Spawn spawn;
+    spawn.ray = slot.ray, spawn.x = slot.x, spawn.y = slot.y;
+    return spawn;
+}
+
+} // namespace rayclock

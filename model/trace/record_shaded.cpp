@@ -1,0 +1,44 @@
+#include "model/trace/record_shaded.hpp"
+
+#include "model/raygen/raygen.hpp"
+
+namespace rayclock {
+
+std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch, RecordTotals& totals) {
+    const Slot slot{0, x, y};
+    shader_.start(slot);
+    Spawn spawn = first_spawn(slot);
+    do {
+        const Ray ray = spawn_ray(spawn, frame_, config_);
+        shader_.sent(ray);
+        Closest hit;
+        at = record_(decoder_, config_, frame_.root, ray, at, scratch, totals, hit);
+        shader_.arrived(hit, [this](std::uint32_t line) -> const Surface& { return decoder_.surface(line); });
+        const bool surface = shader_.wants_surface();
+        const std::uint32_t line = surface ? shader_.surface_line() | Trace::surface_flag : 0;
+        const auto passes = std::uint32_t(shader_.run());
+        if (scratch.words.size() < at + 2) scratch.words.resize(2 * scratch.words.size() + 2);
+        scratch.words[at++] = line | (shader_.is_finished() ? Trace::pixel_flag : 0);
+        scratch.words[at++] = passes;
+        spawn = shader_.spawn();
+    } while (!shader_.is_finished());
+    return at;
+}
+
+void ShadedRecorder::block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals) {
+    scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
+    scratch.starts.clear();
+    std::size_t end = 0;
+    for (std::uint32_t y = block.y0; y < block.y1; ++y)
+        for (std::uint32_t x = block.x0; x < block.x1; ++x) {
+            scratch.starts.push_back(end);
+            end = pixel(x, y, end, scratch, totals);
+            const std::size_t at = std::size_t(y) * trace.width + x;
+            trace.hits[at] = shader_.pixel().first;
+            trace.colours[at] = shader_.pixel().colour;
+            trace.signatures[at] = shader_.signature();
+        }
+    scratch.used = end;
+}
+
+} // namespace rayclock

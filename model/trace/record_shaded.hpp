@@ -1,0 +1,28 @@
+#pragma once
+#include "model/shade/shader.hpp"
+#include "model/trace/record.hpp"
+#include "model/trace/trace.hpp"
+
+namespace rayclock {
+
+/// Shading frames: one block of pixels, all rays of each; as record_block() does for camera rays alone.
+class ShadedRecorder {
+public:
+    ShadedRecorder(const MemoryImage& image, const Frame& frame, const Config& config, const Decoder& decoder)
+        : config_(config), frame_(frame), decoder_(decoder), record_(record_any()), shader_(frame_, config_, image) {}
+
+    void block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals);
+    const RayCounts& counts() const { return shader_.counts(); }
+
+private:
+    /// Their words begin at `at` in scratch.words; return where they end.
+    std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch, RecordTotals& totals);
+
+    const Config& config_;
+    const Frame& frame_;
+    const Decoder& decoder_;
+    RecordRayFunction* record_;
+    Shader shader_;
+};
+
+} // namespace rayclock

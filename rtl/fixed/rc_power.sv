@@ -1,0 +1,111 @@
+// c^(n/16): c from 0 to 2^16 with UnitBits of fraction (16), n of 14 bits, 4 of them
+// fraction. 0 of c = 0. Error bounds: model/shade/power.hpp, the model.
+//
+// Latency rc_pkg::PowerStages, throughput 1 per cycle, no stall; a stage works only if
+// valid_i came with its operands.
+`default_nettype none
+module rc_power (
+  input  logic        clk_i,
+  input  logic        valid_i,
+  input  logic [16:0] c_i,
+  input  logic [13:0] n_i,
+  output logic [16:0] power_o
+);
+  localparam int unsigned Stages = rc_pkg::PowerStages;
+  localparam int unsigned LogW   = 30;
+  localparam int unsigned ExpW   = 28;
+
+  logic [Stages-1:0] valid_q;
+  always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
+
+  // s1: m = c 2^below, 2^16 <= m < 2^17.
+  logic [4:0]  s0_below, s1_below_q, s2_below_q;
+  logic [16:0] s0_m;
+  logic [15:0] s1_m_q;
+  always_comb begin
+    s0_below = 5'd17;   // c = 0
+    s0_m     = '0;
+    if (valid_i) begin
+      for (int i = 0; i < 17; i++) if (c_i[i]) s0_below = 5'd16 - 5'(i);
+      s0_m = c_i << s0_below;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (valid_i) begin
+      s1_below_q <= s0_below;
+      s1_m_q     <= s0_m[15:0];
+    end
+  end
+  logic [13:0] s3_n;
+  rc_delay #(.Width(14), .Stages(3)) u_n (
+    .clk_i, .valid_i({valid_q[1:0], valid_i}), .data_i(n_i), .data_o(s3_n));
+
+  // s2, s3: -log2(c), 18 bits of fraction.
+  logic [LogW-1:0] log_mem [128];
+  initial for (int i = 0; i < 128; i++) log_mem[i] = rc_pkg::Log[i*LogW +: LogW];
+  logic [LogW-1:0] s2_entry_q;
+  logic [8:0]      s2_frac_q;
+  logic [20:0]     s2_more;
+  logic [22:0]     s3_neg_q;
+  logic            s3_zero_q;
+  assign s2_more = {9'd0, s2_entry_q[11:0]} * {12'd0, s2_frac_q};
+  always_ff @(posedge clk_i) begin
+    if (valid_q[0]) begin
+      s2_entry_q <= log_mem[s1_m_q[15:9]];
+      s2_frac_q  <= s1_m_q[8:0];
+      s2_below_q <= s1_below_q;
+    end
+    if (valid_q[1]) begin
+      s3_neg_q  <= {s2_below_q, 18'd0} - {5'd0, s2_entry_q[29:12]} - {11'd0, s2_more[20:9]};
+      s3_zero_q <= s2_below_q == 5'd17;
+    end
+  end
+
+  // s4: the power's -log2.
+  logic [36:0] s3_product;
+  logic [32:0] s4_y_q;
+  logic        s4_none_q;
+  assign s3_product = {14'd0, s3_neg_q} * {23'd0, s3_n};
+  always_ff @(posedge clk_i) begin
+    if (valid_q[2]) begin
+      s4_y_q    <= s3_product[36:4];
+      s4_none_q <= s3_zero_q;
+    end
+  end
+
+  // s5, s6: 2^-fraction, 17 bits of fraction; more than 17 whole bits leave nothing.
+  logic [ExpW-1:0] exp_mem [128];
+  initial for (int i = 0; i < 128; i++) exp_mem[i] = rc_pkg::Exp[i*ExpW +: ExpW];
+  logic [ExpW-1:0] s5_entry_q;
+  logic [10:0]     s5_frac_q;
+  logic [20:0]     s5_less;
+  logic [4:0]      s5_whole_q, s6_whole_q;
+  logic            s5_none_q, s6_none_q;
+  logic [17:0]     s6_g_q;
+  assign s5_less = {11'd0, s5_entry_q[9:0]} * {10'd0, s5_frac_q};
+  always_ff @(posedge clk_i) begin
+    if (valid_q[3]) begin
+      s5_entry_q <= exp_mem[s4_y_q[17:11]];
+      s5_frac_q  <= s4_y_q[10:0];
+      s5_whole_q <= s4_y_q[22:18];
+      s5_none_q  <= s4_none_q || s4_y_q[32:18] > 15'd17;
+    end
+    if (valid_q[4]) begin
+      s6_g_q     <= s5_entry_q[27:10] - {8'd0, s5_less[20:11]};
+      s6_whole_q <= s5_whole_q;
+      s6_none_q  <= s5_none_q;
+    end
+  end
+
+  // s7: moved to its place and rounded.
+  logic [18:0] s6_moved;
+  logic [16:0] s7_power_q;
+  assign s6_moved = ({1'b0, s6_g_q} + (19'd1 << s6_whole_q)) >> s6_whole_q;
+  always_ff @(posedge clk_i) if (valid_q[5]) s7_power_q <= s6_none_q ? '0 : s6_moved[17:1];
+  assign power_o = s7_power_q;
+
+  logic unused;
+  assign unused = ^{valid_q[Stages-1:6], s0_m[16], s2_more[8:0], s3_product[3:0], s5_less[10:0],
+                    s6_moved[18], s6_moved[0]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,135 @@
+// A vector's direction: v / |v| with UnitBits of fraction (16), each component from
+// -2^16 to 2^16; zero of zero. Error bounds: model/shade/unit_vector.hpp, the model.
+//
+// Latency rc_pkg::UnitStages, throughput 1 per cycle, no stall; a stage works only if
+// valid_i came with its vector.
+`default_nettype none
+module rc_unit #(
+  parameter int unsigned W = 44   // bits of a component, signed
+) (
+  input  logic           clk_i,
+  input  logic           valid_i,
+  input  logic [3*W-1:0] v_i,     // [axis]
+  output logic [53:0]    u_o      // S1.16
+);
+  localparam int unsigned Stages = rc_pkg::UnitStages;
+  localparam int unsigned L      = $clog2(W + 1);   // of a component's length
+  localparam int unsigned EntryW = 29;
+
+  logic [Stages-1:0] valid_q;
+  always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
+
+  // s1: sizes and signs.
+  logic [3*W-1:0] s0_size, s1_size_q;
+  logic [2:0]     s0_neg, end_neg;
+  for (genvar k = 0; k < 3; k++) begin : gen_size
+    logic [W-1:0] v;
+    assign v = v_i[k*W +: W];
+    assign s0_neg[k] = v[W-1];
+    assign s0_size[k*W +: W] = v[W-1] ? -v : v;
+  end
+  always_ff @(posedge clk_i) if (valid_i) s1_size_q <= s0_size;
+  rc_delay #(.Width(3), .Stages(Stages)) u_neg (
+    .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i(s0_neg), .data_o(end_neg));
+
+  // s2: length of the longest.
+  logic [W-1:0]   s1_any;
+  logic [L-1:0]   s1_len, s2_len_q;
+  logic [3*W-1:0] s2_size_q;
+  assign s1_any = s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];
+  always_comb begin
+    s1_len = '0;
+    if (valid_q[0])
+      for (int i = 0; i < W; i++) if (s1_any[i]) s1_len = L'(i) + 1'b1;
+  end
+  always_ff @(posedge clk_i) begin
+    if (valid_q[0]) begin
+      s2_len_q  <= s1_len;
+      s2_size_q <= s1_size_q;
+    end
+  end
+
+  // s3: cut so that the longest has 17 bits.
+  logic [50:0] s2_a, s3_a_q, s4_a_q;
+  for (genvar k = 0; k < 3; k++) begin : gen_cut
+    logic [W+16:0] moved;
+    always_comb begin
+      moved = '0;
+      if (valid_q[1]) moved = {s2_size_q[k*W +: W], 17'd0} >> s2_len_q;
+    end
+    assign s2_a[k*17 +: 17] = moved[16:0];
+    logic unused;
+    assign unused = ^moved[W+16:17];
+  end
+  always_ff @(posedge clk_i) if (valid_q[1]) s3_a_q <= s2_a;
+
+  // s4: squares.
+  logic [3*34-1:0] s4_square_q;
+  for (genvar k = 0; k < 3; k++) begin : gen_square
+    logic [33:0] a;
+    assign a = {17'd0, s3_a_q[k*17 +: 17]};
+    always_ff @(posedge clk_i) if (valid_q[2]) s4_square_q[k*34 +: 34] <= a * a;
+  end
+  always_ff @(posedge clk_i) if (valid_q[2]) s4_a_q <= s3_a_q;
+
+  // s5: their sum, between 2^32 and 3 * 2^34; four times that if below 2^34. In units of 2^17.
+  logic [35:0] s4_sum;
+  logic        s4_low, s5_low_q;
+  logic [18:0] s5_sum_q;
+  assign s4_sum = {2'd0, s4_square_q[0 +: 34]} + {2'd0, s4_square_q[34 +: 34]}
+      + {2'd0, s4_square_q[68 +: 34]};
+  assign s4_low = s4_sum[35:34] == '0;
+  always_ff @(posedge clk_i) begin
+    if (valid_q[3]) begin
+      s5_sum_q <= s4_low ? s4_sum[33:15] : s4_sum[35:17];
+      s5_low_q <= s4_low;
+    end
+  end
+
+  // s6, s7: 2^18 / sqrt. A vector of zeros has an index beyond the table, and r does not matter.
+  logic [EntryW-1:0] root_mem [512];
+  initial for (int i = 0; i < 512; i++)
+    root_mem[i] = i < 384 ? rc_pkg::InverseRoot[(i % 384)*EntryW +: EntryW] : '0;
+  logic [EntryW-1:0] s6_entry_q;
+  logic [9:0]        s6_frac_q;
+  logic [19:0]       s6_less;
+  logic [18:0]       s7_r_q;
+  logic [8:0]        s5_index;
+  assign s5_index = s5_sum_q[18:10] - 9'd128;
+  assign s6_less  = {10'd0, s6_entry_q[9:0]} * {10'd0, s6_frac_q};
+  always_ff @(posedge clk_i) begin
+    if (valid_q[4]) begin
+      s6_entry_q <= root_mem[s5_index];
+      s6_frac_q  <= s5_sum_q[9:0];
+    end
+    if (valid_q[5]) s7_r_q <= s6_entry_q[28:10] - {9'd0, s6_less[19:10]};
+  end
+
+  // s8: a r, rounded. Components wait from s4 to s7.
+  logic [50:0] s7_a;
+  logic        s7_low;
+  rc_delay #(.Width(51), .Stages(3)) u_a (
+    .clk_i, .valid_i(valid_q[5:3]), .data_i(s4_a_q), .data_o(s7_a));
+  rc_delay #(.Width(1), .Stages(2)) u_low (
+    .clk_i, .valid_i(valid_q[5:4]), .data_i(s5_low_q), .data_o(s7_low));
+  for (genvar k = 0; k < 3; k++) begin : gen_out
+    logic [35:0] product;
+    logic [36:0] doubled;
+    logic [37:0] whole;
+    logic [16:0] s8_size_q, size;
+    logic [17:0] answer;
+    assign product = {19'd0, s7_a[k*17 +: 17]} * {17'd0, s7_r_q};
+    assign doubled = s7_low ? {product, 1'b0} : {1'b0, product};
+    assign whole   = {1'b0, doubled} + 38'h40000;
+    assign size    = whole[37:35] != '0 ? 17'h10000 : {1'b0, whole[34:19]};
+    always_ff @(posedge clk_i) if (valid_q[6]) s8_size_q <= size;
+    assign answer = end_neg[k] ? -{1'b0, s8_size_q} : {1'b0, s8_size_q};
+    assign u_o[k*18 +: 18] = answer;
+    logic unused;
+    assign unused = ^whole[18:0];
+  end
+
+  logic unused;
+  assign unused = ^{valid_q[Stages-1], s6_less[9:0], s4_sum[14:0]};
+endmodule
+`default_nettype wire

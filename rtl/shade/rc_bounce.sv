@@ -1,0 +1,102 @@
+// Reflected and refracted directions, and the weights of such rays. Part of rc_pass, which
+// has the valid bits: valid_i[i] if stage i holds such a pass. Stages are in the names.
+//
+// Both directions are along * normal - ratio * view: a reflected one has along = 2 cosine
+// and the ratio 1, a refracted one along = ratio * cosine - sqrt(1 - ratio^2 (1 - cosine^2)).
+// Model: model/shade/bounce.hpp.
+`default_nettype none
+module rc_bounce #(
+  localparam int unsigned M = rc_pkg::DirBits
+) (
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  input  logic [14:0]          valid_i,
+  input  logic                 s0_refract_i,   // and not reflect
+  input  rc_pkg::shade_state_t s0_state_i,
+  input  logic [53:0]          s13_normal_i,
+  input  logic [53:0]          s13_view_i,
+  output logic [16:0]          s9_weight_o,
+  output logic                 s13_total_o,    // total reflection
+  output logic [3*M-1:0]       s15_d_o
+);
+  logic [16:0] s0_cosine, s0_weight;
+  logic [15:0] s0_ratio;
+  logic [12:0] s0_mirror, s0_transmit, s0_r0;
+  logic        s0_schlick, s0_total;
+  assign s0_cosine   = s0_state_i.cosine;
+  assign s0_weight   = s0_state_i.weight;
+  assign s0_ratio    = s0_state_i.ratio;
+  assign s0_mirror   = s0_state_i.mirror;
+  assign s0_transmit = s0_state_i.transmit;
+  assign s0_r0       = s0_state_i.r0;
+  assign s0_schlick  = s0_state_i.schlick;
+  assign s0_total    = s0_state_i.total;
+
+  logic signed [22:0] s13_along;
+  logic [15:0]        s13_ratio;
+  logic [17:0]        s7_share;
+  if (rc_pkg::Refraction == 1) begin : gen_refraction
+    rc_snell u_snell (
+      .clk_i, .rst_ni, .valid_i(valid_i[12:0]), .s0_refract_i, .s0_cosine_i(s0_cosine),
+      .s0_ratio_i(s0_ratio), .s13_along_o(s13_along), .s13_ratio_o(s13_ratio), .s13_total_o);
+    rc_schlick u_schlick (
+      .clk_i, .valid_i(valid_i[6:0]), .s0_refract_i, .s0_cosine_i(s0_cosine),
+      .s0_mirror_i(s0_mirror), .s0_transmit_i(s0_transmit), .s0_r0_i(s0_r0),
+      .s0_schlick_i(s0_schlick), .s0_total_i(s0_total), .s7_share_o(s7_share));
+  end else begin : gen_reflection
+    logic [16:0] s13_cosine;
+    logic [12:0] s7_mirror;
+    rc_wait #(.Width(17), .Stages(13)) u_cosine (
+      .clk_i, .rst_ni, .valid_i(valid_i[0]), .data_i(s0_cosine), .data_o(s13_cosine));
+    rc_delay #(.Width(13), .Stages(7)) u_mirror (
+      .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
+    assign s13_along   = $signed({5'd0, s13_cosine, 1'b0});
+    assign s13_ratio   = 16'd1 << rc_pkg::IndexFrac;
+    assign s13_total_o = 1'b0;
+    assign s7_share    = {1'b0, s7_mirror, 4'd0};
+    logic unused;
+    assign unused = ^{s0_refract_i, s0_ratio, s0_transmit, s0_r0, s0_schlick, s0_total,
+                      valid_i[12:7]};
+  end
+
+  // s15: the direction, no component above 1.
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    logic signed [40:0] s14_normal_q;
+    logic signed [34:0] s14_view_q;
+    logic signed [41:0] s14_sum;
+    logic signed [25:0] s14_unit;
+    logic signed [17:0] s15_unit_q;
+    logic signed [M-1:0] d;
+    assign s14_sum  = 42'(s14_normal_q) - (42'(s14_view_q) <<< 4) + 42'sh8000;
+    assign s14_unit = s14_sum[41:16];
+    always_ff @(posedge clk_i) begin
+      if (valid_i[13]) begin
+        s14_normal_q <= 41'(s13_along) * 41'($signed(s13_normal_i[k*18 +: 18]));
+        s14_view_q   <= $signed({19'd0, s13_ratio}) * 35'($signed(s13_view_i[k*18 +: 18]));
+      end
+      if (valid_i[14])
+        s15_unit_q <= s14_unit > 26'sh10000 ? 18'sh10000
+                    : s14_unit < -26'sh10000 ? -18'sh10000 : s14_unit[17:0];
+    end
+    rc_turn u_turn (.unit_i(s15_unit_q), .d_o(d));
+    assign s15_d_o[k*M +: M] = d;
+    logic unused;
+    assign unused = ^s14_sum[15:0];
+  end
+
+  // s9: the new ray's weight.
+  logic [16:0] s7_weight, s7_cut;
+  logic [33:0] s8_weight_q, s8_rounded;
+  rc_delay #(.Width(17), .Stages(7)) u_weight (
+    .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
+  assign s7_cut     = s7_share[17:16] != '0 ? 17'h10000 : s7_share[16:0];
+  assign s8_rounded = s8_weight_q + 34'h8000;
+  always_ff @(posedge clk_i) begin
+    if (valid_i[7]) s8_weight_q <= {17'd0, s7_weight} * {17'd0, s7_cut};
+    if (valid_i[8]) s9_weight_o <= s8_rounded[32:16];
+  end
+
+  logic unused;
+  assign unused = ^{s0_state_i, s8_rounded[33], s8_rounded[15:0]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,143 @@
+// What shade keeps of every context: its camera ray or bounce, its last answer, the state
+// between two passes, and the refracted rays that wait. Part of rc_shade, which never has
+// two passes of a context under way. Everything about read_ray_i is read in the same cycle;
+// what is written is seen from the next one on.
+`default_nettype none
+module rc_contexts #(
+  localparam int unsigned I  = rc_pkg::RayBits,
+  localparam int unsigned T  = rc_pkg::Contexts,
+  localparam int unsigned M  = rc_pkg::DirBits,
+  localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned D  = rc_pkg::RayDirBits,
+  localparam int unsigned PB = rc_pkg::PrimBits,
+  localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits
+) (
+  input  logic                         clk_i,
+  input  logic                         slot_fires_i,
+  input  rc_pkg::slot_t                slot_i,
+  input  logic                         ray_fires_i,
+  input  rc_pkg::ray_t                 ray_i,
+  output logic [1:0]                   kind_o,         // of ray_i
+  input  logic                         closest_fires_i,
+  input  logic [I-1:0]                 closest_ray_i,
+  input  logic [HitW-1:0]              closest_hit_i,
+  input  logic [I-1:0]                 read_ray_i,
+  output logic [HitW-1:0]              hit_o,
+  output logic [3*P-1:0]               o_o,
+  output logic [3*M-1:0]               d_o,
+  output rc_pkg::shade_state_t         state_o,
+  output logic [rc_pkg::WaitingW-1:0]  top_o,
+  input  logic                         write_i,        // a pass has ended
+  input  logic [I-1:0]                 write_ray_i,
+  input  rc_pkg::shade_state_t         write_state_i,
+  input  logic                         push_i,
+  input  logic [rc_pkg::WaitingW-1:0]  pushed_i
+);
+  // ---- The ray, but for shadow rays and those away to a light.
+  localparam int unsigned Below  = 3 * (rc_pkg::RecipBits + 1) + 3 * rc_pkg::ExpBits;
+  localparam int unsigned KindAt = Below + 3 * D + 3 * P + (rc_pkg::Spheres == 1 ? PB + 1 : 0);
+  logic [rc_pkg::RayW-1:0] ray;
+  logic [3*M-1:0]          d;
+  assign ray    = ray_i;
+  assign kind_o = 2'(ray >> KindAt);
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    assign d[k*M +: M] = ray[Below+k*D +: M];
+  end
+  rc_ram #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
+    .clk_i, .write_i(ray_fires_i && !kind_o[1]), .write_addr_i(ray_i.ray),
+    .write_data_i({ray[Below+3*D +: 3*P], d}), .read_addr_i(read_ray_i),
+    .read_data_o({o_o, d_o}));
+
+  // ---- Its answer.
+  rc_ram #(.Width(HitW), .Depth(T)) u_hit (
+    .clk_i, .write_i(closest_fires_i), .write_addr_i(closest_ray_i),
+    .write_data_i(closest_hit_i), .read_addr_i(read_ray_i), .read_data_o(hit_o));
+
+  // ---- The state: x and y, what all chips have, what only some have, in that order.
+  localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
+  localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 17 + 17);
+  localparam int unsigned BendW   = rc_pkg::DepthBits + 13 + rc_pkg::RatioBits + 1 + 13 + 1;
+  localparam int unsigned SelfW   = PB + 1;
+  localparam int unsigned PlainW  = rc_pkg::ShadeStateW - PixelW - SampleW - BendW - SelfW;
+  logic [PixelW-1:0]  pixel;
+  logic [PlainW-1:0]  plain, new_plain;
+  logic [SampleW-1:0] sample, new_sample;
+  logic [BendW-1:0]   bend, new_bend;
+  logic [SelfW-1:0]   self, new_self;
+  logic [PixelW-1:0]  new_pixel;
+  assign {new_pixel, new_plain, new_sample, new_bend, new_self} = write_state_i;
+  rc_ram #(.Width(PixelW), .Depth(T)) u_pixel (
+    .clk_i, .write_i(slot_fires_i), .write_addr_i(slot_i.ray), .write_data_i({slot_i.x, slot_i.y}),
+    .read_addr_i(read_ray_i), .read_data_o(pixel));
+  rc_ram #(.Width(PlainW), .Depth(T)) u_plain (
+    .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_plain),
+    .read_addr_i(read_ray_i), .read_data_o(plain));
+  if (rc_pkg::Supersampling == 1) begin : gen_sample
+    rc_ram #(.Width(SampleW), .Depth(T)) u_sample (
+      .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_sample),
+      .read_addr_i(read_ray_i), .read_data_o(sample));
+  end else begin : gen_no_sample
+    assign sample = '0;
+  end
+  if (rc_pkg::Refraction == 1) begin : gen_bend
+    rc_ram #(.Width(BendW), .Depth(T)) u_bend (
+      .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_bend),
+      .read_addr_i(read_ray_i), .read_data_o(bend));
+  end else begin : gen_no_bend
+    assign bend = '0;
+  end
+  if (rc_pkg::Spheres == 1) begin : gen_self
+    rc_ram #(.Width(SelfW), .Depth(T)) u_self (
+      .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_self),
+      .read_addr_i(read_ray_i), .read_data_o(self));
+  end else begin : gen_no_self
+    assign self = '0;
+  end
+
+  // A context that has just begun has nothing yet but a camera ray of full weight.
+  logic [T-1:0]         fresh_q;
+  rc_pkg::shade_state_t state;
+  assign state = {pixel, plain, sample, bend, self};
+  always_comb begin
+    state_o = state;
+    if (fresh_q[read_ray_i]) begin
+      state_o.purpose = '0;
+      state_o.pending = '0;
+      state_o.colour  = '0;
+      state_o.weight  = 17'h10000;
+      state_o.depth   = '0;
+      state_o.waiting = '0;
+      state_o.sample  = '0;
+      state_o.sum     = '0;
+      state_o.least   = {3{17'h10000}};
+      state_o.most    = '0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (write_i)      fresh_q[write_ray_i] <= 1'b0;
+    if (slot_fires_i) fresh_q[slot_i.ray]  <= 1'b1;
+  end
+
+  // ---- The stack of rays that wait.
+  logic [3:0] top_at, new_top_at;
+  assign top_at     = state.waiting - 4'd1;
+  assign new_top_at = write_state_i.waiting - 4'd1;
+  if (rc_pkg::Refraction == 1) begin : gen_stack
+    localparam int unsigned Up = $clog2(rc_pkg::Bounces);
+    localparam int unsigned AW = I + Up;
+    logic [AW-1:0] write_at, read_at;
+    assign write_at = AW'(write_ray_i) << Up | AW'(new_top_at);
+    assign read_at  = AW'(read_ray_i) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
+    rc_ram #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
+      .clk_i, .write_i(write_i && push_i), .write_addr_i(write_at), .write_data_i(pushed_i),
+      .read_addr_i(read_at), .read_data_o(top_o));
+  end else begin : gen_no_stack
+    assign top_o = '0;
+    logic unused;
+    assign unused = ^{push_i, pushed_i, top_at, new_top_at};
+  end
+
+  logic unused;
+  assign unused = ^{ray, slot_i, new_pixel, new_sample, new_bend, new_self};
+endmodule
+`default_nettype wire

@@ -1,0 +1,228 @@
+// One pass of a context through shade: adds what its last ray or surface gives to the
+// sample's colour, works out the next ray or light, and says what the context does next.
+// Model: pass() in model/shade/pass.hpp.
+//
+// Latency rc_pkg::ShadeLatency, throughput 1 per cycle, no stall. A pass is for one event;
+// only the parts that it needs work on it: surf (s0 to s7), light (s0 to s28), bounce (s0
+// to s15), finish (s0 to s4), which share unit vectors, cosines and the side of a direction.
+`default_nettype none
+module rc_pass #(
+  localparam int unsigned I  = rc_pkg::RayBits,
+  localparam int unsigned M  = rc_pkg::DirBits,
+  localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned D  = rc_pkg::RayDirBits,
+  localparam int unsigned U  = rc_pkg::UvBits,
+  localparam int unsigned TB = rc_pkg::TBits,
+  localparam int unsigned PB = rc_pkg::PrimBits,
+  localparam int unsigned HitW = 2 + PB + TB + 2 * U
+) (
+  input  logic                         clk_i,
+  input  logic                         rst_ni,
+  input  rc_pkg::shade_frame_t         frame_i,
+  input  logic                         valid_i,
+  input  logic [I-1:0]                 ray_i,
+  input  rc_pkg::shade_state_t         state_i,
+  input  logic [HitW-1:0]              hit_i,       // found, back, prim, t, u, v of the last ray
+  input  logic [3*P-1:0]               o_i,         // of the last camera ray or bounce
+  input  logic [3*M-1:0]               d_i,
+  input  rc_pkg::surface_t             surface_i,   // if it arrives now, having hit something
+  input  rc_pkg::waiting_t             top_i,       // of the rays that wait
+  output logic                         end_valid_o,
+  output logic [I-1:0]                 end_ray_o,
+  output rc_pkg::shade_state_t         end_state_o,
+  output logic [1:0]                   leave_o,     // 0 another pass, 1 a ray, 2 the pixel
+  output logic [rc_pkg::SpawnW-1:0]    spawn_o,
+  output logic [rc_pkg::PixelW-1:0]    pixel_o,
+  output logic                         push_o,      // a ray is to wait
+  output logic [rc_pkg::WaitingW-1:0]  pushed_o
+);
+  localparam int unsigned L     = rc_pkg::ShadeLatency;
+  localparam int unsigned N     = rc_pkg::CoordBits;
+  localparam int unsigned NB    = rc_pkg::NormalBits;
+  localparam int unsigned V     = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
+  localparam int unsigned UnitW = V > NB ? V : NB;   // V also holds a sum of corner normals
+
+  // ---- s0: what the pass is for.
+  logic                 back, arrives, s0_surf, s0_light, s0_refract, s0_bounce, s0_end;
+  logic [TB-1:0]        t;
+  logic [U-1:0]         u, v;
+  logic [50:0]          colour;
+  rc_pkg::shade_state_t known;
+  assign back      = hit_i[HitW-2];
+  assign {t, u, v} = hit_i[TB+2*U-1:0];
+  rc_start u_start (
+    .valid_i, .state_i, .hit_i, .surface_i, .arrives_o(arrives), .surf_o(s0_surf),
+    .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract), .end_o(s0_end),
+    .colour_o(colour), .known_o(known));
+
+  // Which stages hold what; s0 lowest.
+  logic [L:1] valid_q, surf_q, light_q, bounce_q, end_q;
+  logic [L:0] valid_at, surf_at, light_at, bounce_at, end_at;
+  assign valid_at  = {valid_q, valid_i};
+  assign surf_at   = {surf_q, s0_surf};
+  assign light_at  = {light_q, s0_light};
+  assign bounce_at = {bounce_q, s0_bounce};
+  assign end_at    = {end_q, s0_end};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= '0;
+    else         valid_q <= valid_at[L-1:0];
+    surf_q   <= surf_at[L-1:0];
+    light_q  <= light_at[L-1:0];
+    bounce_q <= bounce_at[L-1:0];
+    end_q    <= end_at[L-1:0];
+  end
+  assign end_valid_o = valid_q[L];
+
+  // ---- The state as far as it is known waits for the end.
+  localparam int unsigned KnownW = I + rc_pkg::ShadeStateW + rc_pkg::WaitingW;
+  logic [I-1:0]         end_ray;
+  rc_pkg::shade_state_t was;
+  rc_pkg::waiting_t     top;
+  rc_wait #(.Width(KnownW), .Stages(L)) u_known (
+    .clk_i, .rst_ni, .valid_i, .data_i({ray_i, known, top_i}),
+    .data_o({end_ray, was, top}));
+
+  // What others take from it on the way.
+  logic [53:0]     s13_normal, s13_view;
+  logic [3*NB-1:0] s15_n;
+  rc_wait #(.Width(108), .Stages(13)) u_vectors (
+    .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i({state_i.normal, state_i.view}),
+    .data_o({s13_normal, s13_view}));
+  rc_wait #(.Width(3 * NB), .Stages(15)) u_n (
+    .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i(state_i.n), .data_o(s15_n));
+
+  // ---- The surface.
+  logic [3*P-1:0]     s5_o, surf_o;
+  logic [3*NB-1:0]    s5_n, surf_n;
+  logic [3*UnitW-1:0] s5_toward, s5_target;
+  logic               s5_far, surf_far;
+  logic [38:0]        s6_albedo, surf_albedo;
+  logic [50:0]        s7_ambient, surf_ambient;
+  rc_surf #(.UnitW(UnitW)) u_surf (
+    .clk_i, .valid_i(surf_at[6:0]), .s0_u_i(u), .s0_v_i(v), .s0_t_i(t), .s0_back_i(back),
+    .s0_surface_i(surface_i), .s0_o_i(o_i), .s0_d_i(d_i), .s0_weight_i(state_i.weight),
+    .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
+    .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
+  rc_wait #(.Width(3 * P + 3 * NB + 1), .Stages(L - 5)) u_point (
+    .clk_i, .rst_ni, .valid_i(surf_at[5]), .data_i({s5_o, s5_n, s5_far}),
+    .data_o({surf_o, surf_n, surf_far}));
+  rc_wait #(.Width(39), .Stages(L - 6)) u_albedo (
+    .clk_i, .rst_ni, .valid_i(surf_at[6]), .data_i(s6_albedo), .data_o(surf_albedo));
+  rc_wait #(.Width(51), .Stages(L - 7)) u_ambient (
+    .clk_i, .rst_ni, .valid_i(surf_at[7]), .data_i(s7_ambient), .data_o(surf_ambient));
+
+  // ---- The background.
+  logic [50:0] background, s1_background, end_background;
+  logic [16:0] state_weight;
+  assign state_weight = state_i.weight;
+  assign background = frame_i.background;
+  for (genvar k = 0; k < 3; k++) begin : gen_background
+    logic [33:0] s1_product_q, rounded;
+    always_ff @(posedge clk_i)
+      if (arrives)
+        s1_product_q <= {17'd0, state_weight} * {17'd0, background[k*17 +: 17]};
+    assign rounded = s1_product_q + 34'h8000;
+    assign s1_background[k*17 +: 17] = rounded[32:16];
+    logic unused;
+    assign unused = ^{rounded[33], rounded[15:0]};
+  end
+  rc_wait #(.Width(51), .Stages(L - 1)) u_background (
+    .clk_i, .rst_ni, .valid_i(valid_at[1]), .data_i(s1_background), .data_o(end_background));
+
+  // ---- Unit vectors and cosines.
+  logic [3*V-1:0]     s5_to;
+  logic [53:0]        s13_unit, s13_new_view, surf_normal, surf_view;
+  logic [16:0]        s15_cosine, surf_cosine;
+  logic signed [18:0] s15_mirror;
+  for (genvar k = 0; k < 3; k++) begin : gen_target
+    assign s5_target[k*UnitW +: UnitW] = light_at[5] ? UnitW'($signed(s5_to[k*V +: V]))
+                                                     : s5_toward[k*UnitW +: UnitW];
+  end
+  rc_angles #(.UnitW(UnitW)) u_angles (
+    .clk_i, .rst_ni, .surf_i(surf_at[14:0]), .light_i(light_at[14:0]), .s0_d_i(d_i),
+    .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
+    .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
+    .s15_mirror_o(s15_mirror));
+  rc_wait #(.Width(108), .Stages(L - 13)) u_surf_vectors (
+    .clk_i, .rst_ni, .valid_i(surf_at[13]), .data_i({s13_unit, s13_new_view}),
+    .data_o({surf_normal, surf_view}));
+  rc_wait #(.Width(17), .Stages(L - 15)) u_cosine (
+    .clk_i, .rst_ni, .valid_i(surf_at[15]), .data_i(s15_cosine), .data_o(surf_cosine));
+
+  // ---- A light, a bounce.
+  logic            light_near, s13_total, bounce_total;
+  logic [3*D-1:0]  s15_light_d, s15_d, end_d;
+  logic [3*N-1:0]  light_place;
+  logic [50:0]     light_share;
+  logic [16:0]     s9_weight, bounce_weight;
+  logic [3*M-1:0]  s15_bounce_d;
+  rc_light u_light (
+    .clk_i, .rst_ni, .frame_i, .valid_i(light_at[27:0]), .s0_light_i(state_i.light),
+    .s0_o_i(state_i.o), .s0_weight_i(state_i.weight), .s0_state_i(state_i), .s5_to_o(s5_to),
+    .s13_unit_i(s13_unit), .s15_cosine_i(s15_cosine), .s15_mirror_i(s15_mirror),
+    .s15_d_o(s15_light_d), .s28_place_o(light_place),
+    .s28_near_o(light_near), .s28_share_o(light_share));
+  rc_bounce u_bounce (
+    .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .s0_refract_i(s0_refract), .s0_state_i(state_i),
+    .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
+    .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
+  rc_wait #(.Width(17), .Stages(L - 9)) u_weight (
+    .clk_i, .rst_ni, .valid_i(bounce_at[9]), .data_i(s9_weight), .data_o(bounce_weight));
+  rc_wait #(.Width(1), .Stages(L - 13)) u_total (
+    .clk_i, .rst_ni, .valid_i(bounce_at[13]), .data_i(s13_total), .data_o(bounce_total));
+
+  // ---- On which side of the surface a direction leaves, exactly.
+  logic s17_above, s17_below, end_above, end_below, end_positive;
+  for (genvar k = 0; k < 3; k++) begin : gen_d
+    assign s15_d[k*D +: D] = light_at[15] ? s15_light_d[k*D +: D]
+                                          : D'($signed(s15_bounce_d[k*M +: M]));
+  end
+  rc_side u_side (
+    .clk_i, .valid_i((light_at[16:15] | bounce_at[16:15])), .s15_n_i(s15_n), .s15_d_i(s15_d),
+    .s17_above_o(s17_above), .s17_below_o(s17_below));
+  rc_wait #(.Width(2), .Stages(L - 17)) u_sides (
+    .clk_i, .rst_ni, .valid_i(light_at[17] || bounce_at[17]), .data_i({s17_above, s17_below}),
+    .data_o({end_above, end_below}));
+  rc_wait #(.Width(3 * D + 1), .Stages(L - 15)) u_d (
+    .clk_i, .rst_ni, .valid_i(light_at[15] || bounce_at[15]),
+    .data_i({s15_d, s15_cosine != '0}), .data_o({end_d, end_positive}));
+
+  // ---- The sample's end.
+  logic         end_more;
+  logic [68:0]  end_sum;
+  logic [50:0]  end_least, end_most, end_mean;
+  if (rc_pkg::Supersampling == 1) begin : gen_samples
+    logic         s4_more;
+    logic [68:0]  s4_sum;
+    logic [50:0]  s4_least, s4_most, s4_mean;
+    rc_finish u_finish (
+      .clk_i, .frame_i, .valid_i(end_at[3:0]), .s0_state_i(state_i), .s0_colour_i(colour),
+      .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
+      .s4_colour_o(s4_mean));
+    rc_wait #(.Width(1 + 69 + 3 * 51), .Stages(L - 4)) u_end (
+      .clk_i, .rst_ni, .valid_i(end_at[4]), .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
+      .data_o({end_more, end_sum, end_least, end_most, end_mean}));
+  end else begin : gen_one_sample
+    assign end_more = 1'b0;
+    assign {end_sum, end_least, end_most} = '0;
+    assign end_mean = '0;
+    logic unused;
+    assign unused = ^colour;
+  end
+  // ---- s28: all of it together.
+  rc_turnout u_turnout (
+    .frame_i, .ray_i(end_ray), .was_i(was), .top_i(top),
+    .surf_i(surf_q[L]), .surf_o_i(surf_o), .surf_n_i(surf_n), .surf_normal_i(surf_normal),
+    .surf_view_i(surf_view), .surf_cosine_i(surf_cosine), .surf_far_i(surf_far),
+    .surf_albedo_i(surf_albedo), .surf_ambient_i(surf_ambient), .background_i(end_background),
+    .light_near_i(light_near), .light_place_i(light_place), .light_share_i(light_share),
+    .above_i(end_above), .below_i(end_below), .positive_i(end_positive), .d_i(end_d),
+    .weight_i(bounce_weight), .total_i(bounce_total), .more_i(end_more), .sum_i(end_sum),
+    .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
+    .state_o(end_state_o), .leave_o, .spawn_o, .pixel_o, .push_o, .pushed_o);
+  assign end_ray_o = end_ray;
+
+  logic unused;
+  assign unused = ^{valid_at, surf_at, light_at, bounce_at, end_at};
+endmodule
+`default_nettype wire

@@ -1,0 +1,154 @@
+// Shading: takes a finished ray's answer, and sends the context's next ray or its finished
+// pixel. What it computes: rc_pass; what it keeps of a context: rc_contexts. A camera ray or
+// bounce that has hit something waits for its surface, which is asked for here.
+//
+// A pass enters in every cycle: first those whose surface is there, then those that need
+// another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass to
+// what it leads to, more if it passes again. closest_i is always accepted; slot_i and ray_i
+// are listened to. frame_i does not change while rays are under way.
+// Model: model/shade/unit.hpp (when), model/shade/pass.hpp (what).
+`default_nettype none
+module rc_shade (
+  input  logic              clk_i,
+  input  logic              rst_ni,
+  input  rc_pkg::frame_t    frame_i,
+  input  logic              slot_fires_i,      // sched -> raygen: a context begins a pixel
+  input  rc_pkg::slot_t     slot_i,
+  input  logic              ray_fires_i,       // raygen -> trav: it has a ray
+  input  rc_pkg::ray_t      ray_i,
+  input  logic              closest_valid_i,
+  output logic              closest_ready_o,
+  input  rc_pkg::closest_t  closest_i,
+  output logic              surf_req_valid_o,
+  input  logic              surf_req_ready_i,
+  output rc_pkg::surf_req_t surf_req_o,
+  input  logic              surf_rsp_valid_i,
+  output logic              surf_rsp_ready_o,
+  input  rc_pkg::surf_rsp_t surf_rsp_i,
+  input  logic              surf_waits_i,      // its cache waits for memory
+  output logic              spawn_valid_o,
+  input  logic              spawn_ready_i,
+  output rc_pkg::spawn_t    spawn_o,
+  output logic              pixel_valid_o,
+  input  logic              pixel_ready_i,
+  output rc_pkg::pixel_t    pixel_o,
+  output logic [2:0]        cause_o            // model/core/accounts.hpp
+);
+  localparam int unsigned I    = rc_pkg::RayBits;
+  localparam int unsigned T    = rc_pkg::Contexts;
+  localparam int unsigned A    = rc_pkg::AddrBits;
+  localparam int unsigned PB   = rc_pkg::PrimBits;
+  localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits;
+  localparam int unsigned SpawnDataW = rc_pkg::SpawnW - I;
+  localparam int unsigned PixelDataW = rc_pkg::PixelW - I;
+
+  logic [rc_pkg::FrameW-1:0]      frame_flat;
+  rc_pkg::shade_frame_t           shade_frame;   // lies lowest in the frame
+  assign frame_flat  = frame_i;
+  assign shade_frame = rc_pkg::ShadeFrameW'(frame_flat);
+
+  // ---- Answers: a hit of a camera ray or bounce waits for its surface (A), others pass (B).
+  logic [rc_pkg::ClosestW-1:0] closest;
+  logic [I-1:0]                closest_ray;
+  logic [PB-1:0]               closest_prim;
+  logic [T-1:0]                any_hit_q;        // the context's ray ends at any hit
+  logic                        wants_surface;
+  logic [1:0]                  kind;
+  assign closest         = closest_i;
+  assign closest_ray     = closest_i.ray;
+  assign closest_prim    = closest_i.prim;
+  assign closest_ready_o = 1'b1;
+  assign wants_surface   = closest_i.found && !any_hit_q[closest_ray];
+  always_ff @(posedge clk_i) if (ray_fires_i) any_hit_q[ray_i.ray] <= kind[1];
+
+  logic [A-1:0]   surfaces, line;
+  logic [I+A-1:0] fetch;
+  logic           arrived_valid, arrived_pop;
+  logic [I-1:0]   arrived_ray;
+  assign surfaces = shade_frame.surfaces;
+  assign line     = surfaces + A'(closest_prim);
+  rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
+    .clk_i, .rst_ni, .push_i(closest_valid_i && wants_surface),
+    .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
+    .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
+  assign surf_req_o = fetch;
+  rc_queue #(.Width(I), .Depth(T)) u_arrived (
+    .clk_i, .rst_ni, .push_i(closest_valid_i && !wants_surface), .data_i(closest_ray),
+    .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
+
+  // ---- The door.
+  logic         open, enters, again_valid, again_pop, end_valid, out_valid, out_ready;
+  logic [I-1:0] again_ray, ray;
+  rc_door #(.Credits(rc_pkg::ShadeQueue)) u_door (
+    .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(open));
+  assign surf_rsp_ready_o = open;
+  assign enters      = open && (surf_rsp_valid_i || again_valid || arrived_valid);
+  assign again_pop   = open && !surf_rsp_valid_i && again_valid;
+  assign arrived_pop = open && !surf_rsp_valid_i && !again_valid && arrived_valid;
+  assign ray         = surf_rsp_valid_i ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
+  assign cause_o     = surf_rsp_valid_i || again_valid || arrived_valid ? (open ? 3'd0 : 3'd3)
+                     : surf_waits_i ? 3'd1 : 3'd2;
+
+  // ---- A pass.
+  logic [HitW-1:0]                   hit;
+  logic [3*rc_pkg::OriginWidth-1:0]  o;
+  logic [3*rc_pkg::DirBits-1:0]      d;
+  logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
+  logic [rc_pkg::WaitingW-1:0]       top, pushed;
+  logic [rc_pkg::SurfRspW-1:0]       surf_rsp;
+  logic [I-1:0]                      end_ray;
+  logic [1:0]                        leave;
+  logic                              push;
+  logic [rc_pkg::SpawnW-1:0]         spawn;
+  logic [rc_pkg::PixelW-1:0]         pixel;
+  assign surf_rsp = surf_rsp_i;
+  rc_contexts u_contexts (
+    .clk_i, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
+    .closest_fires_i(closest_valid_i), .closest_ray_i(closest_ray),
+    .closest_hit_i(closest[HitW-1:0]), .read_ray_i(ray), .hit_o(hit), .o_o(o),
+    .d_o(d), .state_o(state), .top_o(top), .write_i(end_valid), .write_ray_i(end_ray),
+    .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
+  rc_pass u_pass (
+    .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(enters), .ray_i(ray), .state_i(state),
+    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surf_rsp[rc_pkg::SurfaceW-1:0]), .top_i(top),
+    .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
+    .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
+
+  // ---- What it leads to: again (C), a ray (D), the pixel (E). The rays' and pixels' data
+  // wait in memories.
+  logic [I+1:0] out;
+  logic [I-1:0] out_ray, spawn_ray, pixel_ray;
+  rc_fifo #(.Width(I + 2), .Depth(rc_pkg::ShadeQueue)) u_out (
+    .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(out_ready), .data_i({end_ray, leave}),
+    .valid_o(out_valid), .ready_i(1'b1), .data_o(out));
+  assign out_ray = out[I+1:2];
+  rc_queue #(.Width(I), .Depth(T)) u_again (
+    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == 2'd0), .data_i(out_ray),
+    .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
+  rc_queue #(.Width(I), .Depth(T)) u_spawn (
+    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == 2'd1), .data_i(out_ray),
+    .valid_o(spawn_valid_o), .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
+  rc_queue #(.Width(I), .Depth(T)) u_pixel (
+    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == 2'd2), .data_i(out_ray),
+    .valid_o(pixel_valid_o), .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
+  logic [SpawnDataW-1:0] spawn_data;
+  logic [PixelDataW-1:0] pixel_data;
+  rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
+    .clk_i, .write_i(end_valid && leave == 2'd1), .write_addr_i(end_ray),
+    .write_data_i(spawn[SpawnDataW-1:0]), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
+  rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
+    .clk_i, .write_i(end_valid && leave == 2'd2), .write_addr_i(end_ray),
+    .write_data_i(pixel[PixelDataW-1:0]), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
+  assign spawn_o = {spawn_ray, spawn_data};
+  assign pixel_o = {pixel_ray, pixel_data};
+
+`ifndef SYNTHESIS
+  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
+      end_valid |-> out_ready)
+    else $error("an answer met a full queue");
+`endif
+
+  logic unused;
+  assign unused = ^{frame_flat, kind[0], closest_prim, out_ready, closest, spawn, pixel, surf_rsp};
+endmodule
+`default_nettype wire

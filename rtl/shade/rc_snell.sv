@@ -1,0 +1,77 @@
+// Refraction: how much of the normal the new direction has, and whether there is one. Part
+// of rc_bounce. Answers from the registers of s13; of a reflected ray 2 cosine, and the
+// ratio 1. cosine has 16 fraction bits, ratio 12.
+`default_nettype none
+module rc_snell (
+  input  logic               clk_i,
+  input  logic               rst_ni,
+  input  logic [12:0]        valid_i,
+  input  logic               s0_refract_i,
+  input  logic [16:0]        s0_cosine_i,
+  input  logic [15:0]        s0_ratio_i,
+  output logic signed [22:0] s13_along_o,
+  output logic [15:0]        s13_ratio_o,
+  output logic               s13_total_o
+);
+  // s3: 2^32 times the squared cosine inside, rounded up; negative: total reflection.
+  logic [32:0]        s1_cosine2_q, s1_sine2;
+  logic [31:0]        s1_ratio2_q;
+  logic [64:0]        s2_bent_q;
+  logic signed [42:0] s2_cosine2;
+  logic               s1_refract, s2_refract, s3_total_q, s3_refract_q;
+  logic [32:0]        s3_square_q;
+  rc_delay #(.Width(1), .Stages(1)) u_refract1 (
+    .clk_i, .valid_i(valid_i[0]), .data_i(s0_refract_i), .data_o(s1_refract));
+  rc_delay #(.Width(1), .Stages(1)) u_refract2 (
+    .clk_i, .valid_i(valid_i[1]), .data_i(s1_refract), .data_o(s2_refract));
+  assign s1_sine2   = 33'h1_0000_0000 - s1_cosine2_q;
+  assign s2_cosine2 = 43'sh1_0000_0000 - $signed({2'b00, s2_bent_q[64:24]});
+  always_ff @(posedge clk_i) begin
+    if (valid_i[0] && s0_refract_i) begin
+      s1_cosine2_q <= {16'd0, s0_cosine_i} * {16'd0, s0_cosine_i};
+      s1_ratio2_q  <= {16'd0, s0_ratio_i} * {16'd0, s0_ratio_i};
+    end
+    if (valid_i[1] && s1_refract) s2_bent_q <= {33'd0, s1_ratio2_q} * {32'd0, s1_sine2};
+    if (valid_i[2]) s3_refract_q <= s2_refract;
+    if (valid_i[2] && s2_refract) begin
+      s3_total_q  <= s2_cosine2[42];
+      s3_square_q <= s2_cosine2[42] ? '0 : s2_cosine2[32:0];
+    end
+  end
+
+  // s12: its root.
+  logic [17:0] s12_root;
+  logic        inexact;
+  rc_sqrt #(.Stages(9)) u_sqrt (
+    .clk_i, .valid_i(valid_i[3] && s3_refract_q), .square_i({3'd0, s3_square_q}),
+    .root_o(s12_root), .inexact_o(inexact));
+
+  // s13: ratio * cosine less that, or 2 cosine.
+  logic [32:0] s1_long_q, s1_rounded;
+  logic [21:0] s2_long_q, s12_long;
+  logic        s12_refract, s12_total;
+  assign s1_rounded = s1_long_q + 33'h800;
+  always_ff @(posedge clk_i) begin
+    if (valid_i[0])
+      s1_long_q <= s0_refract_i ? {17'd0, s0_ratio_i} * {16'd0, s0_cosine_i}
+                                : {15'd0, s0_cosine_i, 1'b0};
+    if (valid_i[1]) s2_long_q <= s1_refract ? {1'b0, s1_rounded[32:12]} : s1_long_q[21:0];
+    if (valid_i[12]) begin
+      s13_along_o <= $signed({1'b0, s12_long})
+                   - (s12_refract ? $signed({5'd0, s12_root}) : 23'sd0);
+      s13_total_o <= s12_refract && s12_total;
+    end
+  end
+  rc_wait #(.Width(22), .Stages(10)) u_long (
+    .clk_i, .rst_ni, .valid_i(valid_i[2]), .data_i(s2_long_q), .data_o(s12_long));
+  rc_wait #(.Width(2), .Stages(9)) u_flags (
+    .clk_i, .rst_ni, .valid_i(valid_i[3]), .data_i({s3_refract_q, s3_total_q}),
+    .data_o({s12_refract, s12_total}));
+  rc_wait #(.Width(16), .Stages(13)) u_ratio (
+    .clk_i, .rst_ni, .valid_i(valid_i[0]),
+    .data_i(s0_refract_i ? s0_ratio_i : 16'd1 << rc_pkg::IndexFrac), .data_o(s13_ratio_o));
+
+  logic unused;
+  assign unused = ^{inexact, valid_i, s1_rounded[11:0], s2_bent_q[23:0], s2_cosine2[41:33]};
+endmodule
+`default_nettype wire

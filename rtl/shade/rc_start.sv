@@ -1,0 +1,75 @@
+// The beginning of a pass: what it is for, and the context's state as far as it is known
+// then. Part of rc_pass; no registers. Model: pass() in model/shade/pass.cpp.
+`default_nettype none
+module rc_start #(
+  localparam int unsigned PB = rc_pkg::PrimBits,
+  localparam int unsigned TB = rc_pkg::TBits,
+  localparam int unsigned U  = rc_pkg::UvBits,
+  localparam int unsigned HitW = 2 + PB + TB + 2 * U
+) (
+  input  logic                 valid_i,
+  input  rc_pkg::shade_state_t state_i,
+  input  logic [HitW-1:0]      hit_i,
+  input  rc_pkg::surface_t     surface_i,
+  output logic                 arrives_o,   // a camera ray or bounce is done
+  output logic                 surf_o,      // and has hit a surface
+  output logic                 light_o,
+  output logic                 bounce_o,
+  output logic                 refract_o,   // which: refracted, or reflected
+  output logic                 end_o,       // a ray that waits, or the sample's end
+  output logic [50:0]          colour_o,    // with what was pending
+  output rc_pkg::shade_state_t known_o
+);
+  logic          found, back;
+  logic [PB-1:0] prim;
+  logic [TB-1:0] t;
+  logic [U-1:0]  u, v;
+  assign {found, back, prim, t, u, v} = hit_i;
+  assign arrives_o = valid_i && state_i.purpose == 3'd0;
+  assign surf_o    = arrives_o && found;
+  assign light_o   = valid_i && state_i.purpose == 3'd1;
+  assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == 3'd2;
+  assign bounce_o  = valid_i && (refract_o || state_i.purpose == 3'd3);
+  assign end_o     = valid_i && state_i.purpose == 3'd4;
+
+  // A light's share counts if nothing was in its way.
+  logic        adds;
+  logic [50:0] old_colour, old_share;
+  assign adds       = state_i.pending == 2'd2 || (state_i.pending == 2'd1 && !found);
+  assign old_colour = state_i.colour;
+  assign old_share  = state_i.share;
+  for (genvar k = 0; k < 3; k++) begin : gen_channel
+    logic [17:0] sum;
+    assign sum = {1'b0, old_colour[k*17 +: 17]} + (adds ? {1'b0, old_share[k*17 +: 17]} : '0);
+    assign colour_o[k*17 +: 17] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+  end
+
+  always_comb begin
+    known_o         = state_i;
+    known_o.colour  = colour_o;
+    known_o.pending = 2'd0;
+    if (arrives_o && state_i.depth == '0 && state_i.sample == '0) begin
+      known_o.found = found;
+      known_o.prim  = prim;
+      known_o.t     = t;
+      known_o.u     = u;
+      known_o.v     = v;
+    end
+    if (surf_o) begin
+      known_o.diffuse   = surface_i.diffuse;
+      known_o.highlight = surface_i.highlight;
+      known_o.mirror    = surface_i.mirror;
+      known_o.shine     = surface_i.shine;
+      known_o.transmit  = surface_i.transmit;
+      known_o.ratio     = back ? surface_i.leave : surface_i.enter;
+      known_o.schlick   = surface_i.schlick;
+      known_o.r0        = surface_i.r0;
+      known_o.self      = prim;
+      known_o.is_inside = back;
+    end
+  end
+
+  logic unused;
+  assign unused = ^surface_i;
+endmodule
+`default_nettype wire

@@ -1,0 +1,188 @@
+// The end of a pass: the context's new state, and what leaves. Part of rc_pass; no
+// registers. Model: pass() and its parts in model/shade/pass.cpp.
+`default_nettype none
+module rc_turnout #(
+  localparam int unsigned I  = rc_pkg::RayBits,
+  localparam int unsigned N  = rc_pkg::CoordBits,
+  localparam int unsigned M  = rc_pkg::DirBits,
+  localparam int unsigned B  = rc_pkg::OriginBits,
+  localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned D  = rc_pkg::RayDirBits,
+  localparam int unsigned NB = rc_pkg::NormalBits
+) (
+  input  rc_pkg::shade_frame_t        frame_i,
+  input  logic [I-1:0]                ray_i,
+  input  rc_pkg::shade_state_t        was_i,
+  input  rc_pkg::waiting_t            top_i,
+  input  logic                        surf_i,         // a surface has arrived
+  input  logic [3*P-1:0]              surf_o_i,
+  input  logic [3*NB-1:0]             surf_n_i,
+  input  logic [53:0]                 surf_normal_i,
+  input  logic [53:0]                 surf_view_i,
+  input  logic [16:0]                 surf_cosine_i,
+  input  logic                        surf_far_i,
+  input  logic [38:0]                 surf_albedo_i,
+  input  logic [50:0]                 surf_ambient_i,
+  input  logic [50:0]                 background_i,
+  input  logic                        light_near_i,
+  input  logic [3*N-1:0]              light_place_i,
+  input  logic [50:0]                 light_share_i,
+  input  logic                        above_i,        // the new ray is on that side of the surface
+  input  logic                        below_i,
+  input  logic                        positive_i,     // the light's cosine
+  input  logic [3*D-1:0]              d_i,            // of a shadow ray or bounce
+  input  logic [16:0]                 weight_i,       // of a bounce
+  input  logic                        total_i,
+  input  logic                        more_i,         // another sample follows
+  input  logic [68:0]                 sum_i,
+  input  logic [50:0]                 least_i,
+  input  logic [50:0]                 most_i,
+  input  logic [50:0]                 mean_i,         // the pixel's colour, if it has several
+  output rc_pkg::shade_state_t        state_o,
+  output logic [1:0]                  leave_o,
+  output logic [rc_pkg::SpawnW-1:0]   spawn_o,
+  output logic [rc_pkg::PixelW-1:0]   pixel_o,
+  output logic                        push_o,
+  output logic [rc_pkg::WaitingW-1:0] pushed_o
+);
+  localparam logic [2:0] Arrive = 3'd0, Light = 3'd1, Refract = 3'd2, Reflect = 3'd3, Pop = 3'd4;
+
+  logic [2:0] event_now;
+  logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
+  assign event_now  = was_i.purpose;
+  assign is_arrive  = event_now == Arrive;
+  assign is_light   = event_now == Light;
+  assign is_refract = rc_pkg::Refraction == 1 && event_now == Refract;
+  assign is_reflect = event_now == Reflect;
+  assign is_pop     = rc_pkg::Refraction == 1 && event_now == Pop && was_i.waiting != '0;
+  assign is_end     = event_now == Pop && !is_pop;
+  assign is_next    = is_end && more_i;
+
+  // What is added.
+  logic [50:0] was_colour, added, colour;
+  assign was_colour = was_i.colour;
+  assign added      = surf_i ? surf_ambient_i : background_i;
+  for (genvar k = 0; k < 3; k++) begin : gen_channel
+    logic [17:0] sum;
+    assign sum = {1'b0, was_colour[k*17 +: 17]} + {1'b0, added[k*17 +: 17]};
+    assign colour[k*17 +: 17] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+  end
+
+  // Where it goes on after a surface or a light.
+  logic       far;
+  logic [6:0] light;
+  logic [2:0] after;
+  assign far   = surf_i ? surf_far_i : was_i.is_far;
+  assign light = surf_i ? '0 : was_i.light + 7'd1;
+  assign after = light < frame_i.lights ? Light
+               : far || was_i.depth >= frame_i.depth ? Pop
+               : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? Refract
+               : was_i.mirror != '0 ? Reflect : Pop;
+
+  // Whether a light counts, and which rays are sent.
+  logic counts, shadows, heavy, pushes, reflects;
+  assign counts   = positive_i && (light_near_i ? below_i : above_i);
+  assign shadows  = is_light && counts && !far;
+  assign heavy    = weight_i >= frame_i.threshold;
+  assign pushes   = is_refract && heavy && !total_i && below_i;
+  assign reflects = is_reflect && heavy && above_i;
+
+  always_comb begin
+    state_o = was_i;
+    if (surf_i) begin
+      state_o.o      = surf_o_i;
+      state_o.n      = surf_n_i;
+      state_o.normal = surf_normal_i;
+      state_o.view   = surf_view_i;
+      state_o.cosine = surf_cosine_i;
+      state_o.is_far   = surf_far_i;
+      state_o.albedo = surf_albedo_i;
+      state_o.light  = '0;
+    end
+    if (is_arrive) begin
+      state_o.colour = colour;
+      state_o.purpose  = surf_i ? after : Pop;
+    end
+    if (is_light) begin
+      state_o.share   = light_share_i;
+      state_o.light   = light;
+      state_o.purpose   = after;
+      state_o.pending = !counts ? 2'd0 : far ? 2'd2 : 2'd1;
+    end
+    if (is_refract) begin
+      state_o.total = total_i;
+      state_o.purpose = Reflect;
+      if (pushes) state_o.waiting = was_i.waiting + 4'd1;
+    end
+    if (is_reflect) begin
+      state_o.purpose = reflects ? Arrive : Pop;
+      if (reflects) begin
+        state_o.weight = weight_i;
+        state_o.depth  = was_i.depth + 4'd1;
+      end
+    end
+    if (is_pop) begin
+      state_o.waiting = was_i.waiting - 4'd1;
+      state_o.weight  = top_i.weight;
+      state_o.depth   = top_i.depth;
+      state_o.purpose   = Arrive;
+    end
+    if (is_end) begin
+      state_o.sum   = sum_i;
+      state_o.least = least_i;
+      state_o.most  = most_i;
+    end
+    if (is_next) begin
+      state_o.sample = was_i.sample + 6'd1;
+      state_o.colour = '0;
+      state_o.weight = 17'h10000;
+      state_o.depth  = '0;
+      state_o.purpose  = Arrive;
+    end
+  end
+  assign leave_o = shadows || reflects || is_pop || is_next ? 2'd1 : is_end ? 2'd2 : 2'd0;
+
+  // The ray that waits.
+  logic [3*M-1:0] short_d, top_d;
+  logic [3*P-1:0] was_o, top_o, spawn_place;
+  logic [3*D-1:0] spawn_way;
+  logic [3*P-1:0] place;
+  assign was_o = was_i.o;
+  assign top_o = top_i.o;
+  assign top_d = top_i.d;
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    assign short_d[k*M +: M]   = d_i[k*D +: M];
+    assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
+    assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
+                                                       : d_i[k*D +: D];
+  end
+  assign push_o   = pushes;
+  assign pushed_o = {was_o, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
+
+  // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
+  logic [1:0]                 kind;
+  logic [rc_pkg::PrimBits:0]  self;
+  logic [rc_pkg::PixelBits-1:0] x, y;
+  logic [5:0]                 sample;
+  assign kind   = is_next ? 2'd0 : !is_light ? 2'd1 : light_near_i ? 2'd2 : 2'd3;
+  assign self   = is_next ? '0 : is_pop ? {top_i.self, top_i.is_inside}
+                                        : {was_i.self, was_i.is_inside};
+  assign x      = was_i.x;
+  assign y      = was_i.y;
+  assign sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
+  assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : was_o;
+  if (rc_pkg::Spheres == 1) begin : gen_self
+    assign spawn_o = {ray_i, kind, x, y, sample, self, spawn_place, spawn_way};
+  end else begin : gen_no_self
+    assign spawn_o = {ray_i, kind, x, y, sample, spawn_place, spawn_way};
+    logic unused;
+    assign unused = ^self;
+  end
+  logic [50:0] pixel;
+  assign pixel   = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+  assign pixel_o = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, pixel};
+
+  logic unused;
+  assign unused = ^{frame_i, top_i};
+endmodule
+`default_nettype wire

@@ -1,0 +1,79 @@
+#include "sim/cause/finished.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include <tbb/parallel_for.h>
+
+#include "model/accel/surfaces.hpp"
+#include "sim/image/srgb.hpp"
+
+namespace rayclock {
+
+namespace {
+
+glm::dvec3 point(const Vec3i& p) { return {p[0], p[1], p[2]}; }
+
+/// The scene as the machine has it, in lattice steps.
+Scene on_lattice(const Scene& scene, const Lattice& lattice, const Frame& frame) {
+    Scene snapped = scene;
+    for (glm::dvec3& v : snapped.vertices) v = point(lattice.snap(v));
+    for (Sphere& s : snapped.spheres) {
+        const double radius = s.radius / lattice.pitch.x;
+        s.centre = point(lattice.snap(s.centre));
+        s.radius = std::sqrt(std::max(1.0, std::round(radius * radius)));
+    }
+    for (Plane& p : snapped.planes) {
+        const glm::dvec3 a = point(lattice.snap(p.point)), b = point(lattice.snap(p.point + p.u)), c = point(lattice.snap(p.point + p.v));
+        p = {a, b - a, c - a, p.material};
+    }
+    for (std::size_t i = 0; i < snapped.lights.size(); ++i)
+        snapped.lights[i].position = {frame.shade.place[3 * i], frame.shade.place[3 * i + 1], frame.shade.place[3 * i + 2]};
+    return snapped;
+}
+
+Camera on_lattice(Camera camera, const Lattice& lattice, const Frame& frame) {
+    const glm::dvec3 view = (camera.at - camera.eye) / lattice.pitch;
+    camera.eye = point(frame.eye);
+    camera.at = camera.eye + view;
+    return camera;
+}
+
+} // namespace
+
+Judgement judge_finished(const Asked& asked, const Whitted& settings, const FinishedAnswer& answered, const HitFrame& hits, int threads, const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t pixels = hits.hits.size();
+    const std::optional<Scene> moved = aligned(asked.scene, asked.lattice);
+    const Scene& compiled = moved ? *moved : asked.scene;
+    const Scene scene = on_lattice(compiled, asked.lattice, asked.frame);
+    const WhittedFrame snapped = Reference(scene).whitted(on_lattice(asked.camera, asked.lattice, asked.frame), hits.size, settings, threads, progress);
+    Judgement j;
+    j.pixels.assign(pixels, PixelCause::none);
+    j.other.assign(pixels, false);
+    j.asked_oracle = scene.spheres.empty() && scene.planes.empty() && settings.aa == 1 && !settings.jitter;
+    std::optional<Truth> truth;
+    if (j.asked_oracle) truth.emplace(compiled, asked.lattice, asked.config);
+    std::vector<std::uint8_t> wrong(pixels);
+    const auto width = std::size_t(hits.size.width);
+    if (truth) tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
+        const ExactPixel exact = truth->pixel(asked.frame, int(i % width), int(i / width));
+        wrong[i] = !same_answer(truth->answer(exact), answered.answers[i]);
+    });
+    for (std::size_t i = 0; i < pixels; ++i) {
+        j.wrong += wrong[i];
+        j.other[i] = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
+        if (!wrong[i] && !j.other[i] && srgb_bytes(glm::vec3(answered.reference.pixels[i])) == srgb_bytes(answered.picture.pixels[i])) continue;
+        const std::uint64_t mine = answered.signatures[i];
+        const PixelCause cause = wrong[i] ? PixelCause::bug : mine == answered.reference.signatures[i] ? PixelCause::shading
+            : mine == snapped.signatures[i] ? PixelCause::snapping : PixelCause::ray_quantisation;
+        j.pixels[i] = cause;
+        ++j.causes[std::size_t(cause)];
+        if (j.other[i]) ++j.causes_other[std::size_t(cause)];
+    }
+    j.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return j;
+}
+
+} // namespace rayclock

@@ -1,0 +1,73 @@
+// rayclock area on units that Yosys has done in a second: what is counted, what is found again, what is refused.
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+
+namespace {
+
+const json& part_of(const json& variant, const std::string& name) {
+    for (const json& unit : variant["units"])
+        if (unit["name"] == name) return unit;
+    FAIL("no unit " << name);
+    return variant;
+}
+
+} // namespace
+
+TEST_CASE("area counts the units of every machine, each different one once, and finds them again") {
+    const Folder folder;
+    const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
+    const auto area = [&](const char* report) {
+        return run_program({"area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
+    };
+    const Outcome first = area("a.json");
+    INFO(first.err);
+    REQUIRE(first.code == 0);
+    CHECK(first.err.empty());
+    CHECK(first.out.find(" of 8 machines, 0 of them known before") != std::string::npos);
+    const json report = json::parse(bytes_of(folder.name("a.json")));
+    REQUIRE(report["variants"].size() == 8);
+    CHECK(report["variants"][0]["name"] == "hits");
+    CHECK(report["variants"][7]["name"] == "all units");
+    for (const json& variant : report["variants"]) {
+        CHECK(variant["units"].size() == 2);
+        const json &sched = part_of(variant, "sched")["count"], &dispatch = part_of(variant, "dispatch")["count"];
+        // Which tile is next: two counters of the picture's size in tiles, and little else. No multiplier, no memory.
+        CHECK(dispatch["ff"].get<int>() >= 16);
+        CHECK(dispatch["ff"].get<int>() <= 40);
+        CHECK(dispatch["mult18x18d"] == 0);
+        CHECK(dispatch["dp16kd"] == 0);
+        CHECK(dispatch["dpr16x4"] == 0);
+        // The pixel of each context: a memory.
+        CHECK(sched["dpr16x4"].get<int>() > 0);
+        CHECK(sched["luts"] == sched["lut4"].get<int>() + 2 * sched["ccu2c"].get<int>() + 6 * sched["dpr16x4"].get<int>());
+        // Of the two only sched is one for each pipeline.
+        CHECK(variant["pipeline"] == sched);
+        CHECK(part_of(variant, "dispatch") == part_of(report["variants"][0], "dispatch"));
+    }
+    const Outcome second = area("b.json");
+    REQUIRE(second.code == 0);
+    CHECK(bytes_of(folder.name("b.json")) == bytes_of(folder.name("a.json")));
+    const std::size_t of = second.out.find(" different units");
+    REQUIRE(of != std::string::npos);
+    CHECK(second.out.find(second.out.substr(0, of) + " of them known before") != std::string::npos);
+}
+
+TEST_CASE("area refuses what makes no sense") {
+    const Folder folder;
+    check_refused(run_program({"area", "--unit", "shad"}), {"'shad'", "did you mean 'shade'", "node_cache"});
+    check_refused(run_program({"area", "--unit", ""}), {"--unit"});
+    check_refused(run_program({"area", "--config", "smal"}), {"'smal'", "small"});
+    check_refused(run_program({"area", "--set", "contexts=0"}), {"contexts"});
+    check_refused(run_program({"area", "--set", "primitive_test=sheared"}), {"primitive_test=exact"});
+    check_refused(run_program({"area", "--unit", "sched", "-o", folder.name("page.md")}), {"--unit", "--output"});
+    check_refused(run_program({"area", "-o", folder.name("none/page.md")}), {"none/page.md"});
+    check_refused(run_program({"area", "--json", folder.name("none/a.json")}), {"none/a.json"});
+    check_refused(run_program({"area", "--threads", "-1"}), {"--threads"});
+    check_refused(run_program({"area", "--unit", "sched"}, {"PATH=/nonexistent", "RAYCLOCK_CACHE=" + folder.name("cache")}), {"yosys is not installed"});
+}

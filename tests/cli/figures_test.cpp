@@ -1,0 +1,96 @@
+// The page of figures and the ray counts, on small pictures.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+
+TEST_CASE("figures writes a page that shows every picture it made, and each number that it has") {
+    const Folder folder;
+    const Outcome outcome = run_program({"figures", "-o", folder.name("page"), "--size", "32x24", "--engine", "reference,model", "--json", folder.name("numbers.json")});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    const std::string page = bytes_of(folder.name("page/figures.md"));
+    std::size_t pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.name("page/figures"))) {
+        INFO(entry.path());
+        CHECK(page.find("(figures/" + entry.path().filename().string() + ")") != std::string::npos);
+        CHECK(entry.file_size() > 0);
+        ++pictures;
+    }
+    CHECK(pictures == 2 * 11 + 2 * 6 + 2 * 6 + 4 + 2);
+    CHECK(page.find("The RTL was not asked for.") != std::string::npos);
+    for (const char* bad : {"nan", "inf ", "{}", "/tmp"}) CHECK(page.find(bad) == std::string::npos);
+
+    const json numbers = json::parse(bytes_of(folder.name("numbers.json")));
+    for (const char* engine : {"reference", "model"}) {
+        const json& bounces = numbers["bounces"][engine];
+        REQUIRE(bounces.size() == 6);
+        for (std::size_t k = 1; k < 6; ++k) CHECK(bounces[k]["rays"] >= bounces[k - 1]["rays"]);
+        CHECK(bounces[5]["added"].get<double>() < 0.1 * bounces[1]["added"].get<double>());
+    }
+    for (const char* scene : {"spheres", "balls:3", "mount:5", "gears:2"})
+        for (const char* engine : {"reference", "model"}) {
+            const json &depths = numbers["cutoffs"][scene][engine]["depths"], &thresholds = numbers["cutoffs"][scene][engine]["thresholds"];
+            INFO(scene << ", " << engine);
+            CHECK(depths.back()["depth"] == 15);
+            CHECK(depths.back()["rmse"] == 0);
+            CHECK(depths.back() == thresholds.front());
+            CHECK(depths.front()["rmse"].get<double>() > 0);
+            CHECK(thresholds.back()["rays"] < thresholds.front()["rays"]);
+            for (std::size_t k = 1; k < depths.size(); ++k) CHECK(depths[k]["rays"] >= depths[k - 1]["rays"]);
+        }
+    // With 8x8 samples the plane has less noise than with one; an adaptive picture has no more samples than 4x4 everywhere.
+    for (const json& p : numbers["adaptive"]["plane"]["model"]) CHECK(p["samples"].get<int>() <= 16 * 32 * 24);
+    CHECK(numbers["plane"].size() == 12);
+    CHECK(numbers["square"].size() == 12);
+    for (const char* scene : {"balls:2", "mount:4", "gears:1"}) {
+        const json& share = numbers["test_share"][scene];
+        CHECK(share["reference"]["with"]["tests"].get<double>() < 0.5 * share["reference"]["without"]["tests"].get<double>());
+        CHECK(share["reference"]["without"]["search_share"].get<double>() < 1);
+        CHECK(share["model"]["tri_busy"].get<double>() <= 1);
+        CHECK(share["model"]["tests"].get<double>() < share["model"]["tests_without"].get<double>());
+    }
+}
+
+TEST_CASE("figures refuses what it cannot do") {
+    const Folder folder;
+    check_refused(run_program({"figures", "-o", folder.name("page"), "--engine", "model,chip"}), {"--engine", "'chip'", "reference, model or rtl"});
+    check_refused(run_program({"figures", "-o", folder.name("page"), "--size", "0x5"}), {"picture"});
+    const std::string file = folder.write("file", "no folder");
+    check_refused(run_program({"figures", "-o", file, "--size", "16x12"}), {file, "folder"});
+    CHECK(bytes_of(file) == "no folder");
+}
+
+TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %") {
+    const Folder folder;
+    const Outcome outcome = run_program({"counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size", "96x96", "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
+    INFO(outcome.err << outcome.out);
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(bytes_of(folder.name("spd.json")));
+    CHECK(report["good"] == true);
+    REQUIRE(report["scenes"].size() == 5);
+    for (const json& scene : report["scenes"]) {
+        CHECK(scene["published"].is_null());
+        CHECK(scene["model_from_reference"].get<double>() <= 0.01);
+        CHECK(scene["reference"]["shadow"].get<int>() > 0);
+    }
+    CHECK(bytes_of(folder.name("spd.md")).find("rayclock counts balls:2") != std::string::npos);
+    check_refused(run_program({"counts", "nothing"}), {"nothing"});
+}
+
+TEST_CASE("rays of tetra are the published ones", "[slow]") {
+    const Outcome outcome = run_program({"counts", "tetra:6", "--json", "-"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const json scene = json::parse(outcome.out)["scenes"][0];
+    CHECK(scene["published"]["shadow"] == 46112);
+    CHECK(std::abs(scene["model"]["shadow"].get<double>() / 46112 - 1) < 0.01);
+    CHECK(scene["good"] == true);
+}

@@ -1,0 +1,32 @@
+// What rc_sqrt promises, for every square: the root is the floor, and inexact_o tells whether something is left. A request is
+// followed through the stages by a delay line; what is before it or behind it is any.
+module sqrt #(
+  parameter  int unsigned Stages  = 2,
+  localparam int unsigned RootW   = 2 * Stages,
+  localparam int unsigned SquareW = 2 * RootW
+) (
+  input logic               clk_i,
+  input logic               valid_i,
+  input logic [SquareW-1:0] square_i
+);
+  logic [RootW-1:0] root_o;
+  logic             inexact_o;
+  rc_sqrt #(.Stages(Stages)) u_dut (
+    .clk_i(clk_i), .valid_i(valid_i), .square_i(square_i), .root_o(root_o), .inexact_o(inexact_o));
+
+  logic [Stages-1:0]         valid_q = '0;
+  logic [Stages*SquareW-1:0] square_q;
+  always @(posedge clk_i) begin
+    valid_q  <= {valid_q[Stages-2:0], valid_i};
+    square_q <= {square_q[(Stages-1)*SquareW-1:0], square_i};
+  end
+  logic [SquareW-1:0] square;
+  logic [SquareW+1:0] below, next;
+  assign square = square_q[Stages*SquareW-1 -: SquareW];
+  assign below  = {{(SquareW-RootW+2){1'b0}}, root_o} * {{(SquareW-RootW+2){1'b0}}, root_o};
+  assign next   = below + {{(SquareW-RootW+1){1'b0}}, root_o, 1'b1};   // (root + 1)^2
+  always @* if (valid_q[Stages-1]) begin
+    a_floor:   assert (below <= {2'b00, square} && next > {2'b00, square});
+    a_inexact: assert (inexact_o == (below != {2'b00, square}));
+  end
+endmodule

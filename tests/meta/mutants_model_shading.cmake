@@ -1,0 +1,110 @@
+# Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
+
+# ---- Any ray against any primitive: model/isect/any.hpp.
+mutant(model_any_bounce_without_its_fraction QUICK FILE model/isect/any.cpp TEST unit [any]~[tri]
+  OLD [[size = (flip ? -det : det) * (Wide(1) << scale);]]
+  NEW [[size = flip ? -det : det;]])
+mutant(model_any_end_of_the_way_blocks FILE model/isect/any.cpp TEST unit [any]~[tri]
+  OLD [[out.closer = num * (Wide(1) << frac) < size;]]
+  NEW [[out.closer = num * (Wide(1) << frac) <= size;]])
+mutant(model_any_plane_rounded_to_zero FILE model/isect/any.cpp TEST unit "tri of a chip that shades is exact at the ends of every width - Model*"
+  OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
+  NEW [[;]])
+mutant(model_any_low_products_alone FILE model/isect/any.cpp TEST unit "tri of a chip that shades decides exactly and measures within its bound - Model*"
+  OLD [[(WideNatural(high_of(one)) * high_of(other) << 64);]]
+  NEW [[0;]])
+mutant(model_sphere_touch_is_no_hit QUICK FILE model/isect/any.cpp TEST unit "tri is right for every camera ray and sphere*"
+  OLD [[m.along >= 0 || m.disc < 0 : m.power < 0]]
+  NEW [[m.along >= 0 || m.disc <= 0 : m.power < 0]])
+mutant(model_sphere_far_root_rounded_down FILE model/isect/any.cpp TEST unit "tri of a chip that shades decides exactly and measures within its bound - Model*"
+  OLD [[Wide(r.whole + r.rest) << r.shift]]
+  NEW [[Wide(r.whole) << r.shift]])
+mutant(model_sphere_near_root_rounded_up FILE model/isect/any.cpp TEST unit "tri of a chip that shades decides exactly and measures within its bound - Model*"
+  OLD [[-(Wide(r.whole) << r.shift)]]
+  NEW [[-(Wide(r.whole + r.rest) << r.shift)]])
+mutant(model_sphere_light_on_it_is_inside FILE model/isect/any.cpp TEST unit "tri is right for secondary rays and spheres*"
+  OLD [[return end > 0 && (m.power < 0 || m.along < 0);]]
+  NEW [[return end > 0;]])
+mutant(model_root_needs_a_bit FILE model/isect/any.cpp TEST unit "the root is rounded down*"
+  OLD [[std::max(bits - 2 * root_bits + 1, 0) / 2;]]
+  NEW [[std::max(bits - 2 * root_bits + 2, 0) / 2;]])
+
+# ---- shade's cells.
+mutant(model_inverse_root_not_interpolated QUICK FILE model/shade/unit_vector.cpp TEST unit [unit_vector]~[lockstep]
+  OLD [[return entry.value - (entry.step * (sum & 1023) >> 10);]]
+  NEW [[return entry.value - (entry.step * (sum & 1008) >> 10);]])
+mutant(model_unit_vector_cut_by_one_bit_more FILE model/shade/unit_vector.cpp TEST unit [unit_vector]~[lockstep]
+  OLD [[len > 17 ? x >> (len - 17)]]
+  NEW [[len > 17 ? x >> (len - 17) & ~std::uint64_t(1)]])
+mutant(model_power_exponent_cut FILE model/shade/power.cpp TEST unit [power]~[lockstep]
+  OLD [[std::uint64_t(neg) * n >> 4;]]
+  NEW [[std::uint64_t(neg >> 2) * n >> 2;]])
+mutant(model_square_root_rounded_up FILE model/shade/square_root.cpp TEST unit [square_root]
+  OLD [[(root | bit) <= x) root |= bit;]]
+  NEW [[(root | bit) <= x + 1) root |= bit;]])
+
+# ---- The reference's finished picture, its spheres and planes.
+mutant(none_in_whitted FILE model/reference/whitted.cpp TEST reference [whitted])
+mutant(whitted_weight_must_be_above_the_threshold QUICK FILE model/reference/whitted.cpp TEST reference "two mirrors*"
+  OLD [[if (reflected >= settings_.threshold) {]]
+  NEW [[if (reflected > settings_.threshold || settings_.threshold == 0) {]])
+mutant(whitted_one_bounce_too_many FILE model/reference/whitted.cpp TEST reference "two mirrors*"
+  OLD [[if (depth < settings_.depth &&]]
+  NEW [[if (depth <= settings_.depth &&]])
+mutant(whitted_total_reflection_is_not_counted FILE model/reference/whitted.cpp TEST reference [whitted]
+  OLD [[        ++counts_.refraction;
+        return;]]
+  NEW [[        return;]])
+mutant(whitted_total_reflection_is_dim FILE model/reference/whitted.cpp TEST reference "beyond the critical angle*"
+  OLD [[reflected = weight * (m.mirror + m.transmit);]]
+  NEW [[reflected = weight * m.mirror;]])
+mutant(whitted_glass_turned_inside_out FILE model/reference/whitted.cpp TEST reference "a slab*"
+  OLD [[ratio(is_inside ? index : 1 / index)]]
+  NEW [[ratio(is_inside ? 1 / index : index)]])
+mutant(whitted_schlick_to_the_fourth FILE model/reference/whitted.cpp TEST reference "Schlick*"
+  OLD [[std::pow(1 - cosine, 5)]]
+  NEW [[std::pow(1 - cosine, 4)]])
+mutant(whitted_shadow_from_beyond_the_light FILE model/reference/whitted.cpp TEST reference "local light*"
+  OLD [[geometry_.is_blocked(shadow, distance)]]
+  NEW [[geometry_.is_blocked(shadow, 2 * distance)]])
+mutant(whitted_mirrors_only_what_has_a_mirror FILE model/reference/whitted.cpp TEST reference [spd]
+  OLD [[if (reflected >= settings_.threshold) {]]
+  NEW [[if (m.mirror > 0 && reflected >= settings_.threshold) {]])
+mutant(whitted_reflects_through_the_surface FILE model/reference/whitted.cpp TEST reference "smooth normals*"
+  OLD [[if (glm::dot(direction, surface.flat) > 0) {]]
+  NEW [[if (glm::dot(direction, surface.normal) > 0) {]])
+mutant(whitted_clips_the_mean FILE model/reference/whitted.cpp TEST reference "a sample is clipped*"
+  OLD [[return glm::min(sum_, glm::dvec3(1));]]
+  NEW [[return sum_;]])
+mutant(whitted_refines_what_is_alike FILE model/reference/whitted.cpp TEST reference "contrast*"
+  OLD [[<= settings_.contrast;]]
+  NEW [[>= settings_.contrast;]])
+mutant(reference_sphere_near_root_from_inside FILE model/reference/round.hpp WITH model/reference/geometry.cpp TEST reference [round]
+  OLD [[from_inside ? leave : enter;]]
+  NEW [[is_left ? leave : enter;]])
+mutant(reference_opaque_sphere_seen_from_inside FILE model/reference/round.hpp WITH model/reference/geometry.cpp TEST reference [round]
+  OLD [[if (from_inside && !sphere.is_seen_inside) return;]]
+  NEW [[]])
+mutant(reference_left_sphere_is_met_again FILE model/reference/round.hpp WITH model/reference/geometry.cpp TEST reference [round]
+  OLD [[if (is_left && !path.is_inside) return;]]
+  NEW [[]])
+mutant(reference_sphere_box_too_small QUICK FILE model/reference/geometry.cpp TEST reference [round]
+  OLD [[float_above(spheres[i].centre[k] + spheres[i].radius)]]
+  NEW [[float_above(spheres[i].centre[k] + 0.99 * spheres[i].radius)]])
+
+# ---- shade's formulas.
+mutant(model_reflection_of_the_light QUICK FILE model/shade/bounce.cpp TEST unit [formulas]
+  OLD [[rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];]]
+  NEW [[rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) + state.view[k];]])
+mutant(model_refraction_without_the_sine FILE model/shade/bounce.cpp TEST unit [formulas]
+  OLD [[std::uint64_t(state.ratio) * state.ratio) * sine2 >>]]
+  NEW [[std::uint64_t(state.ratio) * (1 << index_frac)) * sine2 >>]])
+mutant(model_schlick_fourth_power FILE model/shade/bounce.cpp TEST unit [formulas]
+  OLD [[q5 = rounded(q4 * q, unit_bits);]]
+  NEW [[q5 = rounded(q4 * one, unit_bits);]])
+mutant(model_phong_without_the_cosine_of_the_view FILE model/shade/light.cpp TEST unit [formulas]
+  OLD [[rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits)]]
+  NEW [[rounded(2 * std::int64_t(cosine) * cosine, unit_bits)]])
+mutant(model_light_behind_counts FILE model/shade/light.cpp TEST unit [formulas]
+  OLD [[out.counts = side > 0 && cosine > 0;]]
+  NEW [[out.counts = side != 0 || cosine > 0;]])

@@ -1,0 +1,207 @@
+# Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
+
+# ---- box, list, trav, raygen, sched of a chip that shades.
+mutant(slab_near_from_the_point_before QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
+  OLD [[D'(s0_org_i) - D'(s0_point) - $signed({{(D-1){1'b0}}, s0_between});]]
+  NEW [[D'(s0_org_i) - D'(s0_point);]])
+mutant(slab_far_from_the_nearer_point FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
+  OLD [[(s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0)]]
+  NEW [[(s1_between_q && s1_zero_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0)]])
+mutant(slab_far_shift_wraps QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
+  OLD [[s2_shift_q > S'(T) ? 5'(T) : s2_shift_q[4:0];]]
+  NEW [[s2_shift_q[4:0];]])
+mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [list][shading]
+  OLD [[(more_triangles || more_leaves) && !blocked;]]
+  NEW [[more_triangles || (more_leaves && !blocked);]])
+mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
+  OLD [[stop      = any_q[end_ray] && found_q[end_ray];]]
+  NEW [[stop      = any_q[end_ray] && found_q[end_ray] && step_inner == '0;]])
+mutant(list_ends_a_ray_away_at_the_surface FILE rtl/list/rc_list.sv TEST unit [list][shading]
+  OLD [[shadow_q[ray_number] <= kind == 2'd2;]]
+  NEW [[shadow_q[ray_number] <= kind[1];]])
+mutant(list_looks_beyond_the_surface FILE rtl/list/rc_list.sv TEST unit [list][shading]
+  OLD [[in_t_old : shadow_q[in.ray] ? SurfaceT : '1;]]
+  NEW [[in_t_old : '1;]])
+mutant(stack_stop_keeps_the_stack QUICK FILE rtl/trav/rc_stack.sv TEST unit [trav][shading]
+  OLD [[(stop || s1_height_q == '0)) begin
+      done_o   = 1'b1;
+      height_d = '0;]]
+  NEW [[(stop || s1_height_q == '0)) begin
+      done_o   = 1'b1;]])
+mutant(stack_visits_a_child_when_stopped FILE rtl/trav/rc_stack.sv TEST unit [trav][shading]
+  OLD [[forward      = !stop &&]]
+  NEW [[forward      =]])
+mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
+  OLD [[s2_short = s2_head_q[HeadW-1 -: 2] != 2'd2;]]
+  NEW [[s2_short = !s2_head_q[HeadW-1];]])
+mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
+  OLD [[.first_valid_i(spawn_valid_i),]]
+  NEW [[.first_valid_i(spawn_valid_i && !slot_valid_i),]])
+mutant(raygen_bounce_from_the_eye FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
+  OLD [[s1_camera ? s1_eye : s1_given[3*RD +: 3*OW];]]
+  NEW [[s1_camera || s1_kind == 2'd1 ? s1_eye : s1_given[3*RD +: 3*OW];]])
+mutant(recip_zero_is_long FILE rtl/raygen/rc_recip.sv TEST unit [raygen][lockstep][shading]
+  OLD [[short_i && s0_len != '0 ?]]
+  NEW [[short_i ?]])
+mutant(sample_share_rounded_down QUICK FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
+  OLD [[15'((16383 + i) / i)]]
+  NEW [[15'(16384 / i)]])
+mutant(sample_cell_not_reduced_twice FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
+  OLD [[take = once >= {1'b0, all} ? S'(once - {1'b0, all}) : S'(once);]]
+  NEW [[take = once >= {1'b0, all} ? S'(once) : S'(once);]])
+mutant(sample_hash_cut_short FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
+  OLD [[^ {s2_turned[0] ^ s2_turned[11], 15'd0};]]
+  NEW [[^ {s2_turned[0], 15'd0};]])
+mutant(sched_loses_a_colour QUICK FILE rtl/sched/rc_sched.sv TEST unit [sched][shading]
+  OLD [[= {place, pixel_i};]]
+  NEW [[= {place, pixel_i & ~rc_pkg::PixelW'(1)};]])
+
+# ---- tri of a chip that shades: rays that leave surfaces, rays from and to lights, planes, spheres.
+mutant(edges_fraction_forgotten QUICK FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[s3_det_q <= s2_leaves_q ? s2_det <<< B : s2_det;]]
+  NEW [[s3_det_q <= s2_leaves_q && 1'b0 ? s2_det <<< B : s2_det;]])
+mutant(edges_plane_has_edges FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[&& (s3_plane_q || (s3_u_neg]]
+  NEW [[&& ((s3_plane_q && 1'b0) || (s3_u_neg]])
+mutant(tri_end_of_the_way_blocks FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[f1_first_q <= f0_prim <= f0_best_prim && !f0_any;]]
+  NEW [[f1_first_q <= f0_prim <= f0_best_prim || f0_any;]])
+mutant(hitdiv_negative_rounded_up FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left} : u_size;]]
+  NEW [[u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left || 1'b1} : u_size;]])
+mutant(hitdiv_plane_wraps FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[v_many ? {v_neg, {(V-1){!v_neg}}} : v_end};]]
+  NEW [[v_many && 1'b0 ? {v_neg, {(V-1){!v_neg}}} : v_end};]])
+mutant(sphere_touch_is_no_hit QUICK FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
+  OLD [[assign s3_meets = s3_nearing_q && !s3_disc[D-1];]]
+  NEW [[assign s3_meets = s3_nearing_q && !s3_disc[D-1] && s3_disc != '0;]])
+mutant(sphere_far_root_rounded_down FILE rtl/isect/rc_sphere.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
+  OLD [[r_far && (r_inexact || r_lost)})]]
+  NEW [[r_far && (r_inexact || r_lost) && 1'b0})]])
+mutant(sphere_on_its_rim_is_behind FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
+  OLD [[s3_end_out_q <= !s2_end[C-1] && s2_end != '0;]]
+  NEW [[s3_end_out_q <= !s2_end[C-1];]])
+mutant(sphere_disc_one_bit_short FILE rtl/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[? 2 * (M + W) + 2 : 2 * (N + W) + 4;]]
+  NEW [[? 2 * (M + W) + 1 : 2 * (N + W) + 3;]])
+mutant(sphere_own_is_met FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
+  OLD [[assign s3_goes  = (!s3_own_q || s3_inside_q)]]
+  NEW [[assign s3_goes  = (!s3_own_q || s3_inside_q || s3_outside_q)]])
+
+# ---- shade's cells.
+mutant(unit_length_of_two_axes QUICK FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
+  OLD [[s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];]]
+  NEW [[s1_size_q[0 +: W] | s1_size_q[W +: W];]])
+mutant(unit_sum_of_squares_wraps FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
+  OLD [[assign s4_low = s4_sum[35:34] == '0;]]
+  NEW [[assign s4_low = !s4_sum[34];]])
+mutant(unit_not_rounded FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
+  OLD [[+ 38'h40000;]]
+  NEW [[+ 38'h3ffff;]])
+mutant(unit_not_clamped FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
+  OLD [[whole[37:35] != '0 ? 17'h10000 : {1'b0, whole[34:19]};]]
+  NEW [[&whole[37:35] ? 17'h10000 : {1'b0, whole[34:19]};]])
+mutant(unit_components_wait_for_others FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
+  OLD [[.valid_i(valid_q[5:3]), .data_i(s4_a_q)]]
+  NEW [[.valid_i(valid_q[4:2]), .data_i(s4_a_q)]])
+mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
+  OLD [[s5_none_q  <= s4_none_q ||]]
+  NEW [[s5_none_q  <= (s4_none_q && s4_y_q[0]) ||]])
+mutant(power_17_whole_bits_leave_nothing FILE rtl/fixed/rc_power.sv TEST unit [power]
+  OLD [[s4_y_q[32:18] > 15'd17;]]
+  NEW [[s4_y_q[32:18] > 15'd15;]])
+mutant(power_not_rounded FILE rtl/fixed/rc_power.sv TEST unit [power]
+  OLD [[({1'b0, s6_g_q} + (19'd1 << s6_whole_q))]]
+  NEW [[{1'b0, s6_g_q}]])
+
+# ---- shade: a pass, and the contexts around it.
+mutant(pass_pending_forgets_the_answer QUICK FILE rtl/shade/rc_start.sv TEST unit [pass][all]
+  OLD [[(state_i.pending == 2'd1 && !found)]]
+  NEW [[(state_i.pending == 2'd1)]])
+mutant(pass_first_hit_of_any_depth FILE rtl/shade/rc_start.sv TEST unit [pass][all]
+  OLD [[arrives_o && state_i.depth == '0 && state_i.sample]]
+  NEW [[arrives_o && state_i.sample]])
+mutant(pass_leaves_with_the_ratio_of_entering FILE rtl/shade/rc_start.sv TEST unit [pass][all]
+  OLD [[back ? surface_i.leave : surface_i.enter]]
+  NEW [[back ? surface_i.enter : surface_i.leave]])
+mutant(turnout_light_behind_counts FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[positive_i && (light_near_i ? below_i : above_i)]]
+  NEW [[positive_i && (light_near_i ? !above_i : above_i)]])
+mutant(turnout_last_light_is_left_out FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[light < frame_i.lights ? Light]]
+  NEW [[light + 7'd1 < frame_i.lights ? Light]])
+mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[weight_i >= frame_i.threshold]]
+  NEW [[weight_i > frame_i.threshold]])
+mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[was_i.depth >= frame_i.depth]]
+  NEW [[was_i.depth > frame_i.depth]])
+mutant(turnout_pushed_ray_stays_outside FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[!was_i.is_inside}]]
+  NEW [[was_i.is_inside}]])
+mutant(surf_point_on_the_border FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
+  OLD [[s1_u_q + s1_v_q < s1_one;]]
+  NEW [[s1_u_q + s1_v_q <= s1_one;]])
+mutant(surf_normal_is_not_turned FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
+  OLD [[<= s4_back ? -s4_n : s4_n;]]
+  NEW [[<= s4_back && s4_smooth ? -s4_n : s4_n;]])
+mutant(surf_checkers_by_u_alone FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
+  OLD [[s0_u_i[Y] ^ s0_v_i[Y];]]
+  NEW [[s0_u_i[Y] ^ (s0_v_i[Y] && s0_smooth);]])
+mutant(ball_rounded_down QUICK FILE rtl/shade/rc_ball.sv TEST unit [pass][all]
+  OLD [[Q'(65'(1) << Drop >> 1))]]
+  NEW [[Q'(65'(1) << Drop >> 2))]])
+mutant(corners_third_subtracted FILE rtl/shade/rc_corners.sv TEST unit [pass][all]
+  OLD [[S'(s3_b_q) + S'(s3_c_q);]]
+  NEW [[S'(s3_b_q) - S'(s3_c_q);]])
+mutant(side_in_the_plane_is_above FILE rtl/shade/rc_side.sv TEST unit [pass][all]
+  OLD [[&& s16_sum != '0;]]
+  NEW [[&& s16_sum[Q:0] != '1;]])
+mutant(light_share_wraps FILE rtl/shade/rc_light.sv TEST unit [pass][all]
+  OLD [[s27_rounded[52:44] != '0 ? 17'h10000]]
+  NEW [[&s27_rounded[52:44] ? 17'h10000]])
+mutant(light_phong_of_a_light_behind FILE rtl/shade/rc_light.sv TEST unit [pass][all]
+  OLD [[s16_phong[20] ? '0 :]]
+  NEW [[s16_phong[20] && s16_phong[0] ? '0 :]])
+mutant(snell_never_total FILE rtl/shade/rc_snell.sv TEST unit [pass][all]
+  OLD [[s13_total_o <= s12_refract && s12_total;]]
+  NEW [[s13_total_o <= s12_refract && s12_total && s12_long[0];]])
+mutant(snell_ratio_not_rounded FILE rtl/shade/rc_snell.sv TEST unit [pass][all]
+  OLD [[s1_long_q + 33'h800;]]
+  NEW [[s1_long_q + 33'h0;]])
+mutant(schlick_fourth_power FILE rtl/shade/rc_schlick.sv TEST unit [pass][all]
+  OLD [[<= {17'd0, s2_q4} * {17'd0, s2_q};]]
+  NEW [[<= {17'd0, s2_q4} * {17'd0, s2_q | 17'h10000};]])
+mutant(bounce_component_above_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][all]
+  OLD [[s14_unit > 26'sh10000 ? 18'sh10000]]
+  NEW [[s14_unit > 26'sh18000 ? 18'sh10000]])
+mutant(turn_short_direction_cut FILE rtl/shade/rc_turn.sv TEST unit [pass][short]
+  OLD [[$signed(19'(1 << (17 - M)));]]
+  NEW [[$signed(19'(0));]])
+mutant(finish_first_samples_never_agree FILE rtl/shade/rc_finish.sv TEST unit [pass][all]
+  OLD [[s1_apart <= contrast &&]]
+  NEW [[s1_apart > contrast &&]])
+mutant(finish_share_of_all_samples FILE rtl/shade/rc_finish.sv TEST unit [pass][all]
+  OLD [[s0_some ? frame_i.first_share : frame_i.share;]]
+  NEW [[s0_some ? frame_i.share : frame_i.first_share;]])
+mutant(wait_one_cycle_less FILE rtl/prim/rc_wait.sv TEST unit [pass][all]
+  OLD [[at_q == IndexW'(Stages - 1))]]
+  NEW [[at_q == IndexW'(Stages - 2))]])
+mutant(shade_shadow_hit_fetches_its_surface FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
+  OLD [[closest_i.found && !any_hit_q[closest_ray];]]
+  NEW [[closest_i.found && !(any_hit_q[closest_ray] && kind[0]);]])
+mutant(shade_arrived_before_again QUICK FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
+  OLD [[open && !surf_rsp_valid_i && !again_valid && arrived_valid;]]
+  NEW [[open && !surf_rsp_valid_i && (!again_valid || push) && arrived_valid;]])
+mutant(shade_is_busy_behind_a_closed_door FILE rtl/shade/rc_shade.sv TEST unit [shade]~[slow]
+  OLD [[arrived_valid ? (open ? 3'd0 : 3'd3)]]
+  NEW [[arrived_valid ? (open ? 3'd0 : 3'd0)]])
+mutant(contexts_keep_the_last_pixels_state FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
+  OLD [[if (slot_fires_i) fresh_q[slot_i.ray]  <= 1'b1;]]
+  NEW [[if (slot_fires_i) fresh_q[slot_i.ray]  <= slot_i.x[0];]])
+mutant(contexts_bounces_are_forgotten FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
+  OLD [[ray_fires_i && !kind_o[1])]]
+  NEW [[ray_fires_i && kind_o == 2'd0)]])
+mutant(contexts_stack_of_one_place FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
+  OLD [[& AW'((1 << Up) - 1));]]
+  NEW [[& AW'((1 << Up) - 2));]])

@@ -1,0 +1,48 @@
+// Rays of Haines' scenes, counted by his rules and compared with the table that the rules reproduce (spd.md 6.2 and 6.3):
+// 513 x 513 rays through the corners of pixels, eye rays of depth 1 and at most depth 5, which is 4 bounces here.
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "model/reference/reference.hpp"
+#include "model/scene/builtin.hpp"
+
+using namespace rayclock;
+
+namespace {
+
+struct Case {
+    const char* scene;
+    RayCounts rays;
+};
+
+/// 512 spacings of pixels span what 511 do in the scene's own angle, and half a pixel more on each side is the picture's edge.
+Camera corner_rays(Camera camera) {
+    const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / 511;
+    camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
+    return camera;
+}
+
+double deviation(std::uint64_t is, std::uint64_t wanted) {
+    return wanted == 0 ? static_cast<double>(is) : 100 * (static_cast<double>(is) / static_cast<double>(wanted) - 1);
+}
+
+} // namespace
+
+TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][whitted][spd]") {
+    const auto c = GENERATE(values<Case>({
+        {"balls:4", {.shadow = 954051, .reflection = 175078, .refraction = 0, .primary_hits = 263169}},
+        {"gears:4", {.shadow = 2246825, .reflection = 304629, .refraction = 207543, .primary_hits = 245090}},
+        {"mount:6", {.shadow = 412934, .reflection = 354774, .refraction = 354774, .primary_hits = 173132}},
+        {"teapot:12", {.shadow = 408005, .reflection = 225518, .refraction = 0, .primary_hits = 161124}},
+        {"tetra:6", {.shadow = 46108, .reflection = 0, .refraction = 0, .primary_hits = 49796}},
+    }));
+    const Scene scene = make_builtin(c.scene, Primitives::native);
+    const RayCounts rays = Reference(scene).whitted(corner_rays(*scene.camera), {513, 513}, {.depth = 4}).rays;
+    const double hits = deviation(rays.primary_hits, c.rays.primary_hits), reflected = deviation(rays.reflection, c.rays.reflection),
+                 refracted = deviation(rays.refraction, c.rays.refraction), shadow = deviation(rays.shadow, c.rays.shadow);
+    WARN(c.scene << ": eye hits " << hits << " %, reflected " << reflected << " %, refracted " << refracted << " %, shadow " << shadow << " %");
+    CHECK(rays.primary == 513 * 513);
+    for (const double percent : {hits, reflected, refracted, shadow}) CHECK(std::abs(percent) < 1);
+}

@@ -1,0 +1,99 @@
+// What Yosys says of a hierarchy, as counts of a unit and of the cells beneath it.
+#include <catch2/catch.hpp>
+
+#include "sim/area/run.hpp"
+#include "model/core/error.hpp"
+
+using namespace rayclock;
+using namespace rayclock::area;
+
+namespace {
+
+/// As `stat -json` of Yosys 0.23 writes it, with the hierarchy that is no JSON.
+constexpr const char* stat = R"({
+   "creator": "Yosys",
+   "modules": {
+      "$paramod\\rc_sqrt\\Stages=s32'00000000000000000000000000001001": {
+         "num_cells_by_type": {
+            "LUT4": 5,
+            "TRELLIS_FF": 7
+         }
+      },
+      "$paramod$fd33b82d\\rc_divide": {
+         "num_cells_by_type": {
+            "CCU2C": 10,
+            "LUT4": 100
+         }
+      },
+      "$paramod$0123abcd\\rc_divide": {
+         "num_cells_by_type": {
+            "LUT4": 1
+         }
+      },
+      "\\rc_recip": {
+         "num_cells_by_type": {
+            "$paramod$0123abcd\\rc_divide": 2,
+            "$paramod$fd33b82d\\rc_divide": 1,
+            "DP16KD": 1,
+            "MULT18X18D": 3
+         }
+      },
+      "\\rc_raygen": {
+         "num_cells_by_type": {
+            "$paramod\\rc_sqrt\\Stages=s32'00000000000000000000000000001001": 1,
+            "L6MUX21": 50,
+            "LUT4": 1000,
+            "PFUMX": 60,
+            "TRELLIS_DPR16X4": 4,
+            "rc_recip": 3
+         }
+      }
+   },
+       rc_recip                      3
+         $paramod$fd33b82d\rc_divide      1
+      "design": {
+      }
+}
+)";
+
+} // namespace
+
+TEST_CASE("a unit's count has what is beneath it, and each kind of cell once, whatever its parameters") {
+    const Part unit = parts_of_stat(stat, "raygen");
+    CHECK(unit.name == "raygen");
+    CHECK(unit.count == Count{1000 + 5 + 3 * 102, 3 * 10, 4, 7, 3 * 3, 3});
+    CHECK(unit.count.luts() == 1311 + 2 * 30 + 6 * 4);
+    REQUIRE(unit.parts.size() == 2);
+    CHECK(unit.parts[0].name == "recip");
+    CHECK(unit.parts[0].times == 3);
+    CHECK(unit.parts[0].count == Count{3 * 102, 3 * 10, 0, 0, 9, 3});
+    REQUIRE(unit.parts[0].parts.size() == 1);
+    CHECK(unit.parts[0].parts[0].name == "divide");
+    CHECK(unit.parts[0].parts[0].times == 9);
+    CHECK(unit.parts[0].parts[0].count == Count{3 * 102, 3 * 10, 0, 0, 0, 0});
+    CHECK(unit.parts[1].name == "sqrt");
+    CHECK(unit.parts[1].count == Count{5, 0, 0, 7, 0, 0});
+    CHECK_THROWS_AS(parts_of_stat(stat, "shade"), std::runtime_error);
+    // What the cache keeps.
+    const auto json = part_json(unit);
+    CHECK(part_json(part_of(json)) == json);
+    CHECK(part_of(json).count == unit.count);
+}
+
+TEST_CASE("machines with and without units, from any configuration that can shade") {
+    for (const std::string& name : config_names()) {
+        INFO(name);
+        const std::vector<Variant> all = variants_of(named_config(name));
+        REQUIRE(all.size() == 8);
+        CHECK(all[0].config.shading == 0);
+        CHECK(all[1].config.shading == 1);
+        const auto further = [](const Config& c) { return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling; };
+        CHECK(further(all[1].config) == 0);
+        for (std::size_t v = 2; v < 7; ++v) CHECK(further(all[v].config) == 1);
+        CHECK(further(all[7].config) == 5);
+        for (const Variant& v : all) CHECK(v.config.coord_bits == named_config(name).coord_bits);
+    }
+    Config sheared = named_config("default");
+    set_parameter(sheared, "primitive_test", "sheared", "test");
+    CHECK_THROWS_AS(variants_of(sheared), UserError);
+}

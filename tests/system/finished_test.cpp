@@ -1,0 +1,99 @@
+// Finished pictures: the RTL makes the colours that the model makes, in the same cycles.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include "model/accel/surfaces.hpp"
+#include "model/reference/reference.hpp"
+#include "sim/image/image.hpp"
+#include "sim/load/load.hpp"
+#include "sim/rtl/builder.hpp"
+#include "tests/system/frames.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+struct Finished {
+    std::string scene;
+    Whitted settings;
+};
+
+/// All scenes run on the RTL with all units: one build for each configuration.
+Config with_all_units(Config config, const Whitted& settings) {
+    Scene everything;
+    everything.spheres.resize(1), everything.planes.resize(1), everything.normals.resize(1), everything.lights.resize(8);
+    everything.materials.resize(1);
+    everything.materials[0].transmit = 1;
+    Whitted most = settings;
+    most.aa = 2, most.depth = most_depth;
+    Config all = fitted_config(everything, most, config);
+    all.stack_depth = 64;
+    check_config(all, "test");
+    return all;
+}
+
+Job finished_job(const Finished& asked, FrameSize size, const Config& config) {
+    Scene scene = load_scene(asked.scene, {}, Primitives::native);
+    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
+    return make_job(scene, *scene.camera, size, config, {}, asked.settings);
+}
+
+const std::vector<Finished> pictures{{"spheres", {4}}, {"balls:1", {4}}, {"gears:1", {4}}, {"mount:2", {4}}, {"rings:1", {2}}, {"teapot:3", {4}},
+                                     {"mirrors", {6}}, {"tree:2", {1}}, {"plane", {0}}, {"spheres", {15, 0.02}}, {"mount:2", {0}},
+                                     {"spheres", {3, 0, 2}}, {"square", {1, 0, 3, true, 0, 7}}, {"spheres", {2, 0, 3, true, 0.05, 3}}};
+
+} // namespace
+
+// Not a test of its own, see lockstep_test.cpp.
+TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
+    for (const char* name : {"default", "narrow"}) CHECK(std::filesystem::exists(build_rtl(with_all_units(quick_config(name), {})).library));
+}
+
+TEST_CASE("model and RTL make the same finished pictures in the same cycles") {
+    const Finished asked = GENERATE(from_range(pictures));
+    const std::string config = GENERATE("default", "narrow");
+    INFO(asked.scene << " depth " << asked.settings.depth << " aa " << asked.settings.aa << " configuration " << config);
+    check_lockstep(finished_job(asked, {24, 18}, with_all_units(quick_config(config), asked.settings)));
+}
+
+TEST_CASE("finished pictures do not depend on memory and sinks") {
+    const int seed = GENERATE(range(1, 5));
+    const Config config = with_all_units(quick_config("default"), {});
+    const Job job = finished_job({"spheres", {3}}, {16, 12}, config);
+    check_lockstep(job, {40, 30, std::uint64_t(seed)}, seed);
+}
+
+TEST_CASE("a finished picture is the reference's but for what bits cost, and sends the rays that it sends") {
+    const auto [name, settings, least] = GENERATE(table<std::string, Whitted, double>(
+        {{"spheres", {4}, 38}, {"balls:2", {4}, 40}, {"gears:2", {4}, 44}, {"mount:4", {4}, 48}, {"rings:1", {4}, 40}, {"teapot:6", {4}, 48}, {"mirrors", {6}, 44},
+         {"tree:4", {4}, 42}, {"spheres", {3, 0.05, 2}, 40}}));
+    INFO(name);
+    Scene scene = load_scene(name, {}, Primitives::native);
+    const FrameSize size{128, 96};
+    Config config = fitted_config(scene, settings, named_config("default"));
+    config.stack_depth = 64;
+    const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
+    const FrameTrace frame = record_frame(job, job.frame);
+    const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
+    CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
+    const auto near = [](std::uint64_t mine, std::uint64_t theirs) { return std::abs(double(mine) - double(theirs)) <= 0.01 * double(theirs) + 8; };
+    const RayCounts &mine = frame.trace.counts, &theirs = reference.rays;
+    CHECK(mine.primary == theirs.primary);
+    CHECK(near(mine.primary_hits, theirs.primary_hits));
+    CHECK(near(mine.shadow, theirs.shadow));
+    CHECK(near(mine.reflection, theirs.reflection));
+    CHECK(near(mine.refraction, theirs.refraction));
+}
+
+TEST_CASE("a finished picture is the same for any number of threads, and its trace tells the same machine whatever the memory does") {
+    const Job job = finished_job({"balls:1", {3}}, {40, 30}, fitted_config(make_builtin("balls:1", Primitives::native), {3}, named_config("default")));
+    const FrameTrace one = record_frame(job, job.frame, 1), many = record_frame(job, job.frame, 5);
+    CHECK(one.trace.colours == many.trace.colours);
+    CHECK(one.trace.counts == many.trace.counts);
+    CHECK(one.trace.signatures == many.trace.signatures);
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame));
+    CHECK(frame_run(frames[0], replay(job.config, 66000, frames)[0]).pixels == 40 * 30);
+}

@@ -1,0 +1,299 @@
+// tri of a chip that shades: every kind of ray against every kind of primitive, exact but for a sphere's t, which has a bound.
+#include "model/isect/origin.hpp"
+#include "tests/support/any_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+/// What was met, by kind of ray and of primitive.
+struct Tally {
+    int met[4][3] = {}, missed[4][3] = {};
+    void count(const TriReq& r, const TriRsp& rsp, const Config& c) {
+        const int kind = is_sphere(r, c) ? 2 : is_plane(r, c) ? 1 : 0;
+        ++(rsp.closer ? met : missed)[r.kind][kind];
+    }
+    void require(int least, const Config& c) const {
+        for (int ray = 0; ray < 4; ++ray)
+            for (const int kind : {0, 1, 2}) {
+                if ((kind == 1 && !c.planes) || (kind == 2 && !c.spheres)) continue;
+                CAPTURE(ray, kind, met[ray][kind], missed[ray][kind]);
+                REQUIRE(met[ray][kind] >= least);
+                REQUIRE(missed[ray][kind] >= least);
+            }
+    }
+};
+
+template <class Dut> void against_oracle(const Config& config, unsigned seed, const Flow& flow, int count) {
+    INFO(config.name << ", seed " << seed);
+    Draw draw{seed};
+    Dut dut{config, Frame{}, int(seed)};
+    Tally tally;
+    stream(dut, config, flow, draw, count, [&](Draw& from) { return random_any_req(from, config); },
+        [&](const TriReq& req, const TriRsp& rsp) {
+            CAPTURE(req.kind, req.triangle.kind);
+            judge_any(req, rsp, config);
+            tally.count(req, rsp, config);
+        });
+    tally.require(count / 300, config);
+}
+
+const char* const names[] = {"default", "small", "narrow", "wide", "fine"};
+const std::pair<const char*, const char*> parts[] = {{"default", ""}, {"small", "plane"}, {"narrow", "sphere"}, {"wide", "plane"}, {"fine", "sphere"}};
+
+Config any_part(int which) { return which < 5 ? any_format(names[which]) : any_format(parts[which - 5].first, parts[which - 5].second); }
+
+/// Corners of the lattice and of what else there is: bit k of `which` chooses the largest or smallest value on axis k.
+Vec3i extreme(int which, int bits) {
+    const std::int32_t most = std::int32_t((std::int64_t(1) << (bits - 1)) - 1);
+    return {which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
+}
+Vec3i scaled(const Vec3i& v, int bits) { return {v[0] * (1 << bits), v[1] * (1 << bits), v[2] * (1 << bits)}; }
+
+/// Everything at the ends of its width.
+std::vector<TriReq> extremes(const Config& c) {
+    const int n = c.coord_bits, b = c.origin_bits;
+    std::vector<TriReq> all;
+    for (int i = 0; i < 1 << 15; ++i) {
+        TriReq r;
+        r.kind = std::uint32_t(i % 13 % 4);
+        r.triangle.kind = std::uint32_t(i / 13 % 3);
+        if ((r.triangle.kind == 1 && !c.planes) || (r.triangle.kind == 2 && !c.spheres)) continue;
+        r.triangle.a = extreme(i, n);
+        r.triangle.b = extreme(i >> 3, n);
+        r.triangle.c = extreme(i >> 6, n);
+        r.triangle.prim = 7;
+        r.self = c.spheres && i % 7 == 0 ? 7 : 0;
+        r.inside = c.spheres && i % 5 < 2;
+        if (r.triangle.kind == 2) {   // radius: none, the largest, half the lattice
+            const std::uint64_t room = i >> 3 & 1 ? (std::uint64_t(1) << (2 * n)) - 1 : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2) : 0;
+            r.triangle.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)), std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
+        }
+        r.o = leaves(r) ? extreme(i >> 9, n + b) : scaled(extreme(i >> 9, n), b);
+        r.d = extreme(i >> 12, c.dir_bits);
+        if (is_shadow(r)) {
+            const Vec3i end = i % 11 < 5 ? extreme(i >> 12, n + b) : scaled(extreme(i >> 12, n), b);
+            for (std::size_t k = 0; k < 3; ++k) r.d[k] = end[k] - r.o[k];
+        }
+        all.push_back(r);
+    }
+    return all;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly and measures within its bound", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = any_part(GENERATE(range(0, 10)));
+    for (unsigned seed = 1; seed <= 2; ++seed) against_oracle<TestType>(config, seed, flows[seed % 4], 3000);
+}
+
+TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly, many draws", "[tri][any][slow]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = any_part(GENERATE(range(0, 10)));
+    for (unsigned seed = 101; seed <= 112; ++seed) against_oracle<TestType>(config, seed, flows[seed % 4], 6000);
+}
+
+TEMPLATE_TEST_CASE("tri of a chip that shades is exact at the ends of every width", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = any_format(GENERATE("default", "narrow", "wide", "fine"));
+    const auto requests = extremes(config);
+    TestType dut{config};
+    const auto rsps = answers(dut, config, requests);
+    Tally tally;
+    for (std::size_t i = 0; i < rsps.size(); ++i) {
+        CAPTURE(i, requests[i].kind, requests[i].triangle.kind);
+        judge_any(requests[i], rsps[i], config);
+        tally.count(requests[i], rsps[i], config);
+    }
+    tally.require(10, config);
+}
+
+TEST_CASE("every value of the sphere test fits its width, and no width has a bit too many", "[any]") {
+    const Config config = any_format(GENERATE("default", "narrow", "wide"));
+    const int n = config.coord_bits, b = config.origin_bits;
+    const SphereWidths w = sphere_widths(n, config.dir_bits, b);
+    struct Span {
+        oracle::Int lo = 0, hi = 0;
+        void add(const oracle::Int& x) { lo = std::min(lo, x), hi = std::max(hi, x); }
+        bool fits(int bits) const { return lo >= -(oracle::Int(1) << (bits - 1)) && hi < oracle::Int(1) << (bits - 1); }
+    } along, square, power, disc, num;
+    for (const TriReq& r : extremes(config)) {
+        if (r.triangle.kind != 2) continue;
+        const int scale = is_shadow(r) ? 0 : b;
+        oracle::Int bs = 0, a = 0, c = -(oracle::Int(radius_squared(r.triangle, n)) << (2 * scale));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const oracle::Int s = (oracle::Int(r.o[k]) >> (b - scale)) - (oracle::Int(r.triangle.a[k]) << scale);
+            REQUIRE((abs(s) < oracle::Int(1) << (w.offset - 1) && abs(oracle::Int(r.d[k])) <= oracle::Int(1) << (w.direction - 1)));
+            bs += s * r.d[k], a += oracle::Int(r.d[k]) * r.d[k], c += s * s;
+        }
+        along.add(bs), square.add(a), power.add(c), disc.add(bs * bs - a * c);
+        if (!is_shadow(r) && bs * bs >= a * c) num.add(abs(bs) + sqrt(oracle::Int(bs * bs - a * c)) + 1);
+    }
+    REQUIRE((along.fits(w.along) && square.fits(w.square + 1) && power.fits(w.power) && disc.fits(w.disc) && num.fits(w.num + 1)));
+    REQUIRE_FALSE((along.fits(w.along - 1) || square.fits(w.square) || power.fits(w.power - 1)));
+    REQUIRE_FALSE(disc.fits(w.disc - 1));
+    REQUIRE(num.hi >> (w.num - 2) != 0);
+}
+
+TEST_CASE("the root is rounded down, to 28 bits", "[any]") {
+    Draw draw{5};
+    for (int i = 0; i < 20000; ++i) {
+        const int bits = draw.below(123);
+        Wide square = wide_bits(draw, bits);
+        if (draw.coin()) {   // a square, or one beside it, moved left
+            const Wide side = wide_bits(draw, bits / 2);
+            square = side * side + (side > 0 ? draw.between(-1, 1) : 0);
+        }
+        const Root r = root(WideNatural(square));
+        CAPTURE(i, r.whole, r.shift);
+        const oracle::Int whole = oracle::Int(r.whole) << r.shift, next = oracle::Int(r.whole + 1) << r.shift;
+        REQUIRE(r.whole >> root_bits == 0);
+        REQUIRE(whole * whole <= big(square));
+        REQUIRE(next * next > big(square));
+        REQUIRE(r.rest == (whole * whole != big(square)));
+        if (r.shift > 0) REQUIRE(r.whole >> (root_bits - 1) == 1);   // no bit of precision wasted
+    }
+}
+
+TEST_CASE("a bounce and a shadow ray are decided as docs/origins.md has it", "[any]") {
+    const Config config = any_format(GENERATE("default", "small", "wide"), "");
+    Draw draw{unsigned(config.coord_bits)};
+    int hits = 0, blocked = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const TriReq r = random_any_req(draw, config);
+        TriReq alone = r;
+        alone.best = {};
+        const TriRsp rsp = tri(alone, config);
+        if (leaves(r)) {
+            const auto hit = bounce_test({{r.o[0], r.o[1], r.o[2]}, config.origin_bits}, r.d, r.triangle);
+            REQUIRE(hit.has_value() == (rsp.closer != 0));
+            if (hit && !ends_at_any(r.kind)) REQUIRE((rsp.num == hit->num && rsp.det == hit->det << config.origin_bits && rsp.back == (side_of_direction(r.triangle, r.d) > 0)));
+            hits += hit.has_value();
+        } else if (is_shadow(r)) {
+            const Vec3i light{r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits};
+            REQUIRE(shadow_test(light, {r.d[0], r.d[1], r.d[2]}, config.origin_bits, r.triangle) == (rsp.closer != 0));
+            blocked += rsp.closer != 0;
+        } else if (rsp.closer) {
+            TriRsp plain;
+            tri_test({r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits}, r.d, r.triangle, {}, config, plain);
+            REQUIRE((rsp.num == plain.num && rsp.det == plain.det && rsp.t == plain.t));
+        }
+    }
+    REQUIRE(hits > 500);
+    REQUIRE(blocked > 200);
+}
+
+TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = any_format("default");
+    const int one = 1 << config.origin_bits, full = 1 << (config.dir_bits - 1);
+    const auto ray = [&](std::uint32_t kind, Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
+        TriReq r;
+        r.kind = kind;
+        r.o = o;
+        r.d = d;
+        r.self = self;
+        r.inside = inside;
+        r.triangle = {{0, 0, 0}, {100 * 100, 0, 0}, {}, 9, 2};   // radius 100
+        return r;
+    };
+    const auto camera = [&](Vec3i o, Vec3i d) { return ray(0, scaled(o, config.origin_bits), d); };
+    const auto bounce = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) { return ray(1, o, d, self, inside); };
+    const auto away = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) { return ray(3, o, d, self, inside); };
+    const auto shadow = [&](Vec3i light, Vec3i end, std::uint32_t self = 1, std::uint32_t inside = 0) {
+        const Vec3i o = scaled(light, config.origin_bits);
+        return ray(2, o, {end[0] - o[0], end[1] - o[1], end[2] - o[2]}, self, inside);
+    };
+    struct Case {
+        TriReq req;
+        std::uint32_t closer, t, back;   // t in lattice steps
+    };
+    const int rim = 100 * one;
+    const Case cases[] = {
+        {camera({-300, 0, 0}, {full - 1, 0, 0}), 1, 200, 0},          // from outside
+        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0},        // a touch
+        {camera({-300, 101, 0}, {full - 1, 0, 0}), 0, 0, 0},
+        {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},             // behind
+        {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1},             // from inside
+        {camera({50, 0, 0}, {-full, 0, 0}), 1, 150, 1},
+        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0},                      // goes nowhere
+        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},             // on it, leaving
+        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0},                // along it
+        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1},              // on it, entering
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0},            // another's ray, a hair off its rim: 1 step at most
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},         // its own, outside
+        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},         // its own, outside, and rounded inside
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1},    // its own, inside, and rounded outside
+        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 200, 1},
+        {bounce({rim + 1, 0, 0}, {full - 1, 0, 0}, 9, 1), 0, 0, 0},
+        {away({-300 * one, 0, 0}, {full - 1, 0, 0}), 1, 0, 0},
+        {away({-300 * one, 0, 0}, {-full, 0, 0}), 0, 0, 0},
+        {away({rim - 1, 0, 0}, {full - 1, 0, 0}), 1, 0, 0},
+        {away({rim - 1, 0, 0}, {full - 1, 0, 0}, 9), 0, 0, 0},
+        {away({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 0, 0},
+        {shadow({-300, 0, 0}, scaled({300, 0, 0}, config.origin_bits)), 1, 0, 0},
+        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0},    // a touch
+        {shadow({-300, 101, 0}, scaled({300, 101, 0}, config.origin_bits)), 0, 0, 0},
+        {shadow({-300, 0, 0}, {-rim, 0, 0}), 0, 0, 0},                // up to it
+        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}), 1, 0, 0},            // into it
+        {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0},                 // to its other side
+        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0},      // to its own point
+        {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0},      // to its own point, seen from inside
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0},          // the same, the light inside as well
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0},                // out of it
+        {shadow({0, 0, 0}, {rim, 0, 0}), 0, 0, 0},
+        {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0},              // a light on it: away
+        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0},             // through
+        {shadow({100, 0, 0}, {-rim, 0, 0}), 0, 0, 0},                 // to a point of it
+        {shadow({-300, 0, 0}, scaled({-300, 0, 0}, config.origin_bits)), 0, 0, 0},   // no way at all
+    };
+    std::vector<TriReq> requests;
+    for (const Case& c : cases) requests.push_back(c.req);
+    TestType dut{config};
+    const auto rsps = answers(dut, config, requests);
+    for (std::size_t i = 0; i < rsps.size(); ++i) {
+        CAPTURE(i, cases[i].req.kind, rsps[i].t);
+        REQUIRE(rsps[i].closer == cases[i].closer);
+        REQUIRE(rsps[i].back == cases[i].back);
+        if (cases[i].t) REQUIRE(std::uint32_t((rsps[i].t + (1u << config.t_frac_bits) - 1) >> config.t_frac_bits) - cases[i].t <= 1);
+        judge_any(requests[i], rsps[i], config);
+    }
+}
+
+TEST_CASE("spheres, planes and triangles are ranked by one measure", "[any]") {
+    const Config config = any_format("default");
+    Draw draw{17};
+    int turned = 0;
+    for (int i = 0; i < 4000; ++i) {
+        TriReq r = random_any_req(draw, config);
+        if (ends_at_any(r.kind)) continue;
+        r.best = {};
+        TriReq other = r;
+        other.triangle = random_prim(draw, config, {r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits});
+        if (other.triangle.prim == r.triangle.prim) continue;
+        const TriRsp one = tri(r, config), two = tri(other, config);
+        if (!one.closer || !two.closer) continue;
+        r.best = {1, two.num, two.det, two.prim};
+        other.best = {1, one.num, one.det, one.prim};
+        REQUIRE(tri(r, config).closer + tri(other, config).closer == 1);   // whoever comes first, the same one wins
+        turned += tri(r, config).closer != 0;
+    }
+    REQUIRE(turned > 50);
+}
+
+TEMPLATE_TEST_CASE("tri of a chip that shades answers after exactly its latency", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = any_part(GENERATE(0, 2, 5, 6, 7));
+    TestType dut{config};
+    check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
+}
+
+TEMPLATE_TEST_CASE("tri of a chip that shades takes a primitive in every cycle", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = any_part(GENERATE(0, 3, 6));
+    TestType dut{config};
+    check_throughput(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of tri of a chip that shades make the same moves in every cycle", "[tri][any][lockstep]") {
+    const Config config = any_part(GENERATE(range(0, 10)));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 12; ++seed)
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_any_req(draw, config); });
+}

@@ -1,0 +1,132 @@
+// pass: what the unit shade does with a context, its RTL against the model.
+#include <deque>
+#include <map>
+#include <optional>
+
+#include <catch2/catch.hpp>
+
+#include "sim/rtl/rtl_module.hpp"
+#include "tests/support/pass_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+void put(RtlModule& rtl, const char* name, std::uint32_t value) { std::memcpy(rtl.port(name).data, &value, rtl.port(name).bytes); }
+Words got(const RtlModule& rtl, const char* name) {
+    Words words((rtl.port(name).bytes + 3) / 4);
+    std::memcpy(words.data(), rtl.port(name).data, rtl.port(name).bytes);
+    return words;
+}
+void put_vector(RtlModule& rtl, const char* name, const Vec3i& v, int bits) {
+    Words words(std::size_t(3 * bits + 31) / 32, 0);
+    PackVisitor pack{words, 3 * bits};
+    pack("", v, bits, 3);
+    copy_words(rtl.port(name), words);
+}
+
+/// The fields of units that the chip does not have are nobody's business.
+ShadeState seen(ShadeState s, const Config& c) {
+    if (!c.supersampling) s.sample = 0, s.sum = s.least = s.most = {};
+    return s;
+}
+
+void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
+    put(rtl, "ray", in.ray);
+    set_data(rtl.port("state"), seen(in.state, c), c);
+    Closest hit = in.hit;
+    hit.ray = 0;
+    set_data(rtl.port("hit"), hit, c);
+    put_vector(rtl, "o", in.o, c.origin_width());
+    put_vector(rtl, "d", in.d, c.dir_bits);
+    set_data(rtl.port("surface"), in.surface, c);
+    set_data(rtl.port("top"), in.top, c);
+}
+
+template <class P> void compare(const RtlModule& rtl, const char* name, const P& expected, const Config& c) {
+    Words words = got(rtl, name), wanted = pack(expected, c);
+    words.resize(wanted.size());
+    if (words != wanted) FAIL(name << " is not the model's");
+}
+
+void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Config& c) {
+    CAPTURE(in.state.event, in.surface.kind, in.hit.found, in.state.waiting);
+    const PassOut out = pass(in, frame, c);
+    REQUIRE(got(rtl, "end_ray")[0] == in.ray);
+    REQUIRE(got(rtl, "leave")[0] == std::uint32_t(out.leave));
+    const ShadeState state = get_data<ShadeState>(rtl.port("end_state"), c);
+    CAPTURE(state.event, out.state.event, state.colour, out.state.colour, state.o, out.state.o, state.n, out.state.n, state.normal, out.state.normal);
+    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.far, out.state.far, state.albedo, out.state.albedo);
+    CAPTURE(state.share, out.state.share, state.light, out.state.light, state.pending, out.state.pending, state.weight, out.state.weight);
+    compare(rtl, "end_state", seen(out.state, c), c);
+    REQUIRE(got(rtl, "push")[0] == std::uint32_t(out.push));
+    if (out.push) compare(rtl, "pushed", out.pushed, c);
+    if (out.leave == PassOut::Leave::spawn) compare(rtl, "spawn", out.spawn, c);
+    if (out.leave == PassOut::Leave::pixel) compare(rtl, "pixel", out.pixel, c);
+}
+
+/// Passes at random, with idle cycles between them if `idle`; every answer in exactly its cycle. Counts what came of them.
+void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int>& seen_leaves, int& pushes) {
+    Draw draw{seed};
+    const Frame frame = random_shade_frame(draw, c);
+    RtlModule rtl(c, "rc_pass", int(seed));
+    set_data(rtl.port("frame"), frame.shade, c);
+    put(rtl, "valid", 0);
+    rtl.reset();
+    std::deque<std::optional<PassIn>> under_way(std::size_t(c.shade_latency()), std::nullopt);
+    for (int i = 0; i < count; ++i) {
+        INFO(c.name << ", seed " << seed << ", cycle " << i);
+        const bool valid = !idle || draw.coin();
+        under_way.push_back(valid ? std::optional(random_pass(draw, frame, c)) : std::nullopt);
+        put(rtl, "valid", valid);
+        if (valid) drive(rtl, *under_way.back(), c);
+        rtl.settle();
+        const std::optional<PassIn> due = under_way.front();
+        under_way.pop_front();
+        REQUIRE(got(rtl, "end_valid")[0] == std::uint32_t(due.has_value()));
+        if (due) {
+            judge(rtl, *due, frame, c);
+            const PassOut out = pass(*due, frame, c);
+            ++seen_leaves[8 * int(due->state.event) + int(out.leave)];
+            pushes += out.push;
+        }
+        rtl.clock();
+    }
+}
+
+void check(const char* name, unsigned first_seed, int frames, int count) {
+    const Config c = shaded_format(name);
+    std::map<int, int> seen_leaves;
+    int pushes = 0;
+    for (unsigned seed = first_seed; seed < first_seed + unsigned(frames); ++seed) run(c, seed, count, seed % 2 != 0, seen_leaves, pushes);
+    const auto times = [&](ShadeEvent event, PassOut::Leave leave) { return seen_leaves[8 * int(event) + int(leave)]; };
+    using enum PassOut::Leave;
+    REQUIRE(times(ShadeEvent::arrive, again) > 50);
+    REQUIRE(times(ShadeEvent::light, spawn) > 20);
+    REQUIRE(times(ShadeEvent::light, again) > 20);
+    REQUIRE(times(ShadeEvent::reflect, spawn) > 20);
+    REQUIRE(times(ShadeEvent::reflect, again) > 20);
+    REQUIRE(times(ShadeEvent::pop, pixel) > 5);
+    if (c.refraction) REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
+}
+
+} // namespace
+
+TEST_CASE("the rtl's pass is the model's, after exactly its latency, one in a cycle", "[pass][lockstep][all]") {
+    check("all", 1, 12, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's without units that are not needed, and at the ends of the lattice", "[pass][lockstep]") {
+    const auto name = GENERATE("plain", "narrow");
+    check(name, 1, 12, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's with directions shorter than unit vectors", "[pass][lockstep][short][slow]") {
+    check("short", 1, 12, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's, many draws", "[pass][lockstep][slow]") {
+    const auto name = GENERATE("all", "plain", "mirror", "narrow", "broad", "short");
+    check(name, 101, 200, 2000);
+}

@@ -1,0 +1,153 @@
+// shade: contexts from their ray's answer to their next ray or pixel.
+#include <deque>
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/shade_dut.hpp"
+#include "tests/support/traffic.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+Config shape(const std::string& format, int contexts, int queue) {
+    Config c = shaded_format(format);
+    c.contexts = contexts, c.shade_queue = queue;
+    return c;
+}
+
+void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, int cycles, ShadeWorld& world, const Frame& frame) {
+    ShadeModel model(c, frame);
+    ShadeRtl rtl(c, frame, int(seed));
+    for (int i = 0; i < cycles; ++i) {
+        INFO(c.name << ", " << c.contexts << " contexts, idle " << idle << ", stall " << stall << ", seed " << seed << ", cycle " << i);
+        world.offer(model);
+        static_cast<ShadeLinks&>(rtl) = model;
+        model.eval();
+        rtl.eval();
+        REQUIRE(rtl.cause == model.cause);
+        REQUIRE(same(rtl.closest, model.closest, c));
+        REQUIRE(same(rtl.surf_req, model.surf_req, c));
+        REQUIRE(same(rtl.surf_rsp, model.surf_rsp, c));
+        REQUIRE(same(rtl.spawn, model.spawn, c));
+        if (rtl.pixel.offer && model.pixel.offer) {
+            const Pixel &got = *rtl.pixel.offer, &wanted = *model.pixel.offer;
+            CAPTURE(got.colour, wanted.colour, got.first.ray, wanted.first.ray, got.first.found, wanted.first.found, got.first.t, wanted.first.t);
+            REQUIRE(same(got, wanted, c));
+        }
+        REQUIRE(same(rtl.pixel, model.pixel, c));
+        world.take_over(model);
+        model.commit();
+        rtl.commit();
+    }
+}
+
+void check(const char* format, int contexts, int queue, int cycles) {
+    const Config c = shape(format, contexts, queue);
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
+    unsigned seed = 1;
+    for (const auto& [name, idle, stall] : flows) {
+        Draw draw{seed};
+        Frame frame = random_shade_frame(draw, c);
+        frame.shade.surfaces = std::uint32_t(draw.bits(c.addr_bits));
+        frame.shade.depth = std::uint32_t(draw.between(1, c.bounces));
+        frame.shade.threshold = 0;
+        frame.shade.side = c.supersampling ? seed : 1;
+        ShadeWorld world(c, frame, idle, stall, seed);
+        same_in_every_cycle(c, idle, stall, seed++, cycles, world, frame);
+        pixels += world.pixels, shadows += world.shadows, bounces += world.bounces, samples += world.samples, closed += world.closed;
+    }
+    CAPTURE(pixels, shadows, bounces, samples, closed);
+    REQUIRE((pixels > 10 && shadows > 10 && bounces > 10));
+    REQUIRE((samples > 0) == (c.supersampling != 0));
+    REQUIRE((closed > 0) == (queue < 32 && queue < contexts));
+}
+
+template <class Dut> void still(Dut& dut) {
+    dut.slot.reset(), dut.ray.reset(), dut.closest.offer.reset(), dut.surf_rsp.offer.reset();
+    dut.surf_req.ready = dut.spawn.ready = dut.pixel.ready = true;
+}
+template <class Dut> void step(Dut& dut) {
+    dut.eval();
+    dut.commit();
+    still(dut);
+}
+
+} // namespace
+
+TEST_CASE("model and rtl of shade make the same moves in every cycle", "[shade][lockstep][all]") {
+    check("all", 64, 64, 3000);
+}
+
+TEST_CASE("model and rtl of shade make the same moves with a short queue, and without units that are not needed", "[shade][lockstep]") {
+    check("all", 8, 4, 3000);
+    check("plain", 64, 64, 3000);
+}
+
+TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
+    const auto format = GENERATE("all", "plain", "mirror", "narrow", "broad", "short");
+    check(format, 64, 64, 40000);
+    check(format, 32, 8, 40000);
+    check(format, 1, 2, 40000);
+}
+
+// A camera ray that hits nothing passes twice: for its background, and for the sample's end.
+TEMPLATE_TEST_CASE("shade answers after exactly its latency", "[shade]", ShadeModel, ShadeRtl) {
+    const Config c = shape("plain", 64, 64);
+    Frame frame;
+    frame.shade.background = {0x8000, 1, 0x10000};
+    frame.shade.side = 1;
+    TestType dut(c, frame);
+    still(dut);
+    dut.slot = Slot{5, 7, 9};
+    step(dut);
+    Ray ray;
+    ray.ray = 5, ray.d = {0, 0, 1};
+    dut.ray = ray;
+    step(dut);
+    dut.closest.offer = Closest{5, 0, 0, 0, 0, 0, 0};
+    step(dut);
+    const int due = 2 * (c.shade_latency() + 2) + 1;
+    for (int i = 1; i <= due; ++i) {
+        dut.eval();
+        CAPTURE(i);
+        REQUIRE(dut.pixel.offer.has_value() == (i == due));
+        REQUIRE_FALSE(dut.spawn.offer);
+        if (i == due) REQUIRE((dut.pixel.offer->first.ray == 5 && dut.pixel.offer->colour == frame.shade.background));
+        dut.commit();
+        still(dut);
+    }
+}
+
+TEMPLATE_TEST_CASE("shade does a pass in every cycle", "[shade]", ShadeModel, ShadeRtl) {
+    const Config c = shape("plain", 64, 64);
+    Frame frame;
+    frame.shade.side = 1;
+    TestType dut(c, frame);
+    still(dut);
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        dut.slot = Slot{i, i, i};
+        step(dut);
+        dut.ray = Ray{};
+        dut.ray->ray = i;
+        step(dut);
+    }
+    int first = -1, idle = -1, busy = 0, pixels = 0;   // first cycle with a pass; first one after it without
+    for (int i = 0; i < 400; ++i) {
+        if (i < 64) dut.closest.offer = Closest{std::uint32_t(i), 0, 0, 0, 0, 0, 0};
+        dut.eval();
+        if (dut.cause == 0) {
+            first = first < 0 ? i : first;
+            ++busy;
+        } else if (first >= 0 && idle < 0) {
+            idle = i;
+        }
+        pixels += dut.pixel.fires();
+        dut.commit();
+        still(dut);
+    }
+    REQUIRE(pixels == 64);
+    REQUIRE(busy == 128);
+    REQUIRE((first == 1 && idle == 125));   // then the last four wait for their first pass to end
+}
