@@ -67,7 +67,7 @@ public:
     void skip(std::uint64_t cycles) {
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
-        shades_[last_shades_] += cycles;
+        if (shading_) shades_[last_shades_] += cycles;
     }
 
     Accounts accounts() const;

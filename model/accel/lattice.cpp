@@ -21,7 +21,10 @@ namespace rayclock {
 
 namespace {
 
-constexpr double most_ratio = 2, room_around = 64;
+constexpr double most_ratio = 2;
+/// With planes the lattice is so many times as large as what has an end: larger shows more of a floor, smaller more of the rest.
+/// `spheres` against the reference, 256x192: 16: 41.0 dB, 32: 41.7, 64: 39.2.
+constexpr double room_around = 32;
 
 /// A pitch, at least as large, of which the first plane's squares are whole multiples.
 double with_planes(const Scene& scene, double pitch) {

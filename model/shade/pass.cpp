@@ -20,7 +20,7 @@ void add(Colour& colour, const Colour& more) {
 }
 
 ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c) {
-    if (s.far || s.depth >= frame.shade.depth) return ShadeEvent::pop;
+    if (s.depth >= frame.shade.depth) return ShadeEvent::pop;
     if (c.refraction && s.transmit > 0) return ShadeEvent::refract;
     return s.mirror > 0 ? ShadeEvent::reflect : ShadeEvent::pop;
 }
@@ -39,6 +39,13 @@ Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
     return spawn;
 }
 
+/// A ray of that weight meets nothing, or is not traced since it would leave where the lattice has ended.
+void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
+    Colour background{};
+    for (std::size_t k = 0; k < 3; ++k) background[k] = std::uint32_t(rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits));
+    add(s.colour, background);
+}
+
 void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s) {
     if (s.depth == 0 && s.sample == 0) {
         s.found = in.hit.found, s.prim = in.hit.prim, s.t = in.hit.t, s.u = in.hit.u, s.v = in.hit.v;
@@ -48,9 +55,7 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
         next_light(s, 0, frame, c);
         return;
     }
-    Colour background{};
-    for (std::size_t k = 0; k < 3; ++k) background[k] = std::uint32_t(rounded(std::uint64_t(s.weight) * frame.shade.background[k], unit_bits));
-    add(s.colour, background);
+    see_background(s, s.weight, frame);
     s.event = std::uint32_t(ShadeEvent::pop);
 }
 
@@ -94,6 +99,10 @@ void send_refracted(const Frame& frame, const Config& c, PassOut& out) {
     s.total = found.total;
     s.event = std::uint32_t(ShadeEvent::reflect);
     if (found.weight < frame.shade.threshold) return;
+    if (s.far) {
+        if (found.goes) see_background(s, found.weight, frame);
+        return;
+    }
     out.refracted = true;
     if (!found.goes) return;
     out.push = true;
@@ -106,6 +115,7 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     const BounceOut found = reflect(c, s);
     s.event = std::uint32_t(ShadeEvent::pop);
     if (found.weight < frame.shade.threshold || !found.goes) return;
+    if (s.far) return see_background(s, found.weight, frame);
     send_bounce(in, bounced(s, found, false), out);
 }
 

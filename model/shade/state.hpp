@@ -33,7 +33,7 @@ struct ShadeState {
     Vec3l n{};                                             ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides
     std::array<std::int32_t, 3> normal{}, view{};          ///< unit vectors
     std::uint32_t cosine = 0;                              ///< normal . view, at least 0
-    std::uint32_t far = 0;                                 ///< of a plane, beyond what o can say: no rays from there
+    std::uint32_t far = 0;                                 ///< of a plane, beyond what o can say: no ray from there is traced
     std::uint32_t self = 0, inside = 0;
     std::array<std::uint32_t, 3> albedo{};                 ///< from here on as in Surface
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0, r0 = 0;

@@ -111,24 +111,6 @@ module rc_pass #(
   rc_wait #(.Width(51), .Stages(L - 7)) u_ambient (
     .clk_i, .rst_ni, .valid_i(surf_at[7]), .data_i(s7_ambient), .data_o(surf_ambient));
 
-  // ---- The background.
-  logic [50:0] background, s1_background, end_background;
-  logic [16:0] state_weight;
-  assign state_weight = state_i.weight;
-  assign background = frame_i.background;
-  for (genvar k = 0; k < 3; k++) begin : gen_background
-    logic [33:0] s1_product_q, rounded;
-    always_ff @(posedge clk_i)
-      if (arrives)
-        s1_product_q <= {17'd0, state_weight} * {17'd0, background[k*17 +: 17]};
-    assign rounded = s1_product_q + 34'h8000;
-    assign s1_background[k*17 +: 17] = rounded[32:16];
-    logic unused;
-    assign unused = ^{rounded[33], rounded[15:0]};
-  end
-  rc_wait #(.Width(51), .Stages(L - 1)) u_background (
-    .clk_i, .rst_ni, .valid_i(valid_at[1]), .data_i(s1_background), .data_o(end_background));
-
   // ---- Unit vectors and cosines.
   logic [3*V-1:0]     s5_to;
   logic [53:0]        s13_unit, s13_new_view, surf_normal, surf_view;
@@ -170,6 +152,26 @@ module rc_pass #(
     .clk_i, .rst_ni, .valid_i(bounce_at[9]), .data_i(s9_weight), .data_o(bounce_weight));
   rc_wait #(.Width(1), .Stages(L - 13)) u_total (
     .clk_i, .rst_ni, .valid_i(bounce_at[13]), .data_i(s13_total), .data_o(bounce_total));
+
+  // ---- The background, of a ray that met nothing or of a bounce that is not traced.
+  logic [50:0] background, s10_background, end_background;
+  logic [16:0] state_weight, s9_ray_weight, s9_share;
+  assign state_weight = state_i.weight;
+  assign background   = frame_i.background;
+  rc_wait #(.Width(17), .Stages(9)) u_ray_weight (
+    .clk_i, .rst_ni, .valid_i(arrives), .data_i(state_weight), .data_o(s9_ray_weight));
+  assign s9_share = bounce_at[9] ? s9_weight : s9_ray_weight;
+  for (genvar k = 0; k < 3; k++) begin : gen_background
+    logic [33:0] s10_product_q, rounded;
+    always_ff @(posedge clk_i)
+      if (valid_at[9]) s10_product_q <= {17'd0, s9_share} * {17'd0, background[k*17 +: 17]};
+    assign rounded = s10_product_q + 34'h8000;
+    assign s10_background[k*17 +: 17] = rounded[32:16];
+    logic unused;
+    assign unused = ^{rounded[33], rounded[15:0]};
+  end
+  rc_wait #(.Width(51), .Stages(L - 10)) u_background (
+    .clk_i, .rst_ni, .valid_i(valid_at[10]), .data_i(s10_background), .data_o(end_background));
 
   // ---- On which side of the surface a direction leaves, exactly.
   logic s17_above, s17_below, end_above, end_below, end_positive;

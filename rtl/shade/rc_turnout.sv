@@ -75,17 +75,20 @@ module rc_turnout #(
   assign far   = surf_i ? surf_far_i : was_i.is_far;
   assign light = surf_i ? '0 : was_i.light + 7'd1;
   assign after = light < frame_i.lights ? Light
-               : far || was_i.depth >= frame_i.depth ? Pop
+               : was_i.depth >= frame_i.depth ? Pop
                : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? Refract
                : was_i.mirror != '0 ? Reflect : Pop;
 
   // Whether a light counts, and which rays are sent.
-  logic counts, shadows, heavy, pushes, reflects;
+  logic counts, shadows, heavy, refracted, reflected, pushes, reflects, escapes;
   assign counts   = positive_i && (light_near_i ? below_i : above_i);
   assign shadows  = is_light && counts && !far;
-  assign heavy    = weight_i >= frame_i.threshold;
-  assign pushes   = is_refract && heavy && !total_i && below_i;
-  assign reflects = is_reflect && heavy && above_i;
+  assign heavy     = weight_i >= frame_i.threshold;
+  assign refracted = is_refract && heavy && !total_i && below_i;
+  assign reflected = is_reflect && heavy && above_i;
+  assign pushes    = refracted && !far;
+  assign reflects  = reflected && !far;
+  assign escapes   = (refracted || reflected) && far;   // and sees the background
 
   always_comb begin
     state_o = was_i;
@@ -100,9 +103,9 @@ module rc_turnout #(
       state_o.light  = '0;
     end
     if (is_arrive) begin
-      state_o.colour = colour;
       state_o.purpose  = surf_i ? after : Pop;
     end
+    if (is_arrive || escapes) state_o.colour = colour;
     if (is_light) begin
       state_o.share   = light_share_i;
       state_o.light   = light;

@@ -91,13 +91,23 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
     return timings;
 }
 
+namespace {
+
+/// Rays of a frame of which so many pixels were done: in proportion, exact if each pixel has one ray.
+RayCounts part_of(const RayCounts& all, std::uint64_t pixels, std::size_t of) {
+    const auto part = [&](std::uint64_t rays) { return of == 0 ? 0 : std::uint64_t(double(rays) / double(of) * double(pixels)); };
+    return {part(all.primary), part(all.shadow), part(all.reflection), part(all.refraction), part(all.primary_hits)};
+}
+
+} // namespace
+
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
     FrameRun run;
     static_cast<FrameTiming&>(run) = timing;
     run.visits = frame.trace.visits;
     run.box_tests = frame.trace.box_tests;
     run.triangle_tests = frame.trace.triangle_tests;
-    run.rays = frame.trace.counts;
+    run.rays = timing.partial ? part_of(frame.trace.counts, timing.pixels, frame.trace.rays.size()) : frame.trace.counts;
     run.finished_picture = !frame.trace.colours.empty();
     run.digest = digest_of(frame.trace.hits, timing.cycles, frame.trace.colours);
     return run;

@@ -41,6 +41,9 @@ inline Interval left(const Interval& a, int n) { return a * point(Wide(1) << n);
 inline Interval right(const Interval& a, int n) { return {a.lo >> n, a.hi >> n}; }
 inline Interval right_up(const Interval& a, int n) { return -right(-a, n); }
 
+/// The low n bits of what is not negative.
+inline Interval low_bits(const Interval& a, int n) { return a.empty() || a.hi >> n == 0 ? a : Interval{0, (Wide(1) << n) - 1}; }
+
 /// |a|, and what of it is not below zero.
 inline Interval magnitude(const Interval& a) {
     if (a.empty()) return {};

@@ -7,7 +7,7 @@ namespace rayclock::fit {
 namespace {
 
 struct Slab {
-    Interval distance, near, far, near_shifted, far_shifted, step, near_sum, far_sum, up, far_up, left, right, near_moved, far_moved;
+    Interval distance, near, far, near_shifted, far_shifted, step, near_sum, far_sum, up, far_up, left, right, near_moved, far_moved, near_all, far_all;
 };
 
 /// One axis of a node with one class of directions: s1 to s3 of rc_slab.
@@ -21,7 +21,8 @@ void slab(const Extremes::Group& node, int exp, const Interval& eye, const Recip
     const Interval near_sum = ray.negative ? near_shifted - near_step : near_shifted + near_step;
     const Interval far_sum = ray.negative ? far_shifted - far_step : far_shifted + far_step;
     const int shift = c.t_frac_bits + c.dir_bits - c.recip_bits - ray.len + exp;
-    const int to_left = std::max(shift, 0), to_right = std::max(-shift, 0);
+    // A shift by T, and all beyond it, saturates.
+    const int to_left = std::clamp(shift, 0, c.t_bits()), to_right = std::max(-shift, 0);
     add(all.distance, distance);
     add(all.near, near);
     add(all.far, far);
@@ -37,8 +38,11 @@ void slab(const Extremes::Group& node, int exp, const Interval& eye, const Recip
     const Interval round_up = point((Wide(1) << to_right) - 1), far_up = not_negative(far_sum) + round_up;
     add(all.up, round_up);
     add(all.far_up, far_up);
-    add(all.near_moved, left(right(not_negative(near_sum), to_right), to_left));
-    add(all.far_moved, left(right(far_up, to_right), to_left));
+    const Interval near_down = right(not_negative(near_sum), to_right), far_down = right(far_up, to_right);
+    add(all.near_moved, left(low_bits(near_down, c.t_bits()), to_left));
+    add(all.far_moved, left(low_bits(far_down, c.t_bits()), to_left));
+    add(all.near_all, left(near_down, to_left));
+    add(all.far_all, left(far_down, to_left));
 }
 
 } // namespace
@@ -73,14 +77,14 @@ void box_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     add("step", s.step, true, v);
     add("s3_near", s.near_sum, true, v);
     add("s3_far", s.far_sum, true, v);
-    add("s3_left", s.left, false, 6);
-    add("s3_right", s.right, false, 6);
+    add("s3_left", s.left, false, 5);
+    add("s3_right", s.right, false, 5);
     add("s3_up", s.up, false, r1);
     add("s3_far + s3_up", s.far_up, false, v);
-    add("near, moved", s.near_moved, false, 64);
-    add("far, moved", s.far_moved, false, 64);
-    add("near", s.near_moved, false, c.t_bits(), Excess::saturates);
-    add("far", s.far_moved, false, c.t_bits(), Excess::saturates);
+    add("near, moved", s.near_moved, false, 2 * c.t_bits());
+    add("far, moved", s.far_moved, false, 2 * c.t_bits());
+    add("near", s.near_all, false, c.t_bits(), Excess::saturates);
+    add("far", s.far_all, false, c.t_bits(), Excess::saturates);
 }
 
 } // namespace rayclock::fit

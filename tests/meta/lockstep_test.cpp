@@ -157,8 +157,8 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
 TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     const Job job = small_job();
     LockstepResult result;
-    const Mutant hanging("sched/rc_sched.sv", "assign hit_valid_o     = closest_valid_i;",
-                         "assign hit_valid_o     = closest_valid_i && pixel != (2*P)'(12 << P | 9);");
+    const Mutant hanging("sched/rc_sched.sv", "assign hit_valid_o   = pixel_valid_i;",
+                         "assign hit_valid_o   = pixel_valid_i && place != (2*P)'(12 << P | 9);");
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);
     CHECK(result.first->unit == "sched");

@@ -105,6 +105,12 @@ mutant(model_schlick_fourth_power FILE model/shade/bounce.cpp TEST unit [formula
 mutant(model_phong_without_the_cosine_of_the_view FILE model/shade/light.cpp TEST unit [formulas]
   OLD [[rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits)]]
   NEW [[rounded(2 * std::int64_t(cosine) * cosine, unit_bits)]])
+mutant(model_far_mirror_is_black FILE model/shade/pass.cpp TEST unit [formulas]
+  OLD [[if (s.far) return see_background(s, found.weight, frame);]]
+  NEW [[if (s.far) return;]])
+mutant(model_far_glass_shows_what_is_totally_reflected FILE model/shade/pass.cpp TEST unit [formulas]
+  OLD [[if (found.goes) see_background(s, found.weight, frame);]]
+  NEW [[see_background(s, found.weight, frame);]])
 mutant(model_light_behind_counts FILE model/shade/light.cpp TEST unit [formulas]
   OLD [[out.counts = side > 0 && cosine > 0;]]
   NEW [[out.counts = side != 0 || cosine > 0;]])

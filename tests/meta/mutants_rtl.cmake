@@ -13,13 +13,13 @@ mutant(slab_far_rounded_down QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lock
 mutant(slab_near_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
   OLD [[near = scale($unsigned(s3_near_q), s3_left_q]]
   NEW [[near = scale($unsigned(s3_near_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q]])
-mutant(slab_far_with_r QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
+mutant(slab_far_with_r FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
   OLD [[assign s2_r_up = s2_r_q + {{(R1-1){1'b0}}, !s2_zero_q};]]
   NEW [[assign s2_r_up = s2_r_q;]])
 mutant(slab_zero_direction FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
   OLD [[(s3_zero_q && !s3_near_q[V-1] && s3_near_q != '0)]]
   NEW [[(s3_zero_q && !s3_near_q[V-1])]])
-mutant(rank_ignores_offset QUICK FILE rtl/trav/rc_rank.sv TEST unit [box][lockstep]
+mutant(rank_ignores_offset FILE rtl/trav/rc_rank.sv TEST unit [box][lockstep]
   OLD [[if ((i ^ 1) > i && s5_key[i] > s5_key[i ^ 1]) begin]]
   NEW [[if ((i ^ 1) > i && s5_key[i][KeyW-1:O+C] > s5_key[i ^ 1][KeyW-1:O+C]) begin]])
 mutant(rank_leaves_first FILE rtl/trav/rc_rank.sv TEST unit [box][lockstep]
@@ -27,13 +27,13 @@ mutant(rank_leaves_first FILE rtl/trav/rc_rank.sv TEST unit [box][lockstep]
   NEW [[{!s4_hit_i[i], !s4_leaf, s4_near_i]])
 
 # ---- tri: exact decisions.
-mutant(edges_zero_is_inside QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][lockstep]
+mutant(edges_zero_is_inside FILE rtl/isect/rc_edges.sv TEST unit [tri][lockstep]
   OLD [[s3_u_neg == s3_flip && s3_v_neg]]
   NEW [[(s3_u_q == '0 || s3_u_neg == s3_flip) && s3_v_neg]])
 mutant(edges_tie_turned FILE rtl/isect/rc_edges.sv TEST unit [tri]
   OLD [[s3_p1x_q != s3_p2x_q ? s3_p1x_q < s3_p2x_q :]]
   NEW [[s3_p1x_q != s3_p2x_q ? s3_p1x_q > s3_p2x_q :]])
-mutant(edges_normal_one_bit_short QUICK FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
+mutant(edges_normal_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned X = 2 * D + 1;]]
   NEW [[localparam int unsigned X = 2 * D - 2;]])
 mutant(edges_product_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
@@ -48,7 +48,7 @@ mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit "tri keep
 mutant(tri_equal_is_not_closer FILE rtl/isect/rc_tri.sv TEST unit [tri]
   OLD [[(f1_mine_q == f1_theirs_q && f1_first_q)]]
   NEW [[(f1_mine_q == f1_theirs_q && f1_first_q && f1_mine_q == '0)]])
-mutant(hitdiv_t_rounded_down QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][lockstep]
+mutant(hitdiv_t_rounded_down FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][lockstep]
   OLD [[t_down + {{(T-1){1'b0}}, t_up}]]
   NEW [[t_down + {{(T-1){1'b0}}, t_up && 1'b0}]])
 mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
@@ -56,7 +56,7 @@ mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
   NEW [[.u_i(f2_v_q), .v_i(f2_u_q),]])
 
 # ---- tri, sheared, and the slopes that raygen makes for it.
-mutant(shear_half_forgotten QUICK FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+mutant(shear_half_forgotten FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
   OLD [[s2_up_x = $signed({{(P-S){1'b0}}, 1'b1, {(S-1){1'b0}}}) - s2_px_q;]]
   NEW [[s2_up_x = -s2_px_q;]])
 mutant(shear_tie_turned QUICK FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
@@ -77,7 +77,7 @@ mutant(shear_axes_swapped FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
 mutant(tri_sheared_den_forgets_direction FILE rtl/isect/rc_tri.sv TEST unit [tri][sheared]
   OLD [[{{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};]]
   NEW [[{f0_det, {(E-D){1'b0}}} | {{(E-M){1'b0}}, f0_size};]])
-mutant(slope_rounded_down QUICK FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
+mutant(slope_rounded_down FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
   OLD [[({x_one, x_quo[2*Stages-1 -: M-1]} + M'(1)) >> 1;]]
   NEW [[{x_one, x_quo[2*Stages-1 -: M-1]} >> 1;]])
 mutant(slope_upper_axis_wins FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
@@ -163,7 +163,7 @@ mutant(sched_cause_blames_dispatch FILE rtl/sched/rc_sched.sv TEST unit [sched]
   NEW [[: !at_hand ? 3'd1 : 3'd2;]])
 
 # ---- doors and queues.
-mutant(fifo_full_one_early QUICK FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]
+mutant(fifo_full_one_early FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = tail_q - head_q < (IndexW+1)'(Depth - 1);]])
 mutant(door_one_credit_more QUICK FILE rtl/prim/rc_door.sv TEST unit [tri][lockstep]
@@ -188,7 +188,7 @@ mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][loc
   end
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(box_one_cycle_late QUICK FILE rtl/trav/rc_box.sv TEST unit [box][lockstep]
+mutant(box_one_cycle_late FILE rtl/trav/rc_box.sv TEST unit [box][lockstep]
   OLD [[  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),]]
   NEW [[  logic late_q;

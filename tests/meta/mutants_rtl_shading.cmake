@@ -7,7 +7,7 @@ mutant(slab_near_from_the_point_before QUICK FILE rtl/trav/rc_slab.sv TEST unit 
 mutant(slab_far_from_the_nearer_point FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
   OLD [[(s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0)]]
   NEW [[(s1_between_q && s1_zero_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0)]])
-mutant(slab_far_shift_wraps QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
+mutant(slab_far_shift_wraps FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
   OLD [[s2_shift_q > S'(T) ? 5'(T) : s2_shift_q[4:0];]]
   NEW [[s2_shift_q[4:0];]])
 mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [list][shading]
@@ -22,7 +22,7 @@ mutant(list_ends_a_ray_away_at_the_surface FILE rtl/list/rc_list.sv TEST unit [l
 mutant(list_looks_beyond_the_surface FILE rtl/list/rc_list.sv TEST unit [list][shading]
   OLD [[in_t_old : shadow_q[in.ray] ? SurfaceT : '1;]]
   NEW [[in_t_old : '1;]])
-mutant(stack_stop_keeps_the_stack QUICK FILE rtl/trav/rc_stack.sv TEST unit [trav][shading]
+mutant(stack_stop_keeps_the_stack FILE rtl/trav/rc_stack.sv TEST unit [trav][shading]
   OLD [[(stop || s1_height_q == '0)) begin
       done_o   = 1'b1;
       height_d = '0;]]
@@ -43,7 +43,7 @@ mutant(raygen_bounce_from_the_eye FILE rtl/raygen/rc_raygen.sv TEST unit [raygen
 mutant(recip_zero_is_long FILE rtl/raygen/rc_recip.sv TEST unit [raygen][lockstep][shading]
   OLD [[short_i && s0_len != '0 ?]]
   NEW [[short_i ?]])
-mutant(sample_share_rounded_down QUICK FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
+mutant(sample_share_rounded_down FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
   OLD [[15'((16383 + i) / i)]]
   NEW [[15'(16384 / i)]])
 mutant(sample_cell_not_reduced_twice FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
@@ -52,12 +52,12 @@ mutant(sample_cell_not_reduced_twice FILE rtl/raygen/rc_sample.sv TEST unit [ray
 mutant(sample_hash_cut_short FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
   OLD [[^ {s2_turned[0] ^ s2_turned[11], 15'd0};]]
   NEW [[^ {s2_turned[0], 15'd0};]])
-mutant(sched_loses_a_colour QUICK FILE rtl/sched/rc_sched.sv TEST unit [sched][shading]
+mutant(sched_loses_a_colour FILE rtl/sched/rc_sched.sv TEST unit [sched][shading]
   OLD [[= {place, pixel_i};]]
   NEW [[= {place, pixel_i & ~rc_pkg::PixelW'(1)};]])
 
 # ---- tri of a chip that shades: rays that leave surfaces, rays from and to lights, planes, spheres.
-mutant(edges_fraction_forgotten QUICK FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+mutant(edges_fraction_forgotten FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[s3_det_q <= s2_leaves_q ? s2_det <<< B : s2_det;]]
   NEW [[s3_det_q <= s2_leaves_q && 1'b0 ? s2_det <<< B : s2_det;]])
 mutant(edges_plane_has_edges FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
@@ -89,7 +89,7 @@ mutant(sphere_own_is_met FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told
   NEW [[assign s3_goes  = (!s3_own_q || s3_inside_q || s3_outside_q)]])
 
 # ---- shade's cells.
-mutant(unit_length_of_two_axes QUICK FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
+mutant(unit_length_of_two_axes FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
   OLD [[s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];]]
   NEW [[s1_size_q[0 +: W] | s1_size_q[W +: W];]])
 mutant(unit_sum_of_squares_wraps FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
@@ -133,6 +133,12 @@ mutant(turnout_last_light_is_left_out FILE rtl/shade/rc_turnout.sv TEST unit [pa
 mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[weight_i >= frame_i.threshold]]
   NEW [[weight_i > frame_i.threshold]])
+mutant(turnout_far_mirror_is_black FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[is_arrive || escapes]]
+  NEW [[is_arrive]])
+mutant(turnout_far_glass_is_traced FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[refracted && !far;]]
+  NEW [[refracted;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
   NEW [[was_i.depth > frame_i.depth]])
@@ -148,7 +154,7 @@ mutant(surf_normal_is_not_turned FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
 mutant(surf_checkers_by_u_alone FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[s0_u_i[Y] ^ s0_v_i[Y];]]
   NEW [[s0_u_i[Y] ^ (s0_v_i[Y] && s0_smooth);]])
-mutant(ball_rounded_down QUICK FILE rtl/shade/rc_ball.sv TEST unit [pass][all]
+mutant(ball_rounded_down FILE rtl/shade/rc_ball.sv TEST unit [pass][all]
   OLD [[Q'(65'(1) << Drop >> 1))]]
   NEW [[Q'(65'(1) << Drop >> 2))]])
 mutant(corners_third_subtracted FILE rtl/shade/rc_corners.sv TEST unit [pass][all]

@@ -90,7 +90,7 @@ private:
         see("box.s2_near", near);
         see("box.s2_far", far);
         const int shift = c_.t_frac_bits + c_.dir_bits - c_.recip_bits - int(ray.len[k]) + int(node.exp[k]);
-        const int left = shift > 0 ? shift : 0, right = shift < 0 ? -shift : 0;
+        const int left = std::clamp(shift, 0, c_.t_bits()), right = shift < 0 ? -shift : 0;
         for (std::size_t i = 0; i < std::size_t(c_.node_width) && node.kind[i] != 0; ++i) {
             const Wide lo = node.lo[3 * i + k], hi = node.hi[3 * i + k];
             see("box.kind", node.kind[i]);
@@ -111,9 +111,9 @@ private:
     }
     void moved(const std::string& name, Wide value, int left, int right) {
         if (name == "far") see("box.s3_far + s3_up", value);
-        const Wide there = (value >> right) << left;
-        see("box." + name + ", moved", there);
-        see("box." + name, there);
+        const Wide down = value >> right;
+        see("box." + name + ", moved", (down & ((Wide(1) << c_.t_bits()) - 1)) << left);
+        see("box." + name, down << left);
     }
 
     void list(const BoxRsp& boxes) {

@@ -78,8 +78,11 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     const FrameTrace frame = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
-    const auto near = [](std::uint64_t mine, std::uint64_t theirs) { return std::abs(double(mine) - double(theirs)) <= 0.01 * double(theirs) + 8; };
+    // Of a plane's points beyond the lattice the chip sends no rays (docs/shading.md).
+    const double most = scene.planes.empty() ? 0.01 : 0.03;
+    const auto near = [most](std::uint64_t mine, std::uint64_t theirs) { return std::abs(double(mine) - double(theirs)) <= most * double(theirs) + 8; };
     const RayCounts &mine = frame.trace.counts, &theirs = reference.rays;
+    CAPTURE(mine.shadow, theirs.shadow, mine.reflection, theirs.reflection);
     CHECK(mine.primary == theirs.primary);
     CHECK(near(mine.primary_hits, theirs.primary_hits));
     CHECK(near(mine.shadow, theirs.shadow));

@@ -7,6 +7,7 @@
 #include "model/shade/bounce.hpp"
 #include "model/shade/dot.hpp"
 #include "model/shade/light.hpp"
+#include "model/shade/pass.hpp"
 #include "tests/support/pass_cases.hpp"
 
 using namespace rayclock;
@@ -86,6 +87,32 @@ TEST_CASE("refracted rays go where Snell's law says, or nowhere", "[formulas]") 
         REQUIRE(std::abs(out.weight / unit - s.weight / unit * weight) < 4 / unit);
     }
     REQUIRE((total > 1000 && bent > 1000));
+}
+
+TEST_CASE("a bounce from beyond the lattice is not traced and shows the background by its weight", "[formulas]") {
+    const Config c = shaded_format("all");
+    Draw draw{4};
+    int shown[2]{}, light = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in;
+        in.state = seen_surface(draw, c);
+        ShadeState& s = in.state;
+        const bool through = draw.coin();
+        s.event = std::uint32_t(through ? ShadeEvent::refract : ShadeEvent::reflect);
+        s.pending = 0, s.waiting = 0, s.far = 1;
+        const BounceOut ray = through ? refract(c, s) : reflect(c, s);
+        const PassOut out = pass(in, frame, c);
+        REQUIRE((out.leave == PassOut::Leave::again && !out.push && !out.refracted));
+        REQUIRE(out.state.event == std::uint32_t(through ? ShadeEvent::reflect : ShadeEvent::pop));
+        const bool seen = ray.goes && ray.weight >= frame.shade.threshold;
+        ++(seen ? shown[through] : light);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double more = seen ? ray.weight / unit * (frame.shade.background[k] / unit) : 0;
+            REQUIRE(std::abs(out.state.colour[k] / unit - std::min(1.0, s.colour[k] / unit + more)) <= (seen ? 0.5 / unit : 0));
+        }
+    }
+    REQUIRE((shown[0] > 1000 && shown[1] > 1000 && light > 1000));
 }
 
 TEST_CASE("a light's share is Lambert's and Phong's", "[formulas]") {

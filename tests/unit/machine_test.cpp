@@ -26,13 +26,23 @@ void require_same(const Machine& a, const Machine& b) {
     REQUIRE(a.shared_fire() == b.shared_fire());
 }
 
+/// With or without a chip that shades.
+Job job_of(const char* scene, const Values& values, bool shading) {
+    if (!shading) return small_job(scene, {20, 12}, shaped(format("small"), values));
+    const Whitted settings{3};
+    Scene made = make_builtin(scene, Primitives::native);
+    if (!made.camera) made.camera = fit_camera(made, 20.0 / 12);
+    return make_job(made, *made.camera, {20, 12}, shaped(fitted_config(made, settings, named_config("default")), values), {}, settings);
+}
+
 std::uint64_t sum(const CauseCounts& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)); }
 
 } // namespace
 
 TEST_CASE("the order in which units see the clock edge does not matter, nor whether a cycle is observed", "[machine]") {
     const Values values = GENERATE(Values{}, Values{{"pipelines", 2}, {"l2_sets", 4}, {"dram", 2}});
-    const Job job = small_job("tetra:3", {16, 12}, shaped(format("small"), values));
+    const auto [scene, shading] = GENERATE(table<const char*, bool>({{"tetra:3", false}, {"balls:1", true}}));
+    const Job job = job_of(scene, values, shading);
     const FrameTrace frame = record_frame(job, job.frame);
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const rayclock::Traffic traffic = seed % 2 ? rayclock::Traffic{} : disturbed(seed);
@@ -120,9 +130,9 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
 
 TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[machine]") {
     const Values values = GENERATE(from_range(shapes()));
-    const char* const scene = GENERATE("tetra:3", "gears:1");
+    const auto [scene, shading] = GENERATE(table<const char*, bool>({{"tetra:3", false}, {"gears:1", false}, {"balls:1", true}}));
     const int khz = GENERATE(66000, 400000);
-    const Job job = small_job(scene, {20, 12}, shaped(format("small"), values));
+    const Job job = job_of(scene, values, shading);
     INFO(scene << ", " << job.config.name << ", " << khz << " kHz");
     std::vector<FrameTrace> frames;
     for (int i = 0; i < 2; ++i) frames.push_back(record_frame(job, job.frame));   // the second with warm caches

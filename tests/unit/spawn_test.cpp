@@ -135,18 +135,63 @@ template <class Dut> void make_rays(const Config& config, const Frame& frame, un
     REQUIRE(pixels > count / 20);
 }
 
+void same_moves(const Config& config) {
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed) {
+            const Frame frame = frame_of(seed, config, config.supersampling ? int(seed % 8) + 1 : 1, seed % 2 == 0);
+            RaygenModel model{frame, config};
+            RaygenRtl rtl{frame, config, int(seed)};
+            Draw draw{seed};
+            int made = 0;
+            for (int cycle = 0; cycle < 1500; ++cycle) {
+                INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
+                if (!model.spawn.offer && draw.coin() && !draw.percent(flow.idle_percent)) model.spawn.offer = random_spawn(draw, frame, config);
+                if (!model.slot.offer && draw.coin()) {
+                    const Spawn pixel = random_spawn(draw, frame, config);
+                    model.slot.offer = Slot{pixel.ray, pixel.x, pixel.y};
+                }
+                model.ray.ready = !draw.percent(flow.stall_percent);
+                static_cast<RaygenLinks&>(rtl) = model;
+                model.eval();
+                rtl.eval();
+                REQUIRE(same(model.spawn, rtl.spawn, config));
+                REQUIRE(same(model.slot, rtl.slot, config));
+                REQUIRE(same(model.ray, rtl.ray, config));
+                const bool spawned = model.spawn.fires(), given = model.slot.fires();
+                made += model.ray.fires();
+                model.commit();
+                rtl.commit();
+                if (spawned) model.spawn.offer.reset();
+                if (given) model.slot.offer.reset();
+            }
+            REQUIRE(made > 300);
+        }
+}
+
+template <class Dut> void rays_of_every_kind(const Config& config) {
+    for (unsigned seed = 1; seed <= 5; ++seed) make_rays<Dut>(config, frame_of(seed, config, 1, false), seed, flows[seed % 4], 400);
+}
+
+template <class Dut> void every_sample(const Config& config) {
+    for (int n = 1; n <= most_aa; ++n)
+        for (const bool jitter : {false, true})
+            make_rays<Dut>(config, frame_of(unsigned(n), config, n, jitter), unsigned(2 * n + jitter), flows[std::size_t(n % 4)], 300);
+}
+
 } // namespace
 
 TEMPLATE_TEST_CASE("raygen makes rays of every kind with a bracket of the reciprocal", "[raygen][shading]", RaygenModel, RaygenRtl) {
-    const Config config = format(GENERATE("shading:default", "shading:small", "shading:narrow", "shading:wide"));
-    for (unsigned seed = 1; seed <= 5; ++seed) make_rays<TestType>(config, frame_of(seed, config, 1, false), seed, flows[seed % 4], 400);
+    rays_of_every_kind<TestType>(format(GENERATE("shading:default", "shading:narrow")));
+}
+TEMPLATE_TEST_CASE("raygen makes rays of every kind, other formats", "[raygen][shading][slow]", RaygenModel, RaygenRtl) {
+    rays_of_every_kind<TestType>(format(GENERATE("shading:small", "shading:wide")));
 }
 
 TEMPLATE_TEST_CASE("raygen sends camera rays through every sample of a pixel", "[raygen][shading]", RaygenModel, RaygenRtl) {
-    const Config config = format(GENERATE("samples:default", "samples:small", "samples:wide"));
-    for (int n = 1; n <= most_aa; ++n)
-        for (const bool jitter : {false, true})
-            make_rays<TestType>(config, frame_of(unsigned(n), config, n, jitter), unsigned(2 * n + jitter), flows[std::size_t(n % 4)], 300);
+    every_sample<TestType>(format("samples:default"));
+}
+TEMPLATE_TEST_CASE("raygen sends camera rays through every sample, other formats", "[raygen][shading][slow]", RaygenModel, RaygenRtl) {
+    every_sample<TestType>(format(GENERATE("samples:small", "samples:wide")));
 }
 
 TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in every cycle", "[raygen][shading]", RaygenModel, RaygenRtl) {
@@ -186,37 +231,11 @@ TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in ever
 }
 
 TEST_CASE("model and rtl of raygen make the same moves in every cycle with rays of shade", "[raygen][lockstep][shading]") {
-    const Config config = format(GENERATE("shading:default", "shading:wide", "samples:default", "samples:narrow"));
-    for (const Flow& flow : flows)
-        for (unsigned seed = 11; seed <= 13; ++seed) {
-            const Frame frame = frame_of(seed, config, config.supersampling ? int(seed % 8) + 1 : 1, seed % 2 == 0);
-            RaygenModel model{frame, config};
-            RaygenRtl rtl{frame, config, int(seed)};
-            Draw draw{seed};
-            int made = 0;
-            for (int cycle = 0; cycle < 1500; ++cycle) {
-                INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
-                if (!model.spawn.offer && draw.coin() && !draw.percent(flow.idle_percent)) model.spawn.offer = random_spawn(draw, frame, config);
-                if (!model.slot.offer && draw.coin()) {
-                    const Spawn pixel = random_spawn(draw, frame, config);
-                    model.slot.offer = Slot{pixel.ray, pixel.x, pixel.y};
-                }
-                model.ray.ready = !draw.percent(flow.stall_percent);
-                static_cast<RaygenLinks&>(rtl) = model;
-                model.eval();
-                rtl.eval();
-                REQUIRE(same(model.spawn, rtl.spawn, config));
-                REQUIRE(same(model.slot, rtl.slot, config));
-                REQUIRE(same(model.ray, rtl.ray, config));
-                const bool spawned = model.spawn.fires(), given = model.slot.fires();
-                made += model.ray.fires();
-                model.commit();
-                rtl.commit();
-                if (spawned) model.spawn.offer.reset();
-                if (given) model.slot.offer.reset();
-            }
-            REQUIRE(made > 300);
-        }
+    same_moves(format(GENERATE("shading:default", "samples:default")));
+}
+
+TEST_CASE("model and rtl of raygen make the same moves with rays of shade, other formats", "[raygen][lockstep][shading][slow]") {
+    same_moves(format(GENERATE("shading:wide", "samples:narrow")));
 }
 
 TEST_CASE("a reciprocal brackets the exact one for the longest directions", "[raygen][shading]") {
