@@ -18,7 +18,7 @@ namespace rayclock {
 namespace {
 
 // A scene that needs shading and no other unit, so that one machine has them idle and one has them not.
-const area::SpeedFrame speed_frame{"balls:2", "96x72", 2};
+const area::SpeedFrame speed_frame{"mirrors", "96x72", 4};
 constexpr int speed_rounds = 3;
 
 void check_names(const std::vector<std::string>& only) {

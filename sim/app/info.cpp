@@ -6,35 +6,21 @@
 
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/tables.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
 
 namespace rayclock {
 
-namespace {
-
-/// What a finished picture's chip is given: spheres as spheres, planes without end. Empty if all is triangles anyway.
-std::string native_counts(const PrimitiveCounts& counts) {
-    if (counts.spheres == 0 && counts.planes == 0) return {};
-    std::string text;
-    const auto add = [&](std::uint64_t count, const char* what) {
-        if (count > 0) text += fmt::format("{}{} {}{}", text.empty() ? "" : " + ", grouped(count), what, count == 1 ? "" : "s");
-    };
-    add(counts.spheres, "sphere"), add(counts.planes, "plane"), add(counts.triangles, "triangle");
-    return text;
-}
-
-} // namespace
-
 int scenes_command(const Options& o) {
     check_outputs(o);
-    Table table({"scene", "size", "triangles", "or, finished", "sizes", "purpose"});
+    Table table({"scene", "size", "triangles", "of a finished picture", "sizes", "purpose"});
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const Builtin& b : builtins()) {
         const std::uint64_t triangles = b.triangles(b.default_size);
         const PrimitiveCounts native = b.counts(b.default_size, Primitives::native);
-        table.add({std::string(b.name), std::to_string(b.default_size), grouped(triangles), native_counts(native), fmt::format("1..{}", b.max_size), std::string(b.purpose)});
+        table.add({std::string(b.name), std::to_string(b.default_size), grouped(triangles), native.spheres + native.planes > 0 ? primitives_text(native) : std::string{}, fmt::format("1..{}", b.max_size), std::string(b.purpose)});
         json.push_back({{"name", b.name}, {"default_size", b.default_size}, {"max_size", b.max_size}, {"triangles", triangles},
                         {"finished", {{"triangles", native.triangles}, {"spheres", native.spheres}, {"planes", native.planes}}}, {"purpose", b.purpose}});
     }

@@ -8,6 +8,7 @@
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/picture.hpp"
+#include "sim/app/tables.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/json.hpp"
@@ -64,7 +65,7 @@ int render_command(const Options& o) {
     json["host"] = {{"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
     if (picture.pixels.empty()) picture = shade(scene, hits);
     write_picture(o.output, picture, hits);
-    if (o.json != "-") fmt::print("{}: {} triangles, {}x{}, {} -> {}\n", scene.name, grouped(scene.triangles.size()), size.width, size.height, o.engine, o.output);
+    if (o.json != "-") fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height, o.engine, o.output);
     if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
     return 0;
 }

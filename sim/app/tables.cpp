@@ -10,16 +10,18 @@
 
 namespace rayclock {
 
-std::string primitives_text(const Scene& scene) {
+std::string primitives_text(const PrimitiveCounts& counts) {
     std::string text;
-    const auto add = [&](std::size_t n, const char* one, const char* many) {
+    const auto add = [&](std::uint64_t n, const char* one, const char* many) {
         if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(n), n == 1 ? one : many);
     };
-    add(scene.triangles.size(), "triangle", "triangles");
-    add(scene.spheres.size(), "sphere", "spheres");
-    add(scene.planes.size(), "plane", "planes");
+    add(counts.triangles, "triangle", "triangles");
+    add(counts.spheres, "sphere", "spheres");
+    add(counts.planes, "plane", "planes");
     return text;
 }
+
+std::string primitives_text(const Scene& scene) { return primitives_text(PrimitiveCounts{scene.triangles.size(), scene.spheres.size(), scene.planes.size()}); }
 
 std::string heading(const Scene& scene, FrameSize size, const Job& job) {
     const CompileReport& r = job.image.report;

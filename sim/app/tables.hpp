@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/builtin.hpp"
 #include "sim/report/json.hpp"
 
 namespace rayclock {
 
 /// "12 triangles, 3 spheres, 1 plane".
+std::string primitives_text(const PrimitiveCounts& counts);
 std::string primitives_text(const Scene& scene);
 std::string heading(const Scene& scene, FrameSize size, const Job& job);
 std::string work_table(const Config& config, const ClockRun& run);

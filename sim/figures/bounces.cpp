@@ -84,7 +84,7 @@ void bounces(Page& page) {
     }
     page.say("\nRays of each kind, and the energy that each depth added: the mean over all pixels and channels of the absolute difference of linear colours, in per cent "
              "of full scale, and in per cent of the mean of the last picture. Far out on the floor the machine's numbers end: from there "
-             "no rays are sent, which the PSNR shows.\n");
+             "it sends no rays, lights count unhindered, and the mirror shows the background.\n");
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k <= most; ++k)
         for (const Series& s : all)
