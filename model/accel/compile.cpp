@@ -8,16 +8,13 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/core/error.hpp"
+#include "model/isect/vectors.hpp"
 
 namespace rayclock {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Vec3l minus(const Vec3i& a, const Vec3i& b) {
-    return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
-}
 
 /// Without an area on the lattice no ray is taken; exact, as the cross product has at most 2 (N + 1) + 1 bits.
 bool has_area(const PrimData& t) {

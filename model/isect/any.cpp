@@ -6,17 +6,12 @@
 #include <cmath>
 
 #include "model/isect/tri.hpp"
+#include "model/isect/vectors.hpp"
 
 namespace rayclock {
 
 namespace {
 
-Vec3l minus(const Vec3i& a, const Vec3i& b) {
-    return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
-}
-Vec3l cross(const Vec3l& a, const Vec3l& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Wide dot(const Vec3l& a, const Vec3l& b) { return Wide(a[0]) * b[0] + Wide(a[1]) * b[1] + Wide(a[2]) * b[2]; }
 Vec3l negative(const Vec3l& a) { return {-a[0], -a[1], -a[2]}; }
 

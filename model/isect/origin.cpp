@@ -4,16 +4,12 @@
 #include <bit>
 #include <cassert>
 
+#include "model/isect/vectors.hpp"
+
 namespace rayclock {
 
 namespace {
 
-Vec3l minus(const Vec3i& a, const Vec3i& b) {
-    return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
-}
-Vec3l cross(const Vec3l& a, const Vec3l& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Wide dot(const Vec3l& a, const Vec3l& b) { return Wide(a[0]) * b[0] + Wide(a[1]) * b[1] + Wide(a[2]) * b[2]; }
 Vec3l normal(const PrimData& t) { return cross(minus(t.b, t.a), minus(t.c, t.a)); }
 int sign(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }

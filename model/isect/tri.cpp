@@ -2,6 +2,7 @@
 
 #include "model/isect/any.hpp"
 #include "model/isect/sheared.hpp"
+#include "model/isect/vectors.hpp"
 
 namespace rayclock {
 
@@ -9,12 +10,6 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-Vec3l minus(const Vec3i& a, const Vec3i& b) {
-    return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
-}
-Vec3l cross(const Vec3l& a, const Vec3l& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 std::int64_t dot(const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// True if the edge function is positive, a zero being decided by the first non-zero component of its gradient;

@@ -67,12 +67,11 @@ module rc_surf #(
   // Drop.
   function automatic logic [W-1:0] weight(input logic [U-1:0] x, input logic is_plane,
       input logic [2:0] fine);
-    logic signed [U+1:0] sum, less;
+    logic signed [U+1:0] sum;
     logic [5:0]          drop;
     drop   = 6'(Drop) - {3'd0, fine};
     sum    = $signed({{2{is_plane && x[U-1]}}, x}) + $signed((U+2)'(1) << drop >> 1);
-    less   = sum >>> drop;
-    weight = W'(less);
+    weight = W'(sum >>> drop);
     if (!is_plane && weight == '0) weight = W'(1);
   endfunction
   assign s0_u = weight(s0_u_i, s0_plane, s0_fine);

@@ -157,6 +157,17 @@ fs::path rtl_cache() {
     return fs::temp_directory_path() / "rayclock-cache";
 }
 
+std::string lint_rtl(const Config& config, const std::string& module) {
+    check_rtl(config);
+    const fs::path package = fs::temp_directory_path() / fmt::format("rayclock-lint-{}.sv", getpid());
+    write_text(package, rc_package(config));
+    std::string files = quoted(rtl_sources() / "lint.vlt") + " " + quoted(package);
+    for (const fs::path& file : rtl_files()) files += " " + quoted(file);
+    const std::string found = output_of(fmt::format("verilator --lint-only -Wall --top-module {} {} 2>&1", module, files));
+    fs::remove(package);
+    return found;
+}
+
 RtlBuild build_rtl(const Config& config, const std::string& module) {
     check_rtl(config);
     const auto start = std::chrono::steady_clock::now();

@@ -19,6 +19,9 @@ struct RtlBuild {
 /// tool's message if it fails.
 RtlBuild build_rtl(const Config& config, const std::string& module = "rc_top");
 
+/// What `verilator --lint-only -Wall` says of the module with this configuration: nothing if it is clean. Far quicker than to build it.
+std::string lint_rtl(const Config& config, const std::string& module = "rc_top");
+
 /// Where built libraries are kept: $RAYCLOCK_CACHE, or $XDG_CACHE_HOME/rayclock, or ~/.cache/rayclock.
 std::filesystem::path rtl_cache();
 

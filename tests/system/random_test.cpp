@@ -4,62 +4,14 @@
 
 #include <filesystem>
 
-#include "model/core/error.hpp"
 #include "sim/rtl/builder.hpp"
+#include "tests/support/random_config.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
 
 namespace {
-
-/// How large a value is drawn, of those that are legal: no larger than a small frame can tell, or Verilator takes gladly.
-int most_of(const Parameter& p) {
-    const std::string key = p.key;
-    const std::pair<const char*, int> most[] = {{"contexts", 128}, {"mem_latency", 60}, {"mem_interval", 4}, {"raygen_queue", 64}, {"box_queue", 64},
-                                                {"tri_queue", 64}, {"cache_queue", 64}, {"node_sets", 64}, {"prim_sets", 64}, {"l2_sets", 128},
-                                                {"node_mshrs", 16}, {"prim_mshrs", 16}, {"l2_mshrs", 32}, {"primitive_test", 1},
-                                                {"shade_queue", 64}, {"surf_sets", 64}, {"surf_mshrs", 16}, {"lights", 16}};
-    for (const auto& [name, value] : most)
-        if (key == name) return std::min(value, p.hi);
-    return p.hi;
-}
-
-/// Legal configuration; every other value from a corner of its range. `single`: one that does not shade, on one pipeline. One pipeline, or one time in four two; a shared cache
-/// one time in three.
-Config random_config(std::uint64_t seed, bool single) {
-    Rng rng(seed);
-    const auto draw = [&](const Parameter& p, int hi) {
-        const int pick = rng.below(4);
-        if (!p.power_of_two) return pick == 0 ? p.lo : pick == 1 ? hi : p.lo + rng.below(hi - p.lo + 1);
-        const int lo = std::max(p.lo, 1);
-        int steps = 0;
-        while (lo << (steps + 1) <= hi) ++steps;
-        return pick == 0 ? lo : pick == 1 ? lo << steps : lo << rng.below(steps + 1);
-    };
-    for (;;) {
-        Config config;
-        config.name = "random " + std::to_string(seed);
-        for (const Parameter& p : parameters()) config.*p.member = draw(p, most_of(p));
-        // Not below what the scenes need; from a source of their own.
-        Rng widths(seed * 31 + 7);
-        config.addr_bits = std::max(config.least_addr_bits(), 15 + widths.below(max_addr_bits - 14));
-        config.prim_bits = 16 + widths.below(max_prim_bits - 15);
-        config.pixel_bits = 7 + widths.below(max_pixel_bits - 6);
-        config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
-        if (rng.below(3) != 0) config.l2_sets = 0;
-        // Two in three do not shade. The others have what the scenes need at least: spheres, planes and samples are as drawn.
-        config.shading = !single && seed % 3 == 0;
-        if (config.shading) config.smooth = config.refraction = 1, config.lights = std::max(config.lights, 5), config.bounces = std::max(config.bounces, 5);
-        else config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
-        try {
-            check_config(config, config.name);
-            return config;
-        } catch (const UserError&) {
-            continue;   // widths that do not go together
-        }
-    }
-}
 
 Traffic random_traffic(std::uint64_t seed) {
     Rng rng(seed * 77);
@@ -125,6 +77,19 @@ TEST_CASE("a few random configurations, memories and back-pressures") {
 TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
     const std::uint64_t seed = GENERATE(range(quick_seeds + 1, std::uint64_t(29)));
     check_random(random_config(seed, false), seed);
+}
+
+TEST_CASE("the RTL of random configurations, and of any units that shade, is clean of warnings", "[slow]") {
+    const std::uint64_t seed = GENERATE(range(std::uint64_t(1), std::uint64_t(61)));
+    Config config = random_config(seed, false);
+    if (config.shading) {   // needed by no scene here
+        Rng rng(seed);
+        for (int Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling, &Config::spheres, &Config::planes}) config.*unit = rng.below(2);
+        if (config.bary_bits + plane_bits + 1 > 32) config.planes = 0;
+    }
+    check_config(config, config.name);
+    INFO(text_of(config));
+    CHECK(lint_rtl(config).empty());
 }
 
 TEST_CASE("every node width with every coordinate width", "[slow]") {

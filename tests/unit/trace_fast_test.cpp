@@ -8,6 +8,7 @@
 #include "model/trav/slab.hpp"
 #include "tests/support/box_cases.hpp"
 #include "tests/support/tri_cases.hpp"
+#include "tests/support/walked.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -49,24 +50,10 @@ bool same_node(const WideNode& a, const WideNode& b) {
            a.offset == b.offset && a.count == b.count;
 }
 
-/// The walk's words, as Trace describes them.
 std::vector<std::uint32_t> walked(Walk& walk, const Slot& slot) {
     std::vector<std::uint32_t> words;
     walk.start(slot);
-    for (bool done = false; !done;) {
-        const std::size_t head = words.size();
-        words.push_back(walk.node());
-        for (bool more = walk.test_node(); more; more = walk.advance()) {
-            words.push_back(walk.prim());
-            walk.test_triangle();
-        }
-        if (words.size() > head + 1) {
-            words.back() |= Trace::last_flag;
-            words[head] |= Trace::tests_flag;
-        }
-        const int turns = walk.decide(done);
-        words[head] |= (done ? Trace::end_flag : 0) | std::uint32_t(turns) << Trace::turns_shift;
-    }
+    append_walk(walk, words);
     return words;
 }
 

@@ -7,28 +7,17 @@
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
+#include "tests/support/walked.hpp"
 
 using namespace rayclock;
+using namespace rayclock::test;
 
 namespace {
 
-/// A ray's words, as Trace describes them, and its answer.
+/// A ray's words and its answer.
 Closest walked(Walk& walk, const Ray& ray, std::vector<std::uint32_t>& words) {
     walk.start_at(ray);
-    for (bool done = false; !done;) {
-        const std::size_t head = words.size();
-        words.push_back(walk.node());
-        for (bool more = walk.test_node(); more; more = walk.advance()) {
-            words.push_back(walk.prim());
-            walk.test_triangle();
-        }
-        if (words.size() > head + 1) {
-            words.back() |= Trace::last_flag;
-            words[head] |= Trace::tests_flag;
-        }
-        const int turns = walk.decide(done);
-        words[head] |= (done ? Trace::end_flag : 0) | std::uint32_t(turns) << Trace::turns_shift;
-    }
+    append_walk(walk, words);
     return walk.closest();
 }
 

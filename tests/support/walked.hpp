@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/trace/trace.hpp"
+#include "model/trace/walk.hpp"
+
+namespace rayclock::test {
+
+/// The words of the ray that `walk` has started on, as Trace describes them, put together from what Walk says step by step.
+inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
+    for (bool done = false; !done;) {
+        const std::size_t head = words.size();
+        words.push_back(walk.node());
+        for (bool more = walk.test_node(); more; more = walk.advance()) {
+            words.push_back(walk.prim());
+            walk.test_triangle();
+        }
+        if (words.size() > head + 1) {
+            words.back() |= Trace::last_flag;
+            words[head] |= Trace::tests_flag;
+        }
+        const int turns = walk.decide(done);
+        words[head] |= (done ? Trace::end_flag : 0) | std::uint32_t(turns) << Trace::turns_shift;
+    }
+}
+
+} // namespace rayclock::test
