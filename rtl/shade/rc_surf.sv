@@ -37,6 +37,7 @@ module rc_surf #(
   localparam int unsigned Drop = Y - B;             // what u and v lose
   localparam int unsigned F    = rc_pkg::MostFine;  // more bits on triangles with coarse edges
   localparam int unsigned W    = U + 2 - Drop + F;  // of u and v then, signed
+  localparam int unsigned X    = U + 2 > W ? U + 2 : W;
   localparam int unsigned E    = N + 1;             // of an edge, signed
   localparam int unsigned A    = W + E + 2;         // of a point of a plane, signed
   localparam int unsigned S    = W + 2 + C + 2;     // of a weighted sum of corner normals, signed
@@ -67,10 +68,10 @@ module rc_surf #(
   // Drop.
   function automatic logic [W-1:0] weight(input logic [U-1:0] x, input logic is_plane,
       input logic [2:0] fine);
-    logic signed [U+1:0] sum;
+    logic signed [X-1:0] sum;
     logic [5:0]          drop;
     drop   = 6'(Drop) - {3'd0, fine};
-    sum    = $signed({{2{is_plane && x[U-1]}}, x}) + $signed((U+2)'(1) << drop >> 1);
+    sum    = $signed({{(X-U){is_plane && x[U-1]}}, x}) + $signed(X'(1) << drop >> 1);
     weight = W'(sum >>> drop);
     if (!is_plane && weight == '0) weight = W'(1);
   endfunction

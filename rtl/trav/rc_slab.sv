@@ -110,8 +110,8 @@ module rc_slab #(
     end
   end
 
-  function automatic logic signed [V-1:0] step(input logic [B-1:0] plane, input logic [R1-1:0] r);
-    step = $signed({{(V-B){1'b0}}, plane} * {{(V-R1){1'b0}}, r});
+  function automatic logic signed [V-1:0] way(input logic [B-1:0] plane, input logic [R1-1:0] r);
+    way = $signed({{(V-B){1'b0}}, plane} * {{(V-R1){1'b0}}, r});
   endfunction
 
   // Distance of a non-negative v, moved to its place and saturated at all ones.
@@ -128,10 +128,10 @@ module rc_slab #(
     logic signed [V-1:0] s3_near_q, s3_far_q;
     always_ff @(posedge clk_i) begin
       if (s2_valid_i) begin
-        s3_near_q <= s2_neg_q ? V'(s2_near_q) - step(s2_hi_i[i*B +: B], s2_r_q)
-                              : V'(s2_near_q) + step(s2_lo_i[i*B +: B], s2_r_q);
-        s3_far_q  <= s2_neg_q ? V'(s2_far_q) - step(s2_lo_i[i*B +: B], s2_r_up)
-                              : V'(s2_far_q) + step(s2_hi_i[i*B +: B], s2_r_up);
+        s3_near_q <= s2_neg_q ? V'(s2_near_q) - way(s2_hi_i[i*B +: B], s2_r_q)
+                              : V'(s2_near_q) + way(s2_lo_i[i*B +: B], s2_r_q);
+        s3_far_q  <= s2_neg_q ? V'(s2_far_q) - way(s2_lo_i[i*B +: B], s2_r_up)
+                              : V'(s2_far_q) + way(s2_hi_i[i*B +: B], s2_r_up);
       end
     end
     logic [T-1:0] near, far;

@@ -46,8 +46,8 @@ module rc_stack (
     .read_i(s0_valid_i), .read_addr_i(address(s0_ray_i, s0_height - H'(1))), .read_data_o(group));
 
   localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
-  function automatic logic [AddrW-1:0] address(input logic [I-1:0] ray, input logic [H-1:0] at);
-    address = AddrW'(({{DB{1'b0}}, ray} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
+  function automatic logic [AddrW-1:0] address(input logic [I-1:0] of, input logic [H-1:0] at);
+    address = AddrW'(({{DB{1'b0}}, of} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
   endfunction
 
   logic [T-1:0]       top_below, below;

@@ -159,12 +159,13 @@ fs::path rtl_cache() {
 
 std::string lint_rtl(const Config& config, const std::string& module) {
     check_rtl(config);
-    const fs::path package = fs::temp_directory_path() / fmt::format("rayclock-lint-{}.sv", getpid());
-    write_text(package, rc_package(config));
-    std::string files = quoted(rtl_sources() / "lint.vlt") + " " + quoted(package);
+    const fs::path folder = fs::temp_directory_path() / fmt::format("rayclock-lint-{}", getpid());   // lint.vlt knows the package by its name
+    fs::create_directories(folder);
+    write_text(folder / "rc_pkg.sv", rc_package(config));
+    std::string files = quoted(rtl_sources() / "lint.vlt") + " " + quoted(folder / "rc_pkg.sv");
     for (const fs::path& file : rtl_files()) files += " " + quoted(file);
-    const std::string found = output_of(fmt::format("verilator --lint-only -Wall --top-module {} {} 2>&1", module, files));
-    fs::remove(package);
+    const std::string found = output_of(fmt::format("verilator --lint-only -Wall --top-module {} {} 2>&1; true", module, files));
+    fs::remove_all(folder);
     return found;
 }
 
