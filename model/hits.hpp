@@ -15,9 +15,13 @@ public:
 
 private:
     Frame frame_;
+    Config config_;
     glm::dvec3 shape_;          ///< pitches, in units of the coarsest
     double depth_, weight_;
 };
+
+/// Depth of a hit on a plane that is further away than t can say: by u and v; infinite where they end as well.
+float depth_on_plane(const Closest& hit, const Surface& plane, const Vec3i& eye, const Lattice& lattice, const Config& config);
 
 /// 64-bit digest of a sequence of numbers (one multiplication and one fold a number, after FNV-1a and SplitMix64): the
 /// same on every machine.

@@ -110,10 +110,11 @@ void Machine::clock_shared() {
 // In most cycles nothing moves between the pipelines and what they share.
 bool Machine::shared_is_still() const {
     if (has_l2_ || memory_.valid()) return false;
-    std::uint32_t busy = 0;
+    unsigned busy = 0;   // without branches: this is asked in every cycle
     for (const Pipeline& pipeline : pipelines_)
-        busy |= std::uint32_t(pipeline.node_miss_valid() | pipeline.prim_miss_valid() | pipeline.surf_miss_valid() | (pipeline.tile_ready() && dispatch_.more()));
-    return !busy;
+        busy += unsigned(pipeline.node_miss_valid()) + unsigned(pipeline.prim_miss_valid()) + unsigned(pipeline.surf_miss_valid()) +
+                unsigned(pipeline.tile_ready() && dispatch_.more());
+    return busy == 0;
 }
 
 void Machine::step() {

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/accel/emit.hpp"
+#include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/core/error.hpp"
 #include "model/isect/vectors.hpp"
@@ -101,6 +102,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     optimise_tree(tree);
     tell(3);
     emit_image(tree, triangles, config, name, image);
+    for (const PrimData& t : triangles) image.primitives = std::max(image.primitives, t.prim + 1);
     check_stack(image.report.stack_need, config, name);
     tell(4);
     return image;
@@ -111,7 +113,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
-    const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0);
+    const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0, config.planes ? room_around_planes(config) : 1);
     const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     const std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);

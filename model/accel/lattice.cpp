@@ -13,42 +13,55 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/accel/memory_image.hpp"
+#include "model/accel/plane.hpp"
 
 namespace rayclock {
 
 namespace {
 
 constexpr double most_ratio = 2;
-/// With planes the lattice is so many times as large as what has an end: larger shows more of a floor, smaller more of the rest.
-/// `spheres` against the reference, 256x192: 16: 41.0 dB, 32: 41.7, 64: 39.2.
-constexpr double room_around = 32;
-
-/// A pitch, at least as large, of which the first plane's squares are whole multiples.
-double with_planes(const Scene& scene, double pitch) {
-    const double side = glm::length(scene.planes[0].u), steps = std::floor(side / pitch);
-    return steps >= 4 ? side / steps : pitch;
-}
 
 double largest_coordinate(int coord_bits) { return double((1 << (coord_bits - 1)) - 1); }
 
+/// A pitch, at least as large, of which the first plane's sides on the lattice are whole multiples.
+double with_planes(const Scene& scene, Lattice lattice, double pitch) {
+    lattice.pitch = glm::dvec3(pitch);
+    const double side = std::ldexp(glm::length(scene.planes[0].u), -plane_on_lattice(scene.planes[0], lattice).level[0]);
+    return side / std::floor(side / pitch);
+}
+
+/// Of the scene and the eye, and of each plane that point which is nearest to their middle.
+Bounds bounds_with(const Scene& scene, const glm::dvec3& eye) {
+    Bounds box = bounds(scene);
+    box = {glm::min(box.lo, eye), glm::max(box.hi, eye)};
+    const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi;   // lo + hi might overflow
+    for (const Plane& plane : scene.planes) {
+        const glm::dvec3 point = nearest_point(plane, middle);
+        box = {glm::min(box.lo, point), glm::max(box.hi, point)};
+    }
+    return box;
+}
+
 } // namespace
 
-Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic) {
-    const Bounds box = bounds(scene);
+Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic, double room) {
+    const Bounds box = bounds_with(scene, eye);
     Lattice lattice;
     lattice.coord_bits = coord_bits;
     glm::dvec3 middle{0}, reach{0};
     for (int k = 0; k < 3; ++k) {
-        const double lo = std::min(box.lo[k], eye[k]), hi = std::max(box.hi[k], eye[k]);
-        middle[k] = 0.5 * lo + 0.5 * hi;   // lo + hi might overflow
-        reach[k] = std::max(hi - middle[k], middle[k] - lo);
+        middle[k] = 0.5 * box.lo[k] + 0.5 * box.hi[k];
+        reach[k] = std::max(box.hi[k] - middle[k], middle[k] - box.lo[k]);
     }
     const double largest = largest_coordinate(coord_bits);
     double coarsest = std::max({reach.x, reach.y, reach.z}) / largest;
-    if (!scene.planes.empty()) coarsest = with_planes(scene, room_around * coarsest);
+    if (!scene.planes.empty() && coarsest > 0) {
+        lattice.centre = middle;
+        coarsest = with_planes(scene, lattice, room * coarsest);
+    }
     const double finest = cubic ? coarsest : coarsest / most_ratio;
     for (int k = 0; k < 3; ++k) {
         // Everything in one point: any pitch will do. Extents at the very bottom of the format must not give a pitch of zero.

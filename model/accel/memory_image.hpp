@@ -1,5 +1,6 @@
 #pragma once
 // Scene compilation: the scene on the lattice, its tree, and the very bytes that the chip's memory would hold.
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,10 +25,10 @@ struct Lattice {
     glm::dvec3 direction(const glm::dvec3& d) const { return d * (coarsest() / pitch); }
     Vec3i snap(const glm::dvec3& point) const;   ///< nearest lattice point, halves away from zero
 };
-/// The eye becomes a lattice point. `cubic`: the same pitch along all axes, as spheres and shading need it; planes then have room
-/// to go on around the rest of the scene, and the pitch is a whole part of the first one's squares, if that costs no more than a
-/// quarter.
-Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic = false);
+/// The eye becomes a lattice point. `cubic`: the same pitch along all axes, as spheres and shading need it. A plane counts with the
+/// point that is nearest to the middle of the rest; with planes the lattice is `room` times as large as it must be, and the pitch is
+/// a whole part of the first one's squares.
+Lattice fit_lattice(const Scene& scene, const glm::dvec3& eye, int coord_bits, bool cubic = false, double room = 1);
 
 /// What compilation found out.
 struct CompileReport {
@@ -46,9 +47,14 @@ struct MemoryImage {
     std::vector<std::uint32_t> words;     ///< 16 words a line, little-endian
     Lattice lattice;
     std::uint32_t surfaces = 0;           ///< line of primitive 0's surface, if the chip shades
+    std::uint32_t primitives = 0;         ///< the numbers of all lie below
     CompileReport report;
 
-    const std::uint32_t* line(std::uint32_t addr) const { return &words[std::size_t(addr) * 16]; }
+    /// Beyond the end memory holds zeros: a cache's long line may reach there, and faulty hardware asks for anything.
+    const std::uint32_t* line(std::uint32_t addr) const {
+        static constexpr std::array<std::uint32_t, 16> nothing{};
+        return addr < lines() ? &words[std::size_t(addr) * 16] : nothing.data();
+    }
     const std::uint32_t* half_line(std::uint32_t addr) const { return &words[std::size_t(addr) * 8]; }
     std::uint32_t lines() const { return std::uint32_t(words.size() / 16); }
 };
@@ -70,8 +76,9 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
 /// The configuration with the units that the scene and the picture need, and without those that they do not.
 Config fitted_config(const Scene& scene, const Whitted& settings, Config config);
 
-/// Camera registers for a frame: the eye on the lattice and the pixel map scaled so that no component of any pixel's
-/// direction exceeds 2^(M-1) - 1. Throws UserError if the picture is larger than pixel_bits can tell.
+/// Camera registers for a frame: the eye on the lattice and the pixel map scaled so that every sum of raygen fits and every
+/// direction's largest component is 2^(M-2) or more. Throws UserError if the picture is larger than pixel_bits can tell, or so wide
+/// that a direction in its middle would be too short (beyond 175 degrees, or 800 times as wide as high).
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config);
 
 } // namespace rayclock

@@ -9,6 +9,7 @@
 
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
+#include "model/accel/plane.hpp"
 #include "model/core/error.hpp"
 
 namespace rayclock {
@@ -19,6 +20,8 @@ std::uint32_t fixed(double value, int frac_bits, std::uint32_t most) {
     return std::uint32_t(std::clamp(std::round(std::ldexp(value, frac_bits)), 0.0, double(most)));
 }
 std::uint32_t share_of(double value) { return fixed(value, share_bits, 1u << share_bits); }
+/// Weight of a reflected or refracted ray: what is above 0 stays above 0, so that its ray is sent.
+std::uint32_t weight_of(double value) { return std::max(fixed(value, unit_bits, 1u << unit_bits), std::uint32_t(value > 0)); }
 std::array<std::uint32_t, 3> shares_of(const glm::dvec3& v) { return {share_of(v.x), share_of(v.y), share_of(v.z)}; }
 
 std::uint32_t material_of(const Scene& scene, std::size_t i) {
@@ -31,10 +34,12 @@ void set_material(const Material& m, Surface& s) {
     s.colour = shares_of(m.colour), s.other = shares_of(m.other);
     s.checkered = m.checkered, s.schlick = m.schlick;
     s.ambient = share_of(m.ambient), s.diffuse = share_of(m.diffuse), s.highlight = share_of(m.highlight);
-    s.mirror = share_of(m.mirror), s.transmit = share_of(m.transmit);
+    s.mirror = weight_of(m.mirror), s.transmit = weight_of(m.transmit);
+    // Rounded together, so that their sum, which a total reflection has, errs by no more than each of them.
+    if (m.mirror > 0 && m.transmit > 0 && m.mirror + m.transmit <= 1) s.transmit = std::max(weight_of(m.mirror + m.transmit) - s.mirror, 1u);
     s.shine = fixed(m.shine, shine_frac, (1u << shine_bits) - 1);
     const double index = m.index > 0 ? m.index : 1, r = (index - 1) / (index + 1);
-    s.r0 = share_of(r * r);
+    s.r0 = weight_of(r * r);
     s.enter = fixed(1 / index, index_frac, (1u << ratio_bits) - 1);
     s.leave = fixed(index, index_frac, (1u << ratio_bits) - 1);
 }
@@ -75,6 +80,15 @@ std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice)
     for (std::size_t v = 0; v < coarse.size(); ++v)
         if (!used[v]) coarse[v] = 0;
     return coarse;
+}
+
+/// No plane stands between the camera's eye and the point.
+bool is_clear(const Scene& scene, const glm::dvec3& point) {
+    if (!scene.camera) return true;
+    return std::none_of(scene.planes.begin(), scene.planes.end(), [&](const Plane& plane) {
+        const glm::dvec3 n = glm::cross(glm::normalize(plane.u), glm::normalize(plane.v));
+        return glm::dot(n, point - plane.point) * glm::dot(n, scene.camera->eye - plane.point) < 0;
+    });
 }
 
 } // namespace
@@ -121,7 +135,8 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
     }
     const Plane& plane = scene.planes[i - scene.triangles.size() - scene.spheres.size()];
     prim.kind = std::uint32_t(PrimKind::plane);
-    prim.a = lattice.snap(plane.point), prim.b = lattice.snap(plane.point + plane.u), prim.c = lattice.snap(plane.point + plane.v);
+    const PlaneOnLattice on = plane_on_lattice(plane, lattice);
+    prim.a = on.a, prim.b = on.b, prim.c = on.c;
     return prim;
 }
 
@@ -132,6 +147,8 @@ Surface surface_of(const Scene& scene, const Lattice& lattice, const Config& con
     if (i < scene.triangles.size()) s.fine = fine_of(prim, config);
     if (config.smooth && i < scene.triangles.size()) set_normals(scene, i, s);
     set_material(scene.materials[material_of(scene, i)], s);
+    const std::size_t planes = scene.triangles.size() + scene.spheres.size();
+    if (i >= planes) set_checkers(plane_on_lattice(scene.planes[i - planes], lattice), config, s);
     return s;
 }
 
@@ -188,7 +205,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
     ShadeFrame frame;
     frame.surfaces = image.surfaces;
     frame.depth = std::uint32_t(settings.depth);
-    frame.threshold = std::uint32_t(std::ceil(std::clamp(settings.threshold, 0.0, 1.0) * one));
+    frame.threshold = std::uint32_t(std::floor(std::clamp(settings.threshold, 0.0, 1.0) * 2 * one));
     frame.side = std::uint32_t(settings.aa);
     frame.stride = sample_stride(settings.aa);
     frame.jitter = settings.jitter;
@@ -204,6 +221,7 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
         const double within = double((1 << (config.coord_bits - 1)) - 1), most = double((1 << (config.light_bits() - 1)) - 1);
         const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}), nearer = size > most ? most / size : 1;
         frame.near[i] = std::round(size) <= within;
+        frame.clear[i] = is_clear(scene, scene.lights[i].position);
         for (std::size_t k = 0; k < 3; ++k) {
             frame.place[3 * i + k] = std::int32_t(std::round(at[int(k)] * nearer));
             frame.colour[3 * i + k] = fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);

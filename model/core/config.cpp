@@ -16,7 +16,7 @@ int Config::edge_bits() const {
     return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3) : plain;   // bounce; shadow ray: docs/origins.md
 }
 int Config::tri_ray_bits() const {
-    return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) + (spheres ? prim_bits + 1 : 0);
+    return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) + (planes ? 1 : 0) + (spheres ? prim_bits + 1 : 0);
 }
 int Config::ray_bits() const { return index_bits(contexts); }
 int Config::group_bits() const { return index_bits(node_width + 1); }
@@ -24,12 +24,14 @@ int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
 // Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/trav/rc_box.sv, rtl/isect/rc_tri.sv.
-int Config::raygen_latency() const { return 3 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0); }
+int Config::raygen_latency() const { return 4 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0); }
 int Config::box_latency() const { return 6; }
 int Config::tri_latency() const {
     const int triangle = (is_sheared() ? 8 : 6) + (std::max(t_bits(), uv_bits() - 1) + 1) / 2;
     return spheres ? std::max(triangle, 8 + root_bits / 2 + (t_bits() + 1) / 2) : triangle;
 }
+// A direction has 2^(M-2), the lattice reaches 2^(N-1+B): an eighth of it, unless directions are too long.
+int Config::approach_shift() const { return std::max(0, origin_width() - dir_bits - 2); }
 int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 
 namespace {
@@ -186,7 +188,7 @@ Config named_config(const std::string& name) {
         c.dram = rpu;
         return c;
     }
-    throw UserError("no configuration is called '" + name + "'" + did_you_mean(name, config_names()));
+    throw UserError("no configuration is called " + shown(name) + did_you_mean(name, config_names()));
 }
 
 void set_parameter(Config& config, const std::string& key, const std::string& value, const std::string& where) {
@@ -194,20 +196,20 @@ void set_parameter(Config& config, const std::string& key, const std::string& va
         if (key != p.key) continue;
         if (p.names) {
             const auto at = std::find(p.names->begin(), p.names->end(), value);
-            if (at == p.names->end()) throw UserError(where + ": no " + key + " is called '" + value + "'" + did_you_mean(value, *p.names));
+            if (at == p.names->end()) throw UserError(where + ": no " + key + " is called " + shown(value) + did_you_mean(value, *p.names));
             config.*p.member = int(at - p.names->begin());
             return;
         }
         int number = 0;
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
         if (error != std::errc{} || end != value.data() + value.size())
-            throw UserError(where + ": " + key + " must be a whole number, not '" + value + "'");
+            throw UserError(where + ": " + key + " must be a whole number, not " + shown(value));
         config.*p.member = number;
         return;
     }
     std::vector<std::string> keys;
     for (const Parameter& p : parameters()) keys.push_back(p.key);
-    throw UserError(where + ": no parameter is called '" + key + "'" + did_you_mean(key, keys));
+    throw UserError(where + ": no parameter is called " + shown(key) + did_you_mean(key, keys));
 }
 
 void check_config(const Config& c, const std::string& where) {
@@ -248,6 +250,9 @@ void check_config(const Config& c, const std::string& where) {
     if (c.uv_bits() > 32)
         refuse("planes=1 needs bary_bits + " + std::to_string(plane_bits + 1) + " bits for u and v, at most 32, and bary_bits is " + std::to_string(c.bary_bits));
     if (c.shading && c.dir_bits + c.t_frac_bits <= c.origin_bits + 1) refuse("shading=1 needs dir_bits + t_frac_bits above origin_bits + 1");
+    if (c.planes && c.dir_bits > c.origin_width())
+        refuse("planes=1 needs dir_bits of at most coord_bits + origin_bits, " + std::to_string(c.origin_width()) + ", and dir_bits is " +
+               std::to_string(c.dir_bits));
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
 }
 

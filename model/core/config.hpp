@@ -8,6 +8,7 @@ namespace rayclock {
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
 constexpr int guard_bits = 14;      ///< fraction bits of the camera's pixel steps, dropped by one rounding
+constexpr int most_shift = 15;       ///< bits by which a short camera direction is moved up at most
 constexpr int max_addr_bits = 24;   ///< of Config::addr_bits
 constexpr int max_pixel_bits = 14;  ///< of Config::pixel_bits
 constexpr int exp_bits = 5;         ///< box exponent, and bit length of a direction component
@@ -18,7 +19,7 @@ constexpr int line_bits = 512;      ///< a memory line, one node
 constexpr int half_line_bits = 256; ///< one triangle
 constexpr int line_bytes = 64;      ///< what memory gives in one answer
 constexpr int unit_bits = 16;       ///< fraction bits of colours, of weights and of unit vectors' components
-constexpr int share_bits = 12;      ///< fraction bits of a material's colours and weights
+constexpr int share_bits = 12;      ///< fraction bits of a material's colours and of the weights of its local light
 constexpr int corner_bits = 11;     ///< signed components of a corner's normal
 constexpr int shine_frac = 4;       ///< fraction bits of Phong's exponent, which has shine_bits
 constexpr int shine_bits = 14;
@@ -26,8 +27,9 @@ constexpr int index_frac = 12;      ///< fraction bits of a ratio of refractive 
 constexpr int ratio_bits = 16;
 constexpr int root_bits = 28;       ///< of a square root in the sphere test
 constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fraction
-constexpr int light_reach = 8;      ///< a light may lie 2^8 times as far away as the lattice reaches
+constexpr int light_reach = 8;      ///< a light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches
 constexpr int plane_bits = 12;      ///< whole bits of a plane's u and v
+constexpr int approach_steps = 12;  ///< in which a ray from far away finds the lattice: model/shade/approach.hpp
 constexpr int max_lights = 64;     ///< of Config::lights
 constexpr int most_fine = 4;        ///< of Surface::fine
 constexpr int sample_bits = 6;      ///< a pixel's sample, 0..63
@@ -108,6 +110,8 @@ struct Config {
     int tri_ray_bits() const;                                        ///< a ray in list, see TriReq
     int origin_frac() const { return shading ? origin_bits : 0; }    ///< fraction bits of a ray's origin
     int origin_width() const { return coord_bits + origin_frac(); }  ///< its bits, signed
+    int point_width() const { return origin_width() + (planes ? light_reach : 0); }   ///< of a point that shade knows
+    int approach_shift() const;                                      ///< the last step is 2^this directions long
     int ray_dir_bits() const { return shading ? coord_bits + origin_bits + 1 : dir_bits; }   ///< M, or what a shadow ray needs
     bool has_kinds() const { return spheres || planes; }             ///< of primitives
     int light_bits() const { return coord_bits + light_reach; }      ///< signed coordinate of a light, in lattice steps

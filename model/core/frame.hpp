@@ -20,7 +20,7 @@ constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(Ra
 struct ShadeFrame {
     std::uint32_t surfaces = 0;         ///< line of primitive 0's surface
     std::uint32_t depth = 0;            ///< most bounces
-    std::uint32_t threshold = 0;        ///< least weight of a ray, unit_bits of fraction
+    std::uint32_t threshold = 0;        ///< least weight of a ray, rounded down to unit_bits + 1 bits of fraction; see weighs_enough()
     std::uint32_t side = 1;             ///< a pixel has side * side samples
     std::uint32_t stride = 1;           ///< from sample to sample through the cells
     std::uint32_t jitter = 0;
@@ -30,12 +30,13 @@ struct ShadeFrame {
     std::array<std::uint32_t, 3> background{};          ///< unit_bits of fraction
     std::uint32_t lights = 0;
     std::array<std::uint32_t, max_lights> near{};      ///< the light lies within the lattice
+    std::array<std::uint32_t, max_lights> clear{};     ///< no plane stands between it and the eye
     std::array<std::int32_t, 3 * max_lights> place{};  ///< [3 * light + axis], lattice points
     std::array<std::uint32_t, 3 * max_lights> colour{};///< share_bits of fraction
     template <class V> void fields(V& v, const Config& c) {
         v("surfaces", surfaces, c.addr_bits);
         v("depth", depth, depth_bits);
-        v("threshold", threshold, unit_bits + 1);
+        v("threshold", threshold, unit_bits + 2);
         v("side", side, 4);
         v("stride", stride, sample_bits);
         v("jitter", jitter, 1);
@@ -46,12 +47,24 @@ struct ShadeFrame {
         v("background", background, unit_bits + 1, 3);
         v("lights", lights, 7);
         v("is_near", near, 1, c.lights);
+        v("is_clear", clear, 1, c.lights);
         v("place", place, c.light_bits(), 3 * c.lights);
         v("colour", colour, strength_bits, 3 * c.lights);
     }
 };
 
-/// Registers that the host sets for a frame. direction(x, y) = round((corner + x right + y down) / 2^guard_bits).
+/// Registers that the host sets for a frame. They give a camera ray its direction d, in three steps, of which only the last rounds.
+///
+/// Its point (px, py) is the pixel's number with f fraction bits: f = 0 and px = x, py = y; if the chip has supersampling, f = 8
+/// and px = 256 x + offset (sample_offset()). With g = guard_bits + f and M dir_bits:
+///   V_k = 2^f corner_k + px right_k + py down_k, on every axis k; the host sees to it that -2^(M-1+g) <= V_k < 2^(M-1+g)
+///   s   = the largest of 0..most_shift for which -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes
+///   d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1): to nearest, halves up, but never 2^(M-1), which M bits cannot hold
+///
+/// So every ray has all the bits that M allows, and an integer direction: d is only longer by a power of two than it would be
+/// without s. The host also sees to it that max |V_k| >= 2^(M-2+g-most_shift) at every point, and then max |d_k| >= 2^(M-2).
+/// Hence t of a hit inside the lattice never saturates: on the axis of the largest component the ray goes on by
+/// |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of what t holds.
 struct Frame {
     std::uint32_t width = 0, height = 0;
     std::uint32_t root = 0;          ///< line of the root node

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/core/quote.hpp"
+
 namespace rayclock {
 
 /// Levenshtein's edit distance: how many letters to change, add or drop.
@@ -23,16 +25,21 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// "; did you mean 'x'?" for the nearest known word, or nothing if none is near.
+/// "; did you mean 'x'?" for the nearest known word, or nothing if none is near. Nobody mistypes a word of more than 40 letters
+/// for another, and comparing those would take a time that grows with the square of their length.
 template <class Words> std::string did_you_mean(std::string_view word, const Words& known) {
+    constexpr std::size_t longest = 40;
+    if (word.size() > longest) return {};
     std::string best;
     std::size_t distance = std::max<std::size_t>(2, word.size() / 2) + 1;
-    for (const auto& candidate : known)
+    for (const std::string_view candidate : known) {
+        if (candidate.size() > longest) continue;
         if (const std::size_t d = edit_distance(word, candidate); d < distance) {
             distance = d;
             best = candidate;
         }
-    return best.empty() ? std::string{} : "; did you mean '" + best + "'?";
+    }
+    return best.empty() ? std::string{} : "; did you mean " + shown(best) + "?";
 }
 
 } // namespace rayclock

@@ -40,6 +40,7 @@ struct Spawn {
     std::uint32_t ray = 0;
     std::uint32_t kind = 0;                 ///< RayKind
     std::uint32_t x = 0, y = 0, sample = 0;
+    std::uint32_t finite = 0;               ///< as in Ray
     std::uint32_t self = 0, inside = 0;     ///< as in Ray
     Vec3i o{};                              ///< N + B bits, B of them fraction
     Vec3i d{};                              ///< N + B + 1 bits
@@ -49,6 +50,7 @@ struct Spawn {
         v("x", x, c.pixel_bits);
         v("y", y, c.pixel_bits);
         v("sample", sample, sample_bits);
+        if (c.planes) v("is_finite", finite, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
         v("o", o, c.origin_width(), 3);
@@ -83,10 +85,12 @@ struct Ray {
     Shear shear;                            ///< for the sheared test
     std::uint32_t kind = 0;                 ///< RayKind
     std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at; whether on a sphere's inside
+    std::uint32_t finite = 0;               ///< of a ray to or from a light: asks only what has an end, and no plane
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
+        if (c.planes) v("is_finite", finite, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
         v("o", o, c.origin_width(), 3);
@@ -118,7 +122,7 @@ struct Node {
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
 /// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b, c on the lattice.
-/// Plane: the same without edges; b - a and c - a are the sides of a square of its checkers. Sphere: a is its centre, b[0] and
+/// Plane: the same without edges; b - a and c - a are sides of its checkers' squares, halved or doubled: model/accel/plane.hpp. Sphere: a is its centre, b[0] and
 /// b[1] the lower and the upper N bits of the square of its radius in lattice steps (radius_squared()).
 struct PrimData {
     Vec3i a{}, b{}, c{};
@@ -145,10 +149,13 @@ struct Surface {
     /// an edge apart on it.
     std::uint32_t fine = 0;
     Vec3i a{}, b{}, c{};                          ///< as in PrimData
-    std::array<std::int32_t, 9> normal{};         ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth
-    std::array<std::uint32_t, 3> colour{}, other{};   ///< share_bits of fraction, as are all up to r0
-    std::uint32_t ambient = 0, diffuse = 0, highlight = 0, mirror = 0, transmit = 0;
-    std::uint32_t r0 = 0;                         ///< Schlick's reflectance at normal incidence
+    std::array<std::int32_t, 9> normal{};         ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth.
+    /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells whether a square is the second
+    /// of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0.
+    std::array<std::uint32_t, 3> colour{}, other{};   ///< share_bits of fraction
+    std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits of fraction
+    std::uint32_t mirror = 0, transmit = 0;       ///< unit_bits of fraction; 0 only if the material's is 0
+    std::uint32_t r0 = 0;                         ///< Schlick's reflectance at normal incidence, unit_bits of fraction
     std::uint32_t shine = 0;                      ///< Phong's exponent, shine_frac of fraction
     std::uint32_t enter = 0, leave = 0;           ///< ratio of refractive indices outside / inside, inside / outside; index_frac
     template <class V> void fields(V& v, const Config& c_) {
@@ -166,13 +173,14 @@ struct Surface {
         v("ambient", ambient, share_bits + 1);
         v("diffuse", diffuse, share_bits + 1);
         v("highlight", highlight, share_bits + 1);
-        v("mirror", mirror, share_bits + 1);
-        v("transmit", transmit, share_bits + 1);
-        v("r0", r0, share_bits + 1);
+        v("mirror", mirror, unit_bits + 1);
+        v("transmit", transmit, unit_bits + 1);
+        v("r0", r0, unit_bits + 1);
         v("shine", shine, shine_bits);
         v("enter", enter, ratio_bits);
         v("leave", leave, ratio_bits);
     }
+    friend bool operator==(const Surface&, const Surface&) = default;
 };
 
 /// trav -> node memory; address in lines of 64 bytes.
@@ -322,11 +330,12 @@ struct TriReq {
     PrimData triangle;
     Best best;
     Shear shear{};   ///< takes the place of d for the sheared test
-    std::uint32_t kind = 0, self = 0, inside = 0;   ///< as in Ray
+    std::uint32_t kind = 0, self = 0, inside = 0, finite = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
         if (c.shading) v("kind", kind, 2);
+        if (c.planes) v("is_finite", finite, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
         v("o", o, c.origin_width(), 3);

@@ -76,6 +76,7 @@ bool leaves_surface(const Ray& ray) { return RayKind(ray.kind) == RayKind::bounc
 
 /// Triangles and planes, whatever the ray.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
+    if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
     const int frac = config.origin_frac(), scale = leaves_surface(ray) ? frac : 0;
     const Vec3l d{ray.d[0], ray.d[1], ray.d[2]};

@@ -114,6 +114,12 @@ DramPart rpu() {
 
 int DramPart::bursts() const { return std::max(1, 8 * line_bytes / bus_bits / burst_length); }
 
+std::int64_t longest_pause_ps(const DramPart& p) {
+    const std::int64_t gates = std::int64_t(p.trcd) + p.trp + p.tras + p.trc + p.trrd + p.tfaw + p.trtp + p.tccd + p.trfc;
+    const std::int64_t data = std::int64_t(p.cl + p.bursts() * (p.burst_clocks() + p.tccd / p.tck)) * p.tck;
+    return p.request_ps + gates + data + p.answer_ps;
+}
+
 std::int64_t peak_bytes_per_second(const DramPart& part) {
     return std::int64_t(1'000'000'000'000) / 8 * part.bus_bits * part.transfers / part.tck;
 }

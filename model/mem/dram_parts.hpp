@@ -48,6 +48,10 @@ struct DramPart {
 std::int64_t peak_bytes_per_second(const DramPart& part);
 std::int64_t capacity_bytes(const DramPart& part);
 
+/// No request waits longer than this while nothing else moves: it comes as a refresh falls due, every gate of the part stands
+/// in its way once, and all its bursts follow one another.
+std::int64_t longest_pause_ps(const DramPart& part);
+
 /// The memory of that name in dram_names(); `ideal` is none of these. Throws UserError for any other name.
 const DramPart& dram_part(const std::string& name);
 

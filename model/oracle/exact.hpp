@@ -179,4 +179,19 @@ inline Rational scaled_reciprocal(const Int& d, int precision) {
 /// The integer nearest to q, halves up.
 inline Int nearest(const Rational& q) { return floor(q + Rational(1, 2)); }
 
+/// What raygen makes of a direction that the camera's registers give (model/core/frame.hpp): times the largest power of two up to
+/// 2^most_doubled for which all components lie within -2^(bits-1) <= d < 2^(bits-1), and then the nearest integers that do.
+inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int most_doubled) {
+    const Int end = Int(1) << (bits - 1);
+    const auto fits_twice = [&](const Rational& q) { return -end <= 2 * q && 2 * q < end; };
+    for (int n = 0; n < most_doubled && fits_twice(d[0]) && fits_twice(d[1]) && fits_twice(d[2]); ++n)
+        for (Rational& q : d) q *= 2;
+    std::array<Int, 3> whole;
+    for (std::size_t k = 0; k < 3; ++k) whole[k] = std::min<Int>(nearest(d[k]), end - 1);
+    return whole;
+}
+
+/// The largest component's size.
+inline Int longest(const std::array<Int, 3>& d) { return std::max<Int>(abs(d[0]), std::max<Int>(abs(d[1]), abs(d[2]))); }
+
 } // namespace rayclock::oracle

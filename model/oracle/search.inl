@@ -35,10 +35,9 @@ inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
     return ~met & 15u;
 }
 
-/// Calls meet(place) for every leaf whose box the ray meets. In order, if `closest`: nearer boxes first, and none after `best`,
-/// which meet may change.
-template <bool closest, class Node, class Meet>
-void search(const Ray& ray, const Node* nodes, std::uint32_t root, const ExactHit& best, const Meet& meet) {
+/// Calls meet(place) for every leaf whose box the ray meets. If `in_order`, nearer boxes come first, and none that is after().
+template <bool in_order, class After, class Meet>
+void search(const Ray& ray, const Node* nodes, std::uint32_t root, const After& after, const Meet& meet) {
     // 2^31 triangles quartered: at most 16 levels, each leaving three siblings.
     std::array<std::pair<std::uint32_t, double>, 64> stack;
     std::size_t depth = 0;
@@ -46,18 +45,18 @@ void search(const Ray& ray, const Node* nodes, std::uint32_t root, const ExactHi
     double near[4];
     while (depth > 0) {
         const auto [number, begins] = stack[--depth];
-        if (closest && ray.after(best, begins)) continue;
+        if (in_order && after(begins)) continue;
         const Node& node = nodes[number];
         const std::size_t below = depth;
         for (unsigned met = meets(ray, node.boxes, near) & node.there; met != 0; met &= met - 1) {
             const auto i = unsigned(std::countr_zero(met));
-            if (closest && ray.after(best, near[i])) continue;
+            if (in_order && after(near[i])) continue;
             if (node.child[i] & leaf) {
                 meet(node.child[i] & ~leaf);
                 continue;
             }
             std::size_t at = depth++;
-            if (closest)   // farthest first, so that the nearest is popped first
+            if (in_order)   // farthest first, so that the nearest is popped first
                 for (; at > below && stack[at - 1].second < near[i]; --at) stack[at] = stack[at - 1];
             stack[at] = {node.child[i], near[i]};
         }

@@ -1,5 +1,6 @@
 #include "model/raygen/raygen.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdlib>
 
@@ -23,24 +24,32 @@ Recip reciprocal(std::int32_t d, const Config& config) {
 namespace {
 
 /// Of the point (x, y), in pixels with `frac` fraction bits.
-Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame) {
-    Vec3i d{};
+Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame, const Config& config) {
+    Vec3l sum{};
+    std::uint64_t used = 0;   // bits that differ from the sign, in any component
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t sum = (frame.corner[k] << frac) + x * frame.right[k] + y * frame.down[k];
-        d[k] = std::int32_t((sum + (std::int64_t(1) << (guard_bits + frac - 1))) >> (guard_bits + frac));
+        sum[k] = (frame.corner[k] << frac) + x * frame.right[k] + y * frame.down[k];
+        used |= std::uint64_t(sum[k] ^ sum[k] >> 63);
     }
+    const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, most_shift);
+    const std::int32_t most = (1 << (config.dir_bits - 1)) - 1;
+    Vec3i d{};
+    for (std::size_t k = 0; k < 3; ++k)
+        d[k] = std::min(std::int32_t(((sum[k] << shift) + (std::int64_t(1) << (drop - 1))) >> drop), most);
     return d;
 }
 
 } // namespace
 
-Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame) { return direction_of(x, y, 0, frame); }
+Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame, const Config& config) {
+    return direction_of(x, y, 0, frame, config);
+}
 
 Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame, const Config& config) {
-    if (!config.supersampling) return pixel_direction(x, y, frame);
+    if (!config.supersampling) return pixel_direction(x, y, frame, config);
     const ShadeFrame& s = frame.shade;
     const SampleOffset offset = sample_offset(x, y, sample, int(s.side), s.jitter != 0, s.seed);
-    return direction_of(std::int64_t(x) * 256 + offset.x, std::int64_t(y) * 256 + offset.y, 8, frame);
+    return direction_of(std::int64_t(x) * 256 + offset.x, std::int64_t(y) * 256 + offset.y, 8, frame, config);
 }
 
 Vec3i ray_origin(const Vec3i& point, const Config& config) {
@@ -72,6 +81,7 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
     ray.ray = spawn.ray;
     ray.self = spawn.self;
     ray.inside = spawn.inside;
+    ray.finite = spawn.finite;
     return ray;
 }
 

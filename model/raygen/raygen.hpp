@@ -6,8 +6,7 @@ namespace rayclock {
 /// A ray that shade asks for, with the reciprocals of its direction rounded down. If it is a camera ray, it begins at the eye
 /// and goes through the middle of its sample of pixel (x, y); any other has the origin and the direction that were given.
 ///
-/// d = round((256 corner + px right + py down) / 2^(guard_bits + 8)), halves up, with px = 256 x + offset in 1/256 of a pixel
-/// (sample_offset(); 0 if the chip has no supersampling); M bits, the host sees to it that it fits.
+/// Its direction is what Frame says: the sum of the pixel's steps, moved up by a power of two until it fills M bits, and rounded.
 /// Mirror of rtl/raygen/rc_raygen.sv, latency Config::raygen_latency() + 1, one ray per cycle.
 Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config);
 
@@ -18,7 +17,7 @@ Ray raygen(const Slot& slot, const Frame& frame, const Config& config);
 Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind = RayKind::camera);
 
 /// The direction alone: of the pixel's middle, and of a sample.
-Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame);
+Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame, const Config& config);
 Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame, const Config& config);
 
 /// A lattice point as a ray's origin.

@@ -6,13 +6,16 @@
 
 #include <tbb/parallel_for.h>
 
+#include "model/reference/distinct.hpp"
+
 namespace rayclock {
 namespace {
 
 std::vector<RefBox> triangle_boxes(const Scene& scene, const RefUnitSpace& space) {
-    std::vector<RefBox> boxes(scene.triangles.size());
+    const std::vector<std::uint32_t> kept = distinct_triangles(scene);
+    std::vector<RefBox> boxes(kept.size());
     tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
-        const auto& vertex = scene.triangles[i].vertex;
+        const auto& vertex = scene.triangles[kept[i]].vertex;
         const glm::dvec3 a = space(scene.vertices[vertex[0]]), b = space(scene.vertices[vertex[1]]),
                          c = space(scene.vertices[vertex[2]]);
         const glm::dvec3 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
@@ -20,7 +23,7 @@ std::vector<RefBox> triangle_boxes(const Scene& scene, const RefUnitSpace& space
             boxes[i].lo[k] = float_below(lo[k]);
             boxes[i].hi[k] = float_above(hi[k]);
         }
-        boxes[i].primitive = static_cast<std::uint32_t>(i);
+        boxes[i].primitive = kept[i];
     });
     return boxes;
 }
@@ -43,7 +46,7 @@ std::vector<RefBlock> gather_blocks(const Scene& scene, const RefUnitSpace& spac
 
 std::vector<RefSphere> all_spheres(const Scene& scene, const RefUnitSpace& space) {
     std::vector<RefSphere> spheres;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    for (const std::uint32_t i : distinct_spheres(scene)) {
         const Sphere& s = scene.spheres[i];
         spheres.push_back({space(s.centre), s.radius * space.scale, static_cast<std::uint32_t>(scene.triangles.size() + i),
                            scene.materials[s.material].transmit > 0});
@@ -119,7 +122,7 @@ RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
     for (const std::uint32_t i : hierarchy.order) spheres_.push_back(spheres[i]);
 
     const auto first_plane = static_cast<std::uint32_t>(scene.triangles.size() + scene.spheres.size());
-    for (std::uint32_t i = 0; i < scene.planes.size(); ++i) planes_.emplace_back(scene.planes[i], space_, first_plane + i);
+    for (const std::uint32_t i : distinct_planes(scene)) planes_.emplace_back(scene.planes[i], space_, first_plane + i);
 }
 
 /// The same for all kinds of primitives. Both are inlined, so that a ray that wants the closest hit does not ask for enough.

@@ -172,22 +172,23 @@ void Tracer::reflect_and_refract(const RefPath& path, const Surface& surface, do
     // Near its outline a smooth surface may show its back; then it is seen from the side.
     const double cosine = std::clamp(-glm::dot(surface.normal, path.direction), 0.0, 1.0);
     const double fresnel = m.schlick ? schlick(m.index, cosine) : 0;
-    double reflected = weight * (m.mirror + m.transmit * fresnel), refracted = weight * m.transmit * (1 - fresnel);
+    // Nothing sends on more than it gets.
+    double reflected = weight * std::min(m.mirror + m.transmit * fresnel, 1.0), refracted = weight * m.transmit * (1 - fresnel);
     const bool transmits = m.transmit > 0;
     const Refraction refraction(transmits ? m.index : 1, surface.is_inside, cosine);
     const bool is_total = transmits && refraction.is_total();
     if (is_total) {
         refracted = weight * m.transmit;
-        reflected = weight * (m.mirror + m.transmit);
+        reflected = weight * std::min(m.mirror + m.transmit, 1.0);
     }
-    if (reflected >= settings_.threshold) {
+    if (weighs_enough(reflected, settings_.threshold)) {
         const glm::dvec3 direction = glm::normalize(path.direction + 2 * cosine * surface.normal);
         if (glm::dot(direction, surface.flat) > 0) {
             ++counts_.reflection;
             follow(leave(surface, direction, false), reflected, depth + 1);
         }
     }
-    if (!transmits || !(refracted >= settings_.threshold)) return;
+    if (!transmits || !weighs_enough(refracted, settings_.threshold)) return;
     if (is_total) {
         ++counts_.refraction;
         return;

@@ -9,6 +9,7 @@
 #include "model/core/error.hpp"
 #include "model/core/nearest.hpp"
 #include "model/scene/generate/generate.hpp"
+#include "model/scene/generate/mesh_writer.hpp"
 
 namespace rayclock {
 namespace {
@@ -20,19 +21,23 @@ template <Scene (*make)(int)> Scene one_form(int size, Primitives) { return make
 PrimitiveCounts spheres_counts(int, Primitives) { return {.spheres = spheres_spheres, .planes = 1}; }
 PrimitiveCounts plane_counts(int, Primitives) { return {.planes = 1}; }
 
+/// Cones and cylinders as Haines' package cuts them.
+template <PrimitiveCounts (*counts)(int, Primitives, int)> PrimitiveCounts usual_counts(int size, Primitives p) { return counts(size, p, cone_sectors); }
+template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primitives p) { return make(size, p, cone_sectors); }
+
 constexpr std::array<Builtin, 13> all{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden", all_triangles<gears_triangles>, one_form<make_gears>},
     {"mount", 6, 11, "fractal mountain: an even terrain of any density", mount_counts, make_mount},
-    {"rings", 5, 19, "chains of rings: long thin triangles, much empty space", rings_counts, make_rings},
+    {"rings", 5, 19, "chains of rings: long thin triangles, much empty space", usual_counts<rings_counts>, usual_form<make_rings>},
     {"teapot", 12, 389, "teapot on a checkerboard: small detail in a large room", all_triangles<teapot_triangles>, one_form<make_teapot>},
     {"tetra", 6, 11, "Sierpinski's tetrahedron: most rays miss", all_triangles<tetra_triangles>, one_form<make_tetra>},
-    {"tree", 8, 15, "forking tree on a wide field: extreme range of sizes", tree_counts, make_tree},
+    {"tree", 8, 15, "forking tree on a wide field: extreme range of sizes", usual_counts<tree_counts>, usual_form<make_tree>},
     {"icosphere", 4, 9, "closed round ball: the smallest test for cracks", all_triangles<icosphere_triangles>, one_form<make_icosphere>},
     {"cornell", 1, 1, "Cornell box: a handful of large triangles, no size", all_triangles<cornell_triangles>, one_form<make_cornell>},
     {"spheres", 1, 1, "glass, mirror and matt spheres on a checkered plane", spheres_counts, one_form<make_spheres>},
     {"plane", 1, 1, "checkered plane as far as the horizon: what samples miss", plane_counts, one_form<make_plane>},
-    {"mirrors", 1, 1, "Cornell box whose side walls are mirrors: rays without end", all_triangles<cornell_triangles>, one_form<make_mirrors>},
+    {"mirrors", 1, 1, "Cornell box, closed, whose four walls are mirrors: rays without end", all_triangles<mirrors_triangles>, one_form<make_mirrors>},
     {"square", 1, 1, "white square on black, slightly turned: how edges look", all_triangles<square_triangles>, one_form<make_square>},
 }};
 
@@ -43,15 +48,53 @@ const Builtin* find(std::string_view name) {
     return found == all.end() ? nullptr : &*found;
 }
 
-int size_of(const Builtin& builtin, std::string_view spec) {
-    if (spec.size() == builtin.name.size()) return builtin.default_size;
+/// Throws UserError with the nearest known name.
+const Builtin& named(std::string_view spec) {
+    const std::string_view name = name_of(spec);
+    if (const Builtin* builtin = find(name)) return *builtin;
+    std::vector<std::string> names;
+    for (const Builtin& b : all) names.emplace_back(b.name);
+    throw UserError("no built-in scene is called " + shown(name) + did_you_mean(name, names) + " (`rayclock scenes` lists them)");
+}
+
+/// Scenes whose cones and cylinders may be cut into another number of sides.
+struct Cut {
+    std::string_view name;
+    PrimitiveCounts (*counts)(int size, Primitives primitives, int sides);
+    Scene (*generate)(int size, Primitives primitives, int sides);
+};
+constexpr std::array<Cut, 2> cut{{{"rings", rings_counts, make_rings}, {"tree", tree_counts, make_tree}}};
+constexpr int least_sides = 3, most_sides = 1000;
+constexpr std::uint64_t most_triangles = 20'000'000;
+
+/// A whole number from `least` to `most`; `what` begins the sentence.
+int number_of(std::string_view digits, int least, int most, const std::string& what) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc{} || end != digits.data() + digits.size() || number < least || number > most)
+        throw UserError(what + " must be a whole number in " + std::to_string(least) + ".." + std::to_string(most) + ", not " + shown(digits));
+    return number;
+}
+
+/// name, name:size or name:size:sides.
+struct Spec {
+    int size = 0, sides = cone_sectors;
+    const Cut* cut = nullptr;   ///< if the sides were named
+};
+Spec parsed(const Builtin& builtin, std::string_view spec) {
+    const std::string scene = " of the built-in scene '" + std::string(builtin.name) + "'";
+    if (spec.size() == builtin.name.size()) return {builtin.default_size};
     const std::string_view digits = spec.substr(builtin.name.size() + 1);
-    int size = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), size);
-    if (error != std::errc{} || end != digits.data() + digits.size() || size < 1 || size > builtin.max_size)
-        throw UserError("the size of the built-in scene '" + std::string(builtin.name) + "' must be a whole number in 1.." +
-                        std::to_string(builtin.max_size) + ", not '" + std::string(digits) + "'");
-    return size;
+    const std::size_t colon = digits.find(':');
+    const auto way = std::find_if(cut.begin(), cut.end(), [&](const Cut& c) { return c.name == builtin.name; });
+    // Of other scenes what follows is a typing mistake in the size.
+    const bool has_sides = colon != digits.npos && way != cut.end();
+    Spec out;
+    out.size = number_of(has_sides ? digits.substr(0, colon) : digits, 1, builtin.max_size, "the size" + scene);
+    if (!has_sides) return out;
+    out.sides = number_of(digits.substr(colon + 1), least_sides, most_sides, "the number of sides of a cone" + scene);
+    out.cut = &*way;
+    return out;
 }
 
 } // namespace
@@ -60,18 +103,24 @@ std::span<const Builtin> builtins() { return all; }
 
 bool is_builtin(std::string_view spec) { return find(name_of(spec)) != nullptr; }
 
-Scene make_builtin(std::string_view spec, Primitives primitives) {
-    const std::string_view name = name_of(spec);
-    const Builtin* builtin = find(name);
-    if (!builtin) {
-        std::vector<std::string> names;
-        for (const Builtin& b : all) names.emplace_back(b.name);
-        throw UserError("no built-in scene is called '" + std::string(name) + "'" + did_you_mean(name, names) +
-                        " (`rayclock scenes` lists them)");
-    }
-    const int size = size_of(*builtin, spec);
-    Scene scene = builtin->make(size, primitives);
-    scene.name = builtin->max_size == 1 ? std::string(name) : std::string(name) + ":" + std::to_string(size);
+PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {
+    const Builtin& builtin = named(text);
+    const Spec spec = parsed(builtin, text);
+    if (!spec.cut) return builtin.counts(spec.size, primitives);
+    const PrimitiveCounts counts = spec.cut->counts(spec.size, primitives, spec.sides);
+    if (counts.triangles > most_triangles)
+        throw UserError(shown(text) + ": that would be " + std::to_string(counts.triangles) + " triangles, and " + std::to_string(most_triangles) + " are the limit");
+    return counts;
+}
+
+Scene make_builtin(std::string_view text, Primitives primitives) {
+    const Builtin& builtin = named(text);
+    const Spec spec = parsed(builtin, text);
+    builtin_counts(text, primitives);   // not too many
+    Scene scene = spec.cut ? spec.cut->generate(spec.size, primitives, spec.sides) : builtin.make(spec.size, primitives);
+    scene.name = builtin.name;
+    if (builtin.max_size > 1) scene.name += ":" + std::to_string(spec.size);
+    if (spec.cut) scene.name += ":" + std::to_string(spec.sides);
     return scene;
 }
 

@@ -37,6 +37,9 @@ std::span<const Builtin> builtins();
 /// one) and for a size that is not a number in 1..max_size.
 Scene make_builtin(std::string_view spec, Primitives primitives = Primitives::triangles);
 
+/// What make_builtin() would make of it, without making it. Throws as it does.
+PrimitiveCounts builtin_counts(std::string_view spec, Primitives primitives);
+
 /// True if `spec` up to a colon is the name of a built-in scene.
 bool is_builtin(std::string_view spec);
 

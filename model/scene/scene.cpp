@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/view.hpp"
 
@@ -108,7 +109,7 @@ struct Judge {
     void materials() const {
         for (std::size_t i = 0; i < scene.materials.size(); ++i) {
             const Material& m = scene.materials[i];
-            const std::string name = "material " + std::to_string(i) + " '" + m.name + "' has ";
+            const std::string name = "material " + std::to_string(i) + " " + shown(m.name) + " has ";
             const bool good = is_finite(m.colour) && is_finite(m.other) && is_finite({m.ambient, m.diffuse, m.highlight}) &&
                               is_finite({m.shine, m.mirror, m.transmit}) && std::isfinite(m.index);
             if (!good) refuse(name + "a value that is not a finite number");

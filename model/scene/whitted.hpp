@@ -16,6 +16,10 @@ struct Whitted {
     std::uint32_t seed = 1;     ///< of the jitter
 };
 
+/// A weight that is not below the threshold is traced. Both are meant as the decimal numbers that were written: products of those
+/// may come out low by a few of 2^-53, so 2^-46 is forgiven.
+inline bool weighs_enough(double weight, double threshold) { return weight >= threshold * (1 - 0x1p-46); }
+
 /// Rays sent, whatever they met. A total reflection counts as a refracted ray (spd.md 6.2, rule 6).
 struct RayCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;

@@ -27,13 +27,12 @@ int side_of(const Vec3l& n, const Vec3i& d) {
 /// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5.
 std::int64_t schlick(const ShadeState& state) {
     const std::int64_t q = one - state.cosine, q2 = rounded(q * q, unit_bits), q4 = rounded(q2 * q2, unit_bits), q5 = rounded(q4 * q, unit_bits);
-    return (std::int64_t(state.r0) << (unit_bits - share_bits)) + rounded(((1 << share_bits) - std::int64_t(state.r0)) * q5, share_bits);
+    return state.r0 + rounded((one - std::int64_t(state.r0)) * q5, unit_bits);
 }
 
 std::uint32_t times(std::uint32_t weight, std::int64_t share) {
     return std::uint32_t(rounded(weight * std::min(share, one), unit_bits));
 }
-std::int64_t widened(std::uint32_t share) { return std::int64_t(share) << (unit_bits - share_bits); }
 
 /// 2^32 times the squared cosine of the refracted ray; negative: total reflection. The ratio's square times the sine's, rounded down.
 std::int64_t refracted_cosine(const ShadeState& state) {
@@ -50,10 +49,10 @@ BounceOut reflect(const Config& c, const ShadeState& state) {
     for (std::size_t k = 0; k < 3; ++k) mirrored[k] = rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];
     out.d = direction_of(within(mirrored), c);
     out.goes = side_of(state.n, out.d) > 0;
-    std::int64_t share = widened(state.mirror);
+    std::int64_t share = state.mirror;
     if (c.refraction) {
-        if (state.total) share += widened(state.transmit);
-        else if (state.schlick) share += rounded(state.transmit * schlick(state), share_bits);
+        if (state.total) share += state.transmit;
+        else if (state.schlick) share += rounded(state.transmit * schlick(state), unit_bits);
     }
     out.weight = times(state.weight, share);
     return out;
@@ -70,7 +69,7 @@ BounceOut refract(const Config& c, const ShadeState& state) {
         bent[k] = rounded(along * state.normal[k] - (std::int64_t(state.ratio) * state.view[k] << (unit_bits - index_frac)), unit_bits);
     out.d = direction_of(within(bent), c);
     out.goes = !out.total && side_of(state.n, out.d) < 0;
-    const std::int64_t share = state.schlick ? rounded(state.transmit * (one - schlick(state)), share_bits) : widened(state.transmit);
+    const std::int64_t share = state.schlick ? rounded(state.transmit * (one - schlick(state)), unit_bits) : state.transmit;
     out.weight = times(state.weight, share);
     return out;
 }

@@ -16,7 +16,9 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state) {
     for (std::size_t k = 0; k < 3; ++k) to[k] = (std::int64_t(place[k]) << c.origin_bits) - state.o[k];
     const std::array<std::int32_t, 3> unit = unit_vector(to);
     const bool near = frame.shade.near[state.light] != 0;
-    out.d = near ? Vec3i{std::int32_t(-to[0]), std::int32_t(-to[1]), std::int32_t(-to[2])} : direction_of(unit, c);
+    out.d = direction_of(unit, c);
+    if (near)   // from the light; as far as to a point beyond the lattice only the direction can be told
+        for (std::size_t k = 0; k < 3; ++k) out.d[k] = state.far ? -out.d[k] : std::int32_t(-to[k]);
     // On the side seen, exactly: the ray's own direction decides.
     for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * out.d[k];
     if (near) side = -side;
@@ -25,6 +27,7 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state) {
     // R . V with R = 2 (N . L) N - L.
     const std::int64_t mirrored = rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits) - unit_dot(unit, state.view);
     const std::uint32_t phong = power(std::uint32_t(std::clamp<std::int64_t>(mirrored, 0, 1 << unit_bits)), state.shine);
+    out.parts = {unit, cosine, phong};
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint64_t matte = rounded(std::uint64_t(state.diffuse) * cosine * state.albedo[k], 2 * share_bits);
         const std::uint64_t gloss = rounded(std::uint64_t(state.highlight) * phong, share_bits);

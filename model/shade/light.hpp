@@ -7,7 +7,8 @@ namespace rayclock {
 /// Mirror of rtl/shade/rc_light.sv.
 struct LightOut {
     bool counts = false;   ///< the light lies on the side seen, and its cosine is positive
-    Vec3i d{};             ///< near: from the light to o, times 2^B; else from o to the light, of M bits
+    LightParts parts;
+    Vec3i d{};             ///< near: from the light to o, times 2^B, or of M bits if o is far; else from o to the light, of M bits
 };
 LightOut light(const Frame& frame, const Config& config, ShadeState& state);
 

@@ -1,8 +1,10 @@
 #include "model/shade/pass.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "model/scene/whitted.hpp"
+#include "model/shade/approach.hpp"
 #include "model/shade/bounce.hpp"
 #include "model/shade/dot.hpp"
 #include "model/shade/light.hpp"
@@ -17,6 +19,13 @@ using Colour = std::array<std::uint32_t, 3>;
 
 void add(Colour& colour, const Colour& more) {
     for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], one);
+}
+
+/// Whether the threshold lets a ray pass that is its camera ray's `bounce`th. Shares and weights are rounded, and a weight loses by
+/// that less than 3/2 units of 2^-16 a bounce (docs/shading.md, Numbers): that much is forgiven, so that a weight that is not below
+/// the threshold as both were written never is here.
+bool weighs_enough(std::uint32_t weight, std::uint32_t bounce, const Frame& frame) {
+    return 2 * weight + 3 * bounce >= frame.shade.threshold;
 }
 
 ShadeEvent after_lights(const ShadeState& s, const Frame& frame, const Config& c) {
@@ -39,7 +48,7 @@ Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
     return spawn;
 }
 
-/// A ray of that weight meets nothing, or is not traced since it would leave where the lattice has ended.
+/// A ray of that weight meets nothing, or is not traced since it passes by the lattice.
 void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
     Colour background{};
     for (std::size_t k = 0; k < 3; ++k) background[k] = std::uint32_t(rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits));
@@ -59,22 +68,44 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
     s.event = std::uint32_t(ShadeEvent::pop);
 }
 
+/// Where a ray from the surface begins; nothing if it misses the lattice.
+std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d, const Config& c) {
+    if (s.lost) return std::nullopt;
+    if (s.far) return approach(s.o, d, c);
+    return Vec3i{std::int32_t(s.o[0]), std::int32_t(s.o[1]), std::int32_t(s.o[2])};
+}
+
+Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
+    Vec3i place{};
+    for (std::size_t k = 0; k < 3; ++k) place[k] = frame.shade.place[3 * light + k] * (1 << c.origin_bits);
+    return place;
+}
+
+/// From a light within the lattice to the point, if that lies in the lattice as well: exactly (docs/origins.md). To or from what lies
+/// beyond it a ray without end is sent, the part of it that the lattice holds: there is all that has an end. Planes are asked by
+/// it only if one stands between the light and the eye: otherwise none hides the light from what the eye sees.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const LightOut found = light(frame, c, s);
+    out.light = found.parts;
     const std::uint32_t index = s.light;
     next_light(s, index + 1, frame, c);
-    if (!found.counts) return;
-    if (s.far) {
+    const bool near = frame.shade.near[index] != 0, clear = frame.shade.clear[index] != 0;
+    if (!found.counts || (s.far && !clear)) return;
+    std::optional<Vec3i> start;
+    if (!near) start = start_of(s, found.d, c);
+    else if (!s.lost) start = light_place(frame, index, c);
+    if (!start) {
         s.pending = std::uint32_t(Pending::sure);
         return;
     }
     s.pending = std::uint32_t(Pending::answer);
     out.leave = PassOut::Leave::spawn;
-    const bool near = frame.shade.near[index] != 0;
-    out.spawn = spawn_of(in, s, near ? RayKind::shadow : RayKind::away);
+    const bool to_the_point = near && !s.far;
+    out.spawn = spawn_of(in, s, to_the_point ? RayKind::shadow : RayKind::away);
     out.spawn.self = s.self, out.spawn.inside = s.inside;
-    for (std::size_t k = 0; k < 3; ++k) out.spawn.o[k] = near ? frame.shade.place[3 * index + k] * (1 << c.origin_bits) : s.o[k];
+    out.spawn.finite = c.planes && !to_the_point && clear;
+    out.spawn.o = *start;
     out.spawn.d = found.d;
 }
 
@@ -88,8 +119,8 @@ void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     out.spawn.self = ray.self, out.spawn.inside = ray.inside;
 }
 
-Waiting bounced(const ShadeState& s, const BounceOut& found, bool through) {
-    return {s.o, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through)};
+Waiting bounced(const ShadeState& s, const Vec3i& start, const BounceOut& found, bool through) {
+    return {start, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through)};
 }
 
 /// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other way round.
@@ -98,15 +129,13 @@ void send_refracted(const Frame& frame, const Config& c, PassOut& out) {
     const BounceOut found = refract(c, s);
     s.total = found.total;
     s.event = std::uint32_t(ShadeEvent::reflect);
-    if (found.weight < frame.shade.threshold) return;
-    if (s.far) {
-        if (found.goes) see_background(s, found.weight, frame);
-        return;
-    }
+    if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
     out.refracted = true;
     if (!found.goes) return;
+    const std::optional<Vec3i> start = start_of(s, found.d, c);
+    if (!start) return see_background(s, found.weight, frame);
     out.push = true;
-    out.pushed = bounced(s, found, true);
+    out.pushed = bounced(s, *start, found, true);
     ++s.waiting;
 }
 
@@ -114,9 +143,10 @@ void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassO
     ShadeState& s = out.state;
     const BounceOut found = reflect(c, s);
     s.event = std::uint32_t(ShadeEvent::pop);
-    if (found.weight < frame.shade.threshold || !found.goes) return;
-    if (s.far) return see_background(s, found.weight, frame);
-    send_bounce(in, bounced(s, found, false), out);
+    if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
+    const std::optional<Vec3i> start = start_of(s, found.d, c);
+    if (!start) return see_background(s, found.weight, frame);
+    send_bounce(in, bounced(s, *start, found, false), out);
 }
 
 /// A sample is finished: the next one, or the pixel.

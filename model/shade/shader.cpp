@@ -16,6 +16,7 @@ void Shader::start(const Slot& slot) {
 }
 
 void Shader::sent(const Ray& ray) {
+    if (watch_) watch_->sent(ray);
     if (ends_at_any(ray.kind)) return;
     in_.o = ray.o;
     in_.d = ray.d;
@@ -40,6 +41,7 @@ int Shader::run() {
             assert(stack_.size() < std::size_t(config_->bounces) && "a ray waits at most at each depth");
             stack_.push_back(out_.pushed);
         }
+        if (watch_) watch_->passed(in_, out_);
         in_.state = out_.state;
         count(event);
         ++passes;

@@ -8,10 +8,22 @@
 
 namespace rayclock {
 
+/// Sees what happens to one context, in this order.
+class ShadeWatch {
+public:
+    virtual ~ShadeWatch() = default;
+    virtual void sent(const Ray& ray) = 0;
+    virtual void answered(const Closest& hit) = 0;
+    virtual void passed(const PassIn& in, const PassOut& out) = 0;
+};
+
 /// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, the passes one after the other.
 class Shader {
 public:
     Shader(const Frame& frame, const Config& config, const MemoryImage& image) : frame_(&frame), config_(&config), image_(&image) {}
+
+    /// From now on; null: nobody.
+    void watch(ShadeWatch* watch) { watch_ = watch; }
 
     /// sched -> raygen: a pixel.
     void start(const Slot& slot);
@@ -24,6 +36,7 @@ public:
     /// The same, if somebody else has read the surface: surface_at(line).
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
+        if (watch_) watch_->answered(hit);
         if (is_arrival()) signature_.met(hit.found ? hit.prim : no_primitive);
         else signature_.asked(hit.found != 0);
         if (wants_surface()) in_.surface = surface_at(surface_line());
@@ -51,6 +64,7 @@ private:
     const Frame* frame_;
     const Config* config_;
     const MemoryImage* image_;
+    ShadeWatch* watch_ = nullptr;
     PassIn in_;
     PassOut out_;
     std::vector<Waiting> stack_;

@@ -29,11 +29,12 @@ struct ShadeState {
     // The ray under way, or the last one.
     std::uint32_t weight = 0, depth = 0;
     // The surface that it hit.
-    Vec3i o{};                                             ///< B fraction bits: a point exactly on it (a sphere's: nearly)
+    Vec3l o{};                                             ///< B fraction bits: a point exactly on it (a sphere's: nearly)
     Vec3l n{};                                             ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides
     std::array<std::int32_t, 3> normal{}, view{};          ///< unit vectors
     std::uint32_t cosine = 0;                              ///< normal . view, at least 0
-    std::uint32_t far = 0;                                 ///< of a plane, beyond what o can say: no ray from there is traced
+    std::uint32_t far = 0;                                 ///< o lies on a plane and beyond the lattice
+    std::uint32_t lost = 0;                                ///< and further than o can say: no ray from there is traced
     std::uint32_t self = 0, inside = 0;
     std::array<std::uint32_t, 3> albedo{};                 ///< from here on as in Surface
     std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0, r0 = 0;
@@ -41,6 +42,7 @@ struct ShadeState {
     std::uint32_t light = 0;
     std::array<std::uint32_t, 3> share{};                  ///< what it adds if nothing is in its way
     std::uint32_t total = 0;                               ///< the refracted ray was totally reflected
+    friend bool operator==(const ShadeState&, const ShadeState&) = default;
     /// Those that only some chips need come last: of several samples, of refraction, of spheres. x and y are kept apart.
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
@@ -55,16 +57,17 @@ struct ShadeState {
         v_("colour", colour, unit_bits + 1, 3);
         v_("weight", weight, unit_bits + 1);
         v_("depth", depth, depth_bits);
-        v_("o", o, c.origin_width(), 3);
+        v_("o", o, c.point_width(), 3);
         v_("n", n, c.normal_bits(), 3);
         v_("normal", normal, unit_bits + 2, 3);
         v_("view", view, unit_bits + 2, 3);
         v_("cosine", cosine, unit_bits + 1);
         v_("is_far", far, 1);
+        v_("is_lost", lost, 1);
         v_("albedo", albedo, share_bits + 1, 3);
         v_("diffuse", diffuse, share_bits + 1);
         v_("highlight", highlight, share_bits + 1);
-        v_("mirror", mirror, share_bits + 1);
+        v_("mirror", mirror, unit_bits + 1);
         v_("shine", shine, shine_bits);
         v_("light", light, 7);
         v_("share", share, unit_bits + 1, 3);
@@ -73,10 +76,10 @@ struct ShadeState {
         v_("least", least, unit_bits + 1, 3);
         v_("most", most, unit_bits + 1, 3);
         v_("waiting", waiting, depth_bits);
-        v_("transmit", transmit, share_bits + 1);
+        v_("transmit", transmit, unit_bits + 1);
         v_("ratio", ratio, ratio_bits);
         v_("schlick", schlick, 1);
-        v_("r0", r0, share_bits + 1);
+        v_("r0", r0, unit_bits + 1);
         v_("total", total, 1);
         v_("self", self, c.prim_bits);
         v_("is_inside", inside, 1);
@@ -95,6 +98,7 @@ struct Waiting {
         v("self", self, c.prim_bits);   // of spheres only
         v("is_inside", inside, 1);
     }
+    friend bool operator==(const Waiting&, const Waiting&) = default;
 };
 
 /// A context's first state: a pixel's first camera ray is under way.
@@ -108,6 +112,12 @@ struct PassIn {
     Surface surface;           ///< of an arrive event that found something
     Waiting top;               ///< of a pop event, the stack's top
 };
+/// What a light's pass works out on the way to its contribution; for whoever judges it.
+struct LightParts {
+    Vec3i unit{};                ///< towards the light
+    std::uint32_t cosine = 0;    ///< normal . unit, at least 0
+    std::uint32_t phong = 0;
+};
 struct PassOut {
     enum class Leave : std::uint32_t { again, spawn, pixel } leave = Leave::again;
     ShadeState state;
@@ -115,6 +125,7 @@ struct PassOut {
     Pixel pixel;
     bool push = false;         ///< `pushed` goes on the stack; a pop event that spawns takes the top off
     Waiting pushed;
+    LightParts light;          ///< of a light event
     bool refracted = false;    ///< a refracted ray was called for, if only to be totally reflected: for counting
 };
 

@@ -1,8 +1,10 @@
 #include "model/shade/surf.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "model/isect/origin.hpp"
+#include "model/shade/approach.hpp"
 #include "model/shade/dot.hpp"
 #include "model/shade/unit_vector.hpp"
 
@@ -21,10 +23,10 @@ Vec3l edges_cross(const Surface& s) {
     return {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
 }
 
-/// Keeps a coordinate within what o can say; true if it was not.
-bool saturate(std::int64_t at, const Config& c, std::int32_t& o) {
-    const std::int64_t most = (std::int64_t(1) << (c.origin_width() - 1)) - 1;
-    o = std::int32_t(std::clamp(at, -most, most));
+/// Keeps a coordinate within so many bits; true if it was not.
+bool saturate(std::int64_t at, int bits, std::int64_t& o) {
+    const std::int64_t most = (std::int64_t(1) << (bits - 1)) - 1;
+    o = std::clamp(at, -most, most);
     return o != at;
 }
 
@@ -43,10 +45,16 @@ Place place_of(const Closest& hit, bool is_plane, int frac_bits, const Config& c
     return {rounded(u, c.bary_bits - c.origin_bits), rounded(v, c.bary_bits - c.origin_bits), ends};
 }
 
-/// Colour of a plane's square; where squares cannot be told any more, that between the two.
-std::array<std::uint32_t, 3> albedo_of(const Surface& s, const Closest& hit, bool ends, const Config& c) {
-    if (!s.checkered) return s.colour;
-    if (!ends) return ((hit.u ^ hit.v) >> c.bary_bits & 1) != 0 ? s.other : s.colour;
+/// The surface's colour; of a plane that of its square (Surface::normal), or where squares cannot be told any more, that between the two.
+std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Closest& hit, bool ends, const Config& c) {
+    if (!s.checkered || !is_plane) return s.colour;
+    if (!ends) {
+        const auto second = [&](std::uint64_t x, std::size_t side) {
+            const std::uint64_t at = x + (std::uint64_t(std::uint32_t(s.normal[side])) << c.bary_bits);
+            return (at & ((std::uint64_t(1) << c.uv_bits()) - 1)) >> (s.normal[2 + side] & 63) & 1;
+        };
+        return second(hit.u, 0) != second(hit.v, 1) ? s.other : s.colour;
+    }
     std::array<std::uint32_t, 3> between{};
     for (std::size_t k = 0; k < 3; ++k) between[k] = (s.colour[k] + s.other[k]) >> 1;
     return between;
@@ -59,11 +67,11 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
     const bool is_sphere = c.spheres && PrimKind(s.kind) == PrimKind::sphere, is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
     const int b = c.origin_bits;
     Vec3l toward{};   // what the normal is made of
-    state.far = 0;
+    state.far = state.lost = 0;
     bool ends = false;
     if (is_sphere) {
         for (std::size_t k = 0; k < 3; ++k) {
-            saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t, c.dir_bits - 1 + c.t_frac_bits - b), c, state.o[k]);
+            saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t, c.dir_bits - 1 + c.t_frac_bits - b), c.origin_width(), state.o[k]);
             state.n[k] = state.o[k] - (std::int64_t(s.a[k]) << b);
         }
         toward = state.n;
@@ -71,21 +79,23 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
         const int fine = is_plane ? 0 : int(s.fine);
         const Place p = place_of(in.hit, is_plane, b + fine, c);
         state.n = edges_cross(s);
-        state.far = ends = p.ends;
+        state.lost = ends = p.ends;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int64_t e1 = std::int64_t(s.b[k]) - s.a[k], e2 = std::int64_t(s.c[k]) - s.a[k];
-            state.far |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine), c, state.o[k]);
+            state.lost |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine), c.point_width(), state.o[k]);
+            state.far |= c.planes && std::abs(state.o[k]) > lattice_end(c);
             toward[k] = c.smooth && s.smooth ? ((std::int64_t(1) << (b + fine)) - p.u - p.v) * s.normal[k] + p.u * s.normal[3 + k] + p.v * s.normal[6 + k]
                                              : state.n[k];
         }
     }
+    state.far |= state.lost;
     for (std::size_t k = 0; k < 3; ++k) {
         if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];
     }
     state.normal = unit_vector(toward);
     state.view = unit_vector({-std::int64_t(in.d[0]), -std::int64_t(in.d[1]), -std::int64_t(in.d[2])});
     state.cosine = clamped_dot(state.normal, state.view);
-    state.albedo = albedo_of(s, in.hit, ends, c);
+    state.albedo = albedo_of(s, is_plane, in.hit, ends, c);
     state.self = in.hit.prim;
     state.inside = in.hit.back;
     state.diffuse = s.diffuse, state.highlight = s.highlight, state.mirror = s.mirror, state.transmit = s.transmit;

@@ -8,7 +8,7 @@ namespace rayclock {
 ///
 /// Triangle: o = a + u (b - a) + v (c - a), exactly in its plane and strictly inside (docs/origins.md);
 /// u and v have B + fine fraction bits, and o has B. Plane: the same, u and v
-/// rounded to B fraction bits; `far` if they or o would not fit, and o then is the nearest that does. Sphere: o = the ray at t,
+/// rounded to B fraction bits; `far` if o lies beyond the lattice, `lost` if u, v or o do not fit, and o then is the nearest that does. Sphere: o = the ray at t,
 /// rounded to nearest.
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeState& state);
 

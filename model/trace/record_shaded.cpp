@@ -25,6 +25,15 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
     return at;
 }
 
+const Pixel& ShadedRecorder::follow(std::uint32_t x, std::uint32_t y, RecordScratch& scratch, ShadeWatch& watch) {
+    scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
+    RecordTotals totals;
+    shader_.watch(&watch);
+    pixel(x, y, 0, scratch, totals);
+    shader_.watch(nullptr);
+    return shader_.pixel();
+}
+
 void ShadedRecorder::block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals) {
     scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
     scratch.starts.clear();

@@ -14,6 +14,10 @@ public:
     void block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals);
     const RayCounts& counts() const { return shader_.counts(); }
 
+    /// One pixel again, seen by `watch`; as it was recorded.
+    const Pixel& follow(std::uint32_t x, std::uint32_t y, RecordScratch& scratch, ShadeWatch& watch);
+    std::uint64_t signature() const { return shader_.signature(); }   ///< of that pixel
+
 private:
     /// Their words begin at `at` in scratch.words; return where they end.
     std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch, RecordTotals& totals);

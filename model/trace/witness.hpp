@@ -69,7 +69,7 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
     case Channel::tri_req: {
         Walk& w = walk(m);
         const Ray& r = w.ray();
-        tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(), r.shear, r.kind, r.self, r.inside});
+        tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(), r.shear, r.kind, r.self, r.inside, r.finite});
         w.test_triangle();
         return;
     }

@@ -68,6 +68,7 @@ module rc_tri (
   logic                       s0_any;      // any hit will do: a ray from or to a light
   logic                       s0_leaves;   // from a surface: a bounce, or away to a light
   logic                       s0_plane, s0_sphere;
+  logic                       s0_skips;    // the ray asks no planes, and this is one
   assign req     = req_i;
   assign tri_ray = req[rc_pkg::TriReqW-I-1 -: TriRayW];
   assign s0_a    = req_i.a;
@@ -85,6 +86,11 @@ module rc_tri (
   end else begin : gen_triangle
     assign s0_plane  = 1'b0;
     assign s0_sphere = 1'b0;
+  end
+  if (rc_pkg::Planes == 1) begin : gen_finite
+    assign s0_skips = s0_plane && tri_ray[TriRayW-3];
+  end else begin : gen_no_planes
+    assign s0_skips = 1'b0;
   end
   // What is no sphere, up to the divisions.
   logic           flat;
@@ -126,7 +132,9 @@ module rc_tri (
   logic [BestW-1:0] s0_best, f0_best;
   logic             f0_any;
   localparam logic [D-1:0] ShadowDet = D'(1) << rc_pkg::OriginBits;
-  assign s0_best = s0_any ? {req_i.prim, !s0_leaves, U'(1), ShadowDet, req_i.best_prim}
+  // One that asks no planes ends before it meets any.
+  assign s0_best = s0_any ? {req_i.prim, !s0_leaves || s0_skips, U'(!s0_skips), ShadowDet,
+                             req_i.best_prim}
       : {req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim};
   rc_delay #(.Width(BestW), .Stages(Front)) u_best (
     .clk_i, .valid_i({flat_q[Front-2:0], flat}), .data_i(s0_best), .data_o(f0_best));
@@ -239,7 +247,7 @@ module rc_tri (
       .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}), .data_o(flat_hit));
 
     assign s0_ball          = admit && s0_sphere;
-    assign s0_self          = tri_ray[TriRayW-3 -: P];
+    assign s0_self          = tri_ray[TriRayW-3-rc_pkg::Planes -: P];
     assign s0_best_prim     = req[P-1:0];
     assign s0_found_num_det = req[P +: U+D+1];
     assign s0_prim          = req[P+U+D+1 +: P];

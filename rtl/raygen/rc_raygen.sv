@@ -5,8 +5,8 @@
 // its sample in it; other rays come with origin and direction.
 //
 // Latency rc_pkg::RaygenLatency + 1 (result queue), throughput 1 per cycle, answers in
-// order. Model: model/raygen/raygen.hpp. The host scales the camera vectors so that
-// every direction fits DirBits; frame_i does not change while rays are under way.
+// order. Model: model/raygen/raygen.hpp. The host scales the camera vectors so that every
+// sum fits, and none is too short; frame_i does not change while rays are under way.
 `default_nettype none
 module rc_raygen (
   input  logic           clk_i,
@@ -60,7 +60,7 @@ module rc_raygen (
   rc_door #(.Credits(rc_pkg::RaygenQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(req_ready));
 
-  // What a ray that shade asks for brings along: {self, inside,} o, d.
+  // What a ray that shade asks for brings along: {finite,} {self, inside,} o, d.
   localparam int unsigned GivenW = SpawnW - I - 2 - 2 * P - S;
   logic [I-1:0]      req_ray;
   logic [1:0]        req_kind;
@@ -86,11 +86,12 @@ module rc_raygen (
   logic signed [Q-1:0]       x, y;
   assign frame_flat = frame_i;
   if (rc_pkg::Supersampling != 0) begin : gen_sample
-    // Where the registers lie in frame_t: behind the camera's, and first line, depth, threshold.
+    // Where the registers lie in frame_t: behind the camera's, and first line, depth, threshold,
+    // which has a bit more than other shares.
     localparam int unsigned Unit     = rc_pkg::UnitBits + 1;
     localparam int unsigned SideAt   = rc_pkg::FrameW - 2 * (P + 1) - 2 * rc_pkg::AddrBits
-                                     - 3 * rc_pkg::CoordBits - 9 * GD - rc_pkg::DepthBits - Unit
-                                     - 4;
+                                     - 3 * rc_pkg::CoordBits - 9 * GD - rc_pkg::DepthBits
+                                     - (Unit + 1) - 4;
     localparam int unsigned StrideAt = SideAt - S;
     localparam int unsigned JitterAt = StrideAt - 1;
     localparam int unsigned SeedAt   = JitterAt - 3 * Unit - 32;
@@ -117,90 +118,89 @@ module rc_raygen (
   assign right  = frame_i.right;
   assign down   = frame_i.down;
 
-  logic [3*M-1:0]  s1_dir;
-  logic [3*RD-1:0] s1_d, s2_dir_q, end_dir;
-  logic            s2_short;
+  logic [3*G-1:0]  s1_sum;
+  logic [3*M-1:0]  s2_dir;
+  logic [3*RD-1:0] s2_d, s3_dir_q, end_dir;
+  logic            s3_short;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     // s1: pixel steps; modulo 2^G, since only the sum is sure to fit.
-    logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner, s1_sum;
+    logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;
     always_ff @(posedge clk_i) begin
       if (valid[SampleL]) begin
         s1_right_q <= G'($signed(right[k*GD +: GD])) * G'(x);
         s1_down_q  <= G'($signed(down[k*GD +: GD])) * G'(y);
       end
     end
-    // s2: direction, rounded to nearest, halves up (Q(M).0).
+    // s2: their sum with the corner. s3: the direction of the three.
     assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
-    assign s1_sum = s1_corner + s1_right_q + s1_down_q
-                  + $signed({{(M){1'b0}}, 1'b1, {(G-M-1){1'b0}}});
-    assign s1_dir[k*M +: M] = s1_sum[G-1 -: M];
+    assign s1_sum[k*G +: G] = s1_corner + s1_right_q + s1_down_q;
     logic [R1+E-1:0] made;
     rc_recip u_recip (
-      .clk_i, .valid_i(valid[SampleL+2]), .short_i(s2_short),
-      .d_i($signed(s2_dir_q[k*RD +: RD])),
+      .clk_i, .valid_i(valid[SampleL+3]), .short_i(s3_short),
+      .d_i($signed(s3_dir_q[k*RD +: RD])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
-    if (Latency - 2 - SampleL == RecipL) begin : gen_last
+    if (Latency - 3 - SampleL == RecipL) begin : gen_last
       assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
-      rc_delay #(.Width(R1 + E), .Stages(Latency - 2 - SampleL - RecipL)) u_made (
-        .clk_i, .valid_i(valid[Latency-1:SampleL+RecipL+2]), .data_i(made),
+      rc_delay #(.Width(R1 + E), .Stages(Latency - 3 - SampleL - RecipL)) u_made (
+        .clk_i, .valid_i(valid[Latency-1:SampleL+RecipL+3]), .data_i(made),
         .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
     end
-    logic unused;
-    assign unused = ^s1_sum[G-M-1:0];
   end
+  rc_direction #(.G(G)) u_direction (
+    .clk_i, .valid_i(valid[SampleL+1]), .sum_i(s1_sum), .dir_o(s2_dir));
 
   // Direction and origin wait beside the reciprocals.
   localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);  // {shear, kind ...} o
   logic [HeadW-1:0] end_head;
   logic [3*rc_pkg::CoordBits-1:0] eye;
   assign eye = frame_i.eye;
-  always_ff @(posedge clk_i) if (valid[SampleL+1]) s2_dir_q <= s1_d;
-  rc_delay #(.Width(3 * RD), .Stages(Latency - 2 - SampleL)) u_dir (
-    .clk_i, .valid_i(valid[Latency-1:SampleL+2]), .data_i(s2_dir_q), .data_o(end_dir));
+  always_ff @(posedge clk_i) if (valid[SampleL+2]) s3_dir_q <= s2_d;
+  rc_delay #(.Width(3 * RD), .Stages(Latency - 3 - SampleL)) u_dir (
+    .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i(s3_dir_q), .data_o(end_dir));
   if (rc_pkg::Shading != 0) begin : gen_given
     localparam int unsigned OW = rc_pkg::OriginWidth;
     localparam int unsigned N  = rc_pkg::CoordBits;
-    logic [1:0]        s1_kind;
-    logic [GivenW-1:0] s1_given;
-    logic [HeadW-1:0]  s1_head, s2_head_q;
-    logic [3*OW-1:0]   s1_eye;
-    logic              s1_camera;
-    rc_delay #(.Width(2 + GivenW), .Stages(SampleL + 1)) u_given (
-      .clk_i, .valid_i(valid[SampleL:0]), .data_i({req_kind, req_given}),
-      .data_o({s1_kind, s1_given}));
-    assign s1_camera = s1_kind == 2'd0;
+    logic [1:0]        s2_kind;
+    logic [GivenW-1:0] s2_given;
+    logic [HeadW-1:0]  s2_head, s3_head_q;
+    logic [3*OW-1:0]   s2_eye;
+    logic              s2_camera;
+    rc_delay #(.Width(2 + GivenW), .Stages(SampleL + 2)) u_given (
+      .clk_i, .valid_i(valid[SampleL+1:0]), .data_i({req_kind, req_given}),
+      .data_o({s2_kind, s2_given}));
+    assign s2_camera = s2_kind == 2'd0;
     for (genvar k = 0; k < 3; k++) begin : gen_eye
-      assign s1_d[k*RD +: RD] = s1_camera ? RD'($signed(s1_dir[k*M +: M]))
-                                          : s1_given[k*RD +: RD];
-      assign s1_eye[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
+      assign s2_d[k*RD +: RD] = s2_camera ? RD'($signed(s2_dir[k*M +: M]))
+                                          : s2_given[k*RD +: RD];
+      assign s2_eye[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
     end
-    // {self, inside} stay as they came.
-    assign s1_head[3*OW-1:0] = s1_camera ? s1_eye : s1_given[3*RD +: 3*OW];
-    assign s1_head[HeadW-1 -: 2] = s1_kind;
-    if (rc_pkg::Spheres != 0) begin : gen_self
-      assign s1_head[HeadW-3:3*OW] = s1_given[GivenW-1:3*RD+3*OW];
+    // {finite}, {self, inside} stay as they came.
+    assign s2_head[3*OW-1:0] = s2_camera ? s2_eye : s2_given[3*RD +: 3*OW];
+    assign s2_head[HeadW-1 -: 2] = s2_kind;
+    if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_self
+      assign s2_head[HeadW-3:3*OW] = s2_given[GivenW-1:3*RD+3*OW];
     end
-    always_ff @(posedge clk_i) if (valid[SampleL+1]) s2_head_q <= s1_head;
-    rc_delay #(.Width(HeadW), .Stages(Latency - 2 - SampleL)) u_head (
-      .clk_i, .valid_i(valid[Latency-1:SampleL+2]), .data_i(s2_head_q), .data_o(end_head));
-    assign s2_short = s2_head_q[HeadW-1 -: 2] != 2'd2;
+    always_ff @(posedge clk_i) if (valid[SampleL+2]) s3_head_q <= s2_head;
+    rc_delay #(.Width(HeadW), .Stages(Latency - 3 - SampleL)) u_head (
+      .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i(s3_head_q), .data_o(end_head));
+    assign s3_short = s3_head_q[HeadW-1 -: 2] != 2'd2;
   end else begin : gen_camera
     logic unused;
     assign unused   = ^{req_kind, req_given, req_sample};
-    assign s1_d     = s1_dir;
-    assign s2_short = 1'b1;
+    assign s2_d     = s2_dir;
+    assign s3_short = 1'b1;
     // The sheared triangle test has slopes as well.
     if (rc_pkg::PrimitiveTest == 1) begin : gen_sheared
       localparam int unsigned ShearW = 3 * M + 3;
       localparam int unsigned SlopeL = 1 + M / 2;   // of rc_slope
       logic [ShearW-1:0] made, shear;
-      rc_slope u_slope (.clk_i, .valid_i(valid[2]), .d_i(s2_dir_q), .shear_o(made));
-      if (Latency - 2 == SlopeL) begin : gen_last
+      rc_slope u_slope (.clk_i, .valid_i(valid[3]), .d_i(s3_dir_q), .shear_o(made));
+      if (Latency - 3 == SlopeL) begin : gen_last
         assign shear = made;
       end else begin : gen_wait
-        rc_delay #(.Width(ShearW), .Stages(Latency - 2 - SlopeL)) u_made (
-          .clk_i, .valid_i(valid[Latency-1:SlopeL+2]), .data_i(made), .data_o(shear));
+        rc_delay #(.Width(ShearW), .Stages(Latency - 3 - SlopeL)) u_made (
+          .clk_i, .valid_i(valid[Latency-1:SlopeL+3]), .data_i(made), .data_o(shear));
       end
       assign end_head = {shear, eye};
     end else begin : gen_plain

@@ -21,7 +21,7 @@ module rc_bounce #(
 );
   logic [16:0] s0_cosine, s0_weight;
   logic [15:0] s0_ratio;
-  logic [12:0] s0_mirror, s0_transmit, s0_r0;
+  logic [16:0] s0_mirror, s0_transmit, s0_r0;
   logic        s0_schlick, s0_total;
   assign s0_cosine   = s0_state_i.cosine;
   assign s0_weight   = s0_state_i.weight;
@@ -45,15 +45,15 @@ module rc_bounce #(
       .s0_schlick_i(s0_schlick), .s0_total_i(s0_total), .s7_share_o(s7_share));
   end else begin : gen_reflection
     logic [16:0] s13_cosine;
-    logic [12:0] s7_mirror;
+    logic [16:0] s7_mirror;
     rc_wait #(.Width(17), .Stages(13)) u_cosine (
       .clk_i, .rst_ni, .valid_i(valid_i[0]), .data_i(s0_cosine), .data_o(s13_cosine));
-    rc_delay #(.Width(13), .Stages(7)) u_mirror (
+    rc_delay #(.Width(17), .Stages(7)) u_mirror (
       .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
     assign s13_along   = $signed({5'd0, s13_cosine, 1'b0});
     assign s13_ratio   = 16'd1 << rc_pkg::IndexFrac;
     assign s13_total_o = 1'b0;
-    assign s7_share    = {1'b0, s7_mirror, 4'd0};
+    assign s7_share    = {1'b0, s7_mirror};
     logic unused;
     assign unused = ^{s0_refract_i, s0_ratio, s0_transmit, s0_r0, s0_schlick, s0_total,
                       valid_i[12:7]};

@@ -35,7 +35,8 @@ module rc_contexts #(
 );
   // ---- The ray, but for shadow rays and those away to a light.
   localparam int unsigned Below  = 3 * (rc_pkg::RecipBits + 1) + 3 * rc_pkg::ExpBits;
-  localparam int unsigned KindAt = Below + 3 * D + 3 * P + (rc_pkg::Spheres == 1 ? PB + 1 : 0);
+  localparam int unsigned KindAt = Below + 3 * D + 3 * P + rc_pkg::Planes
+                                 + (rc_pkg::Spheres == 1 ? PB + 1 : 0);
   logic [rc_pkg::RayW-1:0] ray;
   logic [3*M-1:0]          d;
   assign ray    = ray_i;
@@ -56,7 +57,7 @@ module rc_contexts #(
   // ---- The state: x and y, what all chips have, what only some have, in that order.
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
   localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 17 + 17);
-  localparam int unsigned BendW   = rc_pkg::DepthBits + 13 + rc_pkg::RatioBits + 1 + 13 + 1;
+  localparam int unsigned BendW   = rc_pkg::DepthBits + 17 + rc_pkg::RatioBits + 1 + 17 + 1;
   localparam int unsigned SelfW   = PB + 1;
   localparam int unsigned PlainW  = rc_pkg::ShadeStateW - PixelW - SampleW - BendW - SelfW;
   logic [PixelW-1:0]  pixel;

@@ -6,7 +6,7 @@ module rc_light #(
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned B  = rc_pkg::OriginBits,
-  localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned P  = rc_pkg::PointWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned LB = rc_pkg::LightBits,
   localparam int unsigned V  = LB + B + 1   // of the way to the light, signed
@@ -17,6 +17,7 @@ module rc_light #(
   input  logic [27:0]          valid_i,
   input  logic [6:0]           s0_light_i,
   input  logic [3*P-1:0]       s0_o_i,
+  input  logic                 s0_far_i,      // beyond the lattice
   input  logic [16:0]          s0_weight_i,
   input  rc_pkg::shade_state_t s0_state_i,
   output logic [3*V-1:0]       s5_to_o,       // from the point to the light
@@ -26,6 +27,7 @@ module rc_light #(
   output logic [3*D-1:0]       s15_d_o,       // the shadow ray's direction
   output logic [3*N-1:0]       s28_place_o,
   output logic                 s28_near_o,
+  output logic                 s28_clear_o,
   output logic [50:0]          s28_share_o
 );
   localparam int unsigned Lights = rc_pkg::Lights;
@@ -33,23 +35,26 @@ module rc_light #(
   // s1: the light.
   logic [Lights*3*LB-1:0] place;
   logic [Lights*51-1:0]   colour;
-  logic [Lights-1:0]      near;
+  logic [Lights-1:0]      near, clear;
   assign place  = frame_i.place;
   assign colour = frame_i.colour;
   assign near   = frame_i.is_near;
+  assign clear  = frame_i.is_clear;
   logic [3*LB-1:0] s0_place, s1_place_q;
   logic [50:0]     s0_colour, s1_colour_q;
-  logic            s0_near, s1_near_q;
+  logic            s0_near, s1_near_q, s0_clear, s1_clear_q;
   always_comb begin
     s0_place  = '0;
     s0_colour = '0;
     s0_near   = 1'b0;
+    s0_clear  = 1'b0;
     if (valid_i[0])
       for (int i = 0; i < Lights; i++)
         if (s0_light_i == 7'(i)) begin
           s0_place  = place[i*3*LB +: 3*LB];
           s0_colour = colour[i*51 +: 51];
           s0_near   = near[i];
+          s0_clear  = clear[i];
         end
   end
   always_ff @(posedge clk_i) begin
@@ -57,12 +62,15 @@ module rc_light #(
       s1_place_q  <= s0_place;
       s1_colour_q <= s0_colour;
       s1_near_q   <= s0_near;
+      s1_clear_q  <= s0_clear;
     end
   end
   logic [3*P-1:0] s1_o;
   logic [16:0]    s1_weight;
-  rc_delay #(.Width(3 * P + 17), .Stages(1)) u_o (
-    .clk_i, .valid_i(valid_i[0]), .data_i({s0_o_i, s0_weight_i}), .data_o({s1_o, s1_weight}));
+  logic           s1_far;
+  rc_delay #(.Width(3 * P + 18), .Stages(1)) u_o (
+    .clk_i, .valid_i(valid_i[0]), .data_i({s0_o_i, s0_weight_i, s0_far_i}),
+    .data_o({s1_o, s1_weight, s1_far}));
 
   // s2: the way to it, 2^-B; its colour times the ray's weight.
   logic [3*V-1:0]  s2_to_q;
@@ -70,17 +78,18 @@ module rc_light #(
   logic [3*N-1:0]  s1_lattice;
   logic [3*D-1:0]  s2_from, s15_from;
   logic [53:0]     s15_unit;
-  logic            s15_near;
+  logic            s15_near, s15_far;
   logic [3*D-1:0]  s15_away;
   rc_delay #(.Width(3 * V), .Stages(3)) u_to (
     .clk_i, .valid_i(valid_i[4:2]), .data_i(s2_to_q), .data_o(s5_to_o));
   rc_wait #(.Width(3 * 34), .Stages(24)) u_strength (
     .clk_i, .rst_ni, .valid_i(valid_i[2]), .data_i(s2_strength_q), .data_o(s26_strength));
-  rc_wait #(.Width(3 * N + 1), .Stages(27)) u_place (
-    .clk_i, .rst_ni, .valid_i(valid_i[1]), .data_i({s1_lattice, s1_near_q}),
-    .data_o({s28_place_o, s28_near_o}));
-  rc_wait #(.Width(1), .Stages(14)) u_near (
-    .clk_i, .rst_ni, .valid_i(valid_i[1]), .data_i(s1_near_q), .data_o(s15_near));
+  rc_wait #(.Width(3 * N + 2), .Stages(27)) u_place (
+    .clk_i, .rst_ni, .valid_i(valid_i[1]), .data_i({s1_lattice, s1_near_q, s1_clear_q}),
+    .data_o({s28_place_o, s28_near_o, s28_clear_o}));
+  rc_wait #(.Width(2), .Stages(14)) u_near (
+    .clk_i, .rst_ni, .valid_i(valid_i[1]), .data_i({s1_near_q, s1_far}),
+    .data_o({s15_near, s15_far}));
   rc_wait #(.Width(3 * D), .Stages(13)) u_from (
     .clk_i, .rst_ni, .valid_i(valid_i[2]), .data_i(s2_from), .data_o(s15_from));
   rc_delay #(.Width(54), .Stages(2)) u_unit (
@@ -88,6 +97,7 @@ module rc_light #(
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [V-1:0] at, from;
     logic signed [M-1:0] away;
+    logic signed [D-1:0] wide;
     assign at   = V'($signed(s1_place_q[k*LB +: LB])) <<< B;
     assign from = -$signed(s2_to_q[k*V +: V]);
     assign s1_lattice[k*N +: N] = s1_place_q[k*LB +: N];
@@ -99,11 +109,12 @@ module rc_light #(
       end
     end
     rc_turn u_turn (.unit_i(s15_unit[k*18 +: 18]), .d_o(away));
-    assign s15_away[k*D +: D] = D'(away);
+    assign wide = D'(away);
+    assign s15_away[k*D +: D] = s15_near ? -wide : wide;
     logic unused;
     assign unused = ^from;
   end
-  assign s15_d_o = s15_near ? s15_from : s15_away;
+  assign s15_d_o = s15_near && !s15_far ? s15_from : s15_away;
 
   // What the surface has to say waits.
   logic [16:0] s15_cosine;

@@ -10,6 +10,7 @@ module rc_pass #(
   localparam int unsigned I  = rc_pkg::RayBits,
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned PW = rc_pkg::PointWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned U  = rc_pkg::UvBits,
   localparam int unsigned TB = rc_pkg::TBits,
@@ -92,20 +93,21 @@ module rc_pass #(
     .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i(state_i.n), .data_o(s15_n));
 
   // ---- The surface.
-  logic [3*P-1:0]     s5_o, surf_o;
+  logic [3*PW-1:0]    s5_o, surf_o;
   logic [3*NB-1:0]    s5_n, surf_n;
   logic [3*UnitW-1:0] s5_toward, s5_target;
-  logic               s5_far, surf_far;
+  logic               s5_far, surf_far, s5_lost, surf_lost;
   logic [38:0]        s6_albedo, surf_albedo;
   logic [50:0]        s7_ambient, surf_ambient;
   rc_surf #(.UnitW(UnitW)) u_surf (
     .clk_i, .valid_i(surf_at[6:0]), .s0_u_i(u), .s0_v_i(v), .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface_i), .s0_o_i(o_i), .s0_d_i(d_i), .s0_weight_i(state_i.weight),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
+    .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
-  rc_wait #(.Width(3 * P + 3 * NB + 1), .Stages(L - 5)) u_point (
-    .clk_i, .rst_ni, .valid_i(surf_at[5]), .data_i({s5_o, s5_n, s5_far}),
-    .data_o({surf_o, surf_n, surf_far}));
+  rc_wait #(.Width(3 * PW + 3 * NB + 2), .Stages(L - 5)) u_point (
+    .clk_i, .rst_ni, .valid_i(surf_at[5]), .data_i({s5_o, s5_n, s5_far, s5_lost}),
+    .data_o({surf_o, surf_n, surf_far, surf_lost}));
   rc_wait #(.Width(39), .Stages(L - 6)) u_albedo (
     .clk_i, .rst_ni, .valid_i(surf_at[6]), .data_i(s6_albedo), .data_o(surf_albedo));
   rc_wait #(.Width(51), .Stages(L - 7)) u_ambient (
@@ -132,7 +134,7 @@ module rc_pass #(
     .clk_i, .rst_ni, .valid_i(surf_at[15]), .data_i(s15_cosine), .data_o(surf_cosine));
 
   // ---- A light, a bounce.
-  logic            light_near, s13_total, bounce_total;
+  logic            light_near, light_clear, s13_total, bounce_total;
   logic [3*D-1:0]  s15_light_d, s15_d, end_d;
   logic [3*N-1:0]  light_place;
   logic [50:0]     light_share;
@@ -140,10 +142,11 @@ module rc_pass #(
   logic [3*M-1:0]  s15_bounce_d;
   rc_light u_light (
     .clk_i, .rst_ni, .frame_i, .valid_i(light_at[27:0]), .s0_light_i(state_i.light),
-    .s0_o_i(state_i.o), .s0_weight_i(state_i.weight), .s0_state_i(state_i), .s5_to_o(s5_to),
+    .s0_o_i(state_i.o), .s0_far_i(state_i.is_far), .s0_weight_i(state_i.weight),
+    .s0_state_i(state_i), .s5_to_o(s5_to),
     .s13_unit_i(s13_unit), .s15_cosine_i(s15_cosine), .s15_mirror_i(s15_mirror),
     .s15_d_o(s15_light_d), .s28_place_o(light_place),
-    .s28_near_o(light_near), .s28_share_o(light_share));
+    .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
   rc_bounce u_bounce (
     .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .s0_refract_i(s0_refract), .s0_state_i(state_i),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
@@ -189,6 +192,26 @@ module rc_pass #(
     .clk_i, .rst_ni, .valid_i(light_at[15] || bounce_at[15]),
     .data_i({s15_d, s15_cosine != '0}), .data_o({end_d, end_positive}));
 
+  // ---- From beyond the lattice: where the ray comes into it.
+  logic           enters;
+  logic [3*P-1:0] entry;
+  if (rc_pkg::Planes == 1) begin : gen_approach
+    logic [3*PW-1:0] s0_o, s15_o;
+    logic [3*M-1:0]  s15_short_d;
+    assign s0_o = state_i.o;
+    rc_wait #(.Width(3 * PW), .Stages(15)) u_o (
+      .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i(s0_o), .data_o(s15_o));
+    for (genvar k = 0; k < 3; k++) begin : gen_short
+      assign s15_short_d[k*M +: M] = s15_d[k*D +: M];
+    end
+    rc_approach u_approach (
+      .clk_i, .valid_i(light_at[27:15] | bounce_at[27:15]), .s15_p_i(s15_o),
+      .s15_d_i(s15_short_d), .s28_enters_o(enters), .s28_entry_o(entry));
+  end else begin : gen_within
+    assign enters = 1'b0;
+    assign entry  = '0;
+  end
+
   // ---- The sample's end.
   logic         end_more;
   logic [68:0]  end_sum;
@@ -216,9 +239,12 @@ module rc_pass #(
     .frame_i, .ray_i(end_ray), .was_i(was), .top_i(top),
     .surf_i(surf_q[L]), .surf_o_i(surf_o), .surf_n_i(surf_n), .surf_normal_i(surf_normal),
     .surf_view_i(surf_view), .surf_cosine_i(surf_cosine), .surf_far_i(surf_far),
+    .surf_lost_i(surf_lost),
     .surf_albedo_i(surf_albedo), .surf_ambient_i(surf_ambient), .background_i(end_background),
-    .light_near_i(light_near), .light_place_i(light_place), .light_share_i(light_share),
+    .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
+    .light_share_i(light_share),
     .above_i(end_above), .below_i(end_below), .positive_i(end_positive), .d_i(end_d),
+    .enters_i(enters), .entry_i(entry),
     .weight_i(bounce_weight), .total_i(bounce_total), .more_i(end_more), .sum_i(end_sum),
     .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
     .state_o(end_state_o), .leave_o, .spawn_o, .pixel_o, .push_o, .pushed_o);

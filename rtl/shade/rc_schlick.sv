@@ -1,15 +1,15 @@
 // How much of a ray's weight a reflected or refracted one gets, up to 2: mirror and
 // transmit, with Fresnel's term by Schlick (1994) if the material has it. Part of
-// rc_bounce; from the registers of s7. 16 fraction bits, the material's 12.
+// rc_bounce; from the registers of s7. 16 fraction bits.
 `default_nettype none
 module rc_schlick (
   input  logic        clk_i,
   input  logic [6:0]  valid_i,
   input  logic        s0_refract_i,
   input  logic [16:0] s0_cosine_i,
-  input  logic [12:0] s0_mirror_i,
-  input  logic [12:0] s0_transmit_i,
-  input  logic [12:0] s0_r0_i,
+  input  logic [16:0] s0_mirror_i,
+  input  logic [16:0] s0_transmit_i,
+  input  logic [16:0] s0_r0_i,
   input  logic        s0_schlick_i,
   input  logic        s0_total_i,
   output logic [17:0] s7_share_o
@@ -31,15 +31,15 @@ module rc_schlick (
   assign s3_q5 = s3_up[32:16];
 
   // s5: R0 + (1 - R0) of that; s6: transmit times that, or times what is left.
-  logic [12:0] s3_r0, s4_r0, s5_transmit;
-  logic [29:0] s4_rest_q, s4_up, s6_part_q, s6_up;
+  logic [16:0] s3_r0, s4_r0, s5_transmit;
+  logic [33:0] s4_rest_q, s4_up, s6_part_q, s6_up;
   logic [16:0] s5_schlick_q;
   logic        s5_refract;
-  assign s4_up = s4_rest_q + 30'h800;
-  assign s6_up = s6_part_q + 30'h800;
-  rc_delay #(.Width(13), .Stages(3)) u_r0 (
+  assign s4_up = s4_rest_q + 34'h8000;
+  assign s6_up = s6_part_q + 34'h8000;
+  rc_delay #(.Width(17), .Stages(3)) u_r0 (
     .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_r0_i), .data_o(s3_r0));
-  rc_delay #(.Width(14), .Stages(5)) u_transmit (
+  rc_delay #(.Width(18), .Stages(5)) u_transmit (
     .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_transmit_i, s0_refract_i}),
     .data_o({s5_transmit, s5_refract}));
   always_ff @(posedge clk_i) begin
@@ -47,26 +47,26 @@ module rc_schlick (
     if (valid_i[1]) s2_square_q <= {17'd0, s1_q2} * {17'd0, s1_q2};
     if (valid_i[2]) s3_fifth_q  <= {17'd0, s2_q4} * {17'd0, s2_q};
     if (valid_i[3]) begin
-      s4_rest_q <= {17'd0, 13'h1000 - s3_r0} * {13'd0, s3_q5};
+      s4_rest_q <= {17'd0, 17'h10000 - s3_r0} * {17'd0, s3_q5};
       s4_r0     <= s3_r0;
     end
-    if (valid_i[4]) s5_schlick_q <= {s4_r0, 4'd0} + s4_up[28:12];
+    if (valid_i[4]) s5_schlick_q <= s4_r0 + s4_up[32:16];
     if (valid_i[5])
-      s6_part_q <= {17'd0, s5_transmit} * {13'd0, s5_refract ? 17'h10000 - s5_schlick_q
+      s6_part_q <= {17'd0, s5_transmit} * {17'd0, s5_refract ? 17'h10000 - s5_schlick_q
                                                              : s5_schlick_q};
   end
 
   // s7: the share.
-  logic [12:0] s6_mirror, s6_transmit;
+  logic [16:0] s6_mirror, s6_transmit;
   logic        s6_refract, s6_schlick, s6_total;
   logic [17:0] s6_plain, s6_fresnel, s6_mirrored;
-  rc_delay #(.Width(29), .Stages(6)) u_wait (
+  rc_delay #(.Width(37), .Stages(6)) u_wait (
     .clk_i, .valid_i(valid_i[5:0]),
     .data_i({s0_mirror_i, s0_transmit_i, s0_refract_i, s0_schlick_i, s0_total_i}),
     .data_o({s6_mirror, s6_transmit, s6_refract, s6_schlick, s6_total}));
-  assign s6_plain    = {1'b0, s6_transmit, 4'd0};
-  assign s6_fresnel  = {1'b0, s6_up[28:12]};
-  assign s6_mirrored = {1'b0, s6_mirror, 4'd0};
+  assign s6_plain    = {1'b0, s6_transmit};
+  assign s6_fresnel  = {1'b0, s6_up[32:16]};
+  assign s6_mirrored = {1'b0, s6_mirror};
   always_ff @(posedge clk_i) begin
     if (valid_i[6])
       s7_share_o <= s6_refract ? (s6_schlick ? s6_fresnel : s6_plain)
@@ -75,6 +75,6 @@ module rc_schlick (
 
   logic unused;
   assign unused = ^{s1_up[33], s1_up[15:0], s2_up[33], s2_up[15:0], s3_up[33], s3_up[15:0],
-                    s4_up[29], s4_up[11:0], s6_up[29], s6_up[11:0]};
+                    s4_up[33], s4_up[15:0], s6_up[33], s6_up[15:0]};
 endmodule
 `default_nettype wire

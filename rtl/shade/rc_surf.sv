@@ -1,7 +1,7 @@
 // Where a ray has hit a surface, and how the surface looks there. Part of rc_pass, which
 // has the valid bits: valid_i[i] if stage i holds such a pass.
 //
-// o, n and far from the registers of s5, the vector of which the normal is made as well;
+// o, n, far and lost from the registers of s5, the vector of which the normal is made as well;
 // albedo from those of s6, what the surrounding light adds from those of s7.
 // Model: model/shade/surf.hpp.
 `default_nettype none
@@ -11,6 +11,7 @@ module rc_surf #(
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned B  = rc_pkg::OriginBits,
   localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned PW = rc_pkg::PointWidth,
   localparam int unsigned NB = rc_pkg::NormalBits,
   localparam int unsigned T  = rc_pkg::TBits,
   localparam int unsigned U  = rc_pkg::UvBits
@@ -25,10 +26,11 @@ module rc_surf #(
   input  logic [3*P-1:0]     s0_o_i,
   input  logic [3*M-1:0]     s0_d_i,
   input  logic [16:0]        s0_weight_i,
-  output logic [3*P-1:0]     s5_o_o,
+  output logic [3*PW-1:0]    s5_o_o,
   output logic [3*NB-1:0]    s5_n_o,
   output logic [3*UnitW-1:0] s5_toward_o,
-  output logic               s5_far_o,
+  output logic               s5_far_o,      // beyond the lattice,
+  output logic               s5_lost_o,     // and beyond what o can say
   output logic [38:0]        s6_albedo_o,
   output logic [50:0]        s7_ambient_o
 );
@@ -63,7 +65,13 @@ module rc_surf #(
   assign s0_smooth    = rc_pkg::Smooth == 1 && s0_surface_i.smooth && !s0_sphere;
   assign s0_ends      = s0_plane && (s0_u_i[U-2:0] == {(U-1){!s0_u_i[U-1]}}
                                      || s0_v_i[U-2:0] == {(U-1){!s0_v_i[U-1]}});
-  assign s0_odd       = s0_u_i[Y] ^ s0_v_i[Y];
+  // Of a plane's squares: bit 0 of their number along u and along v.
+  logic [9*C-1:0] s0_normal;
+  logic [U-1:0]   s0_square_u, s0_square_v;
+  assign s0_normal   = s0_surface_i.normal;
+  assign s0_square_u = (s0_u_i + (U'($signed(s0_normal[0 +: C])) << Y)) >> s0_normal[2*C +: 6];
+  assign s0_square_v = (s0_v_i + (U'($signed(s0_normal[C +: C])) << Y)) >> s0_normal[3*C +: 6];
+  assign s0_odd      = s0_plane && (s0_square_u[0] ^ s0_square_v[0]);
   // A triangle's are not negative, and at least one step of 2^-(B + fine); fine is at most
   // Drop.
   function automatic logic [W-1:0] weight(input logic [U-1:0] x, input logic is_plane,
@@ -117,7 +125,7 @@ module rc_surf #(
   rc_delay #(.Width(3 * N), .Stages(3)) u_a (
     .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_a), .data_o(s3_a));
   logic [3*P-1:0] s3_ball_o, s4_ball_o;
-  logic [2:0]     s4_beyond;
+  logic [2:0]     s4_beyond, s4_outside;
 
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     localparam int unsigned I = (k + 1) % 3;
@@ -161,29 +169,33 @@ module rc_surf #(
     // s5: kept within what o can say, and turned to the viewer.
     logic signed [A-1:0]  s4_at;
     logic signed [NB-1:0] s4_n;
-    logic [P-1:0]         s4_o;
+    logic [PW-1:0]        s4_o;
     logic signed [UnitW-1:0] s4_toward;
-    localparam logic signed [A-1:0] Most = A'((65'(1) << (P - 1)) - 65'd1);
+    localparam logic signed [A-1:0] Most = A'((65'(1) << (PW - 1)) - 65'd1);
+    localparam logic signed [A-1:0] End  = A'(((65'(1) << (N - 1)) - 65'd1) << B);
     assign s4_at        = $signed(s4_at_q[k*A +: A]);
     assign s4_beyond[k] = s4_at > Most || s4_at < -Most;
-    assign s4_o = sphere[4] ? s4_ball_o[k*P +: P] : s4_at > Most ? Most[P-1:0]
-                : s4_at < -Most ? -Most[P-1:0] : s4_at[P-1:0];
+    assign s4_outside[k] = s4_at > End || s4_at < -End;
+    assign s4_o = sphere[4] ? PW'($signed(s4_ball_o[k*P +: P])) : s4_at > Most ? Most[PW-1:0]
+                : s4_at < -Most ? -Most[PW-1:0] : s4_at[PW-1:0];
     assign s4_n      = $signed(s4_n_q[k*NB +: NB]);
     assign s4_toward = s4_smooth ? UnitW'($signed(s4_smooth_sum[k*S +: S])) : UnitW'(s4_n);
     always_ff @(posedge clk_i) begin
       if (valid_i[4]) begin
-        s5_o_o[k*P +: P]               <= s4_o;
+        s5_o_o[k*PW +: PW]             <= s4_o;
         s5_n_o[k*NB +: NB]             <= s4_back ? -s4_n : s4_n;
         s5_toward_o[k*UnitW +: UnitW]  <= s4_back ? -s4_toward : s4_toward;
       end
     end
   end
   always_ff @(posedge clk_i)
-    if (valid_i[4]) s5_far_o <= !sphere[4] && (s4_ends || s4_beyond != '0);
+    if (valid_i[4]) begin
+      s5_far_o  <= !sphere[4] && (s4_ends || s4_beyond != '0
+                                  || (rc_pkg::Planes == 1 && s4_outside != '0));
+      s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);
+    end
 
   // Corner normals, weighted.
-  logic [9*C-1:0] s0_normal;
-  assign s0_normal = s0_surface_i.normal;
   if (rc_pkg::Smooth == 1) begin : gen_smooth
     rc_corners #(.W(W), .S(S)) u_corners (
       .clk_i, .valid_i(valid_i[3:0]), .s0_normal_i(s0_normal), .s2_rest_i(s2_rest),
@@ -211,6 +223,6 @@ module rc_surf #(
     .s6_albedo_o, .s7_ambient_o);
 
   logic unused;
-  assign unused = ^s0_surface_i;
+  assign unused = ^{s0_surface_i, s0_square_u, s0_square_v};
 endmodule
 `default_nettype wire

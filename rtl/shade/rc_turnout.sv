@@ -7,6 +7,7 @@ module rc_turnout #(
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned B  = rc_pkg::OriginBits,
   localparam int unsigned P  = rc_pkg::OriginWidth,
+  localparam int unsigned PW = rc_pkg::PointWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned NB = rc_pkg::NormalBits
 ) (
@@ -15,22 +16,26 @@ module rc_turnout #(
   input  rc_pkg::shade_state_t        was_i,
   input  rc_pkg::waiting_t            top_i,
   input  logic                        surf_i,         // a surface has arrived
-  input  logic [3*P-1:0]              surf_o_i,
+  input  logic [3*PW-1:0]             surf_o_i,
   input  logic [3*NB-1:0]             surf_n_i,
   input  logic [53:0]                 surf_normal_i,
   input  logic [53:0]                 surf_view_i,
   input  logic [16:0]                 surf_cosine_i,
   input  logic                        surf_far_i,
+  input  logic                        surf_lost_i,
   input  logic [38:0]                 surf_albedo_i,
   input  logic [50:0]                 surf_ambient_i,
   input  logic [50:0]                 background_i,
   input  logic                        light_near_i,
+  input  logic                        light_clear_i,
   input  logic [3*N-1:0]              light_place_i,
   input  logic [50:0]                 light_share_i,
   input  logic                        above_i,        // the new ray is on that side of the surface
   input  logic                        below_i,
   input  logic                        positive_i,     // the light's cosine
   input  logic [3*D-1:0]              d_i,            // of a shadow ray or bounce
+  input  logic                        enters_i,       // from beyond the lattice: where it begins
+  input  logic [3*P-1:0]              entry_i,
   input  logic [16:0]                 weight_i,       // of a bounce
   input  logic                        total_i,
   input  logic                        more_i,         // another sample follows
@@ -69,10 +74,11 @@ module rc_turnout #(
   end
 
   // Where it goes on after a surface or a light.
-  logic       far;
+  logic       far, starts;   // from the surface a ray can be sent
   logic [6:0] light;
   logic [2:0] after;
-  assign far   = surf_i ? surf_far_i : was_i.is_far;
+  assign far    = was_i.is_far;
+  assign starts = !far || (!was_i.is_lost && enters_i);
   assign light = surf_i ? '0 : was_i.light + 7'd1;
   assign after = light < frame_i.lights ? Light
                : was_i.depth >= frame_i.depth ? Pop
@@ -80,15 +86,19 @@ module rc_turnout #(
                : was_i.mirror != '0 ? Reflect : Pop;
 
   // Whether a light counts, and which rays are sent.
-  logic counts, shadows, heavy, refracted, reflected, pushes, reflects, escapes;
-  assign counts   = positive_i && (light_near_i ? below_i : above_i);
-  assign shadows  = is_light && counts && !far;
-  assign heavy     = weight_i >= frame_i.threshold;
+  logic [5:0] slack;   // what rounding has taken from a weight at most, in units of 2^-17
+  logic counts, asks, to_point, shadows, heavy, refracted, reflected, pushes, reflects, escapes;
+  assign counts   = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
+  assign asks     = light_near_i ? !was_i.is_lost : starts;
+  assign to_point = light_near_i && !far;
+  assign shadows  = is_light && counts && asks;
+  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);
+  assign heavy     = {1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold};
   assign refracted = is_refract && heavy && !total_i && below_i;
   assign reflected = is_reflect && heavy && above_i;
-  assign pushes    = refracted && !far;
-  assign reflects  = reflected && !far;
-  assign escapes   = (refracted || reflected) && far;   // and sees the background
+  assign pushes    = refracted && starts;
+  assign reflects  = reflected && starts;
+  assign escapes   = (refracted || reflected) && !starts;   // and sees the background
 
   always_comb begin
     state_o = was_i;
@@ -99,6 +109,7 @@ module rc_turnout #(
       state_o.view   = surf_view_i;
       state_o.cosine = surf_cosine_i;
       state_o.is_far   = surf_far_i;
+      state_o.is_lost  = surf_lost_i;
       state_o.albedo = surf_albedo_i;
       state_o.light  = '0;
     end
@@ -110,7 +121,7 @@ module rc_turnout #(
       state_o.share   = light_share_i;
       state_o.light   = light;
       state_o.purpose   = after;
-      state_o.pending = !counts ? 2'd0 : far ? 2'd2 : 2'd1;
+      state_o.pending = !counts ? 2'd0 : asks ? 2'd1 : 2'd2;
     end
     if (is_refract) begin
       state_o.total = total_i;
@@ -147,7 +158,8 @@ module rc_turnout #(
 
   // The ray that waits.
   logic [3*M-1:0] short_d, top_d;
-  logic [3*P-1:0] was_o, top_o, spawn_place;
+  logic [3*PW-1:0] was_o;
+  logic [3*P-1:0] start, top_o, spawn_place;
   logic [3*D-1:0] spawn_way;
   logic [3*P-1:0] place;
   assign was_o = was_i.o;
@@ -155,37 +167,50 @@ module rc_turnout #(
   assign top_d = top_i.d;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign short_d[k*M +: M]   = d_i[k*D +: M];
+    assign start[k*P +: P]     = far ? entry_i[k*P +: P] : was_o[k*PW +: P];
     assign place[k*P +: P]     = P'(light_place_i[k*N +: N]) << B;
     assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
                                                        : d_i[k*D +: D];
   end
   assign push_o   = pushes;
-  assign pushed_o = {was_o, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
+  assign pushed_o = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
 
   // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
   logic [1:0]                 kind;
   logic [rc_pkg::PrimBits:0]  self;
   logic [rc_pkg::PixelBits-1:0] x, y;
   logic [5:0]                 sample;
-  assign kind   = is_next ? 2'd0 : !is_light ? 2'd1 : light_near_i ? 2'd2 : 2'd3;
+  assign kind   = is_next ? 2'd0 : !is_light ? 2'd1 : to_point ? 2'd2 : 2'd3;
   assign self   = is_next ? '0 : is_pop ? {top_i.self, top_i.is_inside}
                                         : {was_i.self, was_i.is_inside};
   assign x      = was_i.x;
   assign y      = was_i.y;
   assign sample = is_next ? was_i.sample + 6'd1 : was_i.sample;
-  assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : was_o;
+  assign spawn_place = is_next ? '0 : is_pop ? top_o : is_light && light_near_i ? place : start;
+  logic finite;   // it asks no planes
+  assign finite = is_light && !to_point && light_clear_i;
+  localparam int unsigned GivenW = 3 * P + 3 * D;
+  localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+  logic [GivenW+SelfW-1:0] given;
   if (rc_pkg::Spheres == 1) begin : gen_self
-    assign spawn_o = {ray_i, kind, x, y, sample, self, spawn_place, spawn_way};
+    assign given = {self, spawn_place, spawn_way};
   end else begin : gen_no_self
-    assign spawn_o = {ray_i, kind, x, y, sample, spawn_place, spawn_way};
+    assign given = {spawn_place, spawn_way};
     logic unused;
     assign unused = ^self;
+  end
+  if (rc_pkg::Planes == 1) begin : gen_finite
+    assign spawn_o = {ray_i, kind, x, y, sample, finite, given};
+  end else begin : gen_no_planes
+    assign spawn_o = {ray_i, kind, x, y, sample, given};
+    logic unused;
+    assign unused = finite;
   end
   logic [50:0] pixel;
   assign pixel   = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
   assign pixel_o = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, pixel};
 
   logic unused;
-  assign unused = ^{frame_i, top_i};
+  assign unused = ^{frame_i, top_i, was_o};
 endmodule
 `default_nettype wire

@@ -26,7 +26,7 @@ void check_names(const std::vector<std::string>& only) {
     for (const area::UnitRow& row : area::unit_rows()) names.push_back(row.name);
     for (const std::string& name : only)
         if (std::find(names.begin(), names.end(), name) == names.end())
-            throw UserError(fmt::format("--unit: no unit is called '{}'{}; there are {}", name, did_you_mean(name, names), fmt::join(names, ", ")));
+            throw UserError(fmt::format("--unit: no unit is called {}{}; there are {}", shown(name), did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 std::vector<area::Speed> speeds_of(const area::Areas& areas, const Progress& progress) {

@@ -7,6 +7,7 @@ namespace rayclock {
 int render_command(const Options& options);
 int simulate_command(const Options& options);
 int verify_command(const Options& options);
+int torture_command(const Options& options);   ///< verify --torture
 int sweep_command(const Options& options);
 int stress_command(const Options& options);
 int fit_command(const Options& options);
@@ -20,6 +21,9 @@ int scenes_command(const Options& options);
 int config_command(const Options& options);
 int rtl_command(const Options& options);
 int doctor_command(const Options& options);
+
+/// From now on builds of RTL are told on standard error: a line that moves on a terminal, otherwise one at the beginning.
+void show_builds();
 
 /// The scenes of docs/speed-against-error.md.
 const std::vector<std::string>& default_tradeoff_scenes();

@@ -1,7 +1,6 @@
 // Configurations by name, by file, and with single parameters set over them.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,50 +8,55 @@
 #include "model/core/error.hpp"
 #include "model/core/nearest.hpp"
 #include "sim/app/setup.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/json_value.hpp"
+#include "sim/files/text.hpp"
 #include "sim/report/json.hpp"
 
 namespace rayclock {
 
 namespace {
 
-using nlohmann::ordered_json;
+/// Keys are known, or the nearest that is.
+void check_keys(const JsonValue& in) {
+    std::vector<std::string> known{"like", "name"};
+    for (const Parameter& p : parameters()) known.push_back(p.key);
+    for (const auto& [key, ignored] : in.raw().items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            in.refuse(fmt::format("has no parameter {}{}", shown(key), did_you_mean(key, known)));
+}
+
+/// The value of a parameter as it stands after key= on the command line.
+std::string text_of(const JsonValue& value, const Parameter& p) {
+    if (p.names && value.raw().is_string()) return value.string();
+    if (!value.raw().is_number_integer()) value.expected(p.names ? "one of its names" : "a whole number");
+    return value.raw().dump();
+}
 
 /// Reads a file that states every parameter, or names a configuration to start from under "like".
 Config read_config(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw UserError(path + ": no such configuration file, and no configuration of that name" + did_you_mean(path, config_names()));
-    ordered_json json;
-    try {
-        json = ordered_json::parse(file);
-    } catch (const ordered_json::parse_error& e) {
-        const std::string text = e.what();   // "[json.exception.parse_error.101] parse error at line 1, ..."
-        throw UserError(path + ": " + text.substr(text.find("] ") + 2));
-    }
-    if (!json.is_object()) throw UserError(path + ": a configuration is a JSON object");
+    constexpr std::uint64_t most_bytes = 1 << 20;
+    const Json json = parse_json(path, read_file(path, {}, most_bytes));
+    const JsonValue in(json, path);
+    if (!json.is_object()) Place{path}.refuse("a configuration is a JSON object");
+    check_keys(in);
     Config config;
-    const bool like = json.contains("like");
-    if (like) {
-        if (!json["like"].is_string()) throw UserError(path + ": \"like\" must name a configuration");
-        try {
-            config = named_config(json["like"].get<std::string>());
-        } catch (const UserError& e) {
-            throw UserError(path + ": " + e.what());
-        }
+    const auto like = in.find("like");
+    const std::string base = like ? like->string() : "default";
+    try {
+        config = named_config(base);
+    } catch (const UserError& e) {
+        Place{path}.refuse(e.what());
     }
-    config.name = std::filesystem::path(path).stem().string();
-    for (const auto& [key, value] : json.items()) {
-        if (key == "like") continue;
-        if (key == "name") {
-            if (!value.is_string()) throw UserError(path + ": \"name\" must be text, not " + value.dump());
-            config.name = value.get<std::string>();
-            continue;
-        }
-        const bool named = std::any_of(parameters().begin(), parameters().end(), [&](const Parameter& p) { return key == p.key && p.names; });
-        set_parameter(config, key, named && value.is_string() ? value.get<std::string>() : value.dump(), path);
+    const auto name = in.find("name");
+    config.name = printable(name ? name->string() : std::filesystem::path(path).stem().string(), 80);
+    for (const Parameter& p : parameters()) {
+        const auto value = in.find(p.key);
+        if (!value && !like)
+            Place{path}.refuse(fmt::format("{} is missing; a configuration states every parameter, or names one to start from "
+                                           "under \"like\"", p.key));
+        if (value) set_parameter(config, p.key, text_of(*value, p), printable(path));
     }
-    for (const Parameter& p : parameters())
-        if (!like && !json.contains(p.key))
-            throw UserError(fmt::format("{}: {} is missing; a configuration states every parameter, or names one to start from under \"like\"", path, p.key));
     return config;
 }
 
@@ -61,14 +65,15 @@ Config read_config(const std::string& path) {
 Config load_config(const std::string& name_or_file, const std::vector<std::string>& set) {
     const bool named = std::find(config_names().begin(), config_names().end(), name_or_file) != config_names().end();
     const bool file = name_or_file.find_first_of("./\\") != std::string::npos;
-    if (std::filesystem::is_directory(name_or_file)) throw UserError(name_or_file + ": is a folder, not a configuration");
-    return with_settings(named || !file ? named_config(name_or_file) : read_config(name_or_file), set, name_or_file);
+    std::error_code error;
+    if (std::filesystem::is_directory(name_or_file, error)) Place{name_or_file}.refuse("is a folder, not a configuration");
+    return with_settings(named || !file ? named_config(name_or_file) : read_config(name_or_file), set, printable(name_or_file));
 }
 
 Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where) {
     for (const std::string& item : set) {
         const std::size_t equals = item.find('=');
-        if (equals == std::string::npos) throw UserError("--set: '" + item + "' is not key=value");
+        if (equals == std::string::npos) throw UserError("--set: " + shown(item) + " is not key=value");
         set_parameter(config, item.substr(0, equals), item.substr(equals + 1), "--set");
     }
     check_config(config, where);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/figures/page.hpp"
 #include "sim/report/text.hpp"
@@ -23,7 +24,7 @@ std::vector<Engine> engines_of(const std::string& text) {
         if (name == "reference") all.push_back(Engine::reference);
         else if (name == "model") all.push_back(Engine::model);
         else if (name == "rtl") all.push_back(Engine::rtl);
-        else throw UserError("--engine: '" + name + "' is not reference, model or rtl");
+        else throw UserError("--engine: " + shown(name) + " is not reference, model or rtl");
         from = comma + 1;
     }
     std::sort(all.begin(), all.end());
@@ -55,7 +56,7 @@ int figures_command(const Options& o) {
     const std::string path = (std::filesystem::path(o.output) / "figures.md").string();
     write_file(path, text);
     if (!o.json.empty()) write_file(o.json, page.numbers.dump(2) + "\n");
-    if (o.json != "-") fmt::print("{} written. {}\n", path, page.rtl_sentence());
+    if (o.json != "-") fmt::print("{} written. {}\n", printable(path), page.rtl_sentence());
     return 0;
 }
 

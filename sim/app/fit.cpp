@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/report.hpp"
@@ -18,33 +19,12 @@ namespace {
 
 using namespace fit;
 
-/// "0.1%" or "0.1 %". Throws UserError unless it is a percentage below 100 and above 0, or 0 itself if `zero`.
-double parse_percent(const std::string& option, const std::string& typed, bool zero) {
-    std::string number = typed;
-    if (!number.empty() && number.back() == '%') number.pop_back();
-    else number.clear();
-    if (!number.empty() && number.back() == ' ') number.pop_back();
-    double value = 0;
-    std::size_t used = 0;
-    try {
-        value = std::stod(number, &used);
-    } catch (const std::exception&) {
-        used = 0;
-    }
-    const bool is_number = used > 0 && used == number.size() && number.find_first_not_of("0123456789.e-") == std::string::npos;
-    if (!is_number) throw UserError(fmt::format("{}: '{}' is not a percentage, for example 0.1%", option, typed));
-    if (!(value > 0 || (zero && value == 0)) || !(value < 100))
-        throw UserError(fmt::format("{}: '{}' must lie {} 100 %", option, typed, zero ? "from 0 to below" : "above 0 and below"));
-    return value;
-}
-
 Goal goal_of(const Options& o) {
     Goal goal;
     goal.max_error = parse_percent("--max-error", o.max_error, false);
     goal.max_work = parse_percent("--max-work", o.max_work, true);
     goal.min_psnr = o.min_psnr;
-    if (o.min_psnr && !(*o.min_psnr > 0 && *o.min_psnr <= 200))
-        throw UserError(fmt::format("--min-psnr must lie above 0 and not above 200 dB, not {}", *o.min_psnr));
+    check_psnr(o);
     return goal;
 }
 
@@ -65,7 +45,7 @@ std::string goal_text(const Goal& b) {
 /// One sentence: what is reached, what makes the scene large, and what would do without it.
 std::string hopeless(const Options& o, const Goal& goal, const Config& base, Measure& measure, const Config& closest) {
     const Outcome& best = measure(closest);
-    std::string sentence = fmt::format("{}: no width keeps the bound; N = {} and M = {} come closest, ", o.scene, closest.coord_bits, closest.dir_bits);
+    std::string sentence = fmt::format("{}: no width keeps the bound; N = {} and M = {} come closest, ", printable(o.scene), closest.coord_bits, closest.dir_bits);
     if (!best.refused.empty()) sentence += "and there " + best.refused;
     else sentence += fmt::format("with {:.3g} % of the pixels on another primitive{}", best.other_percent(),
                                  goal.min_psnr ? fmt::format(" and a PSNR of {:.1f} dB", best.psnr_db) : "");
@@ -109,7 +89,7 @@ int fit_command(const Options& o) {
         throw std::runtime_error(sentence);
     }
     Fit& fit = *found;
-    fit.config.name = name_of(o.scene);
+    fit.config.name = printable(name_of(o.scene), 80);
     const Job job = make_job(scene, *scene.camera, size, fit.config);
     const Ranges ranges = prove_ranges(job.image, job.frame, fit.config);
     if (progress) progress("fit", 1, 1);
@@ -126,8 +106,8 @@ int fit_command(const Options& o) {
         fmt::print("  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles than with the widest fields\n", grouped(result.other),
                    grouped(result.pixels), result.other_percent(), std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
                    100 * (double(result.work) / double(fit.widest.work) - 1));
-        fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n", o.output, measure.done(), seconds, o.scene, o.size,
-                   o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output);
+        fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n", printable(o.output), measure.done(), seconds, printable(o.scene), o.size,
+                   printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
     }
     if (!o.json.empty()) {
         const nlohmann::ordered_json json{

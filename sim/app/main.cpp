@@ -1,19 +1,22 @@
 // rayclock: the command line. Every subcommand's work is in the file of its name.
 #include <cstdio>
+#include <filesystem>
 #include <functional>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
 #include "model/core/error.hpp"
 #include "model/core/nearest.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/files/streams.hpp"
 
 namespace {
 
 using namespace rayclock;
 
-void scene_option(CLI::App& app, Options& o) {
-    app.add_option("SCENE", o.scene, "built-in name with optional size (gears:8), or file (.obj .ply .stl .glb .gltf .json)")->required();
+CLI::Option* scene_option(CLI::App& app, Options& o) {
+    return app.add_option("SCENE", o.scene, "built-in name with optional size (gears:8), or file (.obj .ply .stl .glb .gltf .json)")->required();
 }
 void size_option(CLI::App& app, Options& o) { app.add_option("--size", o.size, "picture, WIDTHxHEIGHT")->capture_default_str(); }
 void config_options(CLI::App& app, Options& o) {
@@ -22,6 +25,9 @@ void config_options(CLI::App& app, Options& o) {
 }
 void json_option(CLI::App& app, Options& o) { app.add_option("--json", o.json, "report as JSON to a file, - for standard output"); }
 void clock_option(CLI::App& app, Options& o) { app.add_option("--clock", o.clock, "clock rates in MHz, with commas")->capture_default_str(); }
+void judge_option(CLI::App& app, Options& o) {
+    app.add_flag("--no-judge", o.no_judge, "leave out the exact judge of all rays and colours, and with it the causes of pixels that differ");
+}
 void threads_option(CLI::App& app, Options& o) { app.add_option("--threads", o.threads, "threads, 0 for all cores")->check(CLI::Range(0, 1024)); }
 void finished_options(CLI::App& app, Options& o) {
     constexpr const char* group = "Finished picture (shadows, reflection, refraction, made by the chip)";
@@ -82,18 +88,24 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     simulate.add_option("--engine", o.engine, "model or rtl")->capture_default_str();
     frames_options(simulate, o);
     simulate.add_flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
+    judge_option(simulate, o);
     threads_option(simulate, o);
     traffic_options(simulate, o);
     json_option(simulate, o);
 
     CLI::App& verify = add("verify", "run model and RTL in lockstep, and compare both with the reference",
                            "rayclock verify teapot:12 -o out", verify_command);
-    scene_option(verify, o);
+    CLI::Option* const scene = scene_option(verify, o)->required(false);
+    verify.add_flag("--torture", o.torture, "no scene, but the torture set: small frames on three chips that reach the corners of the machine")
+        ->excludes(scene);
     finished_options(verify, o);
     size_option(verify, o);
     clock_option(verify, o);
     config_options(verify, o);
     frames_options(verify, o);
+    judge_option(verify, o);
+    verify.add_option("--max-other", o.max_other, "fail if more pixels hold another primitive than the reference's, in per cent; otherwise it warns above 1%");
+    verify.add_option("--min-psnr", o.min_psnr, "fail if the picture is further from the reference's, in decibel; otherwise it warns below 30");
     verify.add_option("-o,--output", o.output, "folder for the pictures of the three engines and their difference");
     threads_option(verify, o);
     traffic_options(verify, o);
@@ -191,10 +203,24 @@ std::vector<Command> add_commands(CLI::App& app, Options& o) {
     return commands;
 }
 
-/// One sentence on standard error, and the exit code.
-int complain(const char* sentence, int code) {
-    std::fprintf(stderr, "rayclock: %s\n", sentence);
+constexpr const char* help_footer =
+    "Exit code: 0 good, 1 a check failed, 2 bad usage or input.\n"
+    "Environment:\n"
+    "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock or ~/.cache/rayclock\n"
+    "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
+    "Start with: rayclock verify gears:4 -o out";
+
+/// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without end.
+int complain(const std::string& sentence, int code) {
+    constexpr std::size_t longest = 1000;
+    std::fprintf(stderr, "rayclock: %s\n", code == 2 ? printable(sentence, longest).c_str() : sentence.c_str());
     return code;
+}
+
+/// What is printed and does not arrive is an error, whatever else came of the run.
+int finish(int code) {
+    const std::string lost = finish_output();
+    return lost.empty() ? code : complain("standard output: cannot be written: " + lost, 2);
 }
 
 /// What the parser found wrong, in one sentence that names what was typed.
@@ -206,18 +232,17 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Command>
         if (command.app->parsed()) used = command.app;
     }
     if (!used && argc > 1 && argv[1][0] != '-')
-        return std::string("no command is called '") + argv[1] + "'" + did_you_mean(argv[1], names) + " ('rayclock --help' lists them)";
+        return "no command is called " + shown(argv[1]) + did_you_mean(argv[1], names) + " ('rayclock --help' lists them)";
     std::string text = error.what();
     for (char& c : text)
         if (c == '\n') c = ' ';
     return text + " ('rayclock " + (used ? used->get_name() + " " : "") + "--help' tells more)";
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+/// Runs what was asked for; the exit code.
+int run(int argc, char** argv) {
     CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer"};
-    app.footer("Exit code: 0 good, 1 a check failed, 2 bad usage or input.\nStart with: rayclock verify gears:4 -o out");
+    app.footer(help_footer);
     app.require_subcommand(1);
     app.set_version_flag("--version", RAYCLOCK_VERSION);
     Options options;
@@ -225,9 +250,15 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == 0) return app.exit(e);   // --help, --version
-        return complain(usage_error(e, commands, argc, argv).c_str(), 2);
+        if (e.get_exit_code() == 0) {   // --help, --version
+            std::ostringstream text;
+            const int code = app.exit(e, text, text);
+            std::fputs(text.str().c_str(), stdout);
+            return code;
+        }
+        return complain(usage_error(e, commands, argc, argv), 2);
     }
+    show_builds();
     try {
         for (const Command& command : commands)
             if (command.app->parsed()) return command.run(options);
@@ -235,8 +266,18 @@ int main(int argc, char** argv) {
         return complain(e.what(), 2);
     } catch (const std::bad_alloc&) {
         return complain("not enough memory for this scene and picture", 2);
+    } catch (const std::filesystem::filesystem_error& e) {
+        return complain(e.path1().string() + ": " + e.code().message(), 2);
     } catch (const std::exception& e) {
+        if (std::ferror(stdout)) return 2;   // finish() says so
         return complain(e.what(), 1);
     }
     return 2;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    guard_streams();
+    return finish(run(argc, argv));
 }

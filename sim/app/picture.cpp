@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
-#include "sim/load/load.hpp"
 
 namespace rayclock {
 
@@ -36,7 +35,7 @@ Request request_of(const Options& o, FrameSize size, const Progress& progress) {
     const bool by_hand = std::any_of(o.set.begin(), o.set.end(), [](const std::string& item) { return item.starts_with("shading="); });
     r.config = load_config(o.config, asks_for_finished(o) && !by_hand ? std::vector<std::string>{} : o.set);
     r.finished = asks_for_finished(o) || r.config.shading;
-    r.scene = load_scene(o.scene, progress, r.finished ? Primitives::native : Primitives::triangles);
+    r.scene = told_scene(o.scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
     if (!r.scene.camera) r.scene.camera = fit_camera(r.scene, double(size.width) / size.height);
     if (o.fresnel)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
@@ -32,7 +33,7 @@ std::uint64_t digest_of(const HitFrame& frame) {
 int render_command(const Options& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
-        throw UserError("--engine: '" + o.engine + "' is not reference, model or rtl");
+        throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
     check_picture_path(o.output);
     check_outputs(o);
     const Progress progress = terminal_progress();
@@ -65,7 +66,7 @@ int render_command(const Options& o) {
     json["host"] = {{"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
     if (picture.pixels.empty()) picture = shade(scene, hits);
     write_picture(o.output, picture, hits);
-    if (o.json != "-") fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height, o.engine, o.output);
+    if (o.json != "-") fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height, o.engine, printable(o.output));
     if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
     return 0;
 }

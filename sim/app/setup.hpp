@@ -7,6 +7,7 @@
 #include "model/core/config.hpp"
 #include "model/core/progress.hpp"
 #include "model/mem/memport.hpp"
+#include "model/scene/builtin.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
 #include "model/shade/shade.hpp"
@@ -24,6 +25,8 @@ struct Options {
     std::string output;
     std::string json;
     bool no_reference = false;
+    bool torture = false;
+    bool no_judge = false;
     int threads = 0;
     std::uint64_t seed = 1;
     int jitter = 0;
@@ -37,7 +40,8 @@ struct Options {
     std::string state;
     std::string max_error = "0.1%";
     std::string max_work = "2%";
-    std::optional<double> min_psnr;
+    std::optional<double> min_psnr;   // of `fit` and `verify`
+    std::optional<std::string> max_other;
     std::string plot;
     bool fresh = false;
     bool no_netlist = false;
@@ -54,6 +58,11 @@ struct Options {
 /// "512x384". Throws UserError.
 FrameSize parse_size(const std::string& text);
 
+/// "0.1%" or "0.1 %". Throws UserError unless it is a percentage below 100 and above 0, or 0 itself if `zero`.
+double parse_percent(const std::string& option, const std::string& typed, bool zero);
+/// Throws UserError unless --min-psnr lies above 0 and not above 200.
+void check_psnr(const Options& options);
+
 /// "1,2,4" or "12:20:2" (from, to, step): whole numbers. `option` begins the sentence. Throws UserError.
 std::vector<int> parse_values(const std::string& option, const std::string& text);
 
@@ -66,6 +75,9 @@ std::vector<Camera> camera_path(const Options& options, const Camera& camera);
 
 /// Memory and sink disturbed as asked. Throws UserError.
 Traffic traffic_of(const Options& options);
+
+/// load_scene(), with a warning on standard error for whatever a file holds and is not drawn as it stands there.
+Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives = Primitives::triangles);
 
 /// A scene with a camera, for a picture of this size.
 Scene ready_scene(const Options& options, FrameSize size, const Progress& progress);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
@@ -70,7 +71,7 @@ int simulate_command(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
-    if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: '" + o.engine + "' is not model or rtl");
+    if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
     const Progress progress = terminal_progress();
@@ -115,12 +116,15 @@ int simulate_command(const Options& o) {
             const WhittedFrame reference = tracer.whitted(path.back(), size, request.settings, o.threads, progress);
             const Picture picture = picture_of(size, colours);
             error = frame_error(hits, picture, reference.hits, picture_of(reference));
-            judgement = judge_finished({scene, path.back(), shown, job.image.lattice, config}, request.settings,
-                                       {reference, picture, answers, traces.back().trace.signatures}, hits, o.threads, progress);
+            const Given given{answers, colours, traces.back().trace.signatures};
+            if (!o.no_judge)
+                judgement = judge_finished({scene, path.back(), shown, job.image.lattice, config}, job.image, request.settings,
+                                           {reference, picture, given}, hits, o.threads, progress);
         } else {
             const HitFrame reference = tracer.frame(path.back(), size, o.threads, progress);
             error = frame_error(scene, hits, reference);
-            judgement = judge({scene, path.back(), shown, job.image.lattice, config}, {reference, answers, shade(scene, hits)}, o.threads, progress);
+            if (!o.no_judge)
+                judgement = judge({scene, path.back(), shown, job.image.lattice, config}, {reference, answers, shade(scene, hits)}, o.threads, progress);
         }
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -141,13 +145,13 @@ int simulate_command(const Options& o) {
             {"frames", o.frames}, {"pan", o.pan}, {"engine", o.engine}, {"partial", partial}, {"compile", compile_json(job.image.report)},
             {"rays", rays_json(frame)},
             {"work", work_json(frame)}, {"clocks", clocks_json}, {"units", units_json(config, frame)}, {"memory", memory_json(config, runs[0].khz, frame)},
-            {"error", error_json(error, judgement)},
+            {"error", error_json(error, judgement)}, {"judge", judge_json(judgement)},
             {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"judge_seconds", judgement ? judgement->seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
                       {"rays_per_second", rays_of(frame) * double(runs.size() * runs[0].frames.size()) / engine_seconds}}},
             {"digest", digest_text(digest.value())}};
         write_file(o.json, json.dump(2) + "\n");
     }
-    return partial || (judgement && judgement->bugs() > 0) ? 1 : 0;
+    return partial || (judgement && judgement->wrong_for(config) > 0) ? 1 : 0;
 }
 
 } // namespace rayclock

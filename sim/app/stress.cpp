@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
@@ -21,10 +22,10 @@ std::uint64_t parse_rays(const std::string& text) {
     try {
         std::size_t used = 0;
         const double rays = std::stod(text, &used);
-        if (used == text.size() && rays >= 1 && rays <= 1e15) return std::uint64_t(rays);
+        if (used == text.size() && rays >= 1 && rays <= 1e12) return std::uint64_t(rays);
     } catch (const std::exception&) {
     }
-    throw UserError("--rays: '" + text + "' is not a number of rays from 1 to 1e15, for example 1000000 or 1e9");
+    throw UserError("--rays: " + shown(text) + " is not a number of rays from 1 to 1e12, for example 1000000 or 1e9");
 }
 
 stress::Plan make_plan(const Options& o) {
@@ -65,7 +66,7 @@ int stress_command(const Options& o) {
     const stress::Plan plan = make_plan(o);
     check_outputs(o);
     if (!o.output.empty()) check_writable(o.output);
-    if (!plan.state.empty()) check_writable(plan.state);
+    if (!plan.state.empty()) check_replaceable(plan.state);
     const stress::Outcome outcome = stress::run(plan, terminal_progress());
     if (o.json != "-") fmt::print("{}", stress::text(plan, outcome));
     if (!o.json.empty()) write_file(o.json, stress::json(plan, outcome).dump(2) + "\n");

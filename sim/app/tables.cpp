@@ -101,9 +101,10 @@ std::string unit_table(const Config& config, const std::vector<ClockRun>& runs) 
 }
 
 std::string error_line(const char* who, const FrameError& e) {
-    return fmt::format("  {}: {} of {} pixels hold another primitive ({:.3f} %), PSNR {}, largest depth error {:.3g} scene units\n", who,
+    return fmt::format("  {}: {} of {} pixels hold another primitive ({:.3f} %), PSNR {}, "
+                       "largest depth error {:.3g} scene units over {} pixels that hold the same primitive\n", who,
                        grouped(e.pixels_other_primitive), grouped(e.pixels), 100 * double(e.pixels_other_primitive) / double(e.pixels),
-                       std::isfinite(e.psnr_db) ? fmt::format("{:.1f} dB", e.psnr_db) : "infinite (equal)", e.max_abs_depth);
+                       std::isfinite(e.psnr_db) ? fmt::format("{:.1f} dB", e.psnr_db) : "infinite (equal)", e.max_abs_depth, grouped(e.depth_pixels));
 }
 
 
@@ -119,9 +120,17 @@ std::string cause_lines(const Judgement& j) {
         return text;
     };
     std::string text = fmt::format("  causes: {}\n    where another primitive is held: {}", list(j.causes), list(j.causes_other));
-    if (!j.asked_oracle) return text + "\n";
     if (j.on_edge) text += fmt::format("; {} of these rays meet an edge exactly", grouped(j.on_edge));
-    return text + fmt::format("\n  oracle: {} pixels judged in {:.2f} s, {} wrong\n", grouped(j.pixels.size()), j.seconds, grouped(j.wrong));
+    text += fmt::format("\n  judge: {} camera", grouped(j.rays.primary));
+    const std::pair<const char*, std::uint64_t> kinds[] = {{"shadow", j.rays.shadow}, {"reflected", j.rays.reflection}, {"refracted", j.rays.refraction}};
+    for (const auto& [name, rays] : kinds)
+        if (rays > 0) text += fmt::format(", {} {}", grouped(rays), name);
+    text += " rays";
+    if (j.colours > 0) text += fmt::format(" and {} colours (bounds of at most +-{:.2f} %)", grouped(j.colours), 100 * std::ldexp(j.widest, -unit_bits));
+    text += fmt::format(" judged in {:.2f} s, {} wrong\n", j.seconds, grouped(j.wrong));
+    for (std::size_t i = 0; i < std::min<std::size_t>(j.faults.size(), 5); ++i)
+        text += fmt::format("    WRONG at pixel ({}, {}), after ray {}: {}\n", j.faults[i].x, j.faults[i].y, j.faults[i].ray, j.faults[i].what);
+    return text;
 }
 
 } // namespace rayclock

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
@@ -69,7 +70,7 @@ int tradeoff_command(const Options& o) {
         plot::write_plot(plot_path(o.output, o.scenes[i]), sweep::front_plot(scenes[i].name, size, study.grid, results, sweep::front_of(results)));
     }
     write_file(o.output, sweep::page(study, scenes, khz, command_of(o)));
-    fmt::print("{} written\n", o.output);
+    fmt::print("{} written\n", printable(o.output));
     return 0;
 }
 

@@ -7,13 +7,16 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/limits.hpp"
 #include "sim/app/picture.hpp"
 #include "sim/app/tables.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/image/golden.hpp"
+#include "sim/report/lockstep.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock {
@@ -73,24 +76,18 @@ void write_pictures(const std::string& folder, const Pictures& p, const Lockstep
     if (judgement) write_picture(path("difference.png"), cause_picture(p.reference, *judgement), p.hits);
 }
 
-void print_lockstep(const LockstepResult& r) {
-    fmt::print("  model and RTL: {} transfers compared in {} cycles, {} values differ, cycle gap {}, counters {}\n", grouped(r.events_compared),
-               grouped(r.model.cycles), grouped(r.value_mismatches), r.cycle_gap, r.account_mismatches ? "DIFFER" : "equal");
-    if (!r.first) return;
-    const Divergence& d = *r.first;
-    fmt::print("  FIRST DIVERGENCE at cycle {}: unit {}, channel {}, ray {}, pixel ({}, {})\n    expected {}\n    got      {}\n", grouped(d.cycle),
-               d.unit, d.channel, d.ray, d.x, d.y, d.expected, d.got);
-}
-
 } // namespace
 
 int verify_command(const Options& o) {
+    if (o.torture) return torture_command(o);
+    if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const auto start = std::chrono::steady_clock::now();
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
     const Traffic traffic = traffic_of(o);
     check_outputs(o);
+    const Limits limits = limits_of(o);
     const Progress progress = terminal_progress();
     const Request request = request_of(o, size, progress);
     const Config& config = request.config;
@@ -116,31 +113,36 @@ int verify_command(const Options& o) {
     const FrameRun& judged = result.agrees() ? result.model : result.rtl;
     const Asked asked{scene, path.back(), traces.back().frame, job.image.lattice, config};
     std::optional<Judgement> judgement;
-    if (!result.model.partial && !request.finished) judgement = judge(asked, {reference, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
-    if (!result.model.partial && request.finished)
-        judgement = judge_finished(asked, request.settings, {pictures.finished, drawn(judged), judged.answers, traces.back().trace.signatures}, judged.hits, o.threads, progress);
+    const bool judges = !result.model.partial && !o.no_judge;
+    if (judges && !request.finished) judgement = judge(asked, {reference, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
+    const Given given{judged.answers, judged.colours, traces.back().trace.signatures};
+    if (judges && request.finished)
+        judgement = judge_finished(asked, job.image, request.settings, {pictures.finished, drawn(judged), given}, judged.hits, o.threads, progress);
     const GoldenResult golden = request.finished ? GoldenResult{} : golden_result(o, scene, config);
     if (!o.output.empty()) write_pictures(o.output, pictures, result, judgement);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool partial = result.model.partial;
-    const bool good = result.agrees() && !partial && (!judgement || judgement->bugs() == 0) && (!golden.found || golden.within);
+    const FrameError& error = result.agrees() ? model : rtl;
+    const std::string beyond = partial ? "" : beyond_limits(limits, error);
+    const bool good = (beyond.empty() || !limits.fails) && result.agrees() && !partial && (!judgement || judgement->wrong_for(config) == 0) && (!golden.found || golden.within);
 
     if (o.json != "-") {
         fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
-        print_lockstep(result);
+        fmt::print("{}", lockstep_lines(result));
         fmt::print("{}", error_line("model against reference", model));
         if (!result.agrees()) fmt::print("{}", error_line("RTL against reference", rtl));
         if (judgement) fmt::print("{}", cause_lines(*judgement));
         if (golden.found) fmt::print("  golden picture: {}, {}\n", std::isfinite(golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", golden.psnr_db) : "equal", golden.within ? "within bounds" : "OUT OF BOUNDS");
-        if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", o.output);
-        fmt::print("  {} in {:.1f} s\n", good ? "VERIFIED" : partial ? "PARTIAL: interrupted" : "FAILED", seconds);
+        if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", printable(o.output));
+        fmt::print("{}  {} in {:.1f} s\n", beyond, good ? (beyond.empty() ? "VERIFIED" : "VERIFIED, but far from the reference") : partial ? "PARTIAL: interrupted" : "FAILED", seconds);
     }
     if (!o.json.empty()) {
         const nlohmann::ordered_json json{
             {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
             {"compile", compile_json(job.image.report)}, {"partial", partial}, {"pixels", model.pixels}, {"events_compared", result.events_compared},
             {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
-            {"reference", error_json(model, judgement)},
+            {"counters_compared", result.counters_compared}, {"first_counter", counter_json(result.counter)},
+            {"reference", error_json(model, judgement)}, {"limits", limits_json(limits, error)}, {"judge", judge_json(judgement)},
             {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
             {"rays", rays_json(result.model)}, {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
             {"memory", memory_json(config, job.khz, result.model)},

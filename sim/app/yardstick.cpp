@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/picture.hpp"
 #include "sim/image/image.hpp"
@@ -148,7 +149,7 @@ int yardstick_command(const Options& o) {
             "bounces (Haines' depth 5), one sample a pixel, 512x384. Spheres are spheres, other round things triangles.\n\n";
     page += finished_table(o, progress);
     write_file(o.output, page + sources);
-    fmt::print("{} written\n", o.output);
+    fmt::print("{} written\n", printable(o.output));
     return 0;
 }
 

@@ -90,7 +90,10 @@ private:
             if (open[i]) open_.push_back(i);
             judgement_.other[i] = holds_another(i);
             judgement_.wrong += wrong[i];
+            if (wrong[i] && judgement_.faults.size() < 20)
+                judgement_.faults.push_back({std::uint32_t(x(i)), std::uint32_t(y(i)), 0, "the camera ray's answer is not the exact one"});
         }
+        judgement_.rays.primary = pixels;
     }
 
     /// The hits of all stages but the last, which is that before it, for the pixels that differ.

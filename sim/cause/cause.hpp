@@ -16,6 +16,7 @@
 #include "model/core/progress.hpp"
 #include "model/shade/shade.hpp"
 #include "sim/cause/truth.hpp"
+#include "sim/judge/picture.hpp"
 
 namespace rayclock {
 
@@ -36,22 +37,19 @@ struct Judgement {
     std::vector<bool> other;         ///< holds another primitive
     PixelCauses causes{};
     PixelCauses causes_other{};       ///< of the pixels that hold another primitive
-    bool asked_oracle = true;        ///< not of finished pictures with spheres, planes or several samples
-    std::uint64_t wrong = 0;         ///< pixels whose answer is not the only right one
+    std::uint64_t wrong = 0;         ///< pixels in which something is not as it must be
+    RayCounts rays;                  ///< judged, by what they are for
+    std::uint64_t colours = 0;       ///< judged
+    double widest = 0;               ///< half of the widest range in which a colour must lie, in 1/65536; 0: no colours
+    std::vector<PictureFault> faults;///< the first of some wrong pixels
     /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no precision decides there.
     std::uint64_t on_edge = 0;
     double seconds = 0;              ///< of the host
+    /// What must not be there: of another primitive test than the exact one wrong answers are a cause of their own.
+    std::uint64_t wrong_for(const Config& config) const { return config.test() == PrimitiveTest::exact ? wrong : bugs(); }
     std::uint64_t bugs() const { return causes[std::size_t(PixelCause::bug)]; }
 };
 
-/// How a frame was asked for.
-struct Asked {
-    const Scene& scene;
-    const Camera& camera;
-    const Frame& frame;
-    const Lattice& lattice;
-    const Config& config;
-};
 /// What came of it, one entry a pixel: by the reference, and as a machine gave it.
 struct Answered {
     const HitFrame& reference;

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "sim/image/srgb.hpp"
 
@@ -24,10 +25,7 @@ Scene on_lattice(const Scene& scene, const Lattice& lattice, const Frame& frame)
         s.centre = point(lattice.snap(s.centre));
         s.radius = std::sqrt(std::max(1.0, std::round(radius * radius)));
     }
-    for (Plane& p : snapped.planes) {
-        const glm::dvec3 a = point(lattice.snap(p.point)), b = point(lattice.snap(p.point + p.u)), c = point(lattice.snap(p.point + p.v));
-        p = {a, b - a, c - a, p.material};
-    }
+    for (Plane& p : snapped.planes) p = snapped_plane(p, lattice);
     for (std::size_t i = 0; i < snapped.lights.size(); ++i)
         snapped.lights[i].position = {frame.shade.place[3 * i], frame.shade.place[3 * i + 1], frame.shade.place[3 * i + 2]};
     return snapped;
@@ -42,31 +40,28 @@ Camera on_lattice(Camera camera, const Lattice& lattice, const Frame& frame) {
 
 } // namespace
 
-Judgement judge_finished(const Asked& asked, const Whitted& settings, const FinishedAnswer& answered, const HitFrame& hits, int threads, const Progress& progress) {
+Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings, const FinishedAnswer& answered, const HitFrame& hits,
+                         int threads, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
+    const PictureJudgement judged = judge_picture(asked, image, settings, answered.given, threads, progress);
     const std::size_t pixels = hits.hits.size();
     const std::optional<Scene> moved = aligned(asked.scene, asked.lattice);
-    const Scene& compiled = moved ? *moved : asked.scene;
-    const Scene scene = on_lattice(compiled, asked.lattice, asked.frame);
+    const Scene scene = on_lattice(moved ? *moved : asked.scene, asked.lattice, asked.frame);
     const WhittedFrame snapped = Reference(scene).whitted(on_lattice(asked.camera, asked.lattice, asked.frame), hits.size, settings, threads, progress);
     Judgement j;
     j.pixels.assign(pixels, PixelCause::none);
     j.other.assign(pixels, false);
-    j.asked_oracle = scene.spheres.empty() && scene.planes.empty() && settings.aa == 1 && !settings.jitter;
-    std::optional<Truth> truth;
-    if (j.asked_oracle) truth.emplace(compiled, asked.lattice, asked.config);
-    std::vector<std::uint8_t> wrong(pixels);
-    const auto width = std::size_t(hits.size.width);
-    if (truth) tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
-        const ExactPixel exact = truth->pixel(asked.frame, int(i % width), int(i / width));
-        wrong[i] = !same_answer(truth->answer(exact), answered.answers[i]);
-    });
+    j.wrong = judged.wrong;
+    j.rays = judged.rays;
+    j.colours = judged.colours;
+    j.widest = judged.widest;
+    j.faults = judged.faults;
     for (std::size_t i = 0; i < pixels; ++i) {
-        j.wrong += wrong[i];
         j.other[i] = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
-        if (!wrong[i] && !j.other[i] && srgb_bytes(glm::vec3(answered.reference.pixels[i])) == srgb_bytes(answered.picture.pixels[i])) continue;
-        const std::uint64_t mine = answered.signatures[i];
-        const PixelCause cause = wrong[i] ? PixelCause::bug : mine == answered.reference.signatures[i] ? PixelCause::shading
+        const bool same_colour = srgb_bytes(glm::vec3(answered.reference.pixels[i])) == srgb_bytes(answered.picture.pixels[i]);
+        if (!judged.pixels[i] && !j.other[i] && same_colour) continue;
+        const std::uint64_t mine = answered.given.signatures[i];
+        const PixelCause cause = judged.pixels[i] ? PixelCause::bug : mine == answered.reference.signatures[i] ? PixelCause::shading
             : mine == snapped.signatures[i] ? PixelCause::snapping : PixelCause::ray_quantisation;
         j.pixels[i] = cause;
         ++j.causes[std::size_t(cause)];

@@ -1,13 +1,14 @@
 #pragma once
 // Why a finished picture is not the reference's, pixel by pixel.
 //
-// A pixel has a tree of rays. If the machine's rays met what the reference's did, in the same order, the colours differ by the
-// chip's arithmetic: `shading`. If not, the reference is asked again about the scene as the machine has it, vertices, spheres, planes
-// and lights on the lattice. If its rays now meet what the machine's do, the cause is `snapping`; else the machine's rays, whose
-// directions and origins are rounded, went another way: `ray_quantisation`.
-//
-// What the camera rays of a scene of triangles met is also judged by the oracle, if there is one sample in the middle of a pixel: a
-// wrong answer is a `bug`. All other decisions are the business of the tests.
+// Every ray and every step of the pixel's path is judged first (sim/judge). If all is right, one of these findings holds:
+//   the machine's rays met what the reference's did, in the same order: the colours differ by the chip's arithmetic, and lie
+//   within its proven bounds: `shading`;
+//   they met what the reference's meet on the scene as the machine has it, vertices, spheres, planes and lights on the lattice:
+//   `snapping`;
+//   they met what neither does, each ray having been found to meet what it must, and to begin and to lead where it must but for
+//   a rounding that is named and bounded: `ray_quantisation`.
+// What is not found right in every step is a `bug`, whether or not it shows.
 #include "model/reference/reference.hpp"
 #include "sim/cause/cause.hpp"
 
@@ -17,11 +18,10 @@ namespace rayclock {
 struct FinishedAnswer {
     const WhittedFrame& reference;
     const Picture& picture;
-    const std::vector<Closest>& answers;            ///< of the machine's first samples
-    const std::vector<std::uint64_t>& signatures;   ///< of the machine's pixels
+    const Given& given;
 };
 /// The cause of every pixel whose 8-bit sRGB colour differs or whose first sample hit another primitive (`hits`).
-Judgement judge_finished(const Asked& asked, const Whitted& settings, const FinishedAnswer& answered, const HitFrame& hits, int threads = 0,
-                         const Progress& progress = {});
+Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings, const FinishedAnswer& answered, const HitFrame& hits,
+                         int threads = 0, const Progress& progress = {});
 
 } // namespace rayclock

@@ -17,20 +17,10 @@ Int128 size(Int128 a) { return a < 0 ? -a : a; }
 
 } // namespace
 
-Vec3i exact_direction(const Frame& frame, int x, int y) {
-    Vec3i d{};
-    const Int128 unit = power_of_two(guard_bits);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Int128 sum = Int128(frame.corner[k]) + Int128(x) * frame.right[k] + Int128(y) * frame.down[k];
-        d[k] = std::int32_t(floor_divide(2 * sum + unit, 2 * unit));   // floor(sum / unit + 1/2)
-    }
-    return d;
-}
-
 // The weight of a corner is the volume over the ray's direction and the other two, seen from the origin; all three sum to den.
 // Widths: num < 2^(3N+1) <= 2^61, u, v and den < 2^(2N+M+1) <= 2^63, see oracle/cross.hpp.
 ExactPixel Truth::pixel(const Frame& frame, int x, int y) const {
-    const Vec3i direction = exact_direction(frame, x, y);
+    const Vec3i direction = exact_direction(frame, config_, {}, x, y, 0);
     const oracle::ExactHit hit = surface_.closest(frame.eye, direction);
     if (hit.primitive == no_primitive) return {};
     const oracle::Corners& t = surface_.triangles()[hit.primitive];
@@ -52,10 +42,6 @@ Closest Truth::answer(const ExactPixel& pixel) const {
     answer.u = weight(pixel.u);
     answer.v = weight(pixel.v);
     return answer;
-}
-
-bool same_answer(const Closest& a, const Closest& b) {
-    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v;
 }
 
 } // namespace rayclock

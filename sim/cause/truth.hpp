@@ -5,6 +5,7 @@
 // The rounding of a direction, of t, u and v follows the promises in payloads.hpp (Frame, TriRsp), in formulas of its own.
 #include "model/core/payloads.hpp"
 #include "model/oracle/surface.hpp"
+#include "sim/judge/camera.hpp"
 
 namespace rayclock {
 
@@ -28,11 +29,5 @@ private:
     oracle::Surface surface_;
     Config config_;
 };
-
-/// Direction of a pixel's ray from the camera registers: the nearest integer, halves up.
-Vec3i exact_direction(const Frame& frame, int x, int y);
-
-/// Equal but for the context.
-bool same_answer(const Closest& a, const Closest& b);
 
 } // namespace rayclock

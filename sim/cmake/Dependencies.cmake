@@ -7,12 +7,15 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.10 REQUIRED)
 find_package(verilator 5.006 REQUIRED)
-pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 # Not find_package(OpenImageIO): Debian's target names an include folder that does not exist.
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)
 if(BUILD_TESTING)
-  find_package(Catch2 2.13 REQUIRED)
-  find_package(embree 3 REQUIRED)
+  # Debian 12 has Catch2 2.13 and Embree 3.13, Debian 13 has 3.7 and 4.3: tests are written for both.
+  find_package(Catch2 REQUIRED)
+  if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+    target_include_directories(Catch2::Catch2 INTERFACE ${PROJECT_SOURCE_DIR}/tests/support/catch2_3)
+  endif()
+  find_package(embree REQUIRED)
   find_package(Boost 1.74 REQUIRED)
 endif()
 

@@ -1,7 +1,6 @@
 #include "sim/engine/engine.hpp"
 
 #include <chrono>
-#include <csignal>
 #include <stdexcept>
 #include <thread>
 
@@ -26,18 +25,7 @@ std::string with_rate(const char* machine, std::uint64_t cycles, Clock::time_poi
     return fmt::format("{}, {:.1f} M cycles/s", machine, double(cycles) / std::max(1e-9, seconds_since(start)) / 1e6);
 }
 
-volatile std::sig_atomic_t interrupt_seen = 0;
-
 } // namespace
-
-void catch_interrupts() {
-    // The second Ctrl-C ends the program at once.
-    std::signal(SIGINT, [](int) {
-        interrupt_seen = 1;
-        std::signal(SIGINT, SIG_DFL);
-    });
-}
-bool interrupted() { return interrupt_seen != 0; }
 
 void check_capacity(const MemoryImage& image, const Config& config) {
     if (config.dram == 0) return;
@@ -67,7 +55,7 @@ FrameTrace record_frame(const Job& job, const Frame& frame, int threads, const P
 }
 
 std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic, const Progress& progress) {
-    const std::uint64_t limit = patience(config, traffic);
+    const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     std::vector<FrameTiming> timings;
     for (const FrameTrace& frame : frames) {
@@ -145,6 +133,8 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
     std::uint64_t quiet = 0;
     while (!machine.done() && !interrupted()) {
         machine.step([&](const HitOut& hit) { collector.add(hit); });
+        if (const auto& n = machine.nonsense())
+            throw std::runtime_error(fmt::format("rtl: cycle {}: the channel {} carries {}", machine.cycle() - 1, channels[index(n->channel)].name, n->what));
         quiet = machine.moved() ? 0 : quiet + 1;
         if (quiet > limit)
             throw std::runtime_error(fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done", limit, machine.cycle(),
@@ -176,7 +166,7 @@ std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>&
     RtlMachine machine(job.image, job.config, khz, traffic, seed);
     std::vector<FrameRun> runs;
     for (const Frame& frame : frames) {
-        runs.push_back(run_rtl_frame(machine, job, frame, patience(job.config, traffic), progress));
+        runs.push_back(run_rtl_frame(machine, job, frame, patience(job.config, khz, traffic), progress));
         if (runs.back().partial) break;
     }
     return runs;
@@ -190,7 +180,14 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
     HitFrame picture{job.size, {}};
     picture.hits.reserve(hits.size());
     const HitScale scale(frame, job.image.lattice, job.config);
-    for (std::uint32_t i = 0; i < hits.size(); ++i) picture.hits.push_back(scale({i % frame.width, i / frame.width, hits[i]}));
+    const std::uint32_t beyond = (1u << job.config.t_bits()) - 1;
+    for (std::uint32_t i = 0; i < hits.size(); ++i) {
+        picture.hits.push_back(scale({i % frame.width, i / frame.width, hits[i]}));
+        if (!job.config.planes || !hits[i].found || hits[i].t != beyond) continue;
+        const auto surface = unpack<Surface>(job.image.line(job.image.surfaces + hits[i].prim), job.config);
+        if (PrimKind(surface.kind) == PrimKind::plane)
+            picture.hits.back().depth = depth_on_plane(hits[i], surface, frame.eye, job.image.lattice, job.config);
+    }
     return picture;
 }
 
@@ -221,8 +218,11 @@ std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, 
     return digest.value();
 }
 
-std::uint64_t patience(const Config& config, const Traffic& traffic) {
-    return 20000 + 10 * std::uint64_t(config.mem_latency + traffic.jitter + config.mem_interval);
+std::uint64_t patience(const Config& config, int khz, const Traffic& traffic) {
+    std::uint64_t cycles = std::uint64_t(config.mem_latency + config.mem_interval);
+    if (config.dram != 0)
+        cycles += std::uint64_t(longest_pause_ps(dram_part(dram_names()[std::size_t(config.dram)]))) * std::uint64_t(khz) / 1'000'000'000;
+    return 20000 + 10 * (cycles + std::uint64_t(traffic.jitter));
 }
 
 } // namespace rayclock

@@ -10,6 +10,7 @@
 #include "model/shade/shade.hpp"
 #include "model/scene/hit.hpp"
 #include "model/trace/trace.hpp"
+#include "sim/rtl/interrupt.hpp"
 
 namespace rayclock {
 
@@ -112,11 +113,7 @@ private:
 };
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 
-/// Cycles without any transfer after which a run is given up: longer than any memory request can take.
-std::uint64_t patience(const Config& config, const Traffic& traffic);
-
-/// Ctrl-C makes long runs stop with what they have, once catch_interrupts() was called.
-void catch_interrupts();
-bool interrupted();
+/// Cycles of this clock without any transfer after which a run is given up: ten times as many as the memory can take to answer.
+std::uint64_t patience(const Config& config, int khz, const Traffic& traffic);
 
 } // namespace rayclock

@@ -1,3 +1,4 @@
+#include "model/core/quote.hpp"
 #include "sim/fit/dominant.hpp"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::optional<Dominant> material(const Scene& scene) {
     const auto largest = std::max_element(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.extent() < b.extent(); });
     const auto m = std::uint32_t(largest - boxes.begin());
     const std::string& name = scene.materials[m].name;
-    auto part = leave_out(scene, name.empty() ? fmt::format("material {}", m) : fmt::format("material '{}'", name),
+    auto part = leave_out(scene, name.empty() ? fmt::format("material {}", m) : "material " + shown(name),
                           [&](std::size_t i) { return scene.triangles[i].material != m; });
     if (part) part->what += fmt::format(" ({} triangle{})", part->triangles, part->triangles == 1 ? "" : "s");
     return part;

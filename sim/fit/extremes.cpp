@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "model/accel/decode.hpp"
+#include "model/raygen/raygen.hpp"
 #include "sim/fit/ranges.hpp"
 
 namespace rayclock::fit {
@@ -28,30 +29,27 @@ Interval turned(const Extremes::Axes& d, const Vec& e, std::size_t k) {
     return d[i] * point(e[j]) - d[j] * point(e[i]);
 }
 
-/// The sum that raygen rounds, for the pixels x and y.
+/// What raygen sums for the pixels x and y.
 Interval sum_of(const Frame& f, std::size_t k, const Interval& x, const Interval& y) {
-    return point(f.corner[k]) + point(f.right[k]) * x + point(f.down[k]) * y + point(Wide(1) << (guard_bits - 1));
+    return point(f.corner[k]) + point(f.right[k]) * x + point(f.down[k]) * y;
 }
 
-/// In squares of pixels: a whole frame's box of directions may hold zero although no direction is near it.
-void measure_directions(const Frame& f, Extremes& e) {
-    constexpr std::uint32_t side = 8;
+/// Of every pixel: a box of all directions may hold zero although no direction is near it.
+void measure_directions(const Frame& f, const Config& config, Extremes& e) {
     e.least_direction = std::int64_t(1) << 62;
-    for (std::uint32_t y = 0; y < f.height; y += side)
-        for (std::uint32_t x = 0; x < f.width; x += side) {
-            const Interval xs{x, std::min(x + side, f.width) - 1}, ys{y, std::min(y + side, f.height) - 1};
-            Wide least = 0, squares = 0;
+    for (std::uint32_t y = 0; y < f.height; ++y)
+        for (std::uint32_t x = 0; x < f.width; ++x) {
+            const Vec3i d = pixel_direction(x, y, f, config);
+            std::int64_t largest = 0;
             for (std::size_t k = 0; k < 3; ++k) {
-                const Interval size = magnitude(right(sum_of(f, k, xs, ys), guard_bits));
-                least = std::max(least, size.lo);
-                squares += size.hi * size.hi;
+                add(e.direction[k], d[k]);
+                largest = std::max(largest, std::abs(std::int64_t(d[k])));
             }
-            e.least_direction = std::min(e.least_direction, std::int64_t(least));
-            e.squares = std::max(e.squares, std::int64_t(squares));
+            e.least_direction = std::min(e.least_direction, largest);
         }
 }
 
-void measure_frame(const Frame& f, Extremes& e) {
+void measure_frame(const Frame& f, const Config& config, Extremes& e) {
     const Interval x{0, Wide(f.width) - 1}, y{0, Wide(f.height) - 1};
     for (std::size_t k = 0; k < 3; ++k) {
         e.eye[k] = point(f.eye[k]);
@@ -59,9 +57,8 @@ void measure_frame(const Frame& f, Extremes& e) {
         add(e.right_x, e.right[k] * x);
         add(e.down_y, e.down[k] * y);
         e.sum[k] = sum_of(f, k, x, y);
-        e.direction[k] = right(e.sum[k], guard_bits);
     }
-    measure_directions(f, e);
+    measure_directions(f, config, e);
 }
 
 void measure_triangle(const PrimData& t, const Vec3i& eye, Extremes& e) {
@@ -124,7 +121,7 @@ void measure_node(const Node& node, const Config& config, Extremes& e) {
 
 Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& config) {
     Extremes e;
-    measure_frame(frame, e);
+    measure_frame(frame, config, e);
     e.node = point(frame.root);
     std::vector<std::uint32_t> pending{frame.root};
     while (!pending.empty()) {

@@ -22,13 +22,13 @@ std::vector<int> outcome_key(const Config& c) {
     return key;
 }
 
-/// A direction is linear in the pixel before it is rounded, so its square is largest, but for that rounding, in a corner.
-std::int64_t largest_square(const Frame& frame) {
+/// Of any pixel's direction.
+std::int64_t largest_square(const Frame& frame, const Config& config) {
     std::int64_t largest = 0;
-    for (const std::uint32_t x : {0u, frame.width - 1})
-        for (const std::uint32_t y : {0u, frame.height - 1}) {
+    for (std::uint32_t y = 0; y < frame.height; ++y)
+        for (std::uint32_t x = 0; x < frame.width; ++x) {
             std::int64_t square = 0;
-            for (const std::int64_t d : pixel_direction(x, y, frame)) square += d * d;
+            for (const std::int64_t d : pixel_direction(x, y, frame, config)) square += d * d;
             largest = std::max(largest, square);
         }
     return largest;
@@ -64,7 +64,7 @@ Outcome Measure::measure(const Config& config) {
         const Trace trace = record_trace(image, frame, config, threads_);
         outcome.work = trace.visits + trace.triangle_tests;
         outcome.compile = image.report;
-        outcome.direction_squares = largest_square(frame);
+        outcome.direction_squares = largest_square(frame, config);
         const HitScale scale(frame, image.lattice, config);
         HitFrame hits{size_, {}};
         hits.hits.reserve(trace.hits.size());

@@ -33,10 +33,9 @@ struct Signal {
 struct Extremes {
     using Axes = std::array<Interval, 3>;
     Axes vertex, eye, direction;
-    Axes corner, right, down, sum;     ///< camera registers and raygen's sum, with the half that rounds
+    Axes corner, right, down, sum;     ///< camera registers and raygen's sum
     Interval right_x, down_y;          ///< terms of that sum, all axes
     std::int64_t least_direction = 0;  ///< no direction's largest component is smaller
-    std::int64_t squares = 0;          ///< no direction's square is larger
     Interval reach;                    ///< largest component of vertex - eye, of any vertex
     Axes p1, p2, edge, to_eye;         ///< of all triangles: d x e1, d x e2; e1 and e2; s
     Axes normal;

@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (argc < 2 || std::string(argv[1]) == "-") {
-        std::cout << text;
-        return 0;
+        std::cout << text << std::flush;
+        return std::cout ? 0 : 1;
     }
     std::ofstream file(argv[1]);
     file << text;

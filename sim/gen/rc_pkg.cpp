@@ -100,6 +100,9 @@ std::string rc_package(const Config& c) {
     constant("NumBits", c.num_bits());
     constant("TriRayBits", c.tri_ray_bits());
     constant("OriginWidth", c.origin_width());
+    constant("PointWidth", c.point_width());
+    constant("ApproachShift", c.approach_shift());
+    constant("ApproachSteps", approach_steps);
     constant("RayDirBits", c.ray_dir_bits());
     constant("UvBits", c.uv_bits());
     constant("LightBits", c.light_bits());
@@ -120,6 +123,7 @@ std::string rc_package(const Config& c) {
     constant("Clients", c.clients());
     constant("GuardBits", guard_bits);
     constant("GuardDirBits", c.guard_dir_bits());
+    constant("MostShift", most_shift);
     constant("RayBits", c.ray_bits());
     constant("GroupBits", c.group_bits());
     constant("SlotBits", c.slot_bits());

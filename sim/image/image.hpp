@@ -2,11 +2,12 @@
 #include <string>
 
 #include "model/shade/shade.hpp"
+#include "sim/files/output.hpp"
 
 namespace rayclock {
 
 /// Writes a picture: .png is 8-bit sRGB, .exr is linear half float with depth ("Z") and primitive id ("id") layers.
-/// Goes to a temporary name first and is then renamed. Throws UserError if it cannot be written or the ending is unknown.
+/// It appears whole or not at all, see sim/files/output.hpp. Throws UserError if it cannot be written or the ending is unknown.
 void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits);
 
 /// Reads a picture back as linear RGB. Throws UserError if it is missing or not an image.
@@ -23,8 +24,5 @@ PictureDifference compare(const Picture& a, const Picture& b, int tolerance = 0)
 
 /// Fails early (UserError) if write_picture() could not write to `path`, before the work for it is done.
 void check_picture_path(const std::string& path);
-
-/// Fails early (UserError) if a file could not be created at `path`: missing folder, a directory, no permission.
-void check_writable(const std::string& path);
 
 } // namespace rayclock

@@ -6,11 +6,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
-#include "sim/image/output_file.hpp"
 #include "sim/image/srgb.hpp"
 
 namespace rayclock {
@@ -80,7 +80,7 @@ std::string reason(std::string message) {
 
 void check_picture_path(const std::string& path) {
     format_of(path);
-    check_writable(path);
+    check_replaceable(path);
 }
 
 void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits) {
@@ -89,16 +89,17 @@ void write_picture(const std::string& path, const Picture& picture, const HitFra
     const auto pixels = static_cast<std::size_t>(picture.size.width) * picture.size.height;
     if (picture.pixels.size() != pixels || hits.size != picture.size || hits.hits.size() != pixels)
         throw UserError(fmt::format("{}: picture and hits differ in size", path));
-    check_writable(path);
+    check_replaceable(path);
     const Encoded encoded = format.encode(picture, hits);
-    OutputFile file(path);
     const auto output = OIIO::ImageOutput::create(format.plugin);
     if (!output) throw UserError(fmt::format("{}: cannot be written: {}", path, reason(OIIO::geterror())));
+    // Into memory first: the library does not see an error of the last bytes, nor of closing the file.
+    OIIO::Filesystem::IOVecOutput memory;
+    output->set_ioproxy(&memory);
     // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
-    const bool written = output->open(file.temporary().string(), encoded.spec)
-                         && output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
-    if (!written) throw UserError(fmt::format("{}: cannot be written: {}", path, reason(output->geterror())));
-    file.publish();
+    const bool encoded_all = output->open(path, encoded.spec) && output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
+    if (!encoded_all) throw UserError(fmt::format("{}: cannot be written: {}", path, reason(output->geterror())));
+    write_bytes(path, {reinterpret_cast<const char*>(memory.buffer().data()), memory.buffer().size()});
 }
 
 } // namespace rayclock

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/load/file.hpp"
-#include "sim/load/text.hpp"
+#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {
@@ -102,25 +101,37 @@ GltfContainer open_gltf(const std::string& file, std::string_view bytes) {
     return container;
 }
 
-GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container)
-    : document_(document), path_(path), container_(container) {
-    if (const auto buffers = document.find("buffers")) loaded_.resize(buffers->array().size());
+GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container, Loading& loading)
+    : document_(document), path_(path), container_(container), loading_(loading) {
+    if (const auto buffers = document.find("buffers")) inside_.resize(buffers->array().size());
+}
+
+/// A document from somewhere must not make the program read files from anywhere.
+std::string_view GltfBuffers::file(const JsonValue& uri, const std::string& name) {
+    if (leaves_folder(name)) uri.refuse(fmt::format("names {}, which lies outside the folder of the file", shown(name)));
+    const auto [found, is_new] = outside_.try_emplace(name);
+    if (is_new) found->second = loading_.read(path_.parent_path() / name, uri.where());
+    return found->second;
 }
 
 std::string_view GltfBuffers::buffer(std::uint64_t index) {
     const JsonValue entry = document_.at("buffers")[index];
     const std::uint64_t length = entry.at("byteLength").whole(std::uint64_t{1} << 40);
     const auto uri = entry.find("uri");
-    std::string& own = loaded_[index];
-    if (uri && own.empty()) {
-        const std::string text = uri->string();
+    if (!uri && (!container_.is_binary || index != 0)) entry.refuse("has no data: 'uri' is missing");
+    std::string_view bytes = container_.binary;
+    if (uri) {
+        if (!uri->raw().is_string()) uri->expected("a string");
+        const std::string& text = uri->raw().get_ref<const std::string&>();
         const std::size_t comma = text.find(";base64,");
         if (text.starts_with("data:") && comma == text.npos) uri->expected("base64 data or the name of a file");
-        own = text.starts_with("data:") ? decode_base64(std::string_view(text).substr(comma + 8), *uri)
-                                        : read_file(path_.parent_path() / decode_percent(text));
+        if (text.starts_with("data:")) {
+            if (inside_[index].empty()) inside_[index] = decode_base64(std::string_view(text).substr(comma + 8), *uri);
+            bytes = inside_[index];
+        } else {
+            bytes = file(*uri, decode_percent(text));
+        }
     }
-    if (!uri && (!container_.is_binary || index != 0)) entry.refuse("has no data: 'uri' is missing");
-    const std::string_view bytes = uri ? std::string_view(own) : container_.binary;
     if (bytes.size() < length) entry.refuse(fmt::format("is cut off: it has {} bytes of {}", bytes.size(), length));
     return bytes.substr(0, length);
 }
@@ -129,7 +140,7 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
     constexpr std::uint64_t far = std::uint64_t{1} << 40;
     const JsonValue views = document_.at("bufferViews").array();
     const JsonValue view = views[accessor.at("bufferView").whole(views.size())];
-    const std::string_view all = buffer(view.at("buffer").whole(loaded_.size()));
+    const std::string_view all = buffer(view.at("buffer").whole(inside_.size()));
     const std::uint64_t offset = view.whole_or("byteOffset", far, 0), length = view.at("byteLength").whole(far);
     if (offset > all.size() || length > all.size() - offset)
         view.refuse(fmt::format("ends at byte {}, beyond its buffer of {} bytes", offset + length, all.size()));
@@ -155,6 +166,7 @@ std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) 
 
     std::uint64_t stride = 0;
     const std::string_view bytes = slice(accessor, count, component.bytes * width, stride);
+    if (!loading_.may_make(count * width * sizeof(double))) accessor.refuse(loading_.too_much());
     std::vector<double> numbers;
     numbers.reserve(count * width);
     for (std::uint64_t i = 0; i < count; ++i)

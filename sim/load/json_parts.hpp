@@ -3,7 +3,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "model/scene/scene.hpp"
-#include "sim/load/json_value.hpp"
+#include "sim/files/json_value.hpp"
 
 namespace rayclock {
 

@@ -10,12 +10,11 @@
 #include "model/core/error.hpp"
 #include "model/core/nearest.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/load/file.hpp"
+#include "sim/files/input.hpp"
 #include "sim/load/json_parts.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "sim/load/place.hpp"
-#include "sim/load/prepare.hpp"
-#include "sim/load/text.hpp"
+#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {
@@ -25,14 +24,14 @@ using Part = std::shared_ptr<Scene>;
 /// All files of one load: each is read once, and none may contain itself.
 class Library {
 public:
-    explicit Library(const Progress& progress) : progress_(progress) {}
-    JsonLoad json(const std::filesystem::path& path);
+    explicit Library(Loading& loading) : loading_(loading) {}
+    JsonLoad json(const std::filesystem::path& path, const std::string& asked_by = {});
     Part file(const std::filesystem::path& path, const JsonValue& from);
     Part builtin(const std::string& spec, Primitives primitives, const JsonValue& from);
-    const Progress& progress() const { return progress_; }
+    Loading& loading() const { return loading_; }
 
 private:
-    const Progress& progress_;
+    Loading& loading_;
     std::map<std::string, Part> known_;
     std::vector<std::filesystem::path> open_;
 };
@@ -44,20 +43,21 @@ public:
 
     JsonLoad build() {
         in_.only_keys({"camera", "background", "lights", "materials", "meshes", "objects", "spheres", "planes"});
-        scene_.name = path_.filename().string();
+        scene_.name = printable(path_.filename().string(), 80);
         if (const auto camera = in_.find("camera")) scene_.camera = camera_of(*camera);
         if (const auto background = in_.find("background")) scene_.background = colour_of(*background);
         const auto lights = in_.find("lights");
         if (lights) read_lights(lights->array());
         if (const auto materials = in_.find("materials"))
             for (const auto& [name, ignored] : materials->object().raw().items()) {
+                make_room(*materials, sizeof(Material));
                 material_numbers_[name] = static_cast<std::uint32_t>(scene_.materials.size());
                 scene_.materials.push_back(material_of(materials->at(name), name));
             }
         // Whoever has spheres or planes needs no mesh.
         const bool has_others = in_.find("spheres") || in_.find("planes");
         if (!has_others || in_.find("meshes"))
-            for (const auto& [name, ignored] : in_.at("meshes").object().raw().items()) meshes_[name] = {mesh(in_.at("meshes").at(name)), {}};
+            read_meshes(in_.at("meshes").object());
         if (!has_others || in_.find("objects")) objects(in_.at("objects").array());
         if (const auto spheres = in_.find("spheres")) read_each(spheres->array(), sphere_of, scene_.spheres);
         if (const auto planes = in_.find("planes")) read_each(planes->array(), plane_of, scene_.planes);
@@ -65,6 +65,11 @@ public:
     }
 
 private:
+    /// Refuses what would make more than the files allow.
+    void make_room(const JsonValue& from, std::uint64_t bytes) {
+        if (!library_.loading().may_make(bytes)) from.refuse(library_.loading().too_much());
+    }
+
     struct Mesh {
         Part part;
         std::optional<std::uint32_t> material_base;    ///< set once its own materials are in the scene
@@ -100,6 +105,10 @@ private:
         return *grey_;
     }
 
+    void read_meshes(const JsonValue& list) {
+        for (const auto& [name, ignored] : list.raw().items()) meshes_[name] = {mesh(list.at(name)), {}};
+    }
+
     Part mesh(const JsonValue& in) {
         in.only_keys({"file", "builtin", "native", "vertices", "triangles"});
         const bool is_inline = in.find("vertices") || in.find("triangles");
@@ -108,7 +117,9 @@ private:
         if (const auto native = in.find("native"); native && !in.find("builtin")) native->refuse("belongs to a 'builtin' only");
         if (const auto file = in.find("file")) return library_.file(path_.parent_path() / file->string(), *file);
         if (const auto builtin = in.find("builtin")) return library_.builtin(builtin->string(), flag_or(in, "native", false) ? Primitives::native : Primitives::triangles, *builtin);
-        return std::make_shared<Scene>(inline_mesh(in));
+        const auto part = std::make_shared<Scene>(inline_mesh(in));
+        make_room(in, bytes_of(*part));
+        return part;
     }
 
     void objects(const JsonValue& list) {
@@ -123,7 +134,7 @@ private:
                 list[i].refuse(fmt::format("brings the scene above {} triangles", max_triangles));
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (library_.progress()) library_.progress()("placing", i, list.size());
+            library_.loading().tell("placing", i, list.size());
             place(list[i], any_smooth);
         }
     }
@@ -136,17 +147,21 @@ private:
     void place(const JsonValue& object, bool is_smooth) {
         Mesh& mesh = named(object);
         if (is_smooth && mesh.part->normals.empty()) {
+            make_room(object, bytes_of(*mesh.part));
             mesh.part = std::make_shared<Scene>(*mesh.part);  // others may share it
             make_smooth(*mesh.part);
+            make_room(object, bytes_of(*mesh.part));
         }
         std::optional<std::uint32_t> material;
         if (const auto name = object.find("material")) material = known(material_numbers_, *name, "material");
         if (!material && !mesh.material_base) {
+            make_room(object, mesh.part->materials.size() * sizeof(Material));
             mesh.material_base = static_cast<std::uint32_t>(scene_.materials.size());
             scene_.materials.insert(scene_.materials.end(), mesh.part->materials.begin(), mesh.part->materials.end());
         }
         const glm::dmat4 transform = transform_of(object);
         if (!mesh.part->spheres.empty() && !keeps_spheres(transform)) object.refuse("stretches spheres, which can only be scaled alike in all directions");
+        make_room(object, bytes_of(*mesh.part) - mesh.part->materials.size() * sizeof(Material));
         append(scene_, *mesh.part, transform, material, mesh.material_base.value_or(0));
     }
 
@@ -159,8 +174,8 @@ private:
     std::map<std::string, Mesh> meshes_;
 };
 
-JsonLoad Library::json(const std::filesystem::path& path) {
-    const std::string text = read_file(path);
+JsonLoad Library::json(const std::filesystem::path& path, const std::string& asked_by) {
+    const std::string text = loading_.read(path, asked_by);
     const Json document = parse_json(path.string(), text);
     open_.push_back(std::filesystem::weakly_canonical(path));
     JsonLoad load = JsonScene(JsonValue(document, path.string()), path, *this).build();
@@ -172,19 +187,23 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
     if (error) from.refuse(shown(path.string()) + " cannot be found: " + error.message());
-    if (std::find(open_.begin(), open_.end(), real) != open_.end()) from.refuse(fmt::format("makes '{}' contain itself", path.string()));
+    if (std::find(open_.begin(), open_.end(), real) != open_.end()) from.refuse(fmt::format("makes {} contain itself", shown(path.string())));
     if (open_.size() > 50) from.refuse("lies deeper than 50 files");
     Part& part = known_[real.string()];
     if (part) return part;
-    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path).scene);
+    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path, from.where()).scene);
     if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
-    return part = std::make_shared<Scene>(load_mesh_file(path, progress_));
+    return part = std::make_shared<Scene>(load_mesh_file(path, loading_, from.where()));
 }
 
 Part Library::builtin(const std::string& spec, Primitives primitives, const JsonValue& from) {
     Part& part = known_[(primitives == Primitives::native ? "native:" : "builtin:") + spec];
     if (part) return part;
     try {
+        // About what it takes, before it is made.
+        const PrimitiveCounts count = builtin_counts(spec, primitives);
+        if (!loading_.may_make(count.triangles * (sizeof(Triangle) + sizeof(glm::dvec3)) + count.spheres * sizeof(Sphere)))
+            throw UserError(loading_.too_much());
         return part = std::make_shared<Scene>(make_builtin(spec, primitives));
     } catch (const UserError& error) {
         from.refuse(std::string("cannot be made: ") + error.what());
@@ -193,6 +212,6 @@ Part Library::builtin(const std::string& spec, Primitives primitives, const Json
 
 } // namespace
 
-JsonLoad load_json_scene(const std::filesystem::path& path, const Progress& progress) { return Library(progress).json(path); }
+JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading) { return Library(loading).json(path); }
 
 } // namespace rayclock

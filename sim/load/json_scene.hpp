@@ -2,8 +2,8 @@
 #pragma once
 #include <filesystem>
 
-#include "model/core/progress.hpp"
 #include "model/scene/scene.hpp"
+#include "sim/load/loading.hpp"
 
 namespace rayclock {
 
@@ -13,6 +13,6 @@ struct JsonLoad {
 };
 
 /// Throws UserError naming the file and the path of the value, for example "desk.json: objects[2].scale must be ...".
-JsonLoad load_json_scene(const std::filesystem::path& path, const Progress& progress);
+JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading);
 
 } // namespace rayclock

@@ -5,11 +5,11 @@
 
 #include "model/core/error.hpp"
 #include "model/scene/builtin.hpp"
-#include "sim/load/file.hpp"
+#include "sim/files/input.hpp"
 #include "sim/load/json_scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh_file.hpp"
-#include "sim/load/text.hpp"
+#include "sim/files/text.hpp"
 
 namespace rayclock {
 namespace {
@@ -20,10 +20,10 @@ bool is_file_name(const std::string& spec) {
     return spec.find_first_of("./") != spec.npos || std::filesystem::exists(spec, ignored);
 }
 
-JsonLoad load_file(const std::string& spec, const Progress& progress) {
+JsonLoad load_file(const std::string& spec, Loading& loading) {
     const std::filesystem::path path(spec);
-    if (extension(path) == "json") return load_json_scene(path, progress);
-    if (is_mesh_file(path)) return {load_mesh_file(path, progress), false};
+    if (extension(path) == "json") return load_json_scene(path, loading);
+    if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);  // a directory or an unreadable file gets its own sentence
@@ -32,13 +32,15 @@ JsonLoad load_file(const std::string& spec, const Progress& progress) {
 
 } // namespace
 
-Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
+Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives, std::vector<std::string>* notes) {
+    Loading loading(progress);
     if (spec.empty()) throw UserError("the name of the scene is empty");
     if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
     try {
         const bool is_made = is_builtin(spec) || !is_file_name(spec);
-        JsonLoad load = is_made ? JsonLoad{make_builtin(spec, primitives), true} : load_file(spec, progress);
-        check_scene(load.scene, spec);
+        JsonLoad load = is_made ? JsonLoad{make_builtin(spec, primitives), true} : load_file(spec, loading);
+        check_scene(load.scene, printable(spec));
+        if (notes) *notes = loading.notes();
         if (!load.has_lights) add_missing_lights(load.scene);
         return std::move(load.scene);
     } catch (const std::bad_alloc&) {

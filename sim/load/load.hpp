@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "model/core/progress.hpp"
 #include "model/scene/builtin.hpp"
@@ -9,7 +10,9 @@ namespace rayclock {
 
 /// SCENE of the command line: a built-in name with an optional size, or a file (.obj .ply .stl .glb .gltf .json).
 /// The result has passed check_scene(); the camera may be absent. A file without a light gets two, except a JSON scene whose list
-/// of lights is empty. `primitives` is the form of a built-in scene; a file decides for itself. Throws UserError.
-Scene load_scene(const std::string& spec, const Progress& progress = {}, Primitives primitives = Primitives::triangles);
+/// of lights is empty. `primitives` is the form of a built-in scene; a file decides for itself. What a file holds and is not drawn,
+/// or was changed, is told in `notes`, a sentence each. Throws UserError.
+Scene load_scene(const std::string& spec, const Progress& progress = {}, Primitives primitives = Primitives::triangles,
+                 std::vector<std::string>* notes = nullptr);
 
 } // namespace rayclock

@@ -1,15 +1,73 @@
 // A mesh file of another program (.obj .ply .stl .glb .gltf) as a scene.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include "model/core/progress.hpp"
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
 #include "model/scene/scene.hpp"
+#include "sim/load/loading.hpp"
+#include "sim/load/place.hpp"
+#include "sim/load/surface.hpp"
 
 namespace rayclock {
 
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// Triangles in the order of the file, materials in use, camera and lights if the file has them. Throws UserError.
-Scene load_mesh_file(const std::filesystem::path& path, const Progress& progress);
+/// Triangles in the order of the file, materials in use, camera and lights if the file has them. `asked_by`: see read_file().
+/// Throws UserError.
+Scene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by = {});
+
+/// The readers of the formats, from the bytes of a file; `path` names the file in sentences, and its folder holds what a file
+/// refers to. Each throws UserError for what makes no sense, with line or place, and nothing else.
+Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loading);
+Scene read_ply(const std::filesystem::path& path, std::string bytes, Loading& loading);
+Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& loading);
+Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
+
+/// One `newmtl` block.
+struct MtlBlock {
+    std::string name;
+    MtlSurface surface;
+    bool has_textures = false;
+};
+std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text);
+
+/// Gathers the parts of a file: polygons are cut, parts placed, materials numbered as they are met.
+class Assembly {
+public:
+    Assembly(std::string file, Loading& loading) : file_(std::move(file)), loading_(loading) {}
+
+    /// Cuts a face of at least 3 corners into `part`.
+    void face(PartBuilder& part, const std::vector<Corner>& corners, std::uint32_t material = 0);
+    /// The part is finished; returns its number.
+    std::size_t add(PartBuilder part);
+    /// When all are added: if any part has normals, or `must_have`, all get some.
+    void make_alike(bool must_have = false);
+    bool is_empty(std::size_t part) const { return parts_[part].triangles.empty(); }
+    /// A copy of a part. `material` is any number that the caller knows it by, `make` gives it when it is met first.
+    void place(std::size_t part, const glm::dmat4& place, std::uint64_t material, const std::function<Material()>& make);
+
+    Scene& scene() { return scene_; }
+    /// Says what was left out; refuses a scene without triangles.
+    Scene take();
+
+private:
+    std::string file_;
+    Loading& loading_;
+    std::vector<Scene> parts_;
+    Scene scene_;
+    std::map<std::uint64_t, std::uint32_t> materials_;
+    std::uint64_t dropped_ = 0;
+    std::vector<glm::dvec3> points_;
+    std::vector<std::array<std::uint32_t, 3>> cut_;
+};
 
 } // namespace rayclock

@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
+/// Room for `more`, at least doubled when it is not there: an exact reserve() for each of many copies would move all of them.
+template <class Item> void make_room(std::vector<Item>& list, std::size_t more) {
+    if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.size()));
+}
+
 /// -0 becomes +0, so that equal numbers have equal bits.
 glm::dvec3 tidy(glm::dvec3 v) { return v + glm::dvec3(0); }
 
@@ -76,7 +81,10 @@ std::uint32_t PartBuilder::vertex(const Corner& corner) {
 }
 
 void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material) {
-    if (a.position == b.position || b.position == c.position || c.position == a.position) return;
+    if (a.position == b.position || b.position == c.position || c.position == a.position) {
+        ++dropped_;
+        return;
+    }
     Triangle triangle{.vertex = {}, .material = material};
     const Corner* corners[3] = {&a, &b, &c};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -104,6 +112,9 @@ void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optio
     const auto base = static_cast<std::uint32_t>(scene.vertices.size());
     const glm::dmat3 linear(place);
     const double volume = glm::determinant(linear);
+    make_room(scene.vertices, part.vertices.size());
+    make_room(scene.normals, part.normals.size());
+    make_room(scene.triangles, part.triangles.size());
     for (const glm::dvec3& v : part.vertices) scene.vertices.push_back(glm::dvec3(place * glm::dvec4(v, 1)));
     if (!part.normals.empty()) {
         // Cofactors instead of the inverse: the same directions, and no division by a small volume.

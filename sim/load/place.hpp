@@ -24,12 +24,14 @@ public:
     PartBuilder(std::size_t triangles, bool is_smooth);    ///< `triangles` is a guess
     void add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material);
     Scene take() { return std::move(part_); }
+    std::uint64_t dropped() const { return dropped_; }    ///< triangles that were left out
 
 private:
     std::uint32_t vertex(const Corner& corner);
     std::size_t slot(const glm::dvec3& position, const glm::dvec3& normal) const;
     void grow();
     bool is_smooth_;
+    std::uint64_t dropped_ = 0;
     Scene part_;
     std::vector<std::uint32_t> table_;    ///< open hashing, a power of two, at most two thirds in use
 };

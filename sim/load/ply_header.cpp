@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "sim/load/prepare.hpp"
-#include "sim/load/text.hpp"
+#include "sim/files/text.hpp"
+#include "sim/load/loading.hpp"
 
 namespace rayclock {
 namespace {

@@ -1,26 +1,44 @@
-// From the importer's materials, cameras and lights to ours.
+// From the materials and lights of other formats to ours.
 #pragma once
+#include <array>
+#include <string>
 #include <vector>
 
-#include <assimp/scene.h>
-#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "model/scene/scene.hpp"
-#include "sim/load/prepare.hpp"
 
 namespace rayclock {
 
-Material material_of(const aiMaterial& material, const Prepared& prepared);
+/// What MTL says of a material, as 32-bit floats, and what holds where it says nothing.
+struct MtlSurface {
+    glm::vec3 diffuse{0.6f}, specular{0};
+    float shine = 0, opacity = 1, index = 1;
+    int illumination = 1;
+};
+Material material_of(const MtlSurface& surface, const std::string& name);
+/// True if a value lies where it means nothing, so that material_of() takes the nearest that does.
+bool is_out_of_range(const MtlSurface& surface);
 
-/// A camera or light and the transform of the node that it hangs on.
-Camera camera_of(const aiCamera& camera, const glm::dmat4& place);
+/// What glTF says of one. `colour` ends with the opacity.
+struct GltfSurface {
+    glm::vec4 colour{1};
+    float metal = 1, rough = 1, transmission = 0;
+    double index = 1.5;
+};
+Material material_of(const GltfSurface& surface, const std::string& name);
+bool is_out_of_range(const GltfSurface& surface);
+
+/// A light of glTF and the place of its node.
+struct PlacedLight {
+    bool is_directional;
+    glm::vec3 colour;
+    glm::dvec3 position, towards;    ///< of the node: its origin and its z axis
+};
 
 /// Our lights have no attenuation and no unit: the brightest as seen from the middle of `bounds` gets 1 / sqrt(n),
 /// the others in proportion. A directional light is put far away.
-struct PlacedLight {
-    const aiLight* light;
-    glm::dmat4 place;
-};
 std::vector<Light> lights_of(const std::vector<PlacedLight>& lights, const Bounds& bounds);
 
 } // namespace rayclock

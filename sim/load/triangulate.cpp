@@ -1,8 +1,9 @@
 #include "sim/load/triangulate.hpp"
 
+#include <bit>
 #include <cmath>
-#include <numeric>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -32,54 +33,120 @@ Points flatten(std::span<const glm::dvec3> corners) {
     return flat;
 }
 
-/// The polygon that is left, as a ring of corner numbers.
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+/// The polygon that is left, as a ring of corner numbers, and which of its corners may be ears.
+///
+/// A corner is no ear while a reflex corner lies in its triangle. Reflex corners only ever go away, so one that was found to
+/// lie outside need not be looked at again, and a corner waits for the one that is in its way: with its neighbours unchanged
+/// every reflex corner is looked at once for it, instead of once in every round.
 class Ring {
 public:
-    explicit Ring(const Points& points) : points_(points), next_(points.size()), previous_(points.size()), is_reflex_(points.size()) {
-        const std::size_t n = points.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            next_[i] = static_cast<std::uint32_t>((i + 1) % n);
-            previous_[i] = static_cast<std::uint32_t>((i + n - 1) % n);
+    explicit Ring(const Points& points) : points_(points), corners_(points.size()), may_be_ear_((points.size() + 63) / 64, 0) {
+        const std::uint32_t n = size();
+        for (std::uint32_t i = 0; i < n; ++i) {
+            corners_[i].next = (i + 1) % n;
+            corners_[i].previous = (i + n - 1) % n;
         }
-        for (std::uint32_t i = 0; i < n; ++i) is_reflex_[i] = bend(i) <= 0;
-        for (std::uint32_t i = 0; i < n; ++i)
-            if (is_reflex_[i]) reflex_.push_back(i);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            corners_[i].is_reflex = bend(i) <= 0;
+            if (corners_[i].is_reflex) reflex_.push_back(i);
+            mark(i);
+        }
     }
 
-    std::uint32_t next(std::uint32_t i) const { return next_[i]; }
-    std::uint32_t previous(std::uint32_t i) const { return previous_[i]; }
+    std::uint32_t next(std::uint32_t i) const { return corners_[i].next; }
+    std::uint32_t previous(std::uint32_t i) const { return corners_[i].previous; }
 
-    /// Convex, and no reflex or straight corner lies in the triangle that would go.
-    bool is_ear(std::uint32_t i) const {
-        const glm::dvec2 a = points_[previous_[i]], b = points_[i], c = points_[next_[i]];
-        if (!(turn(a, b, c) > 0)) return false;
-        for (const std::uint32_t r : reflex_) {
-            const glm::dvec2 p = points_[r];
-            // Other corners at the same place touch (bridges to holes do that); they do not block.
-            if (!is_reflex_[r] || p == a || p == b || p == c) continue;
-            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
-        }
-        return true;
+    /// The first ear from `at` on, around the ring; `at` itself if there is none.
+    std::uint32_t ear_from(std::uint32_t at) {
+        for (std::uint32_t i = marked(at, size()); i != none; i = marked(i + 1, size()))
+            if (is_ear(i)) return i;
+        for (std::uint32_t i = marked(0, at); i != none; i = marked(i + 1, at))
+            if (is_ear(i)) return i;
+        return at;
     }
 
     void remove(std::uint32_t i) {
-        next_[previous_[i]] = next_[i];
-        previous_[next_[i]] = previous_[i];
-        is_reflex_[i] = false;
+        const std::uint32_t before = previous(i), after = next(i);
+        corners_[before].next = after;
+        corners_[after].previous = before;
+        corners_[i].is_gone = true;
+        unmark(i);
+        no_longer_reflex(i);
         // Cutting an ear only opens the corners beside it: a convex corner stays convex.
-        for (const std::uint32_t side : {previous_[i], next_[i]})
-            if (is_reflex_[side]) is_reflex_[side] = bend(side) <= 0;
-        if (++removed_ % 64 == 0) std::erase_if(reflex_, [&](std::uint32_t r) { return !is_reflex_[r]; });
+        for (const std::uint32_t side : {before, after}) {
+            if (corners_[side].is_reflex && bend(side) > 0) no_longer_reflex(side);
+            corners_[side].looked_at = 0;    // another triangle
+            mark(side);
+        }
     }
 
 private:
-    double bend(std::uint32_t i) const { return turn(points_[previous_[i]], points_[i], points_[next_[i]]); }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
+    double bend(std::uint32_t i) const { return turn(points_[previous(i)], points_[i], points_[next(i)]); }
+
+    /// Convex, and no reflex or straight corner lies in the triangle that would go. If not, it waits.
+    bool is_ear(std::uint32_t i) {
+        unmark(i);
+        const glm::dvec2 a = points_[previous(i)], b = points_[i], c = points_[next(i)];
+        if (!(turn(a, b, c) > 0)) return false;    // until a neighbour goes
+        const glm::dvec2 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
+        for (std::uint32_t& k = corners_[i].looked_at; k < reflex_.size(); ++k) {
+            const std::uint32_t r = reflex_[k];
+            const glm::dvec2 p = points_[r];
+            if (!corners_[r].is_reflex || p.x < lo.x || p.x > hi.x || p.y < lo.y || p.y > hi.y) continue;
+            // Other corners at the same place touch (bridges to holes do that); they do not block.
+            if (p == a || p == b || p == c) continue;
+            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) {
+                waiting_.push_back({i, corners_[r].first_waiting});
+                corners_[r].first_waiting = static_cast<std::uint32_t>(waiting_.size() - 1);
+                return false;
+            }
+        }
+        mark(i);
+        return true;
+    }
+
+    /// Who waits for `r` may look again. One whose triangle has changed meanwhile does so needlessly.
+    void no_longer_reflex(std::uint32_t r) {
+        corners_[r].is_reflex = false;
+        for (std::uint32_t w = corners_[r].first_waiting; w != none; w = waiting_[w].next)
+            if (!corners_[waiting_[w].who].is_gone) mark(waiting_[w].who);
+        corners_[r].first_waiting = none;
+    }
+
+    void mark(std::uint32_t i) { may_be_ear_[i / 64] |= std::uint64_t{1} << i % 64; }
+    void unmark(std::uint32_t i) { may_be_ear_[i / 64] &= ~(std::uint64_t{1} << i % 64); }
+
+    /// The first marked corner of [from, end).
+    std::uint32_t marked(std::uint32_t from, std::uint32_t end) const {
+        if (from >= end) return none;
+        std::uint64_t word = may_be_ear_[from / 64] & ~std::uint64_t{0} << from % 64;
+        for (std::uint32_t at = from / 64; ; word = may_be_ear_[at]) {
+            if (word != 0) {
+                const std::uint32_t i = 64 * at + static_cast<std::uint32_t>(std::countr_zero(word));
+                return i < end ? i : none;
+            }
+            if (64 * ++at >= end) return none;
+        }
+    }
+
+    struct InRing {
+        std::uint32_t next = 0, previous = 0;
+        std::uint32_t looked_at = 0;          ///< of `reflex_`, for this corner's triangle
+        std::uint32_t first_waiting = none;   ///< in `waiting_`: who waits for this reflex corner
+        bool is_reflex = false, is_gone = false;
+    };
+    struct Waiting {
+        std::uint32_t who, next;
+    };
 
     const Points& points_;
-    std::vector<std::uint32_t> next_, previous_;
-    std::vector<bool> is_reflex_;
+    std::vector<InRing> corners_;
     std::vector<std::uint32_t> reflex_;
-    std::size_t removed_ = 0;
+    std::vector<Waiting> waiting_;
+    std::vector<std::uint64_t> may_be_ear_;    ///< a bit for each corner
 };
 
 } // namespace
@@ -90,8 +157,7 @@ void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std
     Ring ring(points);
     std::uint32_t at = 1;  // quads split from corner 0 to corner 2, as is the custom
     for (std::size_t left = corners.size(); left > 3; --left) {
-        std::uint32_t ear = at;
-        for (std::size_t tried = 0; tried < left && !ring.is_ear(ear); ++tried) ear = ring.next(ear);
+        const std::uint32_t ear = ring.ear_from(at);
         out.push_back({ring.previous(ear), ear, ring.next(ear)});
         // Going on beyond the next corner keeps a round polygon from becoming a fan of slivers.
         at = ring.next(ring.next(ear));

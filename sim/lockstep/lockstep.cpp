@@ -46,6 +46,26 @@ template <class P> std::uint32_t id_of(const P& p) {
     else return 0;
 }
 
+/// "the RTL makes it 1 cycle later"
+std::string later_text(const char* who, std::uint64_t cycles, bool same) {
+    const std::string when = fmt::format("{} cycle{} later", cycles, cycles == 1 ? "" : "s");
+    return same ? fmt::format("{} makes it {}", who, when) : fmt::format("{} makes another transfer there, {}", who, when);
+}
+
+std::optional<CounterDifference> first_difference(const Accounts& model, const Accounts& rtl) {
+    std::optional<CounterDifference> first;
+    for (std::size_t u = 0; u < unit_count; ++u)
+        for (std::size_t c = 0; c < cause_count; ++c) {
+            const std::uint64_t m = model.units[u][c], r = rtl.units[u][c];
+            if (m == r) continue;
+            const Cause& cause = unit_infos[u].causes[c];
+            const char* kind = cause.kind == Kind::busy ? "busy with" : cause.kind == Kind::starved ? "starved by" : "stalled by";
+            if (first) ++first->others;
+            else first = {unit_infos[u].name, cause.kind == Kind::none ? fmt::format("code {}", c) : fmt::format("{} {}", kind, cause.name), m, r, 0};
+        }
+    return first;
+}
+
 class Lockstep {
 public:
     Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed)
@@ -65,7 +85,7 @@ public:
 
 private:
     void run_frame(const FrameTrace& frame, const Progress& progress) {
-        const std::uint64_t pixels = frame.trace.rays.size(), limit = patience(job_.config, traffic_);
+        const std::uint64_t pixels = frame.trace.rays.size(), limit = patience(job_.config, job_.khz, traffic_);
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
@@ -89,11 +109,41 @@ private:
             for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
                 result_.value_mismatches += !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i])
                     || (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
-        result_.account_mismatches += !parted_ && !(result_.model.accounts == result_.rtl.accounts);
+        compare_counters();
+        tell_nonsense();
+    }
+
+    void compare_counters() {
+        result_.counters_compared = !parted_;
+        if (parted_) return;
+        const auto difference = first_difference(result_.model.accounts, result_.rtl.accounts);
+        if (!difference) return;
+        ++result_.account_mismatches;
+        if (!result_.counter) result_.counter = difference;
+    }
+
+    /// Payloads on their way are compared, but not those of an RTL that runs alone.
+    void tell_nonsense() {
+        if (!rtl_.nonsense()) return;
+        ++result_.value_mismatches;
+        if (result_.first) return;
+        const RtlMachine::Nonsense& n = *rtl_.nonsense();
+        result_.first = at(rtl_.cycle(), n.pipeline, n.channel, last_ray_[index(n.channel)]);
+        result_.first->expected = "a value in range";
+        result_.first->got = n.what;
+    }
+
+    /// The RTL is not run on.
+    void tell_assertion(const RtlAssertion& assertion) {
+        parted_ = broken_ = true;
+        watched_.reset();
+        if (result_.first) return;
+        result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
     }
 
     void cycle(FrameCollector& hits) {
         rtl_.settle();
+        unmatched_.clear();
         const std::uint64_t now = model_.cycle();
         model_.step([&](const Move& move) {
             last_ray_[index(move.channel)] = move.id;
@@ -104,7 +154,11 @@ private:
                 part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)}, {rtl_.valid_mask(p), rtl_.fire_mask(p)});
         if (const std::uint32_t differ = (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire()); differ && !parted_)
             part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()}, {rtl_.shared_valid(), rtl_.shared_fire()});
-        rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
+        try {
+            rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
+        } catch (const RtlAssertion& assertion) {
+            tell_assertion(assertion);
+        }
     }
 
     bool rtl_fires(int pipeline, Channel c) const {
@@ -112,7 +166,10 @@ private:
     }
 
     template <class P> void compare(std::uint64_t now, int pipeline, Channel c, const P& payload) {
-        if (!rtl_fires(pipeline, c)) return;
+        if (!rtl_fires(pipeline, c)) {
+            unmatched_.push_back({pipeline, c, pack(payload, job_.config)});
+            return;
+        }
         pack(payload, job_.config, words_);
         ++result_.events_compared;
         const RcPort& port = rtl_.link(pipeline, c);
@@ -132,13 +189,37 @@ private:
     void part(std::uint64_t now, int pipeline, std::uint32_t differ, Masks model, Masks rtl) {
         parted_ = true;
         if (result_.first) return;
-        const Channel c = Channel(std::countr_zero(differ));
+        // An offer comes out of registers; whether it is accepted may hang on another offer of the same cycle.
+        const std::uint32_t offers = differ & (model.valid ^ rtl.valid);
+        const Channel c = Channel(std::countr_zero(offers ? offers : differ));
         const auto tell = [&](const Masks& m) {
             return m.fire & bit(c) ? "a transfer" : m.valid & bit(c) ? "an offer that is not accepted" : "no offer";
         };
         result_.first = at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
+        if (!offers) result_.first->unit = unit_name(channels[index(c)].to, pipeline, c);
         result_.first->expected = tell(model);
         result_.first->got = tell(rtl);
+        watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
+    }
+
+    /// Looks out for the transfer that only one of them made.
+    void watch(std::uint64_t now, int pipeline, Channel c, bool by_rtl, bool by_model) {
+        if (by_rtl == by_model) return;
+        watched_ = Watched{now, pipeline, c, by_rtl, {}};
+        if (by_rtl) {
+            const RcPort& port = rtl_.link(pipeline, c);
+            watched_->words.assign((port.bytes + 3) / 4, 0);
+            std::memcpy(watched_->words.data(), port.data, port.bytes);
+        } else {
+            for (const Unmatched& u : unmatched_)
+                if (u.pipeline == pipeline && u.channel == c) watched_->words = u.words;
+        }
+    }
+
+    void seen(std::uint64_t now, const std::uint32_t* words, std::size_t bytes) {
+        const bool same = std::memcmp(watched_->words.data(), words, std::min(bytes, watched_->words.size() * 4)) == 0;
+        result_.first->later = later_text(watched_->by_rtl ? "the model" : "the RTL", now - watched_->cycle, same);
+        watched_.reset();
     }
 
     template <std::size_t i> std::uint32_t rtl_id(int pipeline, Channel c) const {
@@ -153,16 +234,49 @@ private:
     Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
         const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only && c != Channel::node_miss && c != Channel::prim_miss && c != Channel::surf_miss;
         const Slot pixel = is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
-        const bool several = job_.config.pipelines > 1 && index(c) < pipeline_channels;
-        const std::string unit = channels[index(c)].from;
-        return {now, several ? fmt::format("{}[{}]", unit, pipeline) : unit, channels[index(c)].name, id, pixel.x, pixel.y, "", ""};
+        return {now, unit_name(channels[index(c)].from, pipeline, c), channels[index(c)].name, id, pixel.x, pixel.y, "", "", ""};
+    }
+
+    std::string unit_name(const char* unit, int pipeline, Channel c) const {
+        return job_.config.pipelines > 1 && index(c) < pipeline_channels ? fmt::format("{}[{}]", unit, pipeline) : unit;
     }
 
     void run_apart(std::uint64_t limit, FrameCollector& hits) {
-        while (!model_.done() && model_.quiet() <= limit) model_.step();
+        while (!model_.done() && model_.quiet() <= limit) step_model();
         const std::uint64_t give_up = 4 * model_.cycle() + limit;
-        for (std::uint64_t quiet = 0; !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up; quiet = rtl_.moved() ? 0 : quiet + 1)
-            rtl_.step([&](const HitOut& hit) { hits.add(hit); });
+        try {
+            for (std::uint64_t quiet = 0; !broken_ && !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up; quiet = rtl_.moved() ? 0 : quiet + 1)
+                step_rtl(hits);
+        } catch (const RtlAssertion& assertion) {
+            tell_assertion(assertion);
+        }
+        if (watched_) result_.first->later = fmt::format("{} makes none there any more", watched_->by_rtl ? "the model" : "the RTL");
+    }
+
+    void step_model() {
+        const std::uint64_t now = model_.cycle();
+        if (!watched_ || !watched_->by_rtl) return model_.step();
+        model_.step([&](const Move& move) {
+            witness_(move, [&](int pipeline, Channel c, const auto& payload) {
+                if (!watched_ || pipeline != watched_->pipeline || c != watched_->channel) return;
+                pack(payload, job_.config, words_);
+                seen(now, words_.data(), words_.size() * 4);
+            });
+        });
+    }
+
+    void step_rtl(FrameCollector& hits) {
+        rtl_.settle();
+        if (watched_ && !watched_->by_rtl && rtl_fires(watched_->pipeline, watched_->channel)) {
+            const RcPort& port = rtl_.link(watched_->pipeline, watched_->channel);
+            if (port.bytes >= 4) seen(rtl_.cycle(), port.data, port.bytes);
+            else {
+                std::uint32_t word = 0;   // a port of up to 16 bits is shorter than a word
+                std::memcpy(&word, port.data, port.bytes);
+                seen(rtl_.cycle(), &word, 4);
+            }
+        }
+        rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
     }
 
     void finish(FrameRun& run, std::uint64_t cycles, std::uint64_t pixels, const Accounts& accounts, const MemoryStats& memory,
@@ -187,7 +301,21 @@ private:
     Witness witness_;
     std::array<std::uint32_t, channel_count> last_ray_{};   // of the model's last transfer on each channel
     Words words_;
-    bool parted_ = false;
+    bool parted_ = false, broken_ = false;
+    struct Unmatched {
+        int pipeline;
+        Channel channel;
+        Words words;
+    };
+    std::vector<Unmatched> unmatched_;   // transfers of this cycle that the model made and the RTL did not
+    struct Watched {
+        std::uint64_t cycle;
+        int pipeline;
+        Channel channel;
+        bool by_rtl;                     // made it; the other is watched
+        Words words;
+    };
+    std::optional<Watched> watched_;
     LockstepResult result_;
 };
 

@@ -45,23 +45,23 @@ private:
     double y_of(double value) const { return area_.y1 - ys_.place(value) * (area_.y1 - area_.y0); }
     Place place(const Mark& m) const { return {x_of(m.x), y_of(m.y)}; }
     void line(double x0, double y0, double x1, double y1, const Colour& colour, double width) {
-        drawing_.shapes.push_back(Line{{{x0, y0}, {x1, y1}}, colour, width});
+        drawing_.shapes.emplace_back(Line{{{x0, y0}, {x1, y1}}, colour, width});
     }
 
     void frame() {
         for (const Scale::Tick& t : xs_.ticks()) {
             line(x_of(t.value), area_.y0, x_of(t.value), area_.y1, pale, 1);
-            drawing_.shapes.push_back(Text{{x_of(t.value), area_.y1 + 18}, t.label, 12, grey, Anchor::middle});
+            drawing_.shapes.emplace_back(Text{{x_of(t.value), area_.y1 + 18}, t.label, 12, grey, Anchor::middle});
         }
         for (const Scale::Tick& t : ys_.ticks()) {
             line(area_.x0, y_of(t.value), area_.x1, y_of(t.value), pale, 1);
-            drawing_.shapes.push_back(Text{{area_.x0 - 8, y_of(t.value) + 4}, t.label, 12, grey, Anchor::end});
+            drawing_.shapes.emplace_back(Text{{area_.x0 - 8, y_of(t.value) + 4}, t.label, 12, grey, Anchor::end});
         }
-        drawing_.shapes.push_back(Line{{{area_.x0, area_.y0}, {area_.x0, area_.y1}, {area_.x1, area_.y1}}, grey, 1.2});
+        drawing_.shapes.emplace_back(Line{{{area_.x0, area_.y0}, {area_.x0, area_.y1}, {area_.x1, area_.y1}}, grey, 1.2});
         const double middle = (area_.x0 + area_.x1) / 2;
-        drawing_.shapes.push_back(Text{{middle, area_.y0 - 12}, panel_.title, 14, black, Anchor::middle});
-        drawing_.shapes.push_back(Text{{middle, area_.y1 + 40}, panel_.x_label, 12.5, black, Anchor::middle});
-        drawing_.shapes.push_back(Text{{area_.x0 - 56, (area_.y0 + area_.y1) / 2}, panel_.y_label, 12.5, black, Anchor::middle, true});
+        drawing_.shapes.emplace_back(Text{{middle, area_.y0 - 12}, panel_.title, 14, black, Anchor::middle});
+        drawing_.shapes.emplace_back(Text{{middle, area_.y1 + 40}, panel_.x_label, 12.5, black, Anchor::middle});
+        drawing_.shapes.emplace_back(Text{{area_.x0 - 56, (area_.y0 + area_.y1) / 2}, panel_.y_label, 12.5, black, Anchor::middle, true});
     }
 
     void front_line() {
@@ -69,13 +69,13 @@ private:
         for (const Mark& m : panel_.marks)
             if (m.on_front) points.push_back(place(m));
         std::sort(points.begin(), points.end(), [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-        if (points.size() > 1) drawing_.shapes.push_back(Line{points, blue, 1.6});
+        if (points.size() > 1) drawing_.shapes.emplace_back(Line{points, blue, 1.6});
     }
 
     void point(const Mark& m) {
         const Place at = place(m);
-        drawing_.shapes.push_back(Disc{at, m.on_front ? point_radius : point_radius - 0.8, m.is_knee ? red : m.on_front ? blue : other});
-        if (m.is_knee) drawing_.shapes.push_back(Ring{at, 8, red, 2});
+        drawing_.shapes.emplace_back(Disc{at, m.on_front ? point_radius : point_radius - 0.8, m.is_knee ? red : m.on_front ? blue : other});
+        if (m.is_knee) drawing_.shapes.emplace_back(Ring{at, 8, red, 2});
         const double r = m.is_knee ? 9 : point_radius;
         taken_.push_back({at.x - r, at.y - r, at.x + r, at.y + r});
     }
@@ -99,7 +99,7 @@ private:
         if (m.is_knee) write(m, starts[0], size, {starts[0].x, starts[0].y - high, starts[0].x + wide, starts[0].y});
     }
     void write(const Mark& m, const Place& at, double size, const Rect& box) {
-        drawing_.shapes.push_back(Text{at, m.label, size, m.is_knee ? red : m.on_front ? blue : grey});
+        drawing_.shapes.emplace_back(Text{at, m.label, size, m.is_knee ? red : m.on_front ? blue : grey});
         taken_.push_back(box);
     }
 
@@ -114,8 +114,8 @@ private:
 
 Drawing chart(const std::string& title, const std::string& note, const std::vector<Panel>& panels) {
     Drawing drawing{panel_width * double(panels.size()), top + panel_height - 20, {}};
-    drawing.shapes.push_back(Text{{left, 32}, title, 17, black});
-    drawing.shapes.push_back(Text{{left, 54}, note, 12.5, grey});
+    drawing.shapes.emplace_back(Text{{left, 32}, title, 17, black});
+    drawing.shapes.emplace_back(Text{{left, 54}, note, 12.5, grey});
     for (std::size_t i = 0; i < panels.size(); ++i) PanelPainter(drawing, panels[i], panel_width * double(i)).paint();
     return drawing;
 }

@@ -17,7 +17,9 @@ FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitF
     for (std::size_t i = 0; i < frame.hits.size(); ++i) {
         const Hit &a = frame.hits[i], &b = reference.hits[i];
         if (a.primitive != b.primitive) ++error.pixels_other_primitive;
-        else if (a.primitive != no_primitive) error.max_abs_depth = std::max(error.max_abs_depth, double(std::fabs(a.depth - b.depth)));
+        if (a.primitive != b.primitive || a.primitive == no_primitive || !std::isfinite(a.depth)) continue;
+        ++error.depth_pixels;
+        error.max_abs_depth = std::max(error.max_abs_depth, double(std::fabs(a.depth - b.depth)));
     }
     error.psnr_db = compare(picture, reference_picture).psnr_db;
     return error;
@@ -104,20 +106,32 @@ ordered_json causes_json(const PixelCauses& causes) {
 ordered_json error_json(const std::optional<FrameError>& e, const std::optional<Judgement>& j) {
     if (!e) return nullptr;
     ordered_json json{{"pixels", e->pixels}, {"pixels_other_primitive", e->pixels_other_primitive}, {"psnr_db", decibel(e->psnr_db)},
-                      {"max_abs_depth", e->max_abs_depth}};
+                      {"depth_pixels", e->depth_pixels}, {"max_abs_depth", e->max_abs_depth}};
     if (!j) return json;
     json["pixels_on_edge"] = j->on_edge;
     json["causes"] = causes_json(j->causes);
     json["causes_other_primitive"] = causes_json(j->causes_other);
-    if (j->asked_oracle) json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}};
-    else json["oracle"] = nullptr;
+    json["oracle"] = {{"pixels", j->pixels.size()}, {"wrong", j->wrong}};
     return json;
+}
+
+ordered_json judge_json(const std::optional<Judgement>& j) {
+    if (!j) return nullptr;
+    ordered_json faults = ordered_json::array();
+    for (const PictureFault& f : j->faults) faults.push_back({{"pixel", {f.x, f.y}}, {"ray", f.ray}, {"what", f.what}});
+    return {{"rays", {{"camera", j->rays.primary}, {"shadow", j->rays.shadow}, {"reflection", j->rays.reflection}, {"refraction", j->rays.refraction}}},
+            {"colours", j->colours}, {"wrong", j->wrong}, {"widest_colour_bound", j->widest * std::exp2(-unit_bits)}, {"faults", faults}, {"seconds", j->seconds}};
 }
 
 ordered_json divergence_json(const std::optional<Divergence>& d) {
     if (!d) return nullptr;
     return {{"cycle", d->cycle}, {"unit", d->unit}, {"channel", d->channel}, {"ray", d->ray}, {"pixel", {d->x, d->y}},
-            {"expected", d->expected}, {"got", d->got}, {"wave", nullptr}};
+            {"expected", d->expected}, {"got", d->got}, {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)}, {"wave", nullptr}};
+}
+
+ordered_json counter_json(const std::optional<CounterDifference>& c) {
+    if (!c) return nullptr;
+    return {{"unit", c->unit}, {"cause", c->cause}, {"model", c->model}, {"rtl", c->rtl}, {"others", c->others}};
 }
 
 std::string digest_text(std::uint64_t digest) { return fmt::format("{:016x}", digest); }

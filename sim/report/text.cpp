@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "model/core/error.hpp"
-#include "sim/image/image.hpp"
-#include "sim/image/output_file.hpp"
+#include "sim/files/output.hpp"
+#include "sim/files/streams.hpp"
 
 namespace rayclock {
 
@@ -68,19 +65,10 @@ Progress terminal_progress() {
 
 void write_file(const std::string& path, const std::string& text) {
     if (path == "-") {
-        std::fwrite(text.data(), 1, text.size(), stdout);
+        write_output(text);   // main() sees whether it arrives
         return;
     }
-    std::error_code error;
-    // A device or a pipe is written to, not replaced.
-    const bool in_place = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
-    check_writable(path);
-    OutputFile output(path);
-    std::ofstream file(in_place ? path : output.temporary().string(), std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) throw UserError(path + ": cannot be written");
-    if (!in_place) output.publish();
+    write_bytes(path, text);
 }
 
 } // namespace rayclock

@@ -26,7 +26,7 @@ private:
 /// a comma in `what` is shown, and is not part of the name of the work.
 Progress terminal_progress();
 
-/// Writes a file under a temporary name and renames it; "-" is standard output. Throws UserError if it cannot.
+/// write_bytes() of sim/files/output.hpp; "-" is standard output. Throws UserError if it cannot.
 void write_file(const std::string& path, const std::string& text);
 
 } // namespace rayclock

@@ -105,7 +105,7 @@ std::string adapter_source(const std::string& module, const Config& config) {
 #include "Vrc.h"
 #include "verilated.h"
 #include "verilated_sym_props.h"
-#include "sim/rtl/abi.hpp"
+#include "abi.hpp"
 
 namespace {{
 struct Handle {{

@@ -1,5 +1,6 @@
 #include "sim/rtl/rtl_machine.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace rayclock {
 RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
     : config_(config), channels_there_(config.shading ? pipeline_channels : plain_channels), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed), links_(std::size_t(config.pipelines)),
       start_(&rtl_.port("start")), mem_req_(&rtl_.port("mem_req")), mem_rsp_(&rtl_.port("mem_rsp")), hit_ready_(&rtl_.port("hit_ready")),
-      memory_(config, khz, traffic), valid_(links_.size()), fire_(links_.size()) {
+      memory_(config, khz, traffic), valid_(links_.size()), fire_(links_.size()), under_way_(std::size_t(1) << config.mem_id_bits()) {
     for (int p = 0; p < config.pipelines; ++p) {
         auto& links = links_[std::size_t(p)];
         links.fill(nullptr);
@@ -35,6 +36,8 @@ void RtlMachine::start(const Frame& frame) {
     rtl_.clock();
     std::memcpy(start_->data, &off, 1);
     pixels_ = std::uint64_t(frame.width) * frame.height;
+    width_ = frame.width;
+    given_.assign(pixels_, 0);
     hits_ = box_tests_ = 0;
     rays_ = {};
     at_start_ = read_counters();
@@ -78,13 +81,52 @@ void RtlMachine::settle() {
     moved_ = moved_ || shared_fire_;
 }
 
-void RtlMachine::clock() {
-    Memory::Answer request{};
-    const bool asks = shared_fire_ & bit(Channel::mem_req);
-    if (asks) {
-        const MemReq req = get_data<MemReq>(*mem_req_, config_);
-        request = {req.id, req.addr};
+void RtlMachine::complain(int pipeline, Channel channel, const std::string& what) {
+    if (!nonsense_) nonsense_ = {pipeline, channel, what};
+}
+
+/// The request that the RTL makes in this cycle, if it can be meant.
+std::optional<Memory::Answer> RtlMachine::request() {
+    if (!(shared_fire_ & bit(Channel::mem_req))) return {};
+    const MemReq req = get_data<MemReq>(*mem_req_, config_);
+    // Long lines end at the next multiple of their length.
+    const std::uint32_t line = std::uint32_t(std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
+    if (req.addr / line > (image_.lines() - 1) / line)
+        complain(0, Channel::mem_req, fmt::format("line {}, and the memory image has {}", req.addr, image_.lines()));
+    if (under_way_[req.id]) {
+        complain(0, Channel::mem_req, fmt::format("id {}, whose last request is not answered yet", req.id));
+        return {};
     }
+    under_way_[req.id] = 1;
+    return Memory::Answer{req.id, req.addr};
+}
+
+/// Whether the hit is one of the picture that was not there yet. A primitive that the scene lacks is taken from it.
+bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
+    const auto refuse = [&](const std::string& what) {
+        complain(pipeline, Channel::hit, what);
+        return false;
+    };
+    if (hit.x >= width_ || hit.y >= pixels_ / width_) return refuse(fmt::format("pixel ({}, {}) outside the picture", hit.x, hit.y));
+    std::uint8_t& given = given_[std::size_t(hit.y) * width_ + hit.x];
+    if (given) return refuse(fmt::format("pixel ({}, {}) for the second time", hit.x, hit.y));
+    given = 1;
+    if (hit.closest.found && hit.closest.prim >= image_.primitives) {
+        complain(pipeline, Channel::hit, fmt::format("primitive {}, and the scene has {}", hit.closest.prim, image_.primitives));
+        hit.closest = {};
+    }
+    return true;
+}
+
+void RtlMachine::count_boxes(int pipeline) {
+    const std::uint32_t line = get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Channel::node_req)], config_).addr;
+    if (line < image_.lines()) box_tests_ += std::uint64_t(decoder_.node(line).children);
+    else complain(pipeline, Channel::node_req, fmt::format("line {}, and the memory image has {}", line, image_.lines()));
+}
+
+void RtlMachine::clock() {
+    if (memory_.valid()) under_way_[memory_.answer().id] = 0;
+    const std::optional<Memory::Answer> asked = request();
     for (std::size_t p = 0; p < links_.size(); ++p) {
         hits_ += fire_[p] >> index(Channel::hit) & 1;
         rays_.primary += fire_[p] >> index(Channel::slot) & 1;
@@ -92,11 +134,10 @@ void RtlMachine::clock() {
             const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Channel::spawn)], config_).kind;
             ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary : ends_at_any(kind) ? rays_.shadow : rays_.reflection);
         }
-        if (fire_[p] & bit(Channel::node_req))
-            box_tests_ += std::uint64_t(decoder_.node(get_data<NodeReq>(*links_[p][index(Channel::node_req)], config_).addr).children);
+        if (fire_[p] & bit(Channel::node_req)) count_boxes(int(p));
     }
     rtl_.clock();
-    memory_.clock(asks ? &request : nullptr);
+    memory_.clock(asked ? &*asked : nullptr);
     for (Sink& sink : sinks_) sink.clock();
     ++now_;
 }

@@ -1,4 +1,8 @@
 #pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "model/accel/memory_image.hpp"
 #include "model/core/accounts.hpp"
 #include "model/core/channels.hpp"
@@ -20,8 +24,11 @@ public:
     /// Second half: the clock edge; hits go to `take`.
     void settle();
     template <class Take> void clock(Take&& take) {
-        for (int p = 0; p < config_.pipelines; ++p)
-            if (fire_[std::size_t(p)] & bit(Channel::hit)) take(get_data<HitOut>(*links_[std::size_t(p)][index(Channel::hit)], config_));
+        for (int p = 0; p < config_.pipelines; ++p) {
+            if (!(fire_[std::size_t(p)] & bit(Channel::hit))) continue;
+            HitOut hit = get_data<HitOut>(*links_[std::size_t(p)][index(Channel::hit)], config_);
+            if (check_hit(p, hit)) take(hit);
+        }
         clock();
     }
     template <class Take> void step(Take&& take) {
@@ -29,7 +36,17 @@ public:
         clock(take);
     }
 
-    bool done() const { return hits_ == pixels_; }
+    /// The first thing the RTL said that no machine can mean: a line beyond the memory image, a request whose id is under way,
+    /// a pixel that is not there or has come already, a primitive that the scene lacks. It is not passed on: memory gives
+    /// zeros or no answer, the pixel is dropped or holds nothing, and the machine runs on.
+    struct Nonsense {
+        int pipeline = 0;
+        Channel channel{};
+        std::string what;
+    };
+    const std::optional<Nonsense>& nonsense() const { return nonsense_; }
+
+    bool done() const { return hits_ >= pixels_; }
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
     std::uint32_t valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
@@ -48,6 +65,10 @@ public:
 private:
     void drive();
     void clock();
+    std::optional<Memory::Answer> request();
+    bool check_hit(int pipeline, HitOut& hit);
+    void count_boxes(int pipeline);
+    void complain(int pipeline, Channel channel, const std::string& what);
     Accounts read_counters() const;
 
     Config config_;
@@ -64,6 +85,10 @@ private:
     std::vector<std::uint32_t> valid_, fire_;
     std::uint32_t shared_valid_ = 0, shared_fire_ = 0;
     bool moved_ = false;
+    std::vector<std::uint8_t> under_way_;   // [id] of requests to memory
+    std::vector<std::uint8_t> given_;       // [y * width + x] of the frame's pixels
+    std::uint32_t width_ = 1;
+    std::optional<Nonsense> nonsense_;
     Accounts at_start_;
 };
 

@@ -10,13 +10,36 @@
 
 namespace rayclock {
 
+namespace {
+
+/// The library opened and what it offers, or what the loader says against it.
+struct Opened {
+    void* library = nullptr;
+    const RcModule* module = nullptr;
+    std::string complaint;
+
+    explicit Opened(const RtlBuild& build) : library(dlopen(build.library.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+        if (library) module = static_cast<const RcModule*>(dlsym(library, "rc_module"));
+        if (module) return;
+        complaint = dlerror();
+        if (library) dlclose(library);
+    }
+};
+
+} // namespace
+
 RtlModule::RtlModule(const Config& config, const std::string& module, int seed)
     : reset_cycles_(4 + std::max({config.node_sets, config.prim_sets, config.l2_sets})) {
-    const RtlBuild build = build_rtl(config, module);
-    library_ = dlopen(build.library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library_) throw std::runtime_error(std::string("cannot load the built RTL: ") + dlerror());
-    module_ = static_cast<const RcModule*>(dlsym(library_, "rc_module"));
-    if (!module_) throw std::runtime_error(build.library.string() + ": not a library of this program; remove it");
+    RtlBuild build = build_rtl(config, module);
+    Opened opened(build);
+    if (!opened.module && build.was_cached) {   // whole, but of another machine or of a program that went wrong
+        forget_rtl(build);
+        build = build_rtl(config, module);
+        opened = Opened(build);
+    }
+    if (!opened.module) throw std::runtime_error("the built RTL cannot be loaded: " + opened.complaint);
+    library_ = opened.library;
+    module_ = opened.module;
     handle_ = module_->open(seed);
     count_ = module_->ports(handle_, &ports_);
 }
@@ -45,7 +68,7 @@ void RtlModule::reset() {
 void RtlModule::settle() { module_->eval(handle_, 0); }
 
 void RtlModule::clock() {
-    if (module_->eval(handle_, 1)) throw std::runtime_error("an assertion of the RTL failed, see the line above");
+    if (module_->eval(handle_, 1)) throw RtlAssertion();
 }
 
 void copy_words(const RcPort& port, const Words& words) { std::memcpy(port.data, words.data(), port.bytes < 4 * words.size() ? port.bytes : 4 * words.size()); }

@@ -1,12 +1,18 @@
 #pragma once
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "model/core/layout.hpp"
 #include "sim/rtl/abi.hpp"
 
 namespace rayclock {
+
+/// An assertion of the RTL failed; Verilator has printed which on standard output.
+struct RtlAssertion : std::runtime_error {
+    RtlAssertion() : std::runtime_error("an assertion of the RTL failed, see the line above") {}
+};
 
 /// A module of the RTL under Verilator, out of reset and ready to run. Registers without reset start at random.
 class RtlModule {
@@ -24,7 +30,7 @@ public:
 
     /// Lets inputs through to outputs; no clock edge.
     void settle();
-    /// The clock edge. Throws std::runtime_error if an assertion of the RTL failed; Verilator has printed which.
+    /// The clock edge. Throws RtlAssertion.
     void clock();
 
 private:
@@ -40,9 +46,11 @@ private:
 template <class P> void set_data(const RcPort& port, const P& payload, const Config& config);
 template <class P> P get_data(const RcPort& port, const Config& config) {
     if (port.bytes >= 4) return unpack<P>(port.data, config);
-    std::uint32_t word = 0;   // a port of up to 16 bits is shorter than a word
-    std::memcpy(&word, port.data, port.bytes);
-    return unpack<P>(&word, config);
+    // A port of up to 16 bits is shorter than a word, and its payload fits one. GCC 14 cannot know that, and warns of words
+    // beyond it (array-bounds): so there is room for every member.
+    std::array<std::uint32_t, sizeof(P) / sizeof(std::uint32_t) + 1> words{};
+    std::memcpy(words.data(), port.data, port.bytes);
+    return unpack<P>(words.data(), config);
 }
 void copy_words(const RcPort& port, const Words& words);
 

@@ -332,7 +332,7 @@ const Family& family(const std::string& name) {
         if (name == f.name) return f;
         names.push_back(f.name);
     }
-    throw UserError("--family: no family is called '" + name + "'" + did_you_mean(name, names));
+    throw UserError("--family: no family is called " + shown(name) + did_you_mean(name, names));
 }
 
 } // namespace rayclock::stress

@@ -103,7 +103,14 @@ Outcome run(const Plan& plan, const Progress& progress) {
     using Clock = std::chrono::steady_clock;
     Work work = make_work(plan);
     std::uint64_t first = 0;
-    if (!plan.state.empty() && std::filesystem::exists(plan.state)) first = read_state(plan, work.cells);
+    const auto rays_after = [&](std::uint64_t batches) {
+        std::vector<std::uint64_t> rays(work.cells.size());
+        for (std::uint64_t u = 0; u < batches; ++u) rays[work.units[u].cell] += work.units[u].rays;
+        return rays;
+    };
+    std::error_code error;
+    const bool is_new = std::filesystem::status(plan.state, error).type() == std::filesystem::file_type::not_found;
+    if (!plan.state.empty() && !is_new) first = read_state(plan, work.cells, work.units.size(), rays_after);
 
     Outcome outcome;
     std::uint64_t rays_all = 0;

@@ -1,11 +1,12 @@
 #include "sim/stress/state.hpp"
 
-#include <fstream>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "model/core/error.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/json_value.hpp"
+#include "sim/files/text.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock::stress {
@@ -23,33 +24,52 @@ ordered_json counts_json(const Counts& c) {
     return {c.rays, c.leaks, c.double_hits, c.oracle_mismatches, c.crossings, c.walked, c.boxes, c.boxes_extra, c.boxes_lost, c.shadow_rays, c.false_shadows, c.light_leaks};
 }
 
-Counts counts_of(const ordered_json& json) {
-    const auto at = [&](std::size_t i) { return json.at(i).get<std::uint64_t>(); };
-    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), at(11)};
+/// What a row of counts may hold: exactly these rays, and no more of anything than can have come of them.
+Counts counts_of(const JsonValue& in, std::uint64_t rays) {
+    constexpr std::size_t columns = 12;
+    constexpr std::uint64_t most = std::uint64_t{1} << 53;    // sums of rows stay far below 2^64
+    if (in.array().size() != columns) in.expected("12 whole numbers");
+    const auto at = [&](std::size_t i) { return in[i].whole(most); };
+    const Counts c{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), at(11)};
+    if (c.rays != rays) in.refuse(fmt::format("has {} rays; so many batches have {}", c.rays, rays));
+    const bool is_possible = c.leaks <= rays && c.double_hits <= rays && c.oracle_mismatches <= rays && c.walked <= rays &&
+                             c.boxes_extra <= c.boxes && c.false_shadows <= c.shadow_rays && c.light_leaks <= c.shadow_rays;
+    if (!is_possible) in.refuse("has counts that cannot have come of so many rays");
+    return c;
 }
+
+/// FNV-1a: against mistakes, not against malice.
+std::string hash_of(const std::string& text) {
+    std::uint64_t h = 0xcbf29ce484222325u;
+    for (const unsigned char c : text) h = (h ^ c) * 0x100000001b3u;
+    return fmt::format("{:016x}", h);
+}
+
+std::string check_of(const ordered_json& batches, const ordered_json& counts) { return hash_of(batches.dump() + counts.dump()); }
 
 } // namespace
 
-std::uint64_t read_state(const Plan& plan, std::vector<Cell>& cells) {
-    std::ifstream file(plan.state);
-    ordered_json json;
-    try {
-        json = ordered_json::parse(file);
-        if (json.at("plan") != plan_json(plan))
-            throw UserError(plan.state + ": is the state of another stress run; name another file, or the run's own options");
-        const ordered_json& counts = json.at("counts");
-        if (counts.size() != cells.size()) throw UserError(fmt::format("{}: has {} rows instead of {}", plan.state, counts.size(), cells.size()));
-        for (std::size_t i = 0; i < cells.size(); ++i) cells[i].counts = counts_of(counts.at(i));
-        return json.at("batches").get<std::uint64_t>();
-    } catch (const ordered_json::exception& e) {
-        throw UserError(fmt::format("{}: is no state of a stress run ({})", plan.state, e.what()));
-    }
+std::uint64_t read_state(const Plan& plan, std::vector<Cell>& cells, std::uint64_t batches_in_all, const RaysOfCells& rays_after) {
+    constexpr std::uint64_t most_bytes = std::uint64_t{1} << 24;
+    const Json json = parse_json(plan.state, read_file(plan.state, {}, most_bytes));
+    const JsonValue in(json, plan.state);
+    in.only_keys({"plan", "batches", "counts", "check"});
+    if (in.at("plan").object().raw() != Json(plan_json(plan)))
+        Place{plan.state}.refuse("is the state of another stress run; name another file, or the run's own options");
+    const std::uint64_t batches = in.at("batches").whole(batches_in_all + 1);
+    const JsonValue counts = in.at("counts").array();
+    if (counts.size() != cells.size()) counts.refuse(fmt::format("has {} rows instead of {}", counts.size(), cells.size()));
+    const std::vector<std::uint64_t> rays = rays_after(batches);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].counts = counts_of(counts[i], rays[i]);
+    if (in.at("check").string() != check_of(in.at("batches").raw(), counts.raw())) in.refuse("was changed since it was written: its check does not fit");
+    return batches;
 }
 
 void write_state(const Plan& plan, const std::vector<Cell>& cells, std::uint64_t batches) {
     ordered_json counts = ordered_json::array();
     for (const Cell& cell : cells) counts.push_back(counts_json(cell.counts));
-    write_file(plan.state, ordered_json{{"plan", plan_json(plan)}, {"batches", batches}, {"counts", counts}}.dump(1) + "\n");
+    const ordered_json json{{"plan", plan_json(plan)}, {"batches", batches}, {"counts", counts}, {"check", check_of(batches, counts)}};
+    write_file(plan.state, json.dump(1) + "\n");
 }
 
 } // namespace rayclock::stress

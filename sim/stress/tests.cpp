@@ -54,7 +54,7 @@ const NamedTest& named_test(const std::string& name) {
         if (name == t.name) return t;
         names.push_back(t.name);
     }
-    throw UserError("--test: no test is called '" + name + "'" + did_you_mean(name, names));
+    throw UserError("--test: no test is called " + shown(name) + did_you_mean(name, names));
 }
 
 bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells) {

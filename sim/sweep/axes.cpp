@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
+#include "model/core/quote.hpp"
 
 namespace rayclock::sweep {
 
@@ -16,7 +17,7 @@ int whole(const std::string& text, const std::string& axis) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{} && end == text.data() + text.size()) return value;
-    throw UserError("--axis: '" + text + "' in '" + axis + "' is not a whole number");
+    throw UserError("--axis: " + shown(text) + " in " + shown(axis) + " is not a whole number");
 }
 
 std::vector<std::string> parts(const std::string& text, char separator) {
@@ -31,9 +32,9 @@ std::vector<std::string> parts(const std::string& text, char separator) {
 
 std::vector<std::string> range(const std::string& list, const std::string& text) {
     const std::vector<std::string> ends = parts(list, ':');
-    if (ends.size() > 3) throw UserError("--axis: '" + list + "' in '" + text + "' is not from:to:step");
+    if (ends.size() > 3) throw UserError("--axis: " + shown(list) + " in " + shown(text) + " is not from:to:step");
     const int from = whole(ends[0], text), to = whole(ends[1], text), step = ends.size() == 3 ? whole(ends[2], text) : 1;
-    if (step < 1 || to < from) throw UserError("--axis: '" + list + "' in '" + text + "' is not from:to:step with a step above 0");
+    if (step < 1 || to < from) throw UserError("--axis: " + shown(list) + " in " + shown(text) + " is not from:to:step with a step above 0");
     std::vector<std::string> values;
     for (long long value = from; value <= to && values.size() <= most_points; value += step) values.push_back(std::to_string(value));
     return values;
@@ -51,7 +52,7 @@ constexpr std::array timing_only{"contexts",  "raygen_queue", "box_queue", "tri_
 Axis parse_axis(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        throw UserError("--axis: '" + text + "' is not key=values, for example contexts=16,32,64");
+        throw UserError("--axis: " + shown(text) + " is not key=values, for example contexts=16,32,64");
     const std::string list = text.substr(equals + 1);
     return {text.substr(0, equals), list.find(':') != std::string::npos ? range(list, text) : parts(list, ',')};
 }
@@ -60,7 +61,7 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
     std::size_t count = 1;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b)
-            if (axes[a].key == axes[b].key) throw UserError("--axis: '" + axes[a].key + "' is given twice");
+            if (axes[a].key == axes[b].key) throw UserError("--axis: " + shown(axes[a].key) + " is given twice");
         count *= axes[a].values.size();
         if (count > most_points) throw UserError(fmt::format("--axis: more than {} points", most_points));
     }

@@ -1,13 +1,14 @@
 #include "sim/sweep/cache.hpp"
 
 #include <bit>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "model/core/error.hpp"
 #include "model/hits.hpp"
-#include "sim/image/output_file.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/json_value.hpp"
+#include "sim/files/output.hpp"
 
 namespace rayclock::sweep {
 
@@ -21,6 +22,9 @@ std::string hash_text(const std::string& text) {
 }
 
 namespace {
+
+/// An entry takes some kilobytes.
+constexpr std::uint64_t most_bytes = 1 << 20;
 
 void add(Digest& digest, double x) { digest.add(std::bit_cast<std::uint64_t>(x)); }
 void add(Digest& digest, const glm::dvec3& v) {
@@ -71,11 +75,14 @@ fs::path Cache::path_of(const std::string& kind, const std::string& key) const {
 
 std::optional<ordered_json> Cache::find(const std::string& kind, const std::string& key) const {
     if (fresh_) return std::nullopt;
-    std::ifstream file(path_of(kind, key), std::ios::binary);
-    if (!file) return std::nullopt;
-    std::ostringstream text;
-    text << file.rdbuf();
-    const ordered_json entry = ordered_json::parse(text.str(), nullptr, false);
+    ordered_json entry;
+    try {
+        const std::string path = path_of(kind, key).string(), text = read_file(path, {}, most_bytes);
+        parse_json(path, text);   // refuses what would take the next line too long, or too deep
+        entry = ordered_json::parse(text);
+    } catch (const UserError&) {
+        return std::nullopt;
+    }
     if (!entry.is_object() || !entry.contains("key") || !entry.contains("check") || !entry.contains("value")) return std::nullopt;
     if (entry["key"] != key || entry["check"] != hash_text(entry["value"].dump())) return std::nullopt;
     return entry["value"];
@@ -86,13 +93,11 @@ void Cache::keep(const std::string& kind, const std::string& key, const ordered_
     const std::lock_guard lock(mutex_);
     if (!trouble_.empty()) return;
     const fs::path path = path_of(kind, key);
-    OutputFile output(path);
-    std::ofstream file(output.temporary(), std::ios::binary);
-    file << entry.dump(1) << "\n";
-    file.close();
-    std::error_code error;
-    if (file) fs::rename(output.temporary(), path, error);
-    if (!file || error) trouble_ = path.string() + ": cannot be written";
+    try {
+        write_bytes(path.string(), entry.dump(1) + "\n", Durable::no);
+    } catch (const UserError& error) {
+        trouble_ = error.what();
+    }
 }
 
 std::string Cache::trouble() const {

@@ -60,7 +60,7 @@ std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector
         std::uint64_t mine = 0;
         for (std::uint32_t y = next++; y < height; y = next++)
             for (std::uint32_t x = 0; x < width; ++x)
-                mine += is_crack(surface, job.frame.eye, pixel_direction(x, y, job.frame), hits[std::size_t(y) * width + x]);
+                mine += is_crack(surface, job.frame.eye, pixel_direction(x, y, job.frame, job.config), hits[std::size_t(y) * width + x]);
         cracks += mine;
     };
     std::vector<std::thread> helpers;

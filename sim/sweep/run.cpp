@@ -30,6 +30,7 @@ PictureFigures picture_of(const ordered_json& json) {
     p.error.pixels = json.at("pixels").get<std::uint64_t>();
     p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
     p.error.psnr_db = json.at("psnr_db").is_null() ? std::numeric_limits<double>::infinity() : json.at("psnr_db").get<double>();
+    p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
     p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
     p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();

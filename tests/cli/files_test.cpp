@@ -154,7 +154,7 @@ TEST_CASE("outputs that cannot be written") {
 TEST_CASE("a report that cannot be written in the end is said") {
     const Outcome full = run_program({"simulate", "tetra:1", "--size", "8x8", "--json", "/dev/full"});
     CHECK(full.code == 2);
-    CHECK(full.err == "rayclock: /dev/full: cannot be written\n");
+    CHECK(full.err == "rayclock: /dev/full: cannot be written: No space left on device\n");
 }
 
 TEST_CASE("a place for the RTL that cannot be written") {

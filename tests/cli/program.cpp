@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -50,7 +51,8 @@ std::map<std::string, std::string> Folder::contents() const {
 
 namespace {
 
-Outcome run(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, const std::function<void(pid_t)>& meanwhile) {
+Outcome run(std::string program, const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+            const std::function<void(pid_t)>& meanwhile) {
     const Folder folder;
     const std::string out = folder.name("out"), err = folder.name("err");
     posix_spawn_file_actions_t actions;
@@ -58,7 +60,6 @@ Outcome run(const std::vector<std::string>& arguments, const std::vector<std::st
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_CREAT | O_WRONLY, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_CREAT | O_WRONLY, 0600);
-    std::string program = RAYCLOCK_PROGRAM;
     std::vector<std::string> texts = arguments, variables = environment;
     for (char** v = environ; *v; ++v) {
         const std::string text = *v, name = text.substr(0, text.find('=') + 1);
@@ -71,25 +72,35 @@ Outcome run(const std::vector<std::string>& arguments, const std::vector<std::st
     argv.push_back(nullptr);
     envp.push_back(nullptr);
     pid_t child = 0;
-    REQUIRE(posix_spawn(&child, RAYCLOCK_PROGRAM, &actions, nullptr, argv.data(), envp.data()) == 0);
+    REQUIRE(posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), envp.data()) == 0);
     posix_spawn_file_actions_destroy(&actions);
     if (meanwhile) meanwhile(child);
     int status = 0;
-    REQUIRE(waitpid(child, &status, 0) == child);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
+    rusage used{};
+    REQUIRE(wait4(child, &status, 0, &used) == child);
+    const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err), seconds(used.ru_utime) + seconds(used.ru_stime),
+            double(used.ru_maxrss) / 1024};
 }
 
 } // namespace
 
-Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) { return run(arguments, environment, {}); }
+Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    return run(RAYCLOCK_PROGRAM, arguments, environment, {});
+}
+Outcome run_in_shell(const std::string& script, const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"-c", script, "sh", RAYCLOCK_PROGRAM};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run("/bin/sh", all, {}, {});
+}
 Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) {
-    return run(arguments, {}, [milliseconds](pid_t child) {
+    return run(RAYCLOCK_PROGRAM, arguments, {}, [milliseconds](pid_t child) {
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         ::kill(child, SIGINT);
     });
 }
 Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int signal, const std::function<bool()>& ready) {
-    return run(arguments, environment, [&](pid_t child) {
+    return run(RAYCLOCK_PROGRAM, arguments, environment, [&](pid_t child) {
         for (int i = 0; i < 6000 && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ::kill(child, signal);
     });

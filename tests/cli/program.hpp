@@ -11,10 +11,15 @@ namespace rayclock::test {
 struct Outcome {
     int code = -1;          ///< exit code, or -1 if a signal ended the program
     std::string out, err;
+    double seconds = 0;     ///< of all threads
+    double peak_mb = 0;     ///< most memory in use
 };
 
 /// `environment`: NAME=value, over the test's own.
 Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+
+/// The same started by a shell, which may bend the streams and limits first: `script` runs the program as "$@".
+Outcome run_in_shell(const std::string& script, const std::vector<std::string>& arguments);
 
 /// The same with a Ctrl-C after so many milliseconds.
 Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds);

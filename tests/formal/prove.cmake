@@ -12,7 +12,7 @@ foreach(file IN LISTS FILES)
       -P ${CMAKE_CURRENT_LIST_DIR}/../meta/apply.cmake COMMAND_ERROR_IS_FATAL ANY)
     set(changed 1)
   endif()
-  string(APPEND sources " ${source}")
+  string(APPEND sources " \"${source}\"")   # a folder may have a space in its name
 endforeach()
 if(NOT FILE STREQUAL "" AND NOT changed)
   message(FATAL_ERROR "${FILE} is not among the sources of this proof")
@@ -27,7 +27,7 @@ foreach(parameter IN LISTS WITH)
 endforeach()
 # Memories become registers, so that harnesses can name their words. The RTL is read without -formal: its own concurrent
 # assertions are for Verilator; what is assumed and what is claimed stands in the harness alone.
-set(script "read_verilog -sv -mem2reg${sources}\nread_verilog -sv -formal -mem2reg${macros} ${CMAKE_CURRENT_LIST_DIR}/${TOP}.sv\n")
+set(script "read_verilog -sv -mem2reg${sources}\nread_verilog -sv -formal -mem2reg${macros} \"${CMAKE_CURRENT_LIST_DIR}/${TOP}.sv\"\n")
 if(parameters)
   string(APPEND script "chparam${parameters} ${TOP}\n")
 endif()

@@ -1,10 +1,14 @@
 // Picture files: what is written is what is read back, exactly; failures are one sentence and leave nothing behind.
+#include <csignal>
 #include <cstring>
 #include <fstream>
 
+#include <sys/resource.h>
+#include <sys/stat.h>
+
 #include <OpenImageIO/imageio.h>
 
-#include "sim/image/output_file.hpp"
+#include "sim/files/output.hpp"
 #include "sim/image/srgb.hpp"
 #include "tests/image/folder.hpp"
 
@@ -133,28 +137,73 @@ TEST_CASE("pictures that cannot be written are refused in one sentence, with not
     CHECK(folder.files() == 2);
 }
 
-TEST_CASE("an output file that is not published, or cannot be, leaves nothing and alters nothing", "[image]") {
+/// While it lives no file may grow beyond so many bytes: what a full disk is to a program, but for the number of the error.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit now{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &now);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+
+private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+TEST_CASE("a file that cannot be written to its end leaves the old one and nothing else", "[image]") {
     const TestFolder folder;
-    put(folder / "old", "precious");
-    {
-        const OutputFile file(folder / "old");
-        put(file.temporary().string(), "half of");
-        CHECK(folder.files() == 2);
+    const FrameSize size{40, 40};
+    Picture noise = grey_picture(size, 0);
+    for (std::size_t i = 0; i < noise.pixels.size(); ++i) noise.pixels[i] = glm::vec3(float(i * 2654435761u % 1000) / 1000);
+    for (const char* name : {"a.png", "a.exr", "a.json", "none.png"}) {
+        const std::string file = folder / name, picture = file.substr(file.size() - 3);
+        const auto write = [&] { picture == "son" ? write_bytes(file, std::string(5000, 'x')) : write_picture(file, noise, no_hits(size)); };
+        write();
+        const auto whole = fs::file_size(file);
+        const bool is_old = std::string(name) != "none.png";
+        for (const auto room : {std::uintmax_t{0}, whole / 2, whole - 1}) {
+            fs::remove(file);
+            if (is_old) put(file, "precious");
+            const int before = folder.files();
+            {
+                const FullDisk full(room);
+                check_sentence(complaint(write), file, "cannot be written: File too large");
+            }
+            CHECK(folder.files() == before);
+            if (is_old) CHECK(contents(file) == "precious");
+        }
+        const FullDisk just_enough(whole);
+        CHECK(complaint(write).empty());
+        CHECK(fs::file_size(file) == whole);
     }
-    CHECK(folder.files() == 1);
-    CHECK(contents(folder / "old") == "precious");
-    {
-        OutputFile file(folder / "late");
-        put(file.temporary().string(), "whole");
-        fs::create_directory(folder / "late");   // after the checks, before the end
-        check_sentence(complaint([&] { file.publish(); }), folder / "late", "cannot be written");
-    }
-    CHECK(folder.files() == 2);
-    OutputFile file(folder / "old");
-    put(file.temporary().string(), "new");
-    file.publish();
-    CHECK(contents(folder / "old") == "new");
-    CHECK(folder.files() == 2);
+    // The last bytes lie in a buffer until the file is closed; a device that is always full takes none.
+    check_sentence(complaint([] { write_bytes("/dev/full", "x"); }), "/dev/full", "No space left on device");
+}
+
+TEST_CASE("links, pipes and devices are no place for a picture", "[image]") {
+    const TestFolder folder;
+    put(folder / "real.png", "precious");
+    fs::create_symlink("real.png", folder / "link.png");
+    fs::create_symlink("nowhere.png", folder / "dangling.png");
+    REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
+    const auto refusal = [&](const std::string& name) {
+        return complaint([&] { write_picture(folder / name, grey_picture({2, 2}, 0), no_hits({2, 2})); });
+    };
+    check_sentence(refusal("link.png"), folder / "link.png", "symbolic link");
+    check_sentence(refusal("dangling.png"), folder / "dangling.png", "symbolic link");
+    check_sentence(refusal("pipe.png"), folder / "pipe.png", "pipe");
+    check_sentence(complaint([&] { write_bytes(folder / "link.png", "x"); }), folder / "link.png", "symbolic link");
+    check_sentence(complaint([&] { write_bytes(folder / "pipe.png", "x"); }), folder / "pipe.png", "nobody reads");   // and does not wait
+    CHECK(complaint([&] { write_bytes("/dev/null", "x"); }).empty());
+    CHECK(contents(folder / "real.png") == "precious");
+    CHECK(fs::is_symlink(folder / "link.png"));
+    CHECK(folder.files() == 4);
 }
 
 TEST_CASE("a picture whose hits have another size is refused", "[image]") {

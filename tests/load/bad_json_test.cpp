@@ -1,7 +1,7 @@
 // What can be wrong in a JSON scene: the sentence names the path of the value and the value.
 #include <catch2/catch.hpp>
 
-#include <chrono>
+#include <ctime>
 
 #include <unistd.h>
 
@@ -158,9 +158,9 @@ TEST_CASE("a million lights are refused, and soon") {
     for (int i = 0; i < 1'000'000; ++i) lights += i == 0 ? R"({"position":[0,0,0]})" : R"(,{"position":[0,0,0]})";
     const Folder folder;
     const std::string file = folder.write("lights.json", scene("", lights + "],"));
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();    // of the processor: others may keep it busy
     CHECK(complaint(file) == file + ": lights has 1000000 lights; the most is 64");
-    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));   // 1 s optimised
+    CHECK(std::clock() - begin < 20 * CLOCKS_PER_SEC);   // 1 s optimised
 }
 
 TEST_CASE("a JSON scene cannot blow up by copies of copies") {

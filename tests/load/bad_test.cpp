@@ -205,5 +205,6 @@ TEST_CASE("bad glTF") {
            {"a.gltf", changed("\"indices\":1", "\"indices\":1,\"material\":0"), {"primitives[0].material", "0"}},
            {"a.gltf", changed("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"), {"KHR_draco_mesh_compression"}}});
     const Folder folder;
-    CHECK(complaint(folder.write("a.gltf", o.gltf("none.bin"))) == folder.name("none.bin") + ": there is no such file");
+    CHECK(complaint(folder.write("a.gltf", o.gltf("none.bin"))) ==
+          folder.name("none.bin") + ": there is no such file (" + folder.name("a.gltf") + ": buffers[0].uri asks for it)");
 }

@@ -11,6 +11,7 @@
 #include "model/trace/witness.hpp"
 #include "sim/load/load.hpp"
 #include "sim/lockstep/lockstep.hpp"
+#include "sim/report/lockstep.hpp"
 
 using namespace rayclock;
 namespace fs = std::filesystem;
@@ -145,6 +146,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     CHECK(result.first->channel == "box_rsp");
     CHECK(result.first->expected == "a transfer");
     CHECK(result.first->got == "no offer");
+    CHECK(result.first->later == "the RTL makes it 1 cycle later");
     CHECK(result.first->ray == event.ray);
     CHECK(result.cycle_gap > 0);
     CHECK_FALSE(result.agrees());
@@ -184,6 +186,13 @@ TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     CHECK(model[1] == rtl[2]);
     CHECK(model[2] == rtl[1]);
     CHECK(model[1] != model[2]);
+    REQUIRE(result.counter);
+    CHECK(result.counter->unit == "box");
+    CHECK(result.counter->cause == "starved by memory");
+    CHECK(result.counter->model == model[1]);
+    CHECK(result.counter->rtl == rtl[1]);
+    CHECK(result.counter->others == 1);
+    CHECK(lockstep_lines(result).find("counters DIFFER\n    box was starved by memory in ") != std::string::npos);
 }
 
 TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
@@ -196,10 +205,13 @@ TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);
     CHECK(result.first->cycle == event.cycle);
-    CHECK(result.first->unit == "prim_cache");
+    CHECK(result.first->unit == "memport");   // which should have accepted it
     CHECK(result.first->channel == "prim_miss");
     CHECK(result.first->expected == "a transfer");
     CHECK(result.first->got == "an offer that is not accepted");
+    CHECK(result.first->later == "the RTL makes none there any more");
+    CHECK_FALSE(result.counters_compared);
+    CHECK(lockstep_lines(result).find("counters not compared") != std::string::npos);
     CHECK(result.cycle_gap > 0);
     CHECK_FALSE(result.agrees());
     CHECK(result.rtl.pixels < result.model.pixels);

@@ -49,8 +49,26 @@ mutant(model_box_far_with_r QUICK FILE model/trav/slab.hpp WITH model/trav/box.c
   OLD [[std::int32_t(ray.recip[k]) + (ray.len[k] != 0));]]
   NEW [[std::int32_t(ray.recip[k]));]])
 mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[(sum + (std::int64_t(1) << (guard_bits + frac - 1))) >> (guard_bits + frac)]]
-  NEW [[sum >> (guard_bits + frac)]])
+  OLD [[((sum[k] << shift) + (std::int64_t(1) << (drop - 1))) >> drop]]
+  NEW [[(sum[k] << shift) >> drop]])
+mutant(model_raygen_moves_up_one_bit_less QUICK FILE model/raygen/raygen.cpp TEST unit [raygen]
+  OLD [[const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 1 + drop]]
+  NEW [[const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 2 + drop]])
+mutant(model_raygen_moves_up_by_fourteen FILE model/raygen/raygen.cpp TEST unit [raygen]
+  OLD [[0, most_shift);]]
+  NEW [[0, most_shift - 1);]])
+mutant(model_raygen_least_component_too_long FILE model/raygen/raygen.cpp TEST unit [raygen]
+  OLD [[sum[k] ^ sum[k] >> 63]]
+  NEW [[std::abs(sum[k])]])
+mutant(model_raygen_looks_at_two_axes FILE model/raygen/raygen.cpp TEST unit [raygen]
+  OLD [[        used |= std::uint64_t(]]
+  NEW [[        if (k < 2) used |= std::uint64_t(]])
+mutant(model_raygen_direction_wraps FILE model/raygen/raygen.cpp TEST unit [raygen]
+  OLD [[>> drop), most);]]
+  NEW [[>> drop), most + 1);]])
+mutant(frame_takes_a_camera_that_is_too_wide FILE model/accel/frame.cpp TEST accel "a camera that is too wide*"
+  OLD [[if (!(scale * least - off >=]]
+  NEW [[if (!(scale * std::max(m, least) - off >=]])
 # A chip that shades: origins between lattice points, rays that stop, long directions, samples.
 mutant(model_box_near_from_the_point_before QUICK FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]

@@ -46,7 +46,7 @@ mutant(model_square_root_rounded_up FILE model/shade/square_root.cpp TEST unit [
 # ---- The reference's finished picture, its spheres and planes.
 mutant(none_in_whitted FILE model/reference/whitted.cpp TEST reference [whitted])
 mutant(whitted_weight_must_be_above_the_threshold QUICK FILE model/reference/whitted.cpp TEST reference "two mirrors*"
-  OLD [[if (reflected >= settings_.threshold) {]]
+  OLD [[if (weighs_enough(reflected, settings_.threshold)) {]]
   NEW [[if (reflected > settings_.threshold || settings_.threshold == 0) {]])
 mutant(whitted_one_bounce_too_many FILE model/reference/whitted.cpp TEST reference "two mirrors*"
   OLD [[if (depth < settings_.depth &&]]
@@ -56,7 +56,7 @@ mutant(whitted_total_reflection_is_not_counted FILE model/reference/whitted.cpp 
         return;]]
   NEW [[        return;]])
 mutant(whitted_total_reflection_is_dim FILE model/reference/whitted.cpp TEST reference "beyond the critical angle*"
-  OLD [[reflected = weight * (m.mirror + m.transmit);]]
+  OLD [[reflected = weight * std::min(m.mirror + m.transmit, 1.0);]]
   NEW [[reflected = weight * m.mirror;]])
 mutant(whitted_glass_turned_inside_out FILE model/reference/whitted.cpp TEST reference "a slab*"
   OLD [[ratio(is_inside ? index : 1 / index)]]
@@ -68,8 +68,8 @@ mutant(whitted_shadow_from_beyond_the_light FILE model/reference/whitted.cpp TES
   OLD [[geometry_.is_blocked(shadow, distance)]]
   NEW [[geometry_.is_blocked(shadow, 2 * distance)]])
 mutant(whitted_mirrors_only_what_has_a_mirror FILE model/reference/whitted.cpp TEST reference [spd]
-  OLD [[if (reflected >= settings_.threshold) {]]
-  NEW [[if (m.mirror > 0 && reflected >= settings_.threshold) {]])
+  OLD [[if (weighs_enough(reflected, settings_.threshold)) {]]
+  NEW [[if (m.mirror > 0 && weighs_enough(reflected, settings_.threshold)) {]])
 mutant(whitted_reflects_through_the_surface FILE model/reference/whitted.cpp TEST reference "smooth normals*"
   OLD [[if (glm::dot(direction, surface.flat) > 0) {]]
   NEW [[if (glm::dot(direction, surface.normal) > 0) {]])
@@ -105,12 +105,47 @@ mutant(model_schlick_fourth_power FILE model/shade/bounce.cpp TEST unit [formula
 mutant(model_phong_without_the_cosine_of_the_view FILE model/shade/light.cpp TEST unit [formulas]
   OLD [[rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits)]]
   NEW [[rounded(2 * std::int64_t(cosine) * cosine, unit_bits)]])
-mutant(model_far_mirror_is_black FILE model/shade/pass.cpp TEST unit [formulas]
-  OLD [[if (s.far) return see_background(s, found.weight, frame);]]
-  NEW [[if (s.far) return;]])
-mutant(model_far_glass_shows_what_is_totally_reflected FILE model/shade/pass.cpp TEST unit [formulas]
-  OLD [[if (found.goes) see_background(s, found.weight, frame);]]
-  NEW [[see_background(s, found.weight, frame);]])
+mutant(model_threshold_without_slack QUICK FILE model/shade/pass.cpp TEST unit [threshold]
+  OLD [[2 * weight + 3 * bounce >=]]
+  NEW [[2 * weight + 0 * bounce >=]])
+mutant(model_threshold_too_much_slack FILE model/shade/pass.cpp TEST unit [threshold]
+  OLD [[2 * weight + 3 * bounce >=]]
+  NEW [[2 * weight + 8 * bounce >=]])
+mutant(model_weights_of_twelve_bits FILE model/accel/surfaces.cpp TEST unit [threshold]
+  OLD [[s.transmit = std::max(weight_of(m.mirror + m.transmit) - s.mirror, 1u);]]
+  NEW [[s.transmit = share_of(m.transmit) << 4;]])
+mutant(model_far_mirror_is_black QUICK FILE model/shade/pass.cpp TEST unit [far]
+  OLD [[    if (!start) return see_background(s, found.weight, frame);
+    send_bounce(]]
+  NEW [[    if (!start) return;
+    send_bounce(]])
+mutant(model_far_light_behind_a_plane_counts FILE model/shade/pass.cpp TEST unit [far]
+  OLD [[if (!found.counts || (s.far && !clear)) return;]]
+  NEW [[if (!found.counts) return;]])
+mutant(model_far_light_asks_planes FILE model/shade/pass.cpp TEST unit [far]
+  OLD [[c.planes && !to_the_point && clear;]]
+  NEW [[c.planes && !to_the_point && clear && !s.far;]])
+mutant(model_far_light_from_the_point FILE model/shade/light.cpp TEST unit [far]
+  OLD [[state.far ? -out.d[k] :]]
+  NEW [[state.far ? out.d[k] :]])
+mutant(model_approach_one_step_short QUICK FILE model/shade/approach.cpp TEST unit [approach]
+  OLD [[    at = along(at, d, c.approach_shift());
+]]
+  NEW [[]])
+mutant(model_approach_any_slab FILE model/shade/approach.cpp TEST unit [approach]
+  OLD [[d[k] < 0 ? q[k] > end : q[k] < -end]]
+  NEW [[d[k] < 0 ? q[k] > end : q[k] <= -end]])
+mutant(model_approach_without_the_last_bit FILE model/shade/approach.cpp TEST unit [approach]
+  OLD [[step >= 0; --step]]
+  NEW [[step > 0; --step]])
+mutant(model_plane_asked_by_a_finite_ray QUICK FILE model/isect/any.cpp TEST unit [far]
+  OLD [[if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;]]
+  NEW [[]])
+mutant(model_far_glass_is_black FILE model/shade/pass.cpp TEST unit [far]
+  OLD [[    if (!start) return see_background(s, found.weight, frame);
+    out.push = true;]]
+  NEW [[    if (!start) return;
+    out.push = true;]])
 mutant(model_light_behind_counts FILE model/shade/light.cpp TEST unit [formulas]
   OLD [[out.counts = side > 0 && cosine > 0;]]
   NEW [[out.counts = side != 0 || cosine > 0;]])

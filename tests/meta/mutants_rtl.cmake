@@ -172,9 +172,24 @@ mutant(door_one_credit_more QUICK FILE rtl/prim/rc_door.sv TEST unit [tri][locks
 mutant(merge_changes_its_mind FILE rtl/prim/rc_merge.sv TEST unit [list][lockstep]
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = held_q && first_valid_i && held_second_q ? 1'b0 : !first_valid_i;]])
-mutant(raygen_direction_rounded_down FILE rtl/raygen/rc_raygen.sv TEST unit [raygen]
-  OLD [[$signed({{(M){1'b0}}, 1'b1, {(G-M-1){1'b0}}});]]
-  NEW [[$signed({{(M){1'b0}}, 1'b0, {(G-M-1){1'b0}}});]])
+mutant(raygen_direction_rounded_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[assign dir_o[k*M +: M] = s1_whole + {{(M-1){1'b0}}, s1_up};]]
+  NEW [[assign dir_o[k*M +: M] = s1_whole + {{(M-1){1'b0}}, s1_up && 1'b0};]])
+mutant(raygen_direction_wraps FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[s1_moved[G-M-1] && s1_whole != {1'b0, {(M-1){1'b1}}};]]
+  NEW [[s1_moved[G-M-1];]])
+mutant(raygen_shift_off_by_one QUICK FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[if (s0_used[G-2-i]) s0_shift = S'(i);]]
+  NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? S'(i - 1) : '0;]])
+mutant(raygen_shift_one_bit_short FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[s0_shift = S'(Most);]]
+  NEW [[s0_shift = S'(Most - 1);]])
+mutant(raygen_shift_of_the_last_axis FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[s0_used = s0_used | (sum_i]]
+  NEW [[s0_used = (sum_i]])
+mutant(raygen_shift_by_the_sums_sign FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
+  OLD [[^ {(G-1){sum_i[k*G+G-1]}});]]
+  NEW [[^ {(G-1){sum_i[G-1]}});]])
 
 # ---- one cycle late, each unit.
 mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep]
@@ -341,9 +356,9 @@ mutant(small_slab_zero_is_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][sm
 mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [raygen][small]
   OLD [[assign s0_top = s0_m[M-2:0] == '0;]]
   NEW [[assign s0_top = s0_m[M-2:0] == '0 && !s0_m[M-1];]])
-mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][small]
-  OLD [[+ $signed({{(M){1'b0}}, 1'b1, {(G-M-1){1'b0}}});]]
-  NEW [[+ $signed({{(M){1'b0}}, 1'b0, {(G-M-1){1'b1}}});]])
+mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen][small]
+  OLD [[s1_moved[G-M-1] && s1_whole]]
+  NEW [[s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0 && s1_whole]])
 mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
   OLD [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q < s3_p2z_q;]]
   NEW [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q > s3_p2z_q;]])

@@ -32,14 +32,14 @@ mutant(stack_visits_a_child_when_stopped FILE rtl/trav/rc_stack.sv TEST unit [tr
   OLD [[forward      = !stop &&]]
   NEW [[forward      =]])
 mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s2_short = s2_head_q[HeadW-1 -: 2] != 2'd2;]]
-  NEW [[s2_short = !s2_head_q[HeadW-1];]])
+  OLD [[s3_short = s3_head_q[HeadW-1 -: 2] != 2'd2;]]
+  NEW [[s3_short = !s3_head_q[HeadW-1];]])
 mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
   OLD [[.first_valid_i(spawn_valid_i),]]
   NEW [[.first_valid_i(spawn_valid_i && !slot_valid_i),]])
 mutant(raygen_bounce_from_the_eye FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s1_camera ? s1_eye : s1_given[3*RD +: 3*OW];]]
-  NEW [[s1_camera || s1_kind == 2'd1 ? s1_eye : s1_given[3*RD +: 3*OW];]])
+  OLD [[s2_camera ? s2_eye : s2_given[3*RD +: 3*OW];]]
+  NEW [[s2_camera || s2_kind == 2'd1 ? s2_eye : s2_given[3*RD +: 3*OW];]])
 mutant(recip_zero_is_long FILE rtl/raygen/rc_recip.sv TEST unit [raygen][lockstep][shading]
   OLD [[short_i && s0_len != '0 ?]]
   NEW [[short_i ?]])
@@ -131,20 +131,47 @@ mutant(turnout_last_light_is_left_out FILE rtl/shade/rc_turnout.sv TEST unit [pa
   OLD [[light < frame_i.lights ? Light]]
   NEW [[light + 7'd1 < frame_i.lights ? Light]])
 mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[weight_i >= frame_i.threshold]]
-  NEW [[weight_i > frame_i.threshold]])
+  OLD [[+ 19'(slack) >= {1'b0, frame_i.threshold}]]
+  NEW [[+ 19'(slack) > {1'b0, frame_i.threshold}]])
 mutant(turnout_far_mirror_is_black FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[is_arrive || escapes]]
   NEW [[is_arrive || (escapes && 1'b0)]])
 mutant(turnout_far_glass_is_traced FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[refracted && !far;]]
+  OLD [[refracted && starts;]]
   NEW [[refracted;]])
+mutant(turnout_far_light_behind_a_plane_counts FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[&& (!far || light_clear_i);]]
+  NEW [[;]])
+mutant(turnout_lost_point_asks_its_light FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[light_near_i ? !was_i.is_lost : starts;]]
+  NEW [[light_near_i || starts;]])
+mutant(turnout_far_light_asks_planes FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[is_light && !to_point && light_clear_i;]]
+  NEW [[is_light && !light_near_i && light_clear_i;]])
+mutant(light_far_point_is_turned_round FILE rtl/shade/rc_light.sv TEST unit [pass][all]
+  OLD [[s15_near ? -wide : wide;]]
+  NEW [[wide;]])
+mutant(approach_end_is_ahead QUICK FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
+  OLD [[way < 0 ? there > End : there < -End;]]
+  NEW [[way < 0 ? there > End : way != 0 && there < -End && at[(3*i+k)*Q] == 1'b0;]])
+mutant(approach_passes_by_and_enters FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
+  OLD [[fits == 3'b111;]]
+  NEW [[fits != 3'b000;]])
+mutant(surf_far_is_lost FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
+  OLD [[s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);]]
+  NEW [[s5_lost_o <= !sphere[4] && (s4_ends || s4_outside != '0);]])
+mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+  OLD [[assign s0_skips = s0_plane && tri_ray[TriRayW-3];]]
+  NEW [[assign s0_skips = 1'b0;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
   NEW [[was_i.depth > frame_i.depth]])
 mutant(turnout_pushed_ray_stays_outside FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[!was_i.is_inside}]]
   NEW [[was_i.is_inside}]])
+mutant(lint_sees_an_unused_signal FILE rtl/shade/rc_surf.sv TEST system "the RTL of random configurations*"
+  OLD [[logic signed [X-1:0] sum;]]
+  NEW [[logic signed [X-1:0] sum, spare;]])
 mutant(surf_point_on_the_border FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[s1_u_q + s1_v_q < s1_one;]]
   NEW [[s1_u_q + s1_v_q <= s1_one;]])
@@ -152,8 +179,8 @@ mutant(surf_normal_is_not_turned FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[<= s4_back ? -s4_n : s4_n;]]
   NEW [[<= s4_back && s4_smooth ? -s4_n : s4_n;]])
 mutant(surf_checkers_by_u_alone FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
-  OLD [[s0_u_i[Y] ^ s0_v_i[Y];]]
-  NEW [[s0_u_i[Y] ^ (s0_v_i[Y] && s0_smooth);]])
+  OLD [[(s0_square_u[0] ^ s0_square_v[0]);]]
+  NEW [[(s0_square_u[0] ^ (s0_square_v[0] && s0_smooth));]])
 mutant(ball_rounded_down FILE rtl/shade/rc_ball.sv TEST unit [pass][all]
   OLD [[Q'(65'(1) << Drop >> 1))]]
   NEW [[Q'(65'(1) << Drop >> 2))]])
@@ -211,3 +238,30 @@ mutant(contexts_bounces_are_forgotten FILE rtl/shade/rc_contexts.sv TEST unit [s
 mutant(contexts_stack_of_one_place FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[& AW'((1 << Up) - 1));]]
   NEW [[& AW'((1 << Up) - 2));]])
+
+# ---- What nothing quick saw before the torture set and operands aimed at it (issue 12).
+mutant(raygen_keeps_the_first_eye FILE rtl/raygen/rc_raygen.sv TEST torture "model and RTL agree under torture"
+  OLD [[assign eye = frame_i.eye;]]
+  NEW [[logic [3*rc_pkg::CoordBits-1:0] kept_q;
+  logic is_kept_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) is_kept_q <= 1'b0;
+    else if (slot_valid_i) is_kept_q <= 1'b1;
+    if (!is_kept_q) kept_q <= frame_i.eye;
+  end
+  assign eye = is_kept_q ? kept_q : frame_i.eye;]])
+mutant(contexts_stack_half_as_deep FILE rtl/shade/rc_contexts.sv TEST torture "model and RTL agree under torture"
+  OLD [[assign new_top_at = write_state_i.waiting - 4'd1;]]
+  NEW [[assign new_top_at = (write_state_i.waiting - 4'd1) & 4'd3;]])
+mutant(finish_contrast_itself_is_too_much FILE rtl/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
+  OLD [[s1_apart <= contrast &&]]
+  NEW [[s1_apart < contrast &&]])
+mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
+  OLD [[assign t_o = end_beyond || (&t_down)]]
+  NEW [[assign t_o = (&t_down)]])
+mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
+  OLD [[r_far && (r_inexact || r_lost)})]]
+  NEW [[r_far && r_inexact})]])
+mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv TEST unit "a sphere that is touched where a shadow ray ends* - Rtl*"
+  OLD [[!s2_foot[Foot-1] && s2_foot != '0;]]
+  NEW [[!s2_foot[Foot-1];]])

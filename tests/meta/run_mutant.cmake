@@ -1,4 +1,4 @@
-# cmake -DNAME= -DFOLDER= -DSOURCE= -DFILE= -DPROGRAM= -DFILTER= [-DCACHE=] [-DEXPECT=pass] -P run_mutant.cmake
+# cmake -DNAME= -DFOLDER= -DSOURCE= -DFILE= -DPROGRAM= -DFILTER= [-DCACHE=] [-DSIMULATE=ON] [-DEXPECT=pass] -P run_mutant.cmake
 # Runs a test program on a mutant; the program must fail, and not because the mutant cannot be built. For an RTL mutant a
 # copy of rtl/ is changed here; for one of the model, PROGRAM was built with the change.
 if(FILE MATCHES "^rtl/")
@@ -10,6 +10,30 @@ if(FILE MATCHES "^rtl/")
   set(ENV{RAYCLOCK_CACHE} ${FOLDER}/cache)
 else()
   set(ENV{RAYCLOCK_CACHE} ${CACHE})
+endif()
+if(SIMULATE)
+  # One scene after the other, until one is called a bug. A crash or a refusal is no answer.
+  string(REPLACE "|" ";" scenes "${FILTER}")
+  foreach(scene ${scenes})
+    separate_arguments(arguments UNIX_COMMAND "${scene}")
+    if(NOT scene MATCHES "--size")
+      list(APPEND arguments --size 48x36)
+    endif()
+    execute_process(COMMAND ${PROGRAM} simulate ${arguments} --clock 66 --set stack_depth=64 --set dram=ideal WORKING_DIRECTORY ${SOURCE} TIMEOUT 600
+      RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(result EQUAL 0)
+      continue()
+    endif()
+    if(EXPECT STREQUAL "pass" OR NOT result EQUAL 1 OR NOT output MATCHES "WRONG at pixel[^\n]*")
+      message(FATAL_ERROR "${NAME}: simulate ${scene} ended with ${result}:\n${output}")
+    endif()
+    message(STATUS "${NAME}: ${CMAKE_MATCH_0}")
+    return()
+  endforeach()
+  if(NOT EXPECT STREQUAL "pass")
+    message(FATAL_ERROR "${NAME} SURVIVED: ${FILE} is wrong, and simulate did not notice on ${FILTER}")
+  endif()
+  return()
 endif()
 execute_process(COMMAND ${PROGRAM} ${FILTER} --abort WORKING_DIRECTORY ${SOURCE} TIMEOUT 600
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)

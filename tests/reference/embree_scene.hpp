@@ -1,7 +1,11 @@
 #pragma once
 #include <stdexcept>
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <glm/geometric.hpp>
 
 #include "model/scene/hit.hpp"
@@ -9,7 +13,7 @@
 
 namespace rayclock {
 
-/// One geometry in Embree 3, single precision: its primitive numbers are the scene's.
+/// One geometry in Embree 3 or 4, single precision: its primitive numbers are the scene's.
 class EmbreeGeometry {
 public:
     EmbreeGeometry(RTCSceneFlags flags, RTCGeometryType type) : device_(rtcNewDevice("threads=1")) {
@@ -27,8 +31,6 @@ public:
 
     /// Closest hit; `direction` must be a unit vector, so that depth is the distance.
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
         RTCRayHit query{};
         query.ray.org_x = static_cast<float>(origin.x);
         query.ray.org_y = static_cast<float>(origin.y);
@@ -39,7 +41,13 @@ public:
         query.ray.tfar = std::numeric_limits<float>::infinity();
         query.ray.mask = 0xffff'ffffu;
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+        rtcIntersect1(scene_, &query);
+#else
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
         rtcIntersect1(scene_, &context, &query);
+#endif
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
         return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
     }

@@ -37,6 +37,8 @@ TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][wh
         {"mount:6", {.shadow = 412934, .reflection = 354774, .refraction = 354774, .primary_hits = 173132}},
         {"teapot:12", {.shadow = 408005, .reflection = 225518, .refraction = 0, .primary_hits = 161124}},
         {"tetra:6", {.shadow = 46108, .reflection = 0, .refraction = 0, .primary_hits = 49796}},
+        {"rings:7:96", {.shadow = 1085002, .reflection = 315236, .refraction = 0, .primary_hits = 263169}},
+        {"tree:11:48", {.shadow = 1097419, .reflection = 0, .refraction = 0, .primary_hits = 169836}},
     }));
     const Scene scene = make_builtin(c.scene, Primitives::native);
     const RayCounts rays = Reference(scene).whitted(corner_rays(*scene.camera), {513, 513}, {.depth = 4}).rays;
@@ -45,4 +47,17 @@ TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][wh
     WARN(c.scene << ": eye hits " << hits << " %, reflected " << reflected << " %, refracted " << refracted << " %, shadow " << shadow << " %");
     CHECK(rays.primary == 513 * 513);
     for (const double percent : {hits, reflected, refracted, shadow}) CHECK(std::abs(percent) < 1);
+}
+
+TEST_CASE("twice as many sides of cones and cylinders change no count by more than 0.2 %", "[reference][whitted][spd]") {
+    const auto [once, twice] = GENERATE(table<const char*, const char*>({{"rings:3:96", "rings:3:192"}, {"tree:8:48", "tree:8:96"}}));
+    RayCounts rays[2];
+    for (const char* name : {once, twice}) {
+        const Scene scene = make_builtin(name, Primitives::native);
+        rays[name == twice] = Reference(scene).whitted(corner_rays(*scene.camera), {257, 257}, {.depth = 4}).rays;
+    }
+    CAPTURE(once, rays[0].reflection, rays[1].reflection, rays[0].shadow, rays[1].shadow);
+    CHECK(std::abs(deviation(rays[1].primary_hits, rays[0].primary_hits)) < 0.2);
+    CHECK(std::abs(deviation(rays[1].reflection, rays[0].reflection)) < 0.2);
+    CHECK(std::abs(deviation(rays[1].shadow, rays[0].shadow)) < 0.2);
 }

@@ -191,6 +191,13 @@ TEST_CASE("The camera of every built-in scene sees something in the middle of it
         CAPTURE(b.name);
         const Scene scene = b.make(1);
         const PixelRays rays = pixel_rays(*scene.camera, {100, 100});
+        const Bounds box = bounds(scene);
+        const glm::dvec3& eye = scene.camera->eye;
+        const bool in_a_room = b.name == "mirrors";
+        if (in_a_room) {   // whose walls are all around the camera
+            for (int k = 0; k < 3; ++k) CHECK((box.lo[k] < eye[k] && eye[k] < box.hi[k]));
+            continue;
+        }
         std::size_t inside = 0;
         for (const glm::dvec3& v : scene.vertices) {
             const glm::dvec2 p = project(rays, v);

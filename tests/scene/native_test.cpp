@@ -55,7 +55,7 @@ TEST_CASE("Native counts are the published ones", "[scene][native]") {
         {"balls", 1, {2, 10, 0}}, {"balls", 4, {2, 7381, 0}}, {"mount", 1, {8, 4, 0}}, {"mount", 6, {8192, 4, 0}},
         {"rings", 1, {30 * 24 + 2, 30, 0}}, {"rings", 7, {4200 * 24 + 2, 4200, 0}}, {"tree", 1, {3 * 24 + 2, 3, 0}},
         {"tree", 11, {4095 * 24 + 2, 4095, 0}}, {"gears", 2, {4578, 0, 0}}, {"teapot", 6, {2328, 0, 0}}, {"tetra", 6, {4096, 0, 0}},
-        {"icosphere", 2, {320, 0, 0}}, {"cornell", 1, {38, 0, 0}}, {"mirrors", 1, {38, 0, 0}}, {"spheres", 1, {0, 5, 1}},
+        {"icosphere", 2, {320, 0, 0}}, {"cornell", 1, {38, 0, 0}}, {"mirrors", 1, {40, 0, 0}}, {"spheres", 1, {0, 5, 1}},
         {"plane", 1, {0, 0, 1}}, {"square", 1, {2, 0, 0}},
     }));
     CAPTURE(c.name, c.size);
@@ -65,6 +65,20 @@ TEST_CASE("Native counts are the published ones", "[scene][native]") {
     CHECK_NOTHROW(check_scene(scene, c.name));
     CHECK(scene.vertices.capacity() <= scene.vertices.size() + 64);
     CHECK(scene.spheres.capacity() <= scene.spheres.size() + 64);
+}
+
+TEST_CASE("Cones and cylinders have as many sides as the name says", "[scene][native]") {
+    CHECK(make_builtin("rings:1").vertices == make_builtin("rings:1:12").vertices);
+    CHECK(make_builtin("tree:2").vertices == make_builtin("tree:2:12").vertices);
+    CHECK(make_builtin("rings:1:40").triangles.size() == 30 * (108 + 80) + 2);
+    CHECK(native("tree:2:3").triangles.size() == 7 * 6 + 2);
+    CHECK(make_builtin("rings:1:40").name == "rings:1:40");
+    CHECK_NOTHROW(check_scene(native("rings:1:40"), "rings"));
+    CHECK_THROWS_WITH(make_builtin("rings:1:2"), Catch::Contains("sides") && Catch::Contains("3..1000") && Catch::Contains("'2'"));
+    CHECK_THROWS_WITH(make_builtin("rings:1:"), Catch::Contains("sides"));
+    CHECK_THROWS_WITH(make_builtin("rings:0:24"), Catch::Contains("size"));
+    CHECK_THROWS_WITH(make_builtin("balls:1:24"), Catch::Contains("size") && Catch::Contains("'1:24'"));
+    CHECK_THROWS_WITH(make_builtin("rings:19:1000"), Catch::Contains("20000000"));
 }
 
 TEST_CASE("Native spheres are where the reference generator puts them", "[scene][native]") {
@@ -130,12 +144,12 @@ TEST_CASE("Materials reflect and refract as published", "[scene][native]") {
     CHECK(found->index == c.index);
 }
 
-TEST_CASE("The mirrors are the Cornell box with other walls", "[scene][native]") {
+TEST_CASE("The mirrors are the Cornell box with other walls and one more", "[scene][native]") {
     const Scene box = make_builtin("cornell"), mirrors = make_builtin("mirrors");
     CHECK(box.vertices == mirrors.vertices);
     int reflecting = 0;
     for (const Triangle& t : mirrors.triangles) reflecting += mirrors.materials[t.material].mirror > 0.5;
-    CHECK(reflecting == 4);
+    CHECK(reflecting == 8);
 }
 
 TEST_CASE("A camera is fitted around spheres, and before planes", "[scene][native]") {

@@ -83,6 +83,7 @@ inline oracle::Meets sphere_truth(const TriReq& r, const Config& c) {
     return oracle::meets(ball);
 }
 inline bool blocked_truth(const TriReq& r, const Config& c) {
+    if (r.finite && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
     if (!is_shadow(r)) return is_sphere(r, c) ? sphere_truth(r, c) != oracle::Meets::no : flat_crossing(r, c).has_value();
     const oracle::Rational end = oracle::power_of_two(-c.origin_bits);
     if (is_sphere(r, c)) {
@@ -212,6 +213,7 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     r.self = draw.percent(60) ? std::uint32_t(draw.natural(c.prim_bits)) : p.prim;
     r.inside = std::uint32_t(draw.coin());
     if (!c.spheres) r.self = r.inside = 0;
+    r.finite = c.planes && ends_at_any(r.kind) && draw.percent(30);
     // Where the ray goes through, in units of 2^-B: weights of the corners, or the centre and as far beside it as it likes.
     Vec3l at{};
     const int weights[][3] = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}, {1, 1, 2}, {2, 1, 1}, {1, 2, 1}, {9, -4, -1}};

@@ -33,7 +33,7 @@ public:
         tri_req.offer.reset();
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
-            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear, r.kind, r.self, r.inside};
+            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear, r.kind, r.self, r.inside, r.finite};
         }
         done.ready = closest.ready;
         closest.offer.reset();

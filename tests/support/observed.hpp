@@ -66,7 +66,7 @@ private:
             see("raygen.down", frame_.down[k]);
             see("raygen.s1_right", Wide(frame_.right[k]) * slot.x);
             see("raygen.s1_down", Wide(frame_.down[k]) * slot.y);
-            see("raygen.s1_sum", Wide(frame_.right[k]) * slot.x + Wide(frame_.down[k]) * slot.y + frame_.corner[k] + (Wide(1) << (guard_bits - 1)));
+            see("raygen.s1_sum", Wide(frame_.right[k]) * slot.x + Wide(frame_.down[k]) * slot.y + frame_.corner[k]);
             see("raygen.d", ray.d[k]);
             const std::int64_t size = ray.d[k] < 0 ? -std::int64_t(ray.d[k]) : ray.d[k];
             see("raygen.s0_mag", size);

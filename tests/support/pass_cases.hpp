@@ -1,5 +1,6 @@
 #pragma once
 // Configurations of chips that shade, and random passes of their unit shade: every event, every kind of surface.
+#include "model/shade/bounce.hpp"
 #include "model/shade/pass.hpp"
 #include "model/shade/unit_vector.hpp"
 #include "tests/support/draw.hpp"
@@ -38,14 +39,15 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
     Frame frame;
     ShadeFrame& s = frame.shade;
     s.depth = std::uint32_t(draw.below(16));
-    s.threshold = draw.coin() ? 0 : share_up_to(draw, unit_bits) >> draw.below(17);
+    s.threshold = draw.coin() ? 0 : share_up_to(draw, unit_bits + 1) >> draw.below(18);
+    if (draw.percent(30)) s.threshold = 3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many bounces
     s.side = c.supersampling ? std::uint32_t(draw.between(1, 8)) : 1;
     s.contrast = draw.coin() ? 0 : share_up_to(draw, unit_bits);
     s.share = share_up_to(draw, unit_bits), s.first_share = share_up_to(draw, unit_bits);
     s.background = shares_up_to(draw, unit_bits);
     s.lights = std::uint32_t(draw.between(draw.percent(10) ? 0 : 1, c.lights));
     for (std::size_t i = 0; i < std::size_t(c.lights); ++i) {
-        s.near[i] = draw.coin();
+        s.near[i] = draw.coin(), s.clear[i] = draw.percent(80);
         for (std::size_t k = 0; k < 3; ++k) {
             s.place[3 * i + k] = std::int32_t(draw.number(s.near[i] ? c.coord_bits : c.light_bits()));
             s.colour[3 * i + k] = std::uint32_t(draw.natural(strength_bits));
@@ -73,9 +75,14 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     }
     s.smooth = c.smooth && s.kind == 0 && draw.coin();
     for (auto& x : s.normal) x = s.smooth ? std::max(std::int32_t(draw.number(corner_bits)), -1023) : 0;
+    if (s.kind == std::uint32_t(PrimKind::plane)) {
+        for (std::size_t side = 0; side < 2; ++side)
+            s.normal[side] = std::int32_t(draw.number(corner_bits)), s.normal[2 + side] = draw.between(-1, c.bary_bits + corner_bits - 1);
+    }
     s.checkered = draw.coin(), s.schlick = draw.coin();
     s.colour = shares_up_to(draw, share_bits), s.other = shares_up_to(draw, share_bits);
-    for (auto* x : {&s.ambient, &s.diffuse, &s.highlight, &s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, share_bits);
+    for (auto* x : {&s.ambient, &s.diffuse, &s.highlight}) *x = share_up_to(draw, share_bits);
+    for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(shine_bits));
     s.enter = std::uint32_t(draw.natural(ratio_bits)), s.leave = std::uint32_t(draw.natural(ratio_bits));
     return s;
@@ -96,6 +103,19 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
         hit.v = std::min(std::uint32_t(draw.percent(20) ? one : draw.natural(c.bary_bits)), one - hit.u);
     }
     return hit;
+}
+
+/// Puts a point beyond the lattice so that the ray that it sends, now or to a light beyond, comes near a point of the lattice.
+inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
+    const Vec3i within = draw_place(draw, c);
+    const bool is_light = s.event == std::uint32_t(ShadeEvent::light);
+    const Vec3i d = s.event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
+    const int further = draw.between(1, 6);
+    const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1, steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t to_light = (std::int64_t(frame.shade.place[3 * s.light + k]) << c.origin_bits) - within[k];
+        s.o[k] = std::clamp(within[k] - (is_light ? to_light >> further : d[k] * steps), -most, most);
+    }
 }
 
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
@@ -120,20 +140,24 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.waiting = c.refraction && draw.coin() ? std::uint32_t(draw.between(1, c.bounces)) : 0;
     s.weight = share_up_to(draw, unit_bits);
     s.depth = std::uint32_t(draw.below(15));
-    s.o = draw_place(draw, c);
+    for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) s.o[k++] = x;
+    s.far = c.planes && draw.percent(30), s.lost = s.far && draw.percent(20);
+    if (s.far)
+        for (auto& x : s.o) x = draw.number(draw.between(c.origin_width(), c.point_width() - 1));
     for (auto& x : s.n) x = draw.percent(5) ? 0 : draw.number(c.normal_bits() - 1);
     if (draw.percent(5)) s.n = {};   // so that a direction lies in the plane
     s.normal = draw_unit(draw), s.view = draw_unit(draw);
     s.cosine = share_up_to(draw, unit_bits);
-    s.far = draw.percent(20);
     s.self = std::uint32_t(draw.natural(c.prim_bits)), s.inside = draw.coin();
     s.albedo = shares_up_to(draw, share_bits);
-    for (auto* x : {&s.diffuse, &s.highlight, &s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, share_bits);
+    for (auto* x : {&s.diffuse, &s.highlight}) *x = share_up_to(draw, share_bits);
+    for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
     s.shine = std::uint32_t(draw.natural(draw.between(1, shine_bits)));
     s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
     s.schlick = draw.coin();
     s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
+    if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
     return s;
 }
 

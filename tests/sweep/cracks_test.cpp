@@ -50,7 +50,7 @@ TEST_CASE("a hit that is taken away or put behind is a crack, one beside or befo
     hits[at].found = true;
     // Those whose plane the ray reaches later, and that do not touch the one met, are cracks. How far a
     // plane is, in doubles: differences of doubt are left out.
-    const Vec3i o = t.job.frame.eye, d = pixel_direction(std::uint32_t(at % 64), std::uint32_t(at / 64), t.job.frame);
+    const Vec3i o = t.job.frame.eye, d = pixel_direction(std::uint32_t(at % 64), std::uint32_t(at / 64), t.job.frame, t.job.config);
     const auto distance = [&](std::uint32_t triangle) {
         std::array<glm::dvec3, 3> p;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -33,7 +33,7 @@ private:
     std::vector<oracle::Corners> triangles_;
 };
 
-/// Direction of a pixel's ray from the camera registers: the nearest integer, halves up.
-Vec3i exact_direction(const Frame& frame, int x, int y);
+/// Direction of a pixel's ray from the camera registers, by the rule in model/core/frame.hpp.
+Vec3i exact_direction(const Frame& frame, int x, int y, const Config& config);
 
 } // namespace rayclock::test

@@ -20,7 +20,7 @@ void check_exact(const Scene& scene, const Job& job) {
     for (std::size_t i = 0; i < frame.trace.hits.size(); ++i) {
         const Closest& closest = frame.trace.hits[i];
         const int x = int(i % job.frame.width), y = int(i / job.frame.width);
-        const ExactHit truth = exact.closest(job.frame.eye, exact_direction(job.frame, x, y));
+        const ExactHit truth = exact.closest(job.frame.eye, exact_direction(job.frame, x, y, job.config));
         const std::uint32_t prim = closest.found ? closest.prim : no_primitive;
         wrong += prim != truth.primitive;
         if (prim != truth.primitive) UNSCOPED_INFO("pixel " << x << "," << y << ": " << prim << ", and truly " << truth.primitive);

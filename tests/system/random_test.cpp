@@ -2,9 +2,7 @@
 // its RTL (about 12 s a pipeline): a few are quick, the others slow.
 #include <catch2/catch.hpp>
 
-#include <filesystem>
-
-#include "sim/rtl/builder.hpp"
+#include "tests/support/build_all.hpp"
 #include "tests/support/random_config.hpp"
 #include "tests/system/frames.hpp"
 
@@ -62,11 +60,10 @@ Config quick_random(std::uint64_t seed) { return random_config(seed, true); }
 
 // Not a test of its own; see lockstep_test.cpp.
 TEST_CASE("the RTL of the quick random configurations builds", "[.build]") {
-    for (std::uint64_t seed = 1; seed <= quick_seeds; ++seed) {
-        INFO(seed);
-        const Shot shot = random_shot(seed, quick_random(seed));
-        CHECK(std::filesystem::exists(build_rtl(shot.job.config).library));
-    }
+    std::vector<RtlJob> jobs;
+    for (std::uint64_t seed = 1; seed <= quick_seeds; ++seed)
+        jobs.push_back({"rc_top", "random " + std::to_string(seed), random_shot(seed, quick_random(seed)).job.config});
+    REQUIRE_NOTHROW(build_all(jobs));
 }
 
 TEST_CASE("a few random configurations, memories and back-pressures") {

@@ -72,7 +72,7 @@ private:
         double theta;
     };
     Ray at(int x, int y) const {
-        const Vec3i d = pixel_direction(std::uint32_t(x), std::uint32_t(y), job_.frame);
+        const Vec3i d = pixel_direction(std::uint32_t(x), std::uint32_t(y), job_.frame, job_.config);
         const dvec3& pitch = job_.image.lattice.pitch;
         return {glm::normalize(rays_.direction(x, y)), 0.51 * glm::length(pitch) / glm::length(dvec3{d[0], d[1], d[2]} * pitch)};
     }

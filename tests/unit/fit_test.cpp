@@ -39,10 +39,10 @@ Plain plain(const Scene& scene, FrameSize size, const HitFrame& reference, const
         p.error = frame_error(scene, hits_of(job, frame), reference);
         p.work = double(frame.trace.visits + frame.trace.triangle_tests);
         p.deep = true;
-        for (const int x : {0, size.width - 1})
-            for (const int y : {0, size.height - 1}) {
+        for (int x = 0; x < size.width; ++x)
+            for (int y = 0; y < size.height; ++y) {
                 double square = 0;
-                for (const std::int32_t d : pixel_direction(std::uint32_t(x), std::uint32_t(y), job.frame)) square += double(d) * d;
+                for (const std::int32_t d : pixel_direction(std::uint32_t(x), std::uint32_t(y), job.frame, job.config)) square += double(d) * d;
                 p.deep = p.deep && std::sqrt(square) <= std::ldexp(1.0, config.dir_bits - 1 + config.t_frac_bits);
             }
         p.possible = true;

@@ -6,7 +6,7 @@
 
 using namespace rayclock;
 using namespace rayclock::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 TEST_CASE("a primitive test is chosen by name", "[primitive]") {
     Config config;

@@ -240,7 +240,7 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
         {"isect/rc_hitdiv.sv", {"localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;", "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
         {"trav/rc_slab.sv", {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned D  = N + 1;", "localparam int unsigned P  = D + R1 + 1;",
                              "localparam int unsigned V  = P + 1;", "logic [4:0]          s3_left_q, s3_right_q;", "logic [R1-1:0]       s3_up_q;", "logic [2*T-1:0] moved;"}},
-        {"raygen/rc_raygen.sv", {"logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner, s1_sum;", "localparam int unsigned GD      = rc_pkg::GuardDirBits;",
+        {"raygen/rc_raygen.sv", {"logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;", "localparam int unsigned GD      = rc_pkg::GuardDirBits;",
                                     "localparam int unsigned G       = GD + SubBits;"}},
         {"raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, s0_m;"}}};
     for (const auto& [name, lines] : texts) {

@@ -41,6 +41,20 @@ Frame camera(unsigned number, const Config& config) {
     return frame;
 }
 
+/// Sums of g - 1 - `free` bits at most on every axis: near the longest of them, to both sides, on one axis, so that rounding may
+/// want one bit more, and anything on the others.
+Frame short_camera(int free, unsigned seed, const Config& config) {
+    Draw draw{seed};
+    const int bits = config.guard_dir_bits() - 1 - free;
+    const std::int64_t end = std::int64_t(1) << bits;
+    Frame frame;
+    for (std::size_t k = 0; k < 3; ++k) {
+        frame.corner[k] = draw.number(bits);
+        if (k == seed % 3) frame.corner[k] = draw.coin() ? end - 1 - draw.below(3) : draw.below(3) - end;
+    }
+    return frame;
+}
+
 Slot random_slot(Draw& draw, const Config& config) {
     Slot slot = random_payload<Slot>(draw, config);
     if (draw.coin()) slot.x = std::uint32_t(draw.below(300));
@@ -52,9 +66,14 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
     CAPTURE(slot.x, slot.y);
     REQUIRE(ray.ray == slot.ray);
     REQUIRE(ray.o == frame.eye);
+    std::array<oracle::Rational, 3> exact;
     for (std::size_t k = 0; k < 3; ++k) {
         const oracle::Int sum = oracle::Int(frame.corner[k]) + oracle::Int(slot.x) * frame.right[k] + oracle::Int(slot.y) * frame.down[k];
-        const oracle::Int d = oracle::nearest(oracle::Rational(sum, oracle::Int(1) << guard_bits));
+        exact[k] = oracle::Rational(sum, oracle::Int(1) << guard_bits);
+    }
+    const std::array<oracle::Int, 3> direction = oracle::filled(exact, config.dir_bits, most_shift);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const oracle::Int d = direction[k];
         CAPTURE(k, d);
         REQUIRE(ray.d[k] == d);
         REQUIRE(ray.len[k] == std::uint32_t(oracle::digits(d)));
@@ -62,9 +81,9 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
             REQUIRE(ray.recip[k] == 1);
             continue;
         }
-        const oracle::Rational exact = oracle::scaled_reciprocal(d, config.recip_bits);
-        REQUIRE(ray.recip[k] <= exact);
-        REQUIRE(exact < oracle::Int(ray.recip[k]) + 1);
+        const oracle::Rational inverse = oracle::scaled_reciprocal(d, config.recip_bits);
+        REQUIRE(ray.recip[k] <= inverse);
+        REQUIRE(inverse < oracle::Int(ray.recip[k]) + 1);
     }
 }
 
@@ -97,6 +116,23 @@ TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", 
         REQUIRE(r.len == std::uint32_t(oracle::digits(d)));
         REQUIRE((r.recip <= exact && exact < oracle::Int(r.recip) + 1));
     }
+}
+
+TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum is", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+    const Config config = format(GENERATE("default", "narrow", "wide"));
+    for (int free = 0; free <= most_shift + 2; ++free)
+        for (unsigned seed = 1; seed <= 12; ++seed) {
+            INFO(config.name << ", " << free << " bits free, seed " << seed);
+            const Frame frame = short_camera(free, seed, config);
+            Draw draw{seed};
+            TestType dut{config, frame, int(seed)};
+            const auto ask = [&](Draw& from) { return random_slot(from, config); };
+            stream(dut, config, flows[0], draw, 4, ask, [&](const Slot& slot, const Ray& ray) {
+                judge(slot, ray, frame, config);
+                const auto [x, y, z] = ray.d;
+                if (free <= most_shift) REQUIRE(std::max({std::abs(x), std::abs(y), std::abs(z)}) >= 1 << (config.dir_bits - 2));
+            });
+        }
 }
 
 TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {

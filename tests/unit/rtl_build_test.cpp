@@ -1,8 +1,5 @@
 // Builds the RTL that the unit tests load, two at a time, before any of them runs.
-#include <exception>
-#include <thread>
-
-#include "sim/rtl/builder.hpp"
+#include "tests/support/build_all.hpp"
 #include "tests/support/cache_dut.hpp"
 #include "tests/support/pass_cases.hpp"
 #include <catch2/catch.hpp>
@@ -39,19 +36,9 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_pass", "all", test::shaded_format}, {"rc_pass", "plain", test::shaded_format}, {"rc_pass", "narrow", test::shaded_format},
                         {"rc_shade", "all", test::shaded_format}, {"rc_shade", "plain", test::shaded_format},
                         {"rc_sched", "0", tiled}, {"rc_sched", "3", tiled}, {"rc_dispatch", "1", pipelines}, {"rc_dispatch", "2", pipelines}, {"rc_dispatch", "8", pipelines}};
-    std::array<std::exception_ptr, 2> failed;
-    std::array<std::thread, 2> builders;
-    for (std::size_t b = 0; b < 2; ++b)
-        builders[b] = std::thread([&, b] {
-            try {
-                for (std::size_t i = b; i < std::size(jobs); i += 2) build_rtl(jobs[i].config(jobs[i].format), jobs[i].module);
-            } catch (...) {
-                failed[b] = std::current_exception();
-            }
-        });
-    for (auto& builder : builders) builder.join();
-    for (const auto& e : failed)
-        if (e) std::rethrow_exception(e);
+    std::vector<test::RtlJob> all;
+    for (const Job& job : jobs) all.push_back({job.module, job.format, job.config(job.format)});
+    test::build_all(all);
     SUCCEED("all are there");
 }
 

@@ -186,7 +186,7 @@ TEST_CASE("the tree loses no hit of the sheared test, and a closed surface shows
     int found = 0;
     for (std::uint32_t y = 0; y < frame.height; ++y)
         for (std::uint32_t x = 0; x < frame.width; ++x) {
-            const Shear shear = shear_of(pixel_direction(x, y, frame), config);
+            const Shear shear = shear_of(pixel_direction(x, y, frame, config), config);
             TriRsp closest, rsp;
             int crossed = 0;
             Best best;

@@ -73,17 +73,22 @@ void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config&
     REQUIRE((ray.self == spawn.self && ray.inside == spawn.inside));
     const bool camera = spawn.kind == 0, shadow = spawn.kind == 2;
     const auto at = place_of(spawn, frame, config);
+    std::array<oracle::Rational, 3> sum;
+    for (std::size_t k = 0; k < 3; ++k)
+        sum[k] = (frame.corner[k] + at[0] * frame.right[k] + at[1] * frame.down[k]) / oracle::power_of_two(guard_bits);
+    const std::array<oracle::Int, 3> direction = oracle::filled(sum, config.dir_bits, most_shift);
+    if (camera) REQUIRE(oracle::longest(direction) >= oracle::Int(1) << (config.dir_bits - 2));
     for (std::size_t k = 0; k < 3; ++k) {
         CAPTURE(k);
         oracle::Int d = spawn.d[k], o = spawn.o[k];
         if (camera) {
-            d = oracle::nearest((frame.corner[k] + at[0] * frame.right[k] + at[1] * frame.down[k]) / oracle::power_of_two(guard_bits));
+            d = direction[k];
             o = oracle::Int(frame.eye[k]) << config.origin_bits;
         }
         REQUIRE(ray.d[k] == d);
         REQUIRE(ray.o[k] == o);
         REQUIRE(oracle::digits(d) <= config.ray_dir_bits());
-        if (camera) REQUIRE(oracle::digits(d) < config.dir_bits);
+        if (camera) REQUIRE((-d <= oracle::Int(1) << (config.dir_bits - 1) && d < oracle::Int(1) << (config.dir_bits - 1)));
         if (d == 0) {
             REQUIRE((ray.recip[k] == 1 && ray.len[k] == 0));
             continue;

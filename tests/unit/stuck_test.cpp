@@ -147,3 +147,32 @@ TEST_CASE("a run that stands still ends with where every ray is", "[machine][stu
     REQUIRE(rtl.starts_with("rtl: nothing has moved for "));
     REQUIRE(rtl.find("with 0 of 192 pixels done") != std::string::npos);
 }
+
+TEST_CASE("a memory that takes tens of thousands of cycles to answer is no standstill", "[machine][stuck]") {
+    const std::string memory = GENERATE("sdr", "ddr3", "rpu");
+    Job job = small_job("tetra:1", {4, 3}, shaped(format("small"), {}));
+    set_parameter(job.config, "dram", memory, "test");
+    job.khz = 100'000'000;   // 100 GHz, the fastest clock that may be asked for
+    const DramPart& part = dram_part(memory);
+    const std::uint64_t pause = std::uint64_t(longest_pause_ps(part)) / 10;   // a cycle is 10 ps
+    REQUIRE(patience(job.config, job.khz, {}) >= 10 * pause);
+    // Colder than a frame: every answer alone, with the refreshes between them.
+    Dram dram(part, job.khz, 1);
+    std::uint64_t longest = 0;
+    for (std::uint32_t i = 0; i < 400; ++i) {
+        const std::uint64_t asked = dram.now();
+        const Dram::Answer request{0, i * 4099};
+        dram.clock(&request);
+        while (!dram.valid()) dram.quiet_until() > dram.now() + 1 ? dram.skip(dram.quiet_until() - dram.now() - 1) : dram.clock(nullptr);
+        longest = std::max(longest, dram.now() - asked);
+    }
+    CHECK(longest <= pause);
+    CHECK(longest > pause / 3);   // the bound is no fancy
+    const FrameRun model = run_model(job);
+    CHECK(model.cycles > 20000);
+    if (memory != "sdr") return;   // 30,000 cycles for any answer
+    const LockstepResult both = run_lockstep(job);
+    CHECK(both.agrees());
+    CHECK(both.model.cycles == model.cycles);
+    CHECK(run_rtl(job).cycles == model.cycles);
+}

@@ -33,6 +33,8 @@ void block(MeshWriter& mesh, const std::array<glm::dvec3, 4>& foot, double heigh
 }
 
 struct Walls {
+    bool closed = false;   ///< a fifth wall, towards the camera, of the back wall's material
+    Material back{.name = "white", .colour = glm::dvec3(0.73), .ambient = 0.15, .diffuse = 0.9};
     Material red{.name = "red", .colour{0.65, 0.05, 0.05}, .ambient = 0.15, .diffuse = 0.9};
     Material green{.name = "green", .colour{0.12, 0.45, 0.15}, .ambient = 0.15, .diffuse = 0.9};
 };
@@ -41,19 +43,25 @@ Scene make_room(const Walls& walls);
 
 } // namespace
 
+
 std::uint64_t cornell_triangles(int) { return room + ceiling_and_lamp + 2 * block_sides; }
+std::uint64_t mirrors_triangles(int) { return cornell_triangles(1) + 2; }
 
 Scene make_cornell(int) { return make_room({}); }
 
-/// The two coloured walls face each other; each keeps a little of its colour, so that one can count how often a picture was mirrored.
+/// All four walls are mirrors, and the camera is inside: a ray goes on until it meets the floor, the ceiling or a block. The two coloured
+/// walls face each other; each keeps a little of its colour, so that one can count how often a picture was mirrored.
 Scene make_mirrors(int) {
     Walls walls;
-    for (Material* wall : {&walls.red, &walls.green}) {
+    walls.closed = true;
+    for (Material* wall : {&walls.back, &walls.red, &walls.green}) {
         wall->name += " mirror";
         wall->diffuse = 0.25;
         wall->mirror = 0.75;
     }
-    return make_room(walls);
+    Scene scene = make_room(walls);
+    scene.camera = Camera{{500, 400, 60}, {60, 390, 290}, {0, 1, 0}, 55};   // over the blocks' heads
+    return scene;
 }
 
 namespace {
@@ -70,13 +78,18 @@ Scene make_room(const Walls& walls) {
 
     mesh.material({.name = "white", .colour = glm::dvec3(0.73), .ambient = 0.15, .diffuse = 0.9});
     quad(mesh, floor);
-    quad(mesh, {floor[3], floor[2], ceiling[2], ceiling[3]});
+    if (!walls.closed) quad(mesh, {floor[3], floor[2], ceiling[2], ceiling[3]});
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t next = (i + 1) % 4;
         quad(mesh, {ceiling[next], ceiling[i], lamp[i], lamp[next]});
     }
     block(mesh, {{{130, 0, 65}, {82, 0, 225}, {240, 0, 272}, {290, 0, 114}}}, 165);
     block(mesh, {{{423, 0, 247}, {265, 0, 296}, {314, 0, 456}, {472, 0, 406}}}, 330);
+    if (walls.closed) {
+        mesh.material(walls.back);
+        quad(mesh, {floor[3], floor[2], ceiling[2], ceiling[3]});
+        quad(mesh, {floor[1], floor[0], ceiling[0], ceiling[1]});
+    }
     mesh.material(walls.red);
     quad(mesh, {floor[0], floor[3], ceiling[3], ceiling[0]});
     mesh.material(walls.green);

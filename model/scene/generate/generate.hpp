@@ -21,8 +21,8 @@ Scene make_gears(int size);
 PrimitiveCounts mount_counts(int size, Primitives primitives);
 Scene make_mount(int size, Primitives primitives);
 
-PrimitiveCounts rings_counts(int size, Primitives primitives);
-Scene make_rings(int size, Primitives primitives);
+PrimitiveCounts rings_counts(int size, Primitives primitives, int sectors);
+Scene make_rings(int size, Primitives primitives, int sectors);
 
 std::uint64_t teapot_triangles(int size);
 Scene make_teapot(int size);
@@ -30,15 +30,16 @@ Scene make_teapot(int size);
 std::uint64_t tetra_triangles(int size);
 Scene make_tetra(int size);
 
-PrimitiveCounts tree_counts(int size, Primitives primitives);
-Scene make_tree(int size, Primitives primitives);
+PrimitiveCounts tree_counts(int size, Primitives primitives, int sectors);
+Scene make_tree(int size, Primitives primitives, int sectors);
 
 std::uint64_t icosphere_triangles(int size);
 Scene make_icosphere(int size);
 
 std::uint64_t cornell_triangles(int size);
 Scene make_cornell(int size);
-Scene make_mirrors(int size);             ///< as many triangles as the Cornell box
+std::uint64_t mirrors_triangles(int size);
+Scene make_mirrors(int size);
 
 constexpr std::uint64_t spheres_spheres = 5;
 Scene make_spheres(int size);

@@ -30,7 +30,7 @@ std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions) {
 
 double shine_of(double degrees) { return std::log(0.5) / std::log(std::cos(degrees * std::numbers::pi / 180)); }
 
-MeshWriter::MeshWriter(Scene& scene, Primitives primitives) : scene_(scene), primitives_(primitives) {
+MeshWriter::MeshWriter(Scene& scene, Primitives primitives, int sectors) : scene_(scene), primitives_(primitives), sectors_(sectors) {
     // Points of the (f+1)^3 lattice on the cube's surface; sides that meet in an edge find the same points.
     std::uint32_t number[f + 1][f + 1][f + 1] = {};
     const auto on_surface = [](int k) { return k == 0 || k == f; };
@@ -113,16 +113,17 @@ void MeshWriter::cone(const glm::dvec3& base, double base_radius, const glm::dve
 
     const auto first = static_cast<std::uint32_t>(scene_.vertices.size());
     for (const bool at_apex : {false, true})
-        for (int k = 0; k < cone_sectors; ++k) {
-            const double angle = 2 * std::numbers::pi * k / cone_sectors;
+        for (int k = 0; k < sectors_; ++k) {
+            const double angle = 2 * std::numbers::pi * k / sectors_;
             const glm::dvec3 outward = std::cos(angle) * start + std::sin(angle) * quarter;
             const glm::dvec3 normal = unit(length * outward + (base_radius - apex_radius) * axis);
             vertex(at_apex ? apex + apex_radius * outward : base + base_radius * outward, normal);
         }
-    for (std::uint32_t k = 0; k < cone_sectors; ++k) {
-        const std::uint32_t a = first + k, b = first + (k + 1) % cone_sectors;
-        triangle(a, b, b + cone_sectors);
-        triangle(b + cone_sectors, a + cone_sectors, a);
+    const auto sectors = static_cast<std::uint32_t>(sectors_);
+    for (std::uint32_t k = 0; k < sectors; ++k) {
+        const std::uint32_t a = first + k, b = first + (k + 1) % sectors;
+        triangle(a, b, b + sectors);
+        triangle(b + sectors, a + sectors, a);
     }
 }
 

@@ -11,20 +11,20 @@
 
 namespace rayclock {
 
-/// Haines' tessellation factor f: a sphere is six f x f grids, a cone or cylinder 4 f sectors.
+/// Haines' tessellation factor f: a sphere is six f x f grids, a cone or cylinder 4 f sectors if no other number is asked for.
 constexpr int tessellation = 3;
 constexpr int sphere_triangles = 12 * tessellation * tessellation;
 constexpr int sphere_vertices = 6 * tessellation * tessellation + 2;
 constexpr int cone_sectors = 4 * tessellation;
-constexpr int cone_triangles = 2 * cone_sectors;
-constexpr int cone_vertices = 2 * cone_sectors;
+constexpr std::uint64_t cone_triangles(int sectors) { return 2 * static_cast<std::uint64_t>(sectors); }
+constexpr std::uint64_t cone_vertices(int sectors) { return 2 * static_cast<std::uint64_t>(sectors); }
 
 /// Appends shapes to a scene. Every shape has vertices of its own, in one run, and its triangles share them;
 /// triangles are counter-clockwise seen from outside and get the material that was set last.
 /// A scene is written either with normals throughout or without any.
 class MeshWriter {
 public:
-    explicit MeshWriter(Scene& scene, Primitives primitives = Primitives::triangles);
+    explicit MeshWriter(Scene& scene, Primitives primitives = Primitives::triangles, int sectors = cone_sectors);
 
     /// Memory for what is to come. Without normals, those of vertex(), flat() and cone() are dropped.
     void reserve(std::uint64_t vertices, const PrimitiveCounts& counts, bool with_normals);
@@ -49,6 +49,7 @@ public:
 private:
     Scene& scene_;
     Primitives primitives_;
+    int sectors_;                                                ///< of a cone
     bool with_normals_ = true;
     std::uint32_t material_ = 0;
     std::vector<glm::dvec3> sphere_points_;                      ///< of the unit sphere

@@ -59,19 +59,20 @@ void group(MeshWriter& mesh, const Group& points, const glm::dvec3& offset, std:
 
 } // namespace
 
-PrimitiveCounts rings_counts(int size, Primitives primitives) {
-    if (primitives == Primitives::native) return {.triangles = links(size) * cone_triangles + 2, .spheres = links(size)};
-    return {.triangles = links(size) * (sphere_triangles + cone_triangles) + 2};
+PrimitiveCounts rings_counts(int size, Primitives primitives, int sectors) {
+    const std::uint64_t all = links(size), cones = all * cone_triangles(sectors);
+    if (primitives == Primitives::native) return {.triangles = cones + 2, .spheres = all};
+    return {.triangles = all * sphere_triangles + cones + 2};
 }
 
-Scene make_rings(int size, Primitives primitives) {
+Scene make_rings(int size, Primitives primitives, int sectors) {
     const double spacing = 1 / std::sin(pi / 8);
     Scene scene;
     scene.camera = Camera{{-1, -spacing, 0.5}, {-1, 1 - spacing, 0.5}, {0, 0, 1}, 45};
     scene.lights = white_lights({{3, -spacing, 3}, {-4, -spacing, 1}, {2, -spacing, -4}});
-    MeshWriter mesh(scene, primitives);
-    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices;
-    mesh.reserve(links(size) * vertices + 4, rings_counts(size, primitives), true);
+    MeshWriter mesh(scene, primitives, sectors);
+    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
+    mesh.reserve(links(size) * vertices + 4, rings_counts(size, primitives, sectors), true);
     wall(mesh, size, spacing);
     const auto ring_material = static_cast<std::uint32_t>(scene.materials.size());
     constexpr std::array<glm::dvec3, rings_per_group> colours{

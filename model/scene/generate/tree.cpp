@@ -35,19 +35,20 @@ std::uint64_t branches(int size) { return (std::uint64_t{2} << size) - 1; }
 
 } // namespace
 
-PrimitiveCounts tree_counts(int size, Primitives primitives) {
-    if (primitives == Primitives::native) return {.triangles = branches(size) * cone_triangles + 2, .spheres = branches(size)};
-    return {.triangles = branches(size) * (sphere_triangles + cone_triangles) + 2};
+PrimitiveCounts tree_counts(int size, Primitives primitives, int sectors) {
+    const std::uint64_t all = branches(size), cones = all * cone_triangles(sectors);
+    if (primitives == Primitives::native) return {.triangles = cones + 2, .spheres = all};
+    return {.triangles = all * sphere_triangles + cones + 2};
 }
 
-Scene make_tree(int size, Primitives primitives) {
+Scene make_tree(int size, Primitives primitives, int sectors) {
     Scene scene;
     scene.camera = Camera{{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}, 45};
     scene.lights = white_lights({{-5, 5, 50}, {30, -30, 30}, {-40, -30, 20},
                                  {10, 30, 40}, {-30, 40, 10}, {50, 25, 20}, {-10, -60, 30}});
-    MeshWriter mesh(scene, primitives);
-    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices;
-    mesh.reserve(branches(size) * vertices + 4, tree_counts(size, primitives), true);
+    MeshWriter mesh(scene, primitives, sectors);
+    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
+    mesh.reserve(branches(size) * vertices + 4, tree_counts(size, primitives, sectors), true);
     mesh.material({.name = "field", .colour{0.2, 0.7, 0.2}, .ambient = 0.1, .diffuse = 0.5});
     mesh.flat({{50, 50, 0}, {-50, 50, 0}, {-50, -50, 0}, {50, -50, 0}});
     mesh.material({.name = "wood", .colour{0.55, 0.4, 0.2}, .ambient = 0.1, .diffuse = 0.5});

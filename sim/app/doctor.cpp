@@ -1,0 +1,117 @@
+// rayclock doctor: what is installed, what is set, and what a missing part disables.
+#include <cstdlib>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "model/core/error.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/report/json.hpp"
+#include "sim/report/text.hpp"
+#include "sim/rtl/builder.hpp"
+#include "sim/rtl/tools.hpp"
+#include "sim/sweep/yosys.hpp"
+
+namespace rayclock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What the doctor looks at, and what he says of it.
+struct Part {
+    std::string name, key, found;   ///< found: empty if it is missing
+    std::string problem;            ///< why, if it is missing, and what that disables
+    std::string cure;
+};
+
+constexpr const char* no_rtl = "no RTL: verify, rtl, bench, and --engine rtl do not work; model and reference do";
+constexpr const char* no_new_rtl = "no RTL that is not built yet: verify, rtl, bench, and --engine rtl work only with what the cache holds";
+
+Part tool(const char* name, const std::string& version, const char* without, const char* cure) {
+    return {name, name, version, version.empty() ? without : "", fmt::format("{}: ./bootstrap {} installs it", name, cure)};
+}
+
+Part cache_part() {
+    Part part{"RTL cache", "rtl_cache", "", "", "the RTL cache: set RAYCLOCK_CACHE to a folder that can be written"};
+    try {
+        const CachePlace place = cache_place();
+        std::error_code error;
+        fs::create_directories(place.folder, error);
+        if (error) part.problem = fmt::format("{} cannot be made ({})", place.folder.string(), error.message());
+        else if (access(place.folder.c_str(), W_OK) != 0) part.problem = place.folder.string() + " cannot be written";
+        else part.found = place.folder.string();
+    } catch (const UserError& e) {
+        part.problem = e.what();
+    }
+    if (!part.problem.empty()) part.problem += fmt::format(": {}; sweep, tradeoff and area keep nothing", no_new_rtl);
+    return part;
+}
+
+Part sources_part() {
+    const std::string problem = rtl_sources_problem();
+    return {"RTL sources", "rtl_sources", problem.empty() ? rtl_sources().string() : "", problem.empty() ? "" : problem + ": " + no_rtl,
+            "the RTL sources: set RAYCLOCK_RTL, or set it no more"};
+}
+
+std::vector<Part> parts() {
+    const RtlTools& tools = rtl_tools();
+    std::vector<Part> all{
+        tool("verilator", tools.verilator, no_new_rtl, "build"), tool("c++", tools.compiler, no_new_rtl, "build"),
+        tool("yosys", sweep::yosys_version(), "no multipliers and flip-flops in sweep and tradeoff, no area; the tests leave the synthesis check out", "test"),
+        cache_part(), sources_part()};
+    // Both run, and yet something is missing: Verilator's own sources.
+    if (!tools.verilator.empty() && !tools.compiler.empty() && !tools.problem.empty())
+        all[0] = {"verilator", "verilator", "", tools.problem + ": " + no_new_rtl, "verilator: install it again"};
+    return all;
+}
+
+/// What is to be known although nothing is missing.
+std::vector<std::string> remarks() {
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& sentence) {
+        if (!sentence.empty()) all.push_back(sentence);
+    };
+    add(untried("verilator", rtl_tools().verilator));
+    add(untried("c++", rtl_tools().compiler));
+    add(untried("yosys", sweep::yosys_version()));
+    try {
+        add(cache_place().warning);
+    } catch (const UserError&) {}   // said of the cache
+    return all;
+}
+
+} // namespace
+
+int doctor_command(const Options& o) {
+    check_outputs(o);
+    Table table({"part", "found"}, 2);
+    nlohmann::ordered_json json, missing = nlohmann::ordered_json::object();
+    std::vector<std::string> cures;
+    for (const Part& part : parts()) {
+        table.add({part.name, part.found.empty() ? "MISSING: " + part.problem : part.found});
+        json[part.key] = part.found.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(part.found);
+        if (!part.found.empty()) continue;
+        missing[part.key] = part.problem;
+        cures.push_back(part.cure);
+    }
+    for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE"}) {
+        const char* value = std::getenv(name);
+        table.add({name, value && *value ? value : "not set"});
+    }
+    const std::vector<std::string> said = remarks();
+    json["missing"] = missing;
+    json["remarks"] = said;
+    json["complete"] = cures.empty();
+    if (o.json != "-") {
+        fmt::print("rayclock {}\n{}", RAYCLOCK_VERSION, table.text());
+        for (const std::string& remark : said) fmt::print("{}.\n", remark);
+        fmt::print("{}.\n", cures.empty() ? "Everything is there" : fmt::format("Something is missing; {}", fmt::join(cures, "; ")));
+    }
+    if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
+    return cures.empty() ? 0 : 1;
+}
+
+} // namespace rayclock

@@ -1,0 +1,57 @@
+// rayclock verify --torture: frames that reach the corners of the machine, on model and RTL in lockstep.
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "sim/app/commands.hpp"
+#include "sim/app/tables.hpp"
+#include "sim/report/json.hpp"
+#include "sim/report/lockstep.hpp"
+#include "sim/report/text.hpp"
+#include "sim/torture/torture.hpp"
+
+namespace rayclock {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResult& r) {
+    return {{"name", torture.name}, {"frames", torture.frames.size()}, {"events_compared", r.events_compared},
+            {"value_mismatches", r.value_mismatches}, {"account_mismatches", r.account_mismatches}, {"cycle_gap", r.cycle_gap},
+            {"first_divergence", divergence_json(r.first)}, {"counters_compared", r.counters_compared},
+            {"first_counter", counter_json(r.counter)}, {"digest", digest_text(r.model.digest)}};
+}
+
+} // namespace
+
+int torture_command(const Options& o) {
+    const auto start = Clock::now();
+    catch_interrupts();
+    const Progress progress = terminal_progress();
+    nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+    std::uint64_t frames = 0, transfers = 0, failed = 0;
+    for (const std::string& chip : torture_chips()) {
+        for (const TortureCase& torture : torture_cases(chip)) {
+            const LockstepResult result = run_torture(torture, progress);
+            cases.push_back(case_json(torture, result));
+            frames += torture.frames.size();
+            transfers += result.events_compared;
+            failed += !result.agrees();
+            if (!result.agrees() && o.json != "-") fmt::print("{}:\n{}", torture.name, lockstep_lines(result));
+            if (interrupted()) break;
+        }
+    }
+    const bool good = failed == 0 && !interrupted();
+    const double seconds = seconds_since(start);
+    if (o.json != "-")
+        fmt::print("  torture: {} cases on {} chips, {} frames, {} transfers compared, {} cases differ\n  {} in {:.1f} s\n", cases.size(),
+                   torture_chips().size(), frames, grouped(transfers), failed, good ? "VERIFIED" : interrupted() ? "PARTIAL: interrupted" : "FAILED", seconds);
+    if (!o.json.empty())
+        write_file(o.json, nlohmann::ordered_json{{"torture", cases}, {"partial", interrupted()}, {"host", {{"seconds", seconds}}}}.dump(2) + "\n");
+    return good ? 0 : 1;
+}
+
+} // namespace rayclock

@@ -1,0 +1,119 @@
+#include "sim/files/output.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "model/core/error.hpp"
+#include "model/core/quote.hpp"
+
+namespace rayclock {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+    throw UserError(fmt::format("{}: {}", printable(path), why));
+}
+[[noreturn]] void not_written(const std::string& path, int error) {
+    refuse(path, std::string("cannot be written: ") + std::strerror(error));
+}
+
+/// All of it, or the number of the error.
+int write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written < 0 ? errno : EIO;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+/// On the disk, as far as the file system knows how to say so.
+int sync(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
+
+/// Writes, and closes in any case; the first error counts.
+int write_and_close(int file, std::string_view bytes, Durable durable) {
+    int error = write_all(file, bytes);
+    if (error == 0 && durable == Durable::yes) error = sync(file);
+    if (::close(file) != 0 && error == 0) error = errno;
+    return error;
+}
+
+/// A file with a name of its own beside `target`.
+struct Temporary {
+    std::string name;
+    int file;
+};
+Temporary temporary_beside(const fs::path& target) {
+    for (int i = 0;; ++i) {
+        const std::string name = fs::path(target).replace_filename(fmt::format(".rayclock-{}-{}.part", ::getpid(), i)).string();
+        const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+        if (file >= 0) return {name, file};
+        if (errno != EEXIST) not_written(target.string(), errno);
+    }
+}
+
+/// True for what is written to as it stands. Throws UserError for what is neither that nor an ordinary file or a new name.
+bool is_in_place(const std::string& path) {
+    struct stat itself {}, status {};
+    if (path.find('\0') != path.npos) refuse(path, "the name has a zero byte in it");
+    if (::lstat(path.c_str(), &itself) != 0 || ::stat(path.c_str(), &status) != 0) status.st_mode = S_IFREG;
+    if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode)) return true;   // through a link as well: /dev/stdout is one
+    if (S_ISLNK(itself.st_mode)) refuse(path, "is a symbolic link; name the file that it points to");
+    if (S_ISDIR(status.st_mode)) refuse(path, "is a directory, not a file to write");
+    if (!S_ISREG(status.st_mode)) refuse(path, "is neither an ordinary file nor a pipe to write to");
+    return false;
+}
+
+/// Does not wait for somebody to read a pipe.
+void write_in_place(const std::string& path, std::string_view bytes) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (file < 0 && errno == ENXIO) refuse(path, "is a pipe that nobody reads");
+    if (file < 0) not_written(path, errno);
+    ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+    if (const int error = write_and_close(file, bytes, Durable::no)) not_written(path, error);
+}
+
+} // namespace
+
+void check_writable(const std::string& path) {
+    if (path.empty()) throw UserError("the name of the file to write is empty");
+    const fs::path target(path);
+    if (!target.has_filename()) refuse(path, "is a directory, not a file to write");
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    std::error_code error;
+    if (!fs::exists(folder, error)) refuse(path, fmt::format("the folder {} does not exist", printable(folder.string())));
+    if (!fs::is_directory(folder, error)) refuse(path, fmt::format("{} is not a folder", printable(folder.string())));
+    const bool in_place = is_in_place(path);
+    if (fs::exists(target, error) && ::access(path.c_str(), W_OK) != 0) not_written(path, errno);
+    if (in_place) return;
+    // Only trying tells: permission bits do not know read-only file systems, nor do they bind every user.
+    const Temporary probe = temporary_beside(target);
+    ::close(probe.file);
+    ::unlink(probe.name.c_str());
+}
+
+void check_replaceable(const std::string& path) {
+    check_writable(path);
+    if (is_in_place(path)) refuse(path, "is a device or a pipe, not an ordinary file");
+}
+
+void write_bytes(const std::string& path, std::string_view bytes, Durable durable) {
+    check_writable(path);
+    if (is_in_place(path)) return write_in_place(path, bytes);
+    const Temporary temporary = temporary_beside(path);
+    int error = write_and_close(temporary.file, bytes, durable);
+    if (error == 0 && ::rename(temporary.name.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    ::unlink(temporary.name.c_str());
+    not_written(path, error);
+}
+
+} // namespace rayclock

@@ -1,0 +1,90 @@
+#include "sim/judge/picture.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "model/accel/surfaces.hpp"
+#include "model/trace/record_shaded.hpp"
+#include "sim/judge/camera.hpp"
+#include "sim/judge/path.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::size_t most_faults = 20;
+
+/// What a thread needs.
+struct Bench {
+    ShadedRecorder recorder;
+    RecordScratch scratch;
+    PathJudge judge;
+    std::vector<PictureFault> faults;
+    Bench(const MemoryImage& image, const Asked& asked, const Decoder& decoder, const PathRules& rules)
+        : recorder(image, asked.frame, asked.config, decoder), judge(rules) {}
+};
+
+void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at, const Given& given, std::vector<std::uint8_t>& wrong) {
+    PathJudge& judge = bench.judge;
+    judge.start(x, y);
+    const Pixel& pixel = bench.recorder.follow(x, y, bench.scratch, judge);
+    judge.finish(given.colours[at]);
+    if (!same_answer(pixel.first, given.answers[at])) judge.fail("the machine's first hit is not the one that its rays give");
+    if (bench.recorder.signature() != given.signatures[at]) judge.fail("the pixel's rays are not those of the frame");
+    if (!judge.is_wrong()) return;
+    wrong[at] = 1;
+    if (bench.faults.size() < most_faults) bench.faults.push_back({x, y, judge.fault().ray, judge.fault().what});
+}
+
+} // namespace
+
+PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& image, const Whitted& settings, const Given& given, int threads,
+                               const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::optional<Scene> moved = aligned(given_asked.scene, given_asked.lattice);
+    const Asked asked{moved ? *moved : given_asked.scene, given_asked.camera, given_asked.frame, given_asked.lattice, given_asked.config};
+    const std::vector<oracle::Solid> primitives = solids_of(asked.scene, asked.lattice, asked.config.coord_bits);
+    const oracle::Solids solids(primitives);
+    const PathRules rules{asked, settings, primitives, solids};
+    const Decoder decoder(image, asked.config);
+    const std::uint32_t width = asked.frame.width, height = asked.frame.height;
+
+    PictureJudgement j;
+    std::vector<std::uint8_t> wrong(std::size_t(width) * height);
+    for (const std::string& sentence : judge_registers(asked, settings)) j.faults.push_back({0, 0, 0, sentence});
+    j.wrong = j.faults.size();
+    tbb::enumerable_thread_specific<Bench> benches([&] { return Bench(image, asked, decoder, rules); });
+    std::mutex reporting;
+    std::uint64_t done = 0;
+    tbb::task_arena arena(threads > 0 ? std::min(threads, tbb::this_task_arena::max_concurrency()) : tbb::this_task_arena::max_concurrency());
+    arena.execute([&] {
+        tbb::parallel_for(0u, height, [&](std::uint32_t y) {
+            Bench& bench = benches.local();
+            for (std::uint32_t x = 0; x < width; ++x) judge_pixel(bench, x, y, std::size_t(y) * width + x, given, wrong);
+            if (!progress) return;
+            const std::lock_guard lock(reporting);
+            progress("judging", done += width, wrong.size());
+        });
+    });
+    std::vector<PictureFault> faults;
+    for (const Bench& bench : benches) {
+        j.rays += bench.judge.rays();
+        j.widest = std::max(j.widest, bench.judge.widest());
+        faults.insert(faults.end(), bench.faults.begin(), bench.faults.end());
+    }
+    std::sort(faults.begin(), faults.end(), [](const PictureFault& a, const PictureFault& b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
+    j.faults.insert(j.faults.end(), faults.begin(), faults.end());
+    if (j.faults.size() > most_faults) j.faults.resize(most_faults);
+    j.pixels.assign(wrong.begin(), wrong.end());
+    j.colours = wrong.size();
+    j.wrong += std::uint64_t(std::count(wrong.begin(), wrong.end(), 1));
+    j.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return j;
+}
+
+} // namespace rayclock

@@ -1,0 +1,50 @@
+#include "sim/load/loading.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "model/core/quote.hpp"
+#include "sim/files/input.hpp"
+
+namespace rayclock {
+
+std::string Loading::read(const std::filesystem::path& path, const std::string& asked_by) {
+    std::string bytes = read_file(path, asked_by);
+    read_ += bytes.size();
+    return bytes;
+}
+
+bool Loading::may_make(std::uint64_t bytes) {
+    const std::uint64_t most = std::max(least_allowance, bytes_for_a_byte * read_);
+    if (bytes > most - std::min(most, made_)) return false;
+    made_ += bytes;
+    return true;
+}
+
+bool Loading::may_make(const Scene& part) { return may_make(bytes_of(part)); }
+
+std::string Loading::too_much() const {
+    return fmt::format("makes more than {} MB of {} bytes of files", std::max(least_allowance, bytes_for_a_byte * read_) >> 20, read_);
+}
+
+void Loading::note(const std::string& file, const std::string& sentence) {
+    std::string whole = printable(file) + ": " + sentence;
+    if (std::find(notes_.begin(), notes_.end(), whole) == notes_.end()) notes_.push_back(std::move(whole));
+}
+
+std::string counted(std::uint64_t count, const std::string& what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+bool leaves_folder(const std::filesystem::path& name) {
+    const std::filesystem::path plain = name.lexically_normal();
+    return plain.is_absolute() || (!plain.empty() && *plain.begin() == "..");
+}
+
+std::uint64_t bytes_of(const Scene& scene) {
+    return sizeof(glm::dvec3) * (scene.vertices.size() + scene.normals.size()) + sizeof(Triangle) * scene.triangles.size() +
+           sizeof(Sphere) * scene.spheres.size() + sizeof(Plane) * scene.planes.size() + sizeof(Material) * scene.materials.size();
+}
+
+} // namespace rayclock

@@ -1,0 +1,292 @@
+// glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are taken.
+// Animations, skins, morph targets, textures and vertex colours are left out, and that is said.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "sim/files/text.hpp"
+#include "sim/load/gltf_buffers.hpp"
+#include "sim/load/gltf_material.hpp"
+#include "sim/load/mesh_file.hpp"
+
+namespace rayclock {
+namespace {
+
+constexpr int max_depth = 500;    // the tree is walked by recursion
+
+/// Before anything else, because version 1 has objects where 2 has arrays, and need not say that it is version 1.
+void check_version(const JsonValue& document, const Place& at) {
+    const auto asset = document.find("asset");
+    const bool has_version = asset && asset->find("version");
+    if (!has_version && document.find("buffers") && document.at("buffers").raw().is_object())
+        at.refuse("this is glTF 1.0, which is not supported: it must be converted to 2.0");
+    const JsonValue version = document.at("asset").at("version");
+    if (version.string().starts_with("1.")) version.refuse("is \"1.0\": glTF 1.0 is not supported and must be converted to 2.0");
+    if (!version.string().starts_with("2.")) version.expected("\"2.0\"");
+    const auto required = document.find("extensionsRequired");
+    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
+                                                       "KHR_texture_basisu", "EXT_texture_webp"};
+    for (std::size_t i = 0; required && i < required->array().size(); ++i) {
+        const std::string name = (*required)[i].string();
+        if (!name.starts_with("KHR_materials_") && std::find(harmless.begin(), harmless.end(), name) == harmless.end())
+            at.refuse("needs the extension " + shown(name) + ", which is not supported");
+    }
+}
+
+/// What is met on the way and not drawn.
+struct Dropped {
+    std::uint64_t textures = 0, colours = 0, targets = 0, skins = 0, lines = 0, odd = 0;
+};
+
+class GltfReader {
+public:
+    GltfReader(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container, Loading& loading)
+        : in_(document), at_{path.string()}, loading_(loading), buffers_(document, path, container, loading), assembly_(at_.file, loading) {}
+
+    Scene read() {
+        const JsonValue meshes = list("meshes"), materials = list("materials");
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            loading_.tell("checking", i, meshes.size());
+            mesh(meshes[i]);
+        }
+        if (!loading_.may_make(materials.size() * sizeof(GltfMaterial))) at_.refuse(loading_.too_much());
+        for (std::size_t i = 0; i < materials.size(); ++i) materials_.push_back(gltf_material(materials[i], i));
+        tree();
+        if (triangles_ == 0) at_.refuse("the file has no triangles");
+        for (const Copy& copy : copies_)
+            if (parts_[copy.mesh].empty()) build(copy.mesh);
+        assembly_.make_alike(has_normals_);
+        for (const Copy& copy : copies_) place(copy);
+        say_dropped();
+        Scene scene = assembly_.take();
+        scene.camera = camera_;
+        if (!lights_.empty()) scene.lights = lights_of(lights_, bounds(scene));
+        return scene;
+    }
+
+private:
+    static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+
+    /// Triangles of a mesh with one material. `indices` may be missing.
+    struct Primitive {
+        const std::vector<glm::vec3>* positions;
+        const std::vector<glm::vec3>* normals;
+        const std::vector<std::uint32_t>* indices;
+        std::uint64_t mode, material, corners;
+    };
+    struct Copy {
+        std::uint64_t mesh;
+        glm::dmat4 place;
+    };
+
+    const std::vector<glm::vec3>& vectors(const JsonValue& attribute, bool must_be_finite) {
+        const std::uint64_t index = attribute.whole(count_of("accessors"));
+        const auto [found, is_new] = vectors_.try_emplace(index);
+        if (!is_new) return found->second;
+        const std::vector<double> numbers = buffers_.read(index, 3);
+        found->second.resize(numbers.size() / 3);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const bool fits = std::abs(numbers[i]) <= std::numeric_limits<float>::max();
+            if (!fits && must_be_finite)
+                in_.at("accessors")[index].refuse(fmt::format("has {} at element {}, which is not a finite number", numbers[i], i / 3));
+            found->second[i / 3][static_cast<int>(i % 3)] = fits ? static_cast<float>(numbers[i]) : 0.0f;
+        }
+        return found->second;
+    }
+
+    const std::vector<std::uint32_t>& indices(const JsonValue& reference) {
+        const std::uint64_t index = reference.whole(count_of("accessors"));
+        const auto [found, is_new] = indices_.try_emplace(index);
+        if (!is_new) return found->second;
+        const JsonValue type = in_.at("accessors")[index].at("componentType");
+        if (type.raw() != 5121 && type.raw() != 5123 && type.raw() != 5125) type.expected("5121, 5123 or 5125 for indices");
+        for (const double x : buffers_.read(index, 1)) found->second.push_back(static_cast<std::uint32_t>(x));
+        return found->second;
+    }
+
+    void mesh(const JsonValue& in) {
+        std::vector<Primitive> primitives;
+        std::uint64_t triangles = 0;
+        const JsonValue list = in.at("primitives").array();
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const std::uint64_t mode = list[i].whole_or("mode", 7, 4);
+            if (mode < 4) {    // points and lines
+                ++dropped_.lines;
+                continue;
+            }
+            primitives.push_back(primitive(list[i], mode));
+            triangles += mode == 4 ? primitives.back().corners / 3 : primitives.back().corners - 2;
+        }
+        mesh_triangles_.push_back(triangles);
+        meshes_.push_back(std::move(primitives));
+        parts_.emplace_back();
+    }
+
+    Primitive primitive(const JsonValue& in, std::uint64_t mode) {
+        const JsonValue attributes = in.at("attributes");
+        Primitive made{&vectors(attributes.at("POSITION"), true), nullptr, nullptr, mode, none, 0};
+        const std::size_t vertices = made.positions->size();
+        if (const auto normal = attributes.find("NORMAL")) {
+            made.normals = &vectors(*normal, false);
+            if (made.normals->size() != vertices) normal->refuse(fmt::format("has {} normals for {} vertices", made.normals->size(), vertices));
+            has_normals_ = true;
+        }
+        made.corners = vertices;
+        if (const auto reference = in.find("indices")) {
+            made.indices = &indices(*reference);
+            const auto [largest, is_new] = largest_.try_emplace(made.indices);
+            if (is_new) largest->second = *std::max_element(made.indices->begin(), made.indices->end());
+            if (largest->second >= vertices)
+                reference->refuse(fmt::format("reach vertex {}, which is out of range: there are {} (0 is the first)", largest->second, vertices));
+            made.corners = made.indices->size();
+        }
+        if (made.corners < 3 || (mode == 4 && made.corners % 3 != 0))
+            in.refuse(fmt::format("has {} corners, which do not make triangles", made.corners));
+        if (const auto material = in.find("material")) made.material = material->whole(count_of("materials"));
+        dropped_.targets += in.find("targets").has_value();
+        dropped_.colours += attributes.find("COLOR_0").has_value();
+        return made;
+    }
+
+    void tree() {
+        const std::size_t count = count_of("nodes");
+        visited_.resize(count);
+        for (const std::uint64_t root : roots(count)) visit(root, 0, glm::dmat4(1));
+        if (triangles_ > max_triangles) at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
+    }
+
+    /// The nodes of the default scene; without any scene, the nodes that have no parent.
+    std::vector<std::uint64_t> roots(std::size_t count) {
+        std::vector<std::uint64_t> found;
+        if (const auto scenes = in_.find("scenes"); scenes && scenes->array().size() > 0) {
+            const JsonValue scene = (*scenes)[in_.whole_or("scene", scenes->size(), 0)];
+            if (const auto list = scene.find("nodes"))
+                for (std::size_t i = 0; i < list->array().size(); ++i) found.push_back((*list)[i].whole(count));
+            return found;
+        }
+        std::vector<bool> is_child(count);
+        for (std::size_t i = 0; i < count; ++i)
+            if (const auto children = in_.at("nodes")[i].find("children"))
+                for (std::size_t k = 0; k < children->array().size(); ++k) is_child[(*children)[k].whole(count)] = true;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!is_child[i]) found.push_back(i);
+        return found;
+    }
+
+    void visit(std::uint64_t index, int depth, const glm::dmat4& above) {
+        const JsonValue in = in_.at("nodes")[index];
+        if (visited_[index]) in.refuse("is met twice in the tree of nodes");
+        if (depth > max_depth) in.refuse(fmt::format("lies deeper than {} nodes", max_depth));
+        visited_[index] = true;
+        const glm::dmat4 place = above * gltf_transform(in);
+        if (const auto mesh = in.find("mesh")) {
+            const std::uint64_t number = mesh->whole(mesh_triangles_.size());
+            if (mesh_triangles_[number] > 0) copies_.push_back({number, place});
+            triangles_ += mesh_triangles_[number];
+        }
+        dropped_.skins += in.find("skin").has_value();
+        if (const auto camera = in.find("camera")) {
+            const auto made = gltf_camera(in_.at("cameras")[camera->whole(count_of("cameras"))], place);
+            if (!camera_) camera_ = made;
+        }
+        if (const auto extensions = in.find("extensions")) {
+            if (extensions->find("EXT_mesh_gpu_instancing")) in.refuse("uses EXT_mesh_gpu_instancing, which is not supported");
+            if (const auto light = extensions->find("KHR_lights_punctual")) {
+                const JsonValue all = in_.at("extensions").at("KHR_lights_punctual").at("lights").array();
+                lights_.push_back(gltf_light(all[light->at("light").whole(all.size())], place));
+            }
+        }
+        const auto children = in.find("children");
+        if (!children) return;
+        for (std::size_t i = 0; i < children->array().size(); ++i) visit((*children)[i].whole(visited_.size()), depth + 1, place);
+    }
+
+    /// Makes the parts of a mesh, when it is placed first.
+    void build(std::uint64_t mesh) {
+        for (const Primitive& primitive : meshes_[mesh]) {
+            if (!loading_.may_make(primitive.corners * sizeof(std::uint64_t))) at_.refuse(loading_.too_much());
+            PartBuilder builder(primitive.mode == 4 ? primitive.corners / 3 : primitive.corners - 2, primitive.normals != nullptr);
+            const auto corner = [&](std::uint64_t k) {
+                const std::size_t i = primitive.indices ? (*primitive.indices)[k] : k;
+                return Corner{glm::dvec3((*primitive.positions)[i]), primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0)};
+            };
+            if (primitive.mode == 4)
+                for (std::uint64_t k = 0; k < primitive.corners; k += 3) builder.add(corner(k), corner(k + 1), corner(k + 2), 0);
+            else if (primitive.mode == 5)    // a strip: every second triangle is turned over
+                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k) builder.add(corner(k + k % 2), corner(k + 1 - k % 2), corner(k + 2), 0);
+            else    // a fan
+                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k) builder.add(corner(0), corner(k + 1), corner(k + 2), 0);
+            parts_[mesh].push_back(assembly_.add(std::move(builder)));
+        }
+    }
+
+    void place(const Copy& copy) {
+        for (std::size_t i = 0; i < parts_[copy.mesh].size(); ++i) {
+            const std::uint64_t number = meshes_[copy.mesh][i].material;
+            assembly_.place(parts_[copy.mesh][i], copy.place, number, [&] {
+                if (number == none) return Material{.name = "default"};
+                const GltfMaterial& material = materials_[number];
+                dropped_.textures += material.has_textures;
+                dropped_.odd += is_out_of_range(material.surface);
+                return material_of(material.surface, material.name);
+            });
+        }
+    }
+
+    void say_dropped() {
+        const auto say = [&](std::uint64_t count, const char* what, const char* sentence) {
+            if (count > 0) loading_.note(at_.file, counted(count, what) + sentence);
+        };
+        say(dropped_.odd, "material", " with values out of range, taken as the nearest within");
+        say(dropped_.textures, "material", " with textures, which are not drawn");
+        say(dropped_.colours, "primitive", " with vertex colours, which are not drawn");
+        say(dropped_.targets, "primitive", " with morph targets, drawn in the shape without them");
+        say(dropped_.skins, "node", " with a skin, drawn in the pose without it");
+        say(count_of("animations"), "animation", " left out");
+        say(dropped_.lines, "primitive", " of points or lines left out");
+    }
+
+    JsonValue list(std::string_view key) const { return in_.find(key).value_or(JsonValue(empty_, at_.file)).array(); }
+    std::uint64_t count_of(std::string_view key) const { return list(key).size(); }
+
+    JsonValue in_;
+    Place at_;
+    Loading& loading_;
+    GltfBuffers buffers_;
+    Assembly assembly_;
+    const Json empty_ = Json::array();
+    std::map<std::uint64_t, std::vector<glm::vec3>> vectors_;          // by accessor
+    std::map<std::uint64_t, std::vector<std::uint32_t>> indices_;
+    std::map<const void*, std::uint32_t> largest_;                     // of indices
+    std::vector<std::vector<Primitive>> meshes_;
+    std::vector<std::vector<std::size_t>> parts_;                      // of meshes that are placed
+    std::vector<std::uint64_t> mesh_triangles_;
+    std::vector<GltfMaterial> materials_;
+    std::vector<bool> visited_;
+    std::vector<Copy> copies_;
+    std::vector<PlacedLight> lights_;
+    std::optional<Camera> camera_;
+    bool has_normals_ = false;
+    std::uint64_t triangles_ = 0;
+    Dropped dropped_;
+};
+
+} // namespace
+
+Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading) {
+    const std::string file = path.string();
+    const GltfContainer container = open_gltf(file, bytes);
+    const std::string_view text = without_mark(container.text);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == text.npos || text[first] != '{') Place{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
+    const Json parsed = parse_json(file, text);
+    const JsonValue document(parsed, file);
+    check_version(document, Place{file});
+    return GltfReader(document, path, container, loading).read();
+}
+
+} // namespace rayclock

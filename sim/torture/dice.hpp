@@ -1,0 +1,48 @@
+#pragma once
+// Seeded random operands, many of them from the ends of their widths.
+#include <algorithm>
+#include <array>
+
+#include "model/core/frame.hpp"
+#include "model/core/rng.hpp"
+
+namespace rayclock::torture {
+
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : rng_(seed) {}
+    int below(int n) { return rng_.below(n); }
+    int between(int lo, int hi) { return lo + rng_.below(hi - lo + 1); }
+    bool percent(int p) { return rng_.below(100) < p; }
+    /// 0..2^bits: nothing, all, one half, or anything.
+    std::uint32_t share(int bits) {
+        const std::uint32_t one = 1u << bits;
+        switch (rng_.below(6)) {
+        case 0: return 0;
+        case 1: return one;
+        case 2: return one / 2;
+        default: return std::uint32_t(rng_.next() % (one + 1));
+        }
+    }
+    std::array<std::uint32_t, 3> colour(int bits) { return {share(bits), share(bits), share(bits)}; }
+    /// -most..most; one time in three an end, nought or one.
+    std::int32_t number(std::int32_t most) {
+        const std::int32_t corners[] = {most, -most, most - 1, 1 - most, 0, 1, -1};
+        if (rng_.below(3) == 0) return corners[rng_.below(7)];
+        return between(-most, most);
+    }
+    Vec3i point(std::int32_t most) { return {number(most), number(most), number(most)}; }
+    /// A point at most `reach` away along each axis, within -most..most.
+    Vec3i near(const Vec3i& p, std::int32_t reach, std::int32_t most) {
+        Vec3i q;
+        for (std::size_t k = 0; k < 3; ++k) q[k] = std::clamp(p[k] + between(-reach, reach), -most, most);
+        return q;
+    }
+
+private:
+    Rng rng_;
+};
+
+inline std::int32_t most_of(int bits) { return (1 << (bits - 1)) - 1; }
+
+} // namespace rayclock::torture

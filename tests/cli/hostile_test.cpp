@@ -1,0 +1,195 @@
+// Inputs made to hurt, as a user would give them: one sentence and exit code 2, soon, whatever it is.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string nested(int depth) { return std::string(std::size_t(depth), '[') + std::string(std::size_t(depth), ']'); }
+
+/// A sentence fit for a terminal.
+void check_printable(const Outcome& outcome) {
+    CHECK(outcome.err.size() < 1200);
+    for (const char c : outcome.err + outcome.out) CHECK(((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) || c == '\n'));
+}
+
+/// A state of a stress run and the options that made it.
+const std::vector<std::string> plan{"stress", "--bits", "16", "--family", "edges,quad", "--rays", "2000"};
+std::vector<std::string> with_state(const std::string& file) {
+    std::vector<std::string> all = plan;
+    all.insert(all.end(), {"--state", file});
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("a configuration that is no file, or nested, or with a key twice") {
+    const Folder folder;
+    fs::create_directory(folder.name("folder.json"));
+    REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {folder.name("folder.json"), "folder"}, {folder.name("pipe.json"), "not an ordinary file"}, {"/dev/zero", "not an ordinary file"},
+        {folder.write("deep.json", nested(60'000)), "nested deeper"},
+        {folder.write("like.json", "{\"like\":" + nested(60'000) + "}"), "nested deeper"},
+        {folder.write("big.json", R"({"like":"small","contexts":1e999})"), "'1e999'"},
+        {folder.write("huge.json", R"({"like":"small","contexts":99999999999999999999})"), "contexts"},
+        {folder.write("twice.json", R"({"like":"small","contexts":4,"contexts":8})"), "'contexts' appears twice"},
+        {folder.write("list.json", R"({"like":"small","contexts":[[1]]})"), "whole number"},
+        {folder.write("odd.json", "{\"like\":\"\\u001b[2J\\u0000\"}"), "\\x1b[2J\\x00"},
+        {folder.write("name.json", "{\"like\":\"small\",\"" + std::string(500'000, 'x') + "\":1}"), "'xxx"},
+        {folder.write("long.json", std::string(2'000'000, ' ')), "the most is 1048576"}};
+    for (const auto& [file, word] : cases)
+        for (const std::vector<std::string>& arguments : {std::vector<std::string>{"config", file}, {"simulate", "tetra:1", "--config", file}}) {
+            INFO(file);
+            const Outcome outcome = run_program(arguments);
+            check_refused(outcome, {word});
+            check_printable(outcome);
+        }
+    // A name goes to tables and terminals.
+    const Outcome named = run_program({"config", folder.write("good.json", "{\"like\":\"small\",\"name\":\"\\u001b[2J" + std::string(1000, 'y') + "\"}")});
+    CHECK(named.code == 0);
+    check_printable(named);
+    CHECK(json::parse(named.out)["name"].get<std::string>().size() < 100);
+}
+
+TEST_CASE("a state of a stress run with wrong numbers is refused") {
+    const Folder folder;
+    const std::string file = folder.name("state.json");
+    REQUIRE(run_program(with_state(file)).code == 0);
+    const json good = json::parse(bytes_of(file));
+    REQUIRE(run_program(with_state(file)).code == 0);    // nothing left to do
+    int number = 0;
+    const auto refused = [&](const json& changed, const std::string& word) {
+        const std::string bad = folder.write("bad" + std::to_string(number++) + ".json", changed.dump());
+        const std::string before = bytes_of(bad);
+        INFO(before.substr(0, 300));
+        check_refused(run_program(with_state(bad)), {bad, word});
+        CHECK(bytes_of(bad) == before);
+    };
+    for (const json& wrong : {json(-1), json(1e8), json(100'000'000), json(1e300), json(0.5), json(std::uint64_t(1) << 60), json("2"), json(nullptr), json(json::array())}) {
+        json changed = good;
+        changed["batches"] = wrong;
+        refused(changed, "batches");
+        changed = good;
+        changed["counts"][0][0] = wrong;    // rays
+        refused(changed, "counts[0]");
+        changed = good;
+        changed["counts"][1][1] = wrong;    // leaks
+        refused(changed, "counts[1]");
+    }
+    for (const char* key : {"plan", "batches", "counts", "check"}) {
+        json changed = good;
+        changed.erase(key);
+        refused(changed, key);
+    }
+    json changed = good;
+    changed["counts"][0][1] = 1;    // a leak that never was
+    refused(changed, "check");
+    changed = good;
+    changed["batches"] = 0;         // counts of more than that
+    refused(changed, "counts[0]");
+    changed = good;
+    changed["counts"].push_back(good["counts"][0]);
+    refused(changed, "3 rows");
+    changed = good;
+    changed["counts"][0].push_back(1);
+    refused(changed, "counts[0]");
+    changed = good;
+    changed["more"] = 1;
+    refused(changed, "'more'");
+    changed = good;
+    changed["plan"]["seed"] = 2;
+    refused(changed, "another stress run");
+    refused(json::parse(nested(100)), "object");
+    std::string twice = good.dump();
+    twice.insert(1, "\"batches\":0,");
+    for (const auto& [text, word] : {std::pair<std::string, std::string>{twice, "'batches' appears twice"}, {nested(60'000), "nested deeper"}, {"{\"plan\":1e999}", "'1e999'"}, {"", "empty"}})
+        check_refused(run_program(with_state(folder.write("text.json", text))), {word});
+    REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
+    fs::create_directory(folder.name("folder.json"));
+    check_refused(run_program(with_state(folder.name("pipe.json"))), {"pipe"});
+    check_refused(run_program(with_state(folder.name("folder.json"))), {"directory"});
+    check_refused(run_program(with_state("/dev/null")), {"/dev/null"});
+}
+
+TEST_CASE("an entry of the sweep's cache that is no file, or nested, is worked out again") {
+    const Folder folder;
+    const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
+    const std::vector<std::string> sweep{"sweep", "tetra:2", "--size", "16x12", "--axis", "contexts=2,4", "--no-netlist", "--json", "-"};
+    const Outcome first = run_program(sweep, cache);
+    REQUIRE(first.code == 0);
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.name("cache")))
+        if (entry.path().extension() == ".json") entries.push_back(entry.path());
+    REQUIRE(entries.size() >= 3);
+    const auto points = [](const Outcome& outcome) { return json::parse(outcome.out)["points"].dump(); };
+    for (int kind = 0; kind < 3; ++kind) {
+        for (const fs::path& entry : entries) {
+            fs::remove_all(entry);
+            if (kind == 0) folder.write(fs::relative(entry, folder.name("")).string(), nested(60'000));
+            if (kind == 1) REQUIRE(::mkfifo(entry.c_str(), 0600) == 0);
+            if (kind == 2) fs::create_directory(entry);
+        }
+        const Outcome again = run_program(sweep, cache);
+        INFO(kind << again.err);
+        CHECK(again.code == 0);
+        CHECK(points(again) == points(first));
+    }
+}
+
+TEST_CASE("warnings go to standard error, and the frame is drawn") {
+    const Folder folder;
+    const std::string file = folder.write("\x1b[2Jodd.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf 1 1 2\n");
+    const Outcome outcome = run_program({"simulate", file, "--size", "8x8", "--no-reference"});
+    CHECK(outcome.code == 0);
+    check_printable(outcome);
+    CHECK(outcome.err.find("rayclock: warning: ") == 0);
+    CHECK(outcome.err.find("none.mtl does not exist") != std::string::npos);
+    CHECK(outcome.err.find("1 triangle with two corners in one place left out") != std::string::npos);
+}
+
+TEST_CASE("any input under 1 MB: exit code 0, 1 or 2, under 2 GB and 10 s") {
+    const Folder folder;
+    const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    std::string runs = v3, face = v3 + "f", faces = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.1 0\n", dust;
+    for (int i = 0; runs.size() < 1'000'000; ++i) (runs += "usemtl ") += std::to_string(i) + "\nf 1 2 3\n";
+    for (int i = 0; i < 9'999; ++i) face += i % 3 == 0 ? " 1" : i % 3 == 1 ? " 2" : " 3";
+    for (int k = 0; faces.size() < 970'000; ++k) {
+        faces += "f";
+        for (int i = 0; i < 9'999; ++i) faces += " " + std::to_string(1 + (i * (k + 1)) % 5);
+        faces += "\n";
+    }
+    for (int i = 0; dust.size() < 970'000; ++i) dust += "v " + std::to_string(i % 97) + " " + std::to_string(i % 89) + " " + std::to_string(i % 83) + "\n";
+    dust += "f 1 2 3\n";
+    json nodes = {{"asset", {{"version", "2.0"}}}, {"nodes", json::array()}}, materials = {{"meshes", {{"b", {{"builtin", "icosphere:1"}}}}}, {"objects", {{{"mesh", "b"}}}}};
+    for (int i = 0; i < 300'000; ++i) nodes["nodes"].push_back(json::object());
+    for (int i = 0; i < 40'000; ++i) materials["materials"]["m" + std::to_string(i)] = {{"shine", 1}};
+    json copies = {{"meshes", {{"b", {{"builtin", "balls:5"}}}, {"t", {{"builtin", "mount:9"}}}}}, {"objects", json::array()}};
+    for (int i = 0; i < 20'000; ++i) copies["objects"].push_back({{"mesh", i % 2 ? "b" : "t"}, {"translate", {i, 0, 0}}});
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"runs.obj", runs}, {"face.obj", face}, {"faces.obj", faces}, {"dust.obj", dust}, {"nodes.gltf", nodes.dump()}, {"materials.json", materials.dump()},
+        {"copies.json", copies.dump()}, {"deep.json", nested(400'000)}, {"keys.json", "{\"" + std::string(900'000, 'k') + "\":1}"},
+        {"zero.stl", std::string(900'000, '\0')}, {"ones.ply", "ply\nformat ascii 1.0\nelement vertex " + std::string(900'000, '9')},
+        {"list.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 9\n"
+                     "property list uint uchar vertex_indices\nend_header\n" + std::string(900'000, '\x7f')},
+        {"open.json", std::string(900'000, '{')}, {"text.glb", "glTF" + std::string(900'000, '\xff')}};
+    for (const auto& [name, bytes] : files) {
+        REQUIRE(bytes.size() <= 1'000'000 + 20);
+        const Outcome outcome = run_program({"render", folder.write(name, bytes), "--engine", "reference", "--size", "8x8", "-o", folder.name("x.png")});
+        INFO(name << ": " << outcome.seconds << " s, " << outcome.peak_mb << " MB: " << outcome.err.substr(0, 300));
+        CHECK((outcome.code == 0 || outcome.code == 2));
+        CHECK(outcome.seconds < 10);
+        CHECK(outcome.peak_mb < 2048);
+        check_printable(outcome);
+        if (outcome.code == 2) CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+    }
+}

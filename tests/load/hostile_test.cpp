@@ -1,0 +1,262 @@
+// Files made to hurt: each loads or is refused in a sentence, in a time and a memory that its size explains.
+#include <catch2/catch.hpp>
+
+#include <ctime>
+
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/core/nearest.hpp"
+#include "model/core/quote.hpp"
+#include "tests/load/files.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+using Json = nlohmann::json;
+
+namespace {
+
+std::string repeated(const std::string& text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+std::string nested(int depth) { return repeated("[", depth) + repeated("]", depth); }
+
+double processor_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// Loads or is refused; returns the sentence. A file of a few megabytes takes less than a second here.
+std::string quick(const std::string& file) {
+    const double start = processor_seconds();
+    const std::string sentence = complaint(file);
+    CHECK(processor_seconds() - start < 3);   // ten times what it takes, for slow machines and sanitizers
+    CHECK(sentence.size() < 1000);
+    for (const char c : sentence) CHECK((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f));
+    return sentence;
+}
+
+void check_says(const std::string& sentence, const std::vector<std::string>& words) {
+    INFO("sentence: " << sentence);
+    for (const std::string& word : words) {
+        INFO("wanted: " << word);
+        CHECK(sentence.find(word) != std::string::npos);
+    }
+}
+
+const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string two_triangles = R"("vertices":[[0,0,0],[1,0,0],[0,1,0]],"triangles":[[0,1,2],[0,2,1]])";
+
+Json gltf() { return Json::parse(Octahedron().gltf("")); }
+std::string glb(const Json& json) { return glb_of(json.dump(), Octahedron().bin()); }
+
+} // namespace
+
+TEST_CASE("JSON nested deeper than the stack is refused") {
+    const Folder folder;
+    for (const std::string& text : {nested(60'000), R"({"camera":)" + nested(60'000) + "}", R"({"meshes":{"a":{"vertices":)" + nested(201) + "}}}",
+                                    repeated(R"({"a":)", 60'000) + "1" + repeated("}", 60'000), repeated("[", 60'000)})
+        check_says(quick(folder.write("deep.json", text)), {folder.name("deep.json"), "nested deeper than 200"});
+    const std::string deep = R"({"asset":{"version":"2.0"},"extras":)" + nested(60'000) + "}";
+    check_says(quick(folder.write("deep.gltf", deep)), {"deep.gltf", "nested deeper than 200"});
+    check_says(quick(folder.write("deep.glb", glb_of(deep, ""))), {"deep.glb", "nested deeper than 200"});
+    Json kept = gltf();
+    kept["extras"] = Json::parse(nested(198));
+    CHECK(complaint(folder.write("kept.glb", glb(kept))).empty());
+}
+
+TEST_CASE("a JSON number that no double holds is refused with its place") {
+    const Folder folder;
+    check_says(quick(folder.write("a.json", "{\n \"camera\": {\"eye\": [1e999, 0, 0]}}")), {"a.json: line 2, column", "'1e999'", "double"});
+    check_says(quick(folder.write("a.json", "{\"camera\": -1" + repeated("0", 400) + "}")), {"a.json: line 1", "double"});
+    std::string text = gltf().dump();
+    text.replace(text.find("72"), 2, "1e400");
+    check_says(quick(folder.write("a.glb", glb_of(text, Octahedron().bin()))), {"a.glb: line 1", "'1e400'"});
+}
+
+TEST_CASE("a key that stands twice in a file is refused") {
+    const Folder folder;
+    check_says(quick(folder.write("a.json", R"({"meshes":{},"objects":[],"meshes":{}})")), {"'meshes'", "twice"});
+    std::string text = gltf().dump();
+    text.replace(text.find("\"nodes\""), 7, "\"mesh\":[],\"mesh\":[],\"nodes\"");
+    check_says(quick(folder.write("a.glb", glb_of(text, Octahedron().bin()))), {"'mesh'", "twice"});
+}
+
+TEST_CASE("pipes, devices and folders are no files, whoever asks for them") {
+    const Folder folder;
+    const Octahedron o;
+    const auto pipe = [&](const std::string& name) { REQUIRE(::mkfifo(folder.name(name).c_str(), 0600) == 0); };
+    for (const char* name : {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.json", "p.mtl", "p.bin", "p.obj"}) pipe(name);
+    for (const char* name : {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.json"})
+        CHECK(quick(folder.name(name)) == folder.name(name) + ": is not an ordinary file");
+    std::filesystem::create_directory(folder.name("d.mtl"));
+    const std::string obj = v3 + "usemtl a\nf 1 2 3\n";
+    check_says(quick(folder.write("b.obj", "\nmtllib p.mtl\n" + obj)), {"p.mtl: is not an ordinary file", "b.obj: line 2 asks for it"});
+    check_says(quick(folder.write("b.obj", "mtllib d.mtl\n" + obj)), {"d.mtl: is a directory", "b.obj: line 1 asks for it"});
+    check_says(quick(folder.write("b.gltf", o.gltf("p.bin"))), {"p.bin: is not an ordinary file", "b.gltf: buffers[0].uri asks for it"});
+    const std::string scene = R"({"meshes":{"m":{"file":"p.obj"}},"objects":[{"mesh":"m"}]})";
+    check_says(quick(folder.write("b.json", scene)), {"p.obj: is not an ordinary file", "b.json: meshes.m.file asks for it"});
+}
+
+TEST_CASE("of a missing file both are named, it and the one that asks for it") {
+    const Folder folder;
+    check_says(quick(folder.write("a.gltf", Octahedron().gltf("none.bin"))),
+               {folder.name("none.bin") + ": there is no such file", folder.name("a.gltf") + ": buffers[0].uri asks for it"});
+    const auto scene = [](const std::string& file) { return R"({"meshes":{"m":{"file":")" + file + R"("}},"objects":[{"mesh":"m"}]})"; };
+    check_says(quick(folder.write("a.json", scene("none.obj"))), {folder.name("none.obj") + ": there is no such file", "a.json: meshes.m.file asks"});
+    check_says(quick(folder.write("b.json", scene("c.json"))), {folder.name("c.json") + ": there is no such file", "b.json: meshes.m.file asks"});
+}
+
+TEST_CASE("a glTF file reads no buffer outside its folder, and a name holds no zero byte") {
+    const Folder folder;
+    const Octahedron o;
+    std::filesystem::create_directory(folder.name("in"));
+    folder.write("out.bin", o.bin());
+    folder.write("in/in.bin", o.bin());
+    for (const std::string& name : {std::string("../out.bin"), folder.name("out.bin"), std::string("%2e%2E/out.bin"), std::string("x/../../out.bin")})
+        check_says(quick(folder.write("in/a.gltf", o.gltf(name))), {"a.gltf: buffers[0].uri names", "outside the folder"});
+    CHECK(complaint(folder.write("in/a.gltf", o.gltf("x/../in.bin"))).find("x/../in.bin") != std::string::npos);   // no folder x
+    CHECK(complaint(folder.write("in/a.gltf", o.gltf("./in.bin"))).empty());
+    check_says(quick(folder.write("in/a.gltf", o.gltf("in.bin%00.txt"))), {"\\x00", "zero byte"});
+}
+
+TEST_CASE("what is odd in names and values is escaped and cut") {
+    const Folder folder;
+    const std::string odd = "\\u001b]0;x\\u0007\\u0000\\u202e", longer = repeated("long ", 200'000);
+    for (const std::string& name : {odd, longer}) {
+        for (const std::string& text :
+             {R"({")" + name + R"(":1})", R"({"materials":{")" + name + R"(":{"shine":-1}}})", R"({"meshes":{"a":{"file":")" + name + R"("}}})",
+              R"({"meshes":{")" + name + R"(":{"file":"x.obj"}},"objects":[]})", R"({"camera":")" + name + R"("})",
+              R"({"meshes":{"a":{"builtin":")" + name + R"("}}})", R"({"meshes":{")" + name + R"(":{)" + two_triangles + R"(}},"objects":[{"mesh":"a"}]})",
+              R"({"meshes":{"a":{)" + two_triangles + R"(}},"objects":[{"mesh":")" + name + R"("}]})"}) {
+            INFO(text.substr(0, 80));
+            CHECK(!quick(folder.write("a.json", text)).empty());
+        }
+    }
+    CHECK(printable("a\x1b[2Jb\x7f\n\xff\xc2\x9b") == "a\\x1b[2Jb\\x7f\\x0a\\xff\\xc2\\x9b");
+    CHECK(printable("Würfel \xe2\x80\xae") == "Würfel \\xe2\\x80\\xae");
+    CHECK(printable(std::string(100, 'a') + std::string(100, 'b'), 30) == std::string(20, 'a') + "..." + std::string(10, 'b'));
+    CHECK(shown(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
+    CHECK(did_you_mean(std::string(1 << 20, 'x'), std::vector<std::string>{std::string(1 << 20, 'y')}).empty());
+}
+
+TEST_CASE("tens of thousands of materials, primitives and nodes take a time that grows with their number") {
+    const Folder folder;
+    std::string obj = v3, mtl;
+    for (int i = 0; i < 80'000; ++i) (obj += "usemtl m") += std::to_string(i) + "\nf 1 2 3\n";
+    for (int i = 0; i < 80'000; ++i) (mtl += "newmtl m") += std::to_string(i) + "\nKd 1 0 0\n";
+    folder.write("m.mtl", mtl);
+    CHECK(quick(folder.write("a.obj", "mtllib m.mtl\n" + obj)).empty());
+    Json json = gltf();
+    for (int i = 0; i < 80'000; ++i) json["materials"].push_back({{"name", "material " + std::to_string(i)}});
+    json["accessors"].push_back({{"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}});
+    for (int i = 0; i < 20'000; ++i) json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"indices", 2}, {"material", i}});
+    CHECK(quick(folder.write("a.glb", glb(json))).empty());
+    json = gltf();
+    for (int i = 0; i < 300'000; ++i) json["nodes"].push_back(Json::object());
+    CHECK(quick(folder.write("b.glb", glb(json))).empty());
+    json = {{"meshes", {{"b", {{"builtin", "icosphere:1"}}}}}, {"objects", {{{"mesh", "b"}}}}};
+    for (int i = 0; i < 80'000; ++i) json["materials"]["m" + std::to_string(i)] = {{"shine", 1}};
+    CHECK(quick(folder.write("a.json", json.dump())).empty());
+}
+
+TEST_CASE("a small file cannot ask for more than its size allows") {
+    const Folder folder;
+    const std::string much = "makes more than 1024 MB";
+    // Copies of copies, of materials as well.
+    std::string obj = v3;
+    for (int i = 0; i < 1000; ++i) (obj += "usemtl m") += std::to_string(i) + "\nf 1 2 3\n";
+    folder.write("n0.obj", obj);
+    for (int level = 1; level <= 6; ++level) {
+        Json json;
+        for (int i = 0; i < 30; ++i) {
+            const std::string name = "m" + std::to_string(i);
+            json["meshes"][name] = {{"file", level == 1 ? "n0.obj" : "n" + std::to_string(level - 1) + ".json"}};
+            json["objects"].push_back({{"mesh", name}});
+        }
+        folder.write("n" + std::to_string(level) + ".json", json.dump());
+    }
+    check_says(complaint(folder.name("n6.json")), {"n3.json", "objects", much});
+    // One block of numbers, read through many accessors.
+    Json json = gltf();
+    std::string bin = Octahedron().bin();
+    bin.resize(400'000, '\0');
+    json["buffers"][0]["byteLength"] = bin.size();
+    json["bufferViews"].push_back({{"buffer", 0}, {"byteLength", bin.size()}});
+    for (int i = 0; i < 3000; ++i) {
+        json["accessors"].push_back({{"bufferView", 2}, {"componentType", 5121}, {"count", 133'332}, {"type", "VEC3"}});
+        json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", 2 + i}}}}}}});
+    }
+    check_says(complaint(folder.write("a.glb", glb_of(json.dump(), bin))), {"accessors[", much});
+    // One list of indices, drawn many times: nothing is left of it, but it takes its time.
+    json["accessors"].push_back({{"bufferView", 2}, {"componentType", 5121}, {"count", 99'999}, {"type", "SCALAR"}});
+    json["meshes"] = {{{"primitives", Json::array()}}};
+    for (int i = 0; i < 2500; ++i) json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"indices", json["accessors"].size() - 1}});
+    const double start = processor_seconds();
+    check_says(complaint(folder.write("b.glb", glb_of(json.dump(), std::string(bin.size(), '\0')))), {"b.glb", much});
+    CHECK(processor_seconds() - start < 20);
+    // Built-in scenes count before they are made.
+    Json builtins;
+    for (int i = 9; i <= 11; ++i) builtins["meshes"]["t" + std::to_string(i)] = {{"builtin", "tetra:" + std::to_string(i)}};
+    for (int i = 0; i < 20; ++i) builtins["objects"].push_back({{"mesh", "t11"}});
+    check_says(complaint(folder.write("t.json", builtins.dump())), {"t.json", "makes more than"});
+}
+
+TEST_CASE("a word of ten million letters is refused as quickly as it is read") {
+    const Folder folder;
+    const std::string ones(10'000'000, '1'), letters(10'000'000, 'x');
+    for (const std::string& word : {ones, "0." + ones, letters, "-" + ones}) {
+        check_says(quick(folder.write("a.obj", "v 0 " + word + " 0\n")), {"a.obj: line 1", "...'"});
+        check_says(quick(folder.write("a.obj", v3 + "f 1 2 " + word + "\n")), {"a.obj: line 4", "...'"});
+        check_says(quick(folder.write("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex " + word + " 0 0\n")), {"a.stl: line 4", "...'"});
+        check_says(quick(folder.write("a.json", "{\"camera\": [" + word + "]}")), {"a.json"});
+    }
+    check_says(quick(folder.write("b.obj", letters)), {"b.obj: line 1", "...'"});
+    CHECK(quick(folder.write("c.obj", v3 + "usemtl " + letters + "\nf 1 2 3\n")).empty());
+    check_says(quick(folder.write("a.ply", "ply\nformat " + letters)), {"a.ply: line 2"});
+}
+
+TEST_CASE("what a file holds and is not drawn is said, and counted") {
+    const Folder folder;
+    const auto notes_of = [&](const std::string& name, const std::string& bytes) {
+        std::vector<std::string> notes;
+        load_scene(folder.write(name, bytes), {}, Primitives::triangles, &notes);
+        return notes;
+    };
+    using Notes = std::vector<std::string>;
+    CHECK(notes_of("good.glb", Octahedron().glb()).empty());
+    CHECK(notes_of("good.obj", Octahedron().obj()).empty());
+    CHECK(notes_of("flat.obj", v3 + "f 1 2 3\nf 1 2 2\nf 1 1 1\n") == Notes{folder.name("flat.obj") + ": 2 triangles with two corners in one place left out"});
+    CHECK(notes_of("none.obj", "\nmtllib none.mtl\n" + v3 + "usemtl a\nf 1 2 3\n") ==
+          Notes{folder.name("none.obj") + ": line 2: the material file " + folder.name("none.mtl") + " does not exist; its materials are grey"});
+    folder.write("m.mtl", "newmtl a\nKd 1.5 0 0\nnewmtl b\nNs -3\nnewmtl c\nKd 1 1 1\nmap_Kd c.png\nnewmtl d\nKd 9 9 9\n");
+    const Notes odd = notes_of("odd.obj", "mtllib m.mtl\n" + v3 + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+    CHECK(odd == Notes{folder.name("odd.obj") + ": 2 materials with values out of range, taken as the nearest within",
+                       folder.name("odd.obj") + ": 1 material with textures, which are not drawn"});
+    std::filesystem::create_directory(folder.name("in"));
+    CHECK(notes_of("in/a.obj", "mtllib ../m.mtl\n" + v3 + "usemtl c\nf 1 2 3\n").at(0) ==
+          folder.name("in/a.obj") + ": line 1: the material file '../m.mtl' lies outside the folder of the mesh");
+
+    Json json = gltf();
+    json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 1.5}}}}};
+    json["nodes"][0]["skin"] = 0;
+    json["animations"] = Json::array({Json::object(), Json::object()});
+    Json& primitives = json["meshes"][0]["primitives"];
+    primitives[0]["targets"] = Json::array();
+    primitives[0]["material"] = 0;
+    primitives[0]["attributes"]["COLOR_0"] = 0;
+    primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
+    const std::string file = folder.name("all.glb") + ": ";
+    CHECK(notes_of("all.glb", glb(json)) ==
+          Notes{file + "1 material with values out of range, taken as the nearest within", file + "1 material with textures, which are not drawn",
+                file + "1 primitive with vertex colours, which are not drawn", file + "1 primitive with morph targets, drawn in the shape without them",
+                file + "1 node with a skin, drawn in the pose without it", file + "2 animations left out", file + "1 primitive of points or lines left out"});
+    // glTF 1.0 is another format.
+    check_says(complaint(folder.write("one.gltf", R"({"asset":{"version":"1.0"},"buffers":{"a":{}}})")), {"glTF 1.0 is not supported", "2.0"});
+    check_says(complaint(folder.write("one.gltf", R"({"buffers":{"a":{}},"meshes":{}})")), {"glTF 1.0", "not supported", "2.0"});
+}

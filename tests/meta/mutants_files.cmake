@@ -1,0 +1,40 @@
+# Faults in reading and writing files. A row is as in mutants_model.cmake.
+mutant(files_json_of_any_depth FILE sim/files/json_value.cpp TEST load "JSON nested*"
+  OLD [[if (open_.size() == most_nested)]]
+  NEW [[if (open_.size() == 1000 * most_nested)]])
+mutant(files_json_takes_a_key_twice FILE sim/files/json_value.cpp TEST load "a key that stands twice*"
+  OLD [[if (!is_new) refuse(]]
+  NEW [[if (name.empty() && !is_new) refuse(]])
+mutant(files_name_written_raw FILE model/core/quote.cpp TEST load "what is odd*"
+  OLD [[first >= 0x20 && first != 0x7f]]
+  NEW [[first != 0x7f]])
+mutant(files_long_number_is_read FILE sim/files/text.cpp TEST load "a word of ten million*"
+  OLD [[if (word.size() > longest_number)]]
+  NEW [[if (word.empty())]])
+mutant(files_pipe_is_read FILE sim/files/input.cpp TEST load "pipes*"
+  OLD [[if (!S_ISREG(status.st_mode))]]
+  NEW [[if (S_ISSOCK(status.st_mode))]])
+mutant(files_asker_not_named FILE sim/files/input.cpp TEST load "of a missing file*"
+  OLD [[asked_by_.empty() ? sentence]]
+  NEW [[true ? sentence]])
+mutant(files_last_write_unseen FILE sim/files/output.cpp TEST image "a file that cannot be written*"
+  OLD [[int error = write_all(file, bytes);]]
+  NEW [[int error = 0 * write_all(file, bytes);]])
+mutant(files_written_through_a_link FILE sim/files/output.cpp TEST image "links*"
+  OLD [[if (S_ISLNK(itself.st_mode)) refuse(]]
+  NEW [[if (S_ISSOCK(itself.st_mode)) refuse(]])
+mutant(load_buffer_from_anywhere FILE sim/load/gltf_buffers.cpp TEST load "a glTF file reads*"
+  OLD [[if (leaves_folder(name))]]
+  NEW [[if (name.empty())]])
+mutant(load_textures_not_said FILE sim/load/read_gltf.cpp TEST load "what a file holds*"
+  OLD [[dropped_.textures += material.has_textures;]]
+  NEW [[]])
+mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a file holds*"
+  OLD [[++dropped_;]]
+  NEW [[]])
+mutant(load_ear_waits_for_ever FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
+  OLD [[if (!corners_[waiting_[w].who].is_gone) mark(waiting_[w].who);]]
+  NEW [[;]])
+mutant(load_ear_looks_at_an_old_triangle FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
+  OLD [[corners_[side].looked_at = 0;]]
+  NEW [[]])

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# bootstrap.sh SOURCE: what ./bootstrap does before it builds, with stand-ins for apt-get, dpkg-query, sudo, cmake and ctest.
+set -euo pipefail
+source=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+tree="$work/a tree"   # with a space
+mkdir -p "$tree" "$work/bin"
+cp "$source/bootstrap" "$tree"
+
+stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"$work/bin/$1"; chmod +x "$work/bin/$1"; }
+stand_in dpkg-query 'case "$*" in *" yosys"*) test -e "$0.yosys" || exit 1 ;; esac; echo "install ok installed"'
+stand_in sudo 'exec env DEBIAN_FRONTEND=sudo_drops_this "$@"'
+stand_in id 'case "$1" in -u) echo 1000 ;; *) echo somebody ;; esac'
+stand_in ctest 'echo "ctest $*"'
+stand_in cmake 'echo "cmake $*"
+case "$*" in
+  *--build*) ;;
+  *) mkdir -p build/release; echo "configured: $*" >>build/configured; cp "'"$work"'/cache" build/release/CMakeCache.txt ;;
+esac'
+stand_in apt-get 'echo "frontend $DEBIAN_FRONTEND: $*"
+case "$*" in
+  *--assume-no*) printf "2 upgraded, 40 newly installed, 0 to remove and 3 not upgraded.\nNeed to get 5 MB/70 MB of archives.\nAfter this operation, 300 MB of additional disk space will be used.\n"; exit 1 ;;
+  *"install -y"*) test ! -e "'"$work"'/no_network" || { echo "E: no network"; exit 100; } ;;
+esac'
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nBUILD_TESTING:BOOL=ON\n' "$tree" >"$work/cache"
+
+# check NAME CODE WORDS COMMAND...: the command ends with CODE and prints WORDS (an extended regular expression).
+check() {
+  local name=$1 code=$2 words=$3 got=0 text
+  shift 3
+  text=$(cd "$tree" && PATH="$work/bin:$PATH" "$@" 2>&1) || got=$?
+  if [ "$got" -ne "$code" ] || ! grep -Eq -- "$words" <<<"$text"; then
+    printf '%s: exit code %s instead of %s, or not "%s" in:\n%s\n' "$name" "$got" "$code" "$words" "$text" >&2
+    exit 1
+  fi
+}
+configured() { grep -Eq -- "$1" "$tree/build/configured" || { echo "cmake was not called with $1:" >&2; cat "$tree/build/configured" >&2; exit 1; }; rm "$tree/build/configured"; }
+
+for word in help --help -h; do check "$word" 0 '^  \./bootstrap demo ' ./bootstrap "$word"; done
+check "no command" 2 '^  \./bootstrap demo ' ./bootstrap
+check "no such command" 2 'no command demmo' ./bootstrap demmo
+
+check "size is said" 0 'these are 42 packages: 5 MB to download, 300 MB on the disk' ./bootstrap test
+check "apt is not asked by sudo's environment" 0 'frontend noninteractive: .*install -y .* yosys$' cat build/logs/apt.log
+configured '-DBUILD_TESTING=ON -DRAYCLOCK_WERROR=OFF'
+touch "$work/no_network"
+check "apt fails" 1 'E: no network' ./bootstrap test
+check "apt fails, the log is named" 1 'last lines of build/logs/apt.log' ./bootstrap test
+touch "$work/bin/dpkg-query.yosys"
+check "nothing is missing" 0 'All [0-9]+ packages are installed' ./bootstrap build
+configured '^configured: --preset release -DRAYCLOCK_WERROR=OFF$'   # the tests' build stays one
+check "warnings can be errors" 0 'Built' env RAYCLOCK_WERROR=ON ./bootstrap build
+configured 'RAYCLOCK_WERROR=ON'
+
+sed -i 's,INTERNAL=.*,INTERNAL=/nowhere,' "$tree/build/release/CMakeCache.txt"
+check "a tree that was moved" 0 'was made for /nowhere; it is configured anew' ./bootstrap build
+configured '--fresh'
+rm -rf "$tree/build" && touch "$tree/build"
+check "build is no folder" 2 'cannot make build/logs' ./bootstrap build
+echo "bootstrap says and does what it should"

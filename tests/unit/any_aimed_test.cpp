@@ -1,0 +1,121 @@
+// tri of a chip that shades, with operands aimed at what random ones do not reach: a sphere touched where a shadow ray ends,
+// the end of t, discriminants that are all but a square.
+#include <cmath>
+
+#include "tests/support/any_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+void set_sphere(PrimData& p, const Vec3i& centre, std::uint64_t square, int bits) {
+    const auto field = [bits](std::uint64_t part) { return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits)); };
+    p.kind = std::uint32_t(PrimKind::sphere);
+    p.prim = 7;
+    p.a = centre;
+    p.b = {field(square), field(square >> bits), 0};
+}
+
+std::int64_t root(std::int64_t x) {
+    auto r = std::int64_t(std::sqrt(double(x)));
+    while (r * r > x) --r;
+    while ((r + 1) * (r + 1) <= x) ++r;
+    return r;
+}
+
+template <class Dut> std::vector<TriRsp> judged(const std::vector<TriReq>& requests, const Config& c) {
+    Dut dut{c};
+    const std::vector<TriRsp> rsps = answers(dut, c, requests);
+    for (std::size_t i = 0; i < rsps.size(); ++i) {
+        CAPTURE(i);
+        judge_any(requests[i], rsps[i], c);
+    }
+    return rsps;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in its way", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    std::vector<TriReq> requests;
+    std::vector<bool> blocked;
+    for (const std::size_t i : {0u, 1u, 2u})
+        for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3})
+            for (int way = 1; way <= 9; ++way)
+                for (int radius = 1; radius <= 9; ++radius)
+                    for (const int more : {-1, 0, 1}) {   // the end lies so many steps of 2^-B behind the point that is touched
+                        TriReq r;
+                        r.kind = std::uint32_t(RayKind::shadow);
+                        set_sphere(r.triangle, {3, -2, 5}, std::uint64_t(radius) * std::uint64_t(radius), c.coord_bits);
+                        Vec3i light = r.triangle.a;
+                        light[i] += way, light[j] += radius;
+                        for (std::size_t k = 0; k < 3; ++k) r.o[k] = light[k] * (1 << c.origin_bits);
+                        r.d[i] = -way * (1 << c.origin_bits) - more;
+                        requests.push_back(r);
+                        blocked.push_back(more > 0);
+                    }
+    const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
+    for (std::size_t k = 0; k < rsps.size(); ++k) {
+        CAPTURE(k);
+        REQUIRE((rsps[k].closer != 0) == blocked[k]);
+    }
+}
+
+TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    const std::uint64_t most = (std::uint64_t(1) << c.t_bits()) - 1;
+    std::vector<TriReq> requests;
+    std::vector<std::uint64_t> expected;
+    // At distance h along a direction of length d lies t = 2^(M-1+F) h / d, and 2^T where d is h / 2^(N+3-M).
+    for (const int h : {1, 2, 3, 4, 1000, 4096, 65535, 65536, 100001, 131070})
+        for (const int part : {1, 2, 3, 4, 5, 8, 16, 1 << 16})
+            for (const int more : {-1, 0, 1}) {
+                const int d = h / part + more;
+                if (d < 1) continue;
+                TriReq r;
+                r.kind = std::uint32_t(RayKind::camera);
+                r.triangle.a = {-100000, -100000, 0}, r.triangle.b = {100000, -100000, 0}, r.triangle.c = {0, 100000, 0};
+                r.triangle.prim = 7;
+                r.o[2] = h * (1 << c.origin_bits);
+                r.d[2] = -d;
+                requests.push_back(r);
+                const std::uint64_t t = (std::uint64_t(h) << (c.dir_bits - 1 + c.t_frac_bits)) + std::uint64_t(d - 1);
+                expected.push_back(std::min(t / std::uint64_t(d), most));
+            }
+    const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
+    int ends = 0, falls_short = 0;
+    for (std::size_t k = 0; k < rsps.size(); ++k) {
+        CAPTURE(k);
+        REQUIRE(rsps[k].closer == 1);
+        REQUIRE(rsps[k].t == expected[k]);
+        ends += expected[k] == most;
+        falls_short += expected[k] < most && expected[k] > most / 2;
+    }
+    CHECK(ends > 20);
+    CHECK(falls_short > 5);
+}
+
+TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri][any][aimed]") {
+    const Config c = any_format("default");
+    // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. Sought: q = 4 k^2 + 1, 2 or 3, k of 28 bits, so that
+    // the root of what is kept is k exactly, and only what was cut says that it must be rounded up.
+    const std::int64_t square = std::int64_t(131000) * 131000, all = square << (2 * c.origin_bits);
+    std::vector<TriReq> requests;
+    for (std::int64_t k = root(all / 4) - 1; requests.size() < 20; --k) {
+        const std::int64_t rest = all - 4 * k * k, y = root(rest - 1), z = root(rest - 1 - y * y), left = rest - y * y - z * z;
+        if (left > 3) continue;
+        TriReq r;
+        r.kind = std::uint32_t(RayKind::bounce);
+        set_sphere(r.triangle, {0, 0, 0}, std::uint64_t(square), c.coord_bits);
+        r.o = {0, std::int32_t(y), std::int32_t(z)};
+        r.d = {1 << (c.dir_bits - 2), 0, 0};
+        requests.push_back(r);
+    }
+    const std::vector<TriRsp> model = judged<Model<TriUnit>>(requests, c), rtl = judged<Rtl<TriUnit>>(requests, c);
+    for (std::size_t i = 0; i < model.size(); ++i) {
+        CAPTURE(i, model[i].t, rtl[i].t);
+        REQUIRE(model[i].closer == 1);
+        REQUIRE(model[i].t == rtl[i].t);
+    }
+}

@@ -1,0 +1,188 @@
+// Rays that begin on a plane beyond the lattice: where they come into it, and which of them are sent.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "model/isect/any.hpp"
+#include "model/shade/approach.hpp"
+#include "model/shade/dot.hpp"
+#include "model/shade/light.hpp"
+#include "tests/support/pass_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+/// The least k > 0 for which the coordinate p + k step is not ahead of its slab any more; -1: it is for ever.
+Wide steps_to(std::int64_t p, std::int64_t step, std::int64_t end) {
+    if (step < 0) p = -p, step = -step;
+    if (p >= -end) return 1;
+    if (step == 0) return -1;
+    return (Wide(-end) - p + step - 1) / step;
+}
+
+/// Where the ray should begin, by division.
+std::optional<Vec3l> entry_of(const Vec3l& p, const Vec3i& d, const Config& c) {
+    Wide most = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Wide steps = steps_to(p[k], d[k] * (std::int64_t(1) << c.approach_shift()), lattice_end(c));
+        if (steps < 0) return std::nullopt;
+        most = std::max(most, steps);
+    }
+    if (most > 1 << approach_steps) return std::nullopt;
+    Vec3l at{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        at[k] = p[k] + std::int64_t(most) * d[k] * (std::int64_t(1) << c.approach_shift());
+        if (std::abs(at[k]) > lattice_end(c)) return std::nullopt;
+    }
+    return at;
+}
+
+Vec3l far_point(Draw& draw, const Config& c) {
+    const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1;
+    Vec3l p{};
+    for (auto& x : p) x = std::clamp(draw.number(draw.between(c.origin_width() - 2, c.point_width())), -most, most);
+    p[std::size_t(draw.below(3))] = (draw.coin() ? 1 : -1) * std::clamp(lattice_end(c) + std::int64_t(draw.natural(draw.between(1, c.point_width() - 1))), std::int64_t(0), most);
+    return p;
+}
+
+/// A point of the inner part of the lattice, where things with an end are.
+Vec3l inner_point(Draw& draw, const Config& c) {
+    const std::int64_t room = lattice_end(c) / 8 * 7 - (4 << c.origin_bits);
+    Vec3l q{};
+    for (auto& x : q) x = draw.percent(30) ? (draw.coin() ? room : -room) : std::clamp(draw.number(c.origin_width()), -room, room);
+    return q;
+}
+
+} // namespace
+
+TEST_CASE("a ray from beyond the lattice comes into it where division says", "[approach]") {
+    const Config c = shaded_format(GENERATE("all", "narrow", "broad", "short"));
+    Draw draw{1};
+    int entered = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const Vec3l p = far_point(draw, c), q = inner_point(draw, c);
+        const bool aimed = draw.percent(90);
+        Vec3i unit = aimed ? unit_vector({q[0] - p[0], q[1] - p[1], q[2] - p[2]}) : draw_unit(draw);
+        if (draw.percent(10)) unit[std::size_t(draw.below(3))] = 0;
+        const Vec3i d = direction_of(unit, c);
+        CAPTURE(i, p, d);
+        const std::optional<Vec3i> at = approach(p, d, c);
+        const std::optional<Vec3l> right = entry_of(p, d, c);
+        REQUIRE(at.has_value() == right.has_value());
+        if (at) REQUIRE((Vec3l{(*at)[0], (*at)[1], (*at)[2]} == *right));
+        entered += at.has_value();
+    }
+    REQUIRE(entered > 30000);
+}
+
+TEST_CASE("from as far as shade can say every ray to what has an end comes in before it", "[approach]") {
+    const Config c = shaded_format(GENERATE("all", "narrow", "broad", "short"));
+    Draw draw{2};
+    for (int i = 0; i < 100000; ++i) {
+        const Vec3l p = far_point(draw, c), q = inner_point(draw, c);
+        const Vec3i d = direction_of(unit_vector({q[0] - p[0], q[1] - p[1], q[2] - p[2]}), c);
+        // The rounded direction's own line: the last point of it that the inner part can hold, by its longest component.
+        std::size_t axis = 0;
+        for (std::size_t k = 1; k < 3; ++k)
+            if (std::abs(d[k]) > std::abs(d[axis])) axis = k;
+        if (d[axis] == 0) continue;
+        const double t = double(q[axis] - p[axis]) / d[axis], room = double(lattice_end(c)) * 7 / 8 - std::ldexp(4, c.origin_bits);
+        bool holds = t > 0;
+        for (std::size_t k = 0; k < 3; ++k) holds = holds && std::abs(double(p[k]) + t * d[k]) <= room;
+        if (!holds) continue;   // the direction's rounding has led it past
+        CAPTURE(i, p, q, d);
+        const std::optional<Vec3i> at = approach(p, d, c);
+        REQUIRE(at);
+        REQUIRE((double((*at)[axis]) - double(p[axis])) / d[axis] <= t);
+    }
+}
+
+TEST_CASE("bounces from beyond the lattice are sent from where they come into it, or show the background", "[far]") {
+    const Config c = shaded_format("all");
+    Draw draw{4};
+    int sent[2]{}, shown[2]{}, light = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        PassIn in;
+        in.state = random_state(draw, frame, c);
+        ShadeState& s = in.state;
+        const bool through = draw.coin();
+        s.event = std::uint32_t(through ? ShadeEvent::refract : ShadeEvent::reflect);
+        s.pending = 0, s.waiting = 0, s.far = 1;
+        aim_far(draw, frame, c, s);
+        const BounceOut ray = through ? refract(c, s) : reflect(c, s);
+        const PassOut out = pass(in, frame, c);
+        const bool seen = ray.goes && 2 * ray.weight + 3 * (s.depth + 1) >= frame.shade.threshold;
+        const auto entry = s.lost ? std::nullopt : entry_of(s.o, ray.d, c);
+        const bool goes = seen && entry;
+        REQUIRE((through ? out.push : out.leave == PassOut::Leave::spawn) == goes);
+        if (goes) {
+            const Vec3i& o = through ? out.pushed.o : out.spawn.o;
+            REQUIRE((Vec3l{o[0], o[1], o[2]} == *entry && (through ? out.pushed.d : out.spawn.d) == ray.d));
+        }
+        ++(goes ? sent[through] : seen ? shown[through] : light);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double more = seen && !goes ? ray.weight / 65536.0 * (frame.shade.background[k] / 65536.0) : 0;
+            REQUIRE(std::abs(out.state.colour[k] / 65536.0 - std::min(1.0, s.colour[k] / 65536.0 + more)) <= (seen && !goes ? 0.5 / 65536 : 0));
+        }
+    }
+    REQUIRE((sent[0] > 1000 && sent[1] > 500 && shown[0] > 1000 && shown[1] > 500 && light > 1000));
+}
+
+TEST_CASE("lights ask what has an end for points beyond the lattice, unless a plane is in their way", "[far]") {
+    const Config c = shaded_format("all");
+    Draw draw{5};
+    int from_light = 0, to_light = 0, dark = 0, free = 0;
+    for (int i = 0; i < 60000; ++i) {
+        const Frame frame = random_shade_frame(draw, c);
+        if (frame.shade.lights == 0) continue;
+        PassIn in;
+        in.state = random_state(draw, frame, c);
+        ShadeState& s = in.state;
+        s.event = std::uint32_t(ShadeEvent::light), s.pending = 0, s.far = 1;
+        aim_far(draw, frame, c, s);
+        ShadeState judged = s;
+        const LightOut found = light(frame, c, judged);
+        const PassOut out = pass(in, frame, c);
+        const bool near = frame.shade.near[s.light] != 0, clear = frame.shade.clear[s.light] != 0;
+        const auto entry = s.lost ? std::nullopt : entry_of(s.o, found.d, c);
+        if (!found.counts || !clear) {
+            REQUIRE((out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::none)));
+            ++dark;
+        } else if (near ? s.lost : !entry) {
+            REQUIRE((out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::sure)));
+            ++free;
+        } else {
+            REQUIRE((out.leave == PassOut::Leave::spawn && out.state.pending == std::uint32_t(Pending::answer)));
+            REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.finite == 1));
+            double along = 0, length = 0;   // towards the point from a light that is near, else towards the light
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::int64_t place = std::int64_t(frame.shade.place[3 * s.light + k]) << c.origin_bits;
+                REQUIRE(out.spawn.o[k] == (near ? place : (*entry)[k]));
+                along += out.spawn.d[k] * double(near ? s.o[k] - place : place - s.o[k]);
+                length += std::pow(double(place - s.o[k]), 2);
+            }
+            REQUIRE(along > 0.9999 * std::ldexp(std::sqrt(length), c.dir_bits - 2));
+            ++(near ? from_light : to_light);
+        }
+    }
+    REQUIRE((from_light > 1000 && to_light > 100 && dark > 1000 && free > 100));
+}
+
+TEST_CASE("a ray that asks what has an end meets no plane", "[far]") {
+    const Config c = shaded_format("all");
+    PrimData prim;
+    prim.a = {0, 0, 0}, prim.b = {100, 0, 0}, prim.c = {0, 100, 0};
+    Ray ray;
+    ray.o = {10 << c.origin_bits, 10 << c.origin_bits, 50 << c.origin_bits}, ray.d = {0, 0, -(100 << c.origin_bits)};
+    for (const PrimKind kind : {PrimKind::triangle, PrimKind::plane})
+        for (const RayKind of : {RayKind::shadow, RayKind::away})
+            for (const std::uint32_t finite : {0u, 1u}) {
+                prim.kind = std::uint32_t(kind), ray.kind = std::uint32_t(of), ray.finite = finite;
+                TriRsp out;
+                any_test(ray, prim, {}, c, out);
+                CHECK(out.closer == !(finite && kind == PrimKind::plane));
+            }
+}

@@ -1,0 +1,94 @@
+// Built RTL that is damaged, or lies in a folder with an odd name, with real libraries.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include "sim/rtl/builder.hpp"
+#include "sim/rtl/rtl_module.hpp"
+#include "tests/support/cell.hpp"
+#include "tests/support/dut.hpp"
+
+using namespace rayclock;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A variable of the environment with another value for a while.
+class Variable {
+public:
+    Variable(const char* name, const std::string& value) : name_(name) {
+        if (const char* old = std::getenv(name)) old_ = old;
+        setenv(name, value.c_str(), 1);
+    }
+    ~Variable() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
+    Variable(const Variable&) = delete;
+
+private:
+    const char* name_;
+    std::optional<std::string> old_;
+};
+
+/// An empty folder with a name that no makefile likes.
+struct OddFolder {
+    fs::path path = fs::temp_directory_path() / ("rayclock's \"odd\" $x " + std::to_string(getpid()));
+    OddFolder() { fs::create_directory(path); }
+    ~OddFolder() { fs::remove_all(path); }
+    OddFolder(const OddFolder&) = delete;
+};
+
+void script(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "#!/bin/sh\n" << text;
+    fs::permissions(file, fs::perms::owner_all);
+}
+
+/// 1 / |(3, 4, 0)| by rc_unit, or whatever its registers hold: that it runs is enough.
+void run(const Config& config) {
+    RtlModule module(config, "rc_unit");
+    module.reset();
+    module.clock();
+    CHECK(module.port("u").bytes > 0);
+}
+
+} // namespace
+
+TEST_CASE("a library that is cut, gone or no library is built again before it is loaded", "[rtl]") {
+    const Config config = test::format("default");
+    const RtlBuild real = build_rtl(config, "rc_unit");
+    const OddFolder folder;
+    // The tools that are there now only bring the library that the real ones have made.
+    script(folder.path / "bin/verilator", "/bin/mkdir obj; echo > obj/Vrc.cpp");
+    script(folder.path / "bin/c++", "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done; /bin/cp '" + real.library.string() + "' $out");
+    const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"), path("PATH", folder.path / "bin");
+    const fs::path library = build_rtl(config, "rc_unit").library;
+    REQUIRE(library != real.library);
+    // This first: what has been loaded from a place may stay mapped, and is what the loader then gives for that place.
+    const fs::path other = folder.path / "other";
+    std::ofstream(other) << "no library, but sealed as if it were one";
+    fs::rename(other, library);
+    seal(library.parent_path(), "");
+    CHECK(build_rtl(config, "rc_unit").was_cached);
+    run(config);
+    CHECK(fs::file_size(library) == fs::file_size(real.library));
+    // To load half of it would end in SIGBUS. Another file takes its place, for the same reason.
+    fs::copy_file(library, other);
+    fs::resize_file(other, fs::file_size(other) / 2);
+    fs::rename(other, library);
+    run(config);
+    CHECK(fs::file_size(library) == fs::file_size(real.library));
+    fs::remove(library);
+    run(config);
+    CHECK(fs::file_size(library) == fs::file_size(real.library));
+}
+
+TEST_CASE("blanks, quotes and dollars in the paths of sources and cache do not matter", "[rtl]") {
+    const Config config = test::format("default");
+    const OddFolder folder;
+    fs::copy(rtl_sources(), folder.path / "rtl", fs::copy_options::recursive);
+    const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"), sources("RAYCLOCK_RTL", folder.path / "rtl"), temporary("TMPDIR", folder.path);
+    CHECK(lint_rtl(config, "rc_unit") == "");
+    run(config);
+}
