@@ -15,6 +15,7 @@ execute_process(COMMAND xargs -d "\\n" -n 4 -P ${cores} ${CLANG} -std=c++20 -I $
   INPUT_FILE ${input} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(REMOVE ${input})
 if(NOT result EQUAL 0)
-  message(FATAL_ERROR "Clang refuses what is below ${FOLDER}:\n${said}")
+  message("${said}")   # a notice: an error's text would be wrapped, and how depends on the length of the tree's path
+  message(FATAL_ERROR "Clang refuses what is below ${FOLDER}")
 endif()
 message("Clang reads ${count} files")

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # bootstrap.sh SOURCE: what ./bootstrap does before it builds, with stand-ins for apt-get, dpkg-query, sudo, cmake and ctest.
 set -euo pipefail
+unset RAYCLOCK_WERROR DEBIAN_FRONTEND   # .ci/run sets the first; every check below says what it wants
 source=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
