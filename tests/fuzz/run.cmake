@@ -13,14 +13,14 @@ endif()
 set(found ${FOLDER}/${kind})
 file(REMOVE_RECURSE ${found})
 file(MAKE_DIRECTORY ${found}/corpus)
-set(arguments -seed=20261122 -max_len=4096 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=${found}/
+set(arguments -seed=20261122 -max_len=2048 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=${found}/
   -dict=${SOURCE}/dict/${TARGET}.dict)
 if(TARGET STREQUAL "options")
   list(APPEND arguments -close_fd_mask=3)   # what the program prints
 endif()
 set(ENV{RC_FUZZ_TARGET} ${TARGET})
 # What is freed is soon used again, so that the memory measured is not that which the sanitizer holds back.
-set(ENV{ASAN_OPTIONS} quarantine_size_mb=16)
+set(ENV{ASAN_OPTIONS} quarantine_size_mb=16:malloc_context_size=1)
 execute_process(COMMAND ${PROGRAM} ${arguments} -runs=${RUNS} ${found}/corpus ${SOURCE}/corpus/${TARGET}
   RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(WRITE ${found}/log "${said}")

@@ -2,6 +2,7 @@
 //
 // RC_FUZZ_LARGE=BYTES blows every input up: its first two bytes choose a part of the rest, which is repeated until there are so
 // many bytes. So a small input stands for a large file, and what takes a time that grows with the square is found.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -26,8 +27,7 @@ std::size_t large = 0;
 std::string blown_up(std::string_view bytes) {
     if (bytes.size() < 3) return std::string(bytes);
     const auto place = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]) * (bytes.size() - 2) / 256; };
-    std::size_t from = place(0), to = place(1) + 1;
-    if (from >= to) std::swap(from, to);
+    const std::size_t from = std::min(place(0), place(1)), to = std::max(place(0), place(1)) + 1;
     bytes.remove_prefix(2);
     std::string all(bytes.substr(0, to));
     while (all.size() + (to - from) + (bytes.size() - to) <= large) all += bytes.substr(from, to - from);

@@ -10,7 +10,7 @@ using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 
 /// As load_mesh_file() does it.
 void check_mesh(Read read, const std::string& name, std::string_view bytes, Finite finite) {
-    check_reader([&](Loading& loading) { return read(file(name), std::string(bytes), loading); }, finite);
+    check_reader(bytes, [&](Loading& loading) { return read(file(name), std::string(bytes), loading); }, finite);
 }
 
 } // namespace
@@ -23,6 +23,7 @@ void gltf(std::string_view bytes) { check_mesh(read_gltf, "fuzzed.gltf", bytes, 
 /// Every block is given to a triangle, so that its values are judged.
 void mtl(std::string_view bytes) {
     check_reader(
+        bytes,
         [&](Loading&) {
             Scene scene;
             scene.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

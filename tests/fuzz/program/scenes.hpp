@@ -1,6 +1,7 @@
 // What must hold of a scene that a reader has let pass.
 #pragma once
 #include <functional>
+#include <string_view>
 
 #include "sim/load/loading.hpp"
 
@@ -15,8 +16,8 @@ enum class Finite {
     checked    ///< they were transformed; check_scene() refuses the rest
 };
 
-/// Reads twice: the second time must give the same. What passes must have its indices in range, whatever check_scene() says, and
+/// Reads; of every eighth length once more, which must give the same. What passes must have its indices in range, whatever check_scene() says, and
 /// once that has passed it, it can be lit and seen.
-void check_reader(const std::function<Scene(Loading&)>& read, Finite finite);
+void check_reader(std::string_view bytes, const std::function<Scene(Loading&)>& read, Finite finite);
 
 } // namespace rayclock::fuzz
