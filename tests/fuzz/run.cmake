@@ -13,9 +13,9 @@ endif()
 set(found ${FOLDER}/${kind})
 file(REMOVE_RECURSE ${found})
 file(MAKE_DIRECTORY ${found}/corpus)
-set(arguments -seed=20261122 -max_len=2048 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=${found}/
+set(arguments -seed=20261122 -max_len=2048 -timeout=120 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=${found}/
   -dict=${SOURCE}/dict/${TARGET}.dict)
-if(TARGET STREQUAL "options")
+if("${TARGET}" STREQUAL "options")
   list(APPEND arguments -close_fd_mask=3)   # what the program prints
 endif()
 set(ENV{RC_FUZZ_TARGET} ${TARGET})
