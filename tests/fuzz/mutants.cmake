@@ -24,9 +24,9 @@ fuzz_mutant(scene_index_one_beyond FILE sim/load/json_parts.cpp TARGET scene RUN
 fuzz_mutant(config_value_above_its_range FILE model/core/config.cpp TARGET config RUNS 100000
   OLD [[if (value < p.lo || value > p.hi)]]
   NEW [[if (value < p.lo)]])
-fuzz_mutant(state_leaks_unchecked FILE sim/stress/state.cpp TARGET state RUNS 100000
-  OLD [[c.leaks <= rays && ]]
-  NEW [[]])
+fuzz_mutant(state_of_other_rays FILE sim/stress/state.cpp TARGET state RUNS 100000
+  OLD [[if (c.rays != rays)]]
+  NEW [[if (c.rays > 2 * rays)]])
 fuzz_mutant(options_clock_of_any_rate FILE sim/app/setup.cpp TARGET options RUNS 100000
   OLD [[ || mhz > 100000)]]
   NEW [[)]])
