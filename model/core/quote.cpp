@@ -1,6 +1,7 @@
 #include "model/core/quote.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace rayclock {
 namespace {
@@ -23,18 +24,21 @@ std::size_t letter(std::string_view text) {
     return is_overlong || is_control || code > 0x10ffff ? 0 : size;
 }
 
-void escape(std::string& out, std::string_view text) {
+/// The first letter as it may be shown, or the first byte as \xNN; and how many bytes that was.
+std::size_t escape_first(std::string& out, std::string_view text) {
     constexpr char digits[] = "0123456789abcdef";
-    while (!text.empty()) {
-        const std::size_t size = letter(text);
-        if (size > 0) {
-            out += text.substr(0, size);
-        } else {
-            const auto byte = static_cast<unsigned char>(text[0]);
-            ((out += "\\x") += digits[byte >> 4]) += digits[byte & 15];
-        }
-        text.remove_prefix(std::max<std::size_t>(size, 1));
+    const std::size_t size = letter(text);
+    if (size > 0) {
+        out += text.substr(0, size);
+        return size;
     }
+    const auto byte = static_cast<unsigned char>(text[0]);
+    ((out += "\\x") += digits[byte >> 4]) += digits[byte & 15];
+    return 1;
+}
+
+void escape(std::string& out, std::string_view text) {
+    while (!text.empty()) text.remove_prefix(escape_first(out, text));
 }
 
 /// The start of the byte at `at`, moved back over the rest of a letter.
@@ -50,12 +54,28 @@ std::string printable(std::string_view text, std::size_t most) {
     std::string out;
     if (text.size() <= most) {
         escape(out, text);
-        return out;
+        if (out.size() <= most) return out;
+        out.clear();
     }
-    escape(out, text.substr(0, boundary(text, most - most / 3)));
-    out += "...";
-    escape(out, text.substr(boundary(text, text.size() - most / 3)));
-    return out;
+    constexpr std::string_view gap = "...";
+    const std::size_t last = most / 3, first = most - last - gap.size();
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t before = out.size();
+        rest.remove_prefix(escape_first(out, rest));
+        if (out.size() <= first) continue;
+        out.resize(before);
+        break;
+    }
+    // The end is known only when its letters are: from the first of them after which there is no more than it may have.
+    std::string end;
+    std::vector<std::size_t> starts;
+    for (std::string_view rest = text.substr(boundary(text, text.size() - std::min(last, text.size()))); !rest.empty();) {
+        starts.push_back(end.size());
+        rest.remove_prefix(escape_first(end, rest));
+    }
+    starts.push_back(end.size());
+    const auto start = std::find_if(starts.begin(), starts.end(), [&](std::size_t at) { return end.size() - at <= last; });
+    return (out += gap) += end.substr(*start);
 }
 
 std::string shown(std::string_view word) {

@@ -11,7 +11,6 @@
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
-#include "sim/report/json.hpp"
 
 namespace rayclock {
 
@@ -33,10 +32,10 @@ std::string text_of(const JsonValue& value, const Parameter& p) {
     return value.raw().dump();
 }
 
-/// Reads a file that states every parameter, or names a configuration to start from under "like".
-Config read_config(const std::string& path) {
-    constexpr std::uint64_t most_bytes = 1 << 20;
-    const Json json = parse_json(path, read_file(path, {}, most_bytes));
+} // namespace
+
+Config parse_config(const std::string& path, std::string_view text) {
+    const Json json = parse_json(path, text);
     const JsonValue in(json, path);
     if (!json.is_object()) Place{path}.refuse("a configuration is a JSON object");
     check_keys(in);
@@ -60,14 +59,14 @@ Config read_config(const std::string& path) {
     return config;
 }
 
-} // namespace
-
 Config load_config(const std::string& name_or_file, const std::vector<std::string>& set) {
     const bool named = std::find(config_names().begin(), config_names().end(), name_or_file) != config_names().end();
     const bool file = name_or_file.find_first_of("./\\") != std::string::npos;
     std::error_code error;
     if (std::filesystem::is_directory(name_or_file, error)) Place{name_or_file}.refuse("is a folder, not a configuration");
-    return with_settings(named || !file ? named_config(name_or_file) : read_config(name_or_file), set, printable(name_or_file));
+    constexpr std::uint64_t most_bytes = 1 << 20;
+    return with_settings(named || !file ? named_config(name_or_file) : parse_config(name_or_file, read_file(name_or_file, {}, most_bytes)), set,
+                         printable(name_or_file));
 }
 
 Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where) {
@@ -78,10 +77,6 @@ Config with_settings(Config config, const std::vector<std::string>& set, const s
     }
     check_config(config, where);
     return config;
-}
-
-std::string config_json(const Config& config) {
-    return config_json_object(config).dump(2) + "\n";
 }
 
 } // namespace rayclock

@@ -94,7 +94,7 @@ int fit_command(const Options& o) {
     const Ranges ranges = prove_ranges(job.image, job.frame, fit.config);
     if (progress) progress("fit", 1, 1);
     if (!ranges.proven()) throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(ranges));
-    write_file(o.output, config_json(fit.config));
+    write_file(o.output, config_json_object(fit.config).dump(2) + "\n");
 
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Outcome& result = fit.outcome;

@@ -28,7 +28,7 @@ int scenes_command(const Options& o) {
 }
 
 int config_command(const Options& o) {
-    fmt::print("{}", config_json(load_config(o.config, o.set)));
+    fmt::print("{}\n", config_json_object(load_config(o.config, o.set)).dump(2));
     return 0;
 }
 

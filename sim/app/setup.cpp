@@ -74,6 +74,16 @@ std::vector<int> parse_values(const std::string& option, const std::string& text
     return values;
 }
 
+std::uint64_t parse_rays(const std::string& text) {
+    try {
+        std::size_t used = 0;
+        const double rays = std::stod(text, &used);
+        if (used == text.size() && rays >= 1 && rays <= 1e12) return std::uint64_t(rays);
+    } catch (const std::exception&) {
+    }
+    throw UserError("--rays: " + shown(text) + " is not a number of rays from 1 to 1e12, for example 1000000 or 1e9");
+}
+
 std::vector<Camera> camera_path(const Options& options, const Camera& camera) {
     if (options.frames < 1 || options.frames > 1000) throw UserError(fmt::format("--frames must lie in 1..1000, not {}", options.frames));
     if (!(std::abs(options.pan) <= 360)) throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", options.pan));

@@ -2,6 +2,7 @@
 // What the subcommands share: options, and a scene made ready for the engines.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/core/config.hpp"
@@ -69,6 +70,9 @@ std::vector<int> parse_values(const std::string& option, const std::string& text
 /// "66,90,200": MHz, each from 1 to 100,000 with at most three decimals, as kHz. Throws UserError.
 std::vector<int> parse_clocks(const std::string& text);
 
+/// "1e6": a number of rays from 1 to 1e12. Throws UserError.
+std::uint64_t parse_rays(const std::string& text);
+
 /// The camera of each frame: the first is the scene's, each next one is turned by `pan` degrees about its up axis. The eye
 /// stays, so that all see the same lattice. Throws UserError.
 std::vector<Camera> camera_path(const Options& options, const Camera& camera);
@@ -84,9 +88,10 @@ Scene ready_scene(const Options& options, FrameSize size, const Progress& progre
 
 /// Kind of file a configuration is kept in: JSON with every parameter, or "like": NAME and some of them.
 Config load_config(const std::string& name_or_file, const std::vector<std::string>& set);
+/// What the text of such a file says, whether it is legal or not; `path` only names it.
+Config parse_config(const std::string& path, std::string_view text);
 /// The configuration with every key=value of --set; `where` begins the sentence if it is not legal then. Throws UserError.
 Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where);
-std::string config_json(const Config& config);
 
 /// Fails early if an output could not be written later.
 void check_outputs(const Options& options);

@@ -1,12 +1,10 @@
 // rayclock stress: families of hard cases, on many lattices, judged by the oracle.
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
-#include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
@@ -17,16 +15,6 @@
 namespace rayclock {
 
 namespace {
-
-std::uint64_t parse_rays(const std::string& text) {
-    try {
-        std::size_t used = 0;
-        const double rays = std::stod(text, &used);
-        if (used == text.size() && rays >= 1 && rays <= 1e12) return std::uint64_t(rays);
-    } catch (const std::exception&) {
-    }
-    throw UserError("--rays: " + shown(text) + " is not a number of rays from 1 to 1e12, for example 1000000 or 1e9");
-}
 
 stress::Plan make_plan(const Options& o) {
     stress::Plan plan;

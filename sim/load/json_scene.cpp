@@ -25,7 +25,7 @@ using Part = std::shared_ptr<Scene>;
 class Library {
 public:
     explicit Library(Loading& loading) : loading_(loading) {}
-    JsonLoad json(const std::filesystem::path& path, const std::string& asked_by = {});
+    JsonLoad json(const std::filesystem::path& path, std::string_view text);
     Part file(const std::filesystem::path& path, const JsonValue& from);
     Part builtin(const std::string& spec, Primitives primitives, const JsonValue& from);
     Loading& loading() const { return loading_; }
@@ -174,8 +174,7 @@ private:
     std::map<std::string, Mesh> meshes_;
 };
 
-JsonLoad Library::json(const std::filesystem::path& path, const std::string& asked_by) {
-    const std::string text = loading_.read(path, asked_by);
+JsonLoad Library::json(const std::filesystem::path& path, std::string_view text) {
     const Json document = parse_json(path.string(), text);
     open_.push_back(std::filesystem::weakly_canonical(path));
     JsonLoad load = JsonScene(JsonValue(document, path.string()), path, *this).build();
@@ -191,7 +190,7 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     if (open_.size() > 50) from.refuse("lies deeper than 50 files");
     Part& part = known_[real.string()];
     if (part) return part;
-    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path, from.where()).scene);
+    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path, loading_.read(path, from.where())).scene);
     if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
     return part = std::make_shared<Scene>(load_mesh_file(path, loading_, from.where()));
 }
@@ -212,6 +211,10 @@ Part Library::builtin(const std::string& spec, Primitives primitives, const Json
 
 } // namespace
 
-JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading) { return Library(loading).json(path); }
+JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading) { return read_json_scene(path, loading.read(path), loading); }
+
+JsonLoad read_json_scene(const std::filesystem::path& path, std::string_view text, Loading& loading) {
+    return Library(loading).json(path, text);
+}
 
 } // namespace rayclock

@@ -15,9 +15,10 @@ std::string Loading::read(const std::filesystem::path& path, const std::string& 
     return bytes;
 }
 
+std::uint64_t Loading::most() const { return std::max(allowance_.least, allowance_.for_a_byte * read_); }
+
 bool Loading::may_make(std::uint64_t bytes) {
-    const std::uint64_t most = std::max(least_allowance, bytes_for_a_byte * read_);
-    if (bytes > most - std::min(most, made_)) return false;
+    if (bytes > most() - std::min(most(), made_)) return false;
     made_ += bytes;
     return true;
 }
@@ -25,12 +26,12 @@ bool Loading::may_make(std::uint64_t bytes) {
 bool Loading::may_make(const Scene& part) { return may_make(bytes_of(part)); }
 
 std::string Loading::too_much() const {
-    return fmt::format("makes more than {} MB of {} bytes of files", std::max(least_allowance, bytes_for_a_byte * read_) >> 20, read_);
+    return fmt::format("makes more than {} MB of {} bytes of files", most() >> 20, read_);
 }
 
 void Loading::note(const std::string& file, const std::string& sentence) {
     std::string whole = printable(file) + ": " + sentence;
-    if (std::find(notes_.begin(), notes_.end(), whole) == notes_.end()) notes_.push_back(std::move(whole));
+    if (noted_.insert(whole).second) notes_.push_back(std::move(whole));
 }
 
 std::string counted(std::uint64_t count, const std::string& what) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "model/core/progress.hpp"
@@ -19,9 +20,14 @@ constexpr std::uint64_t max_corners = 10'000;
 /// A few bytes can ask for copies of copies. All that is made takes no more than this, or so many times the bytes of all files.
 constexpr std::uint64_t least_allowance = std::uint64_t{1} << 30, bytes_for_a_byte = 1024;
 
+struct Allowance {
+    std::uint64_t least = least_allowance, for_a_byte = bytes_for_a_byte;
+};
+
 class Loading {
 public:
-    explicit Loading(const Progress& progress) : progress_(progress) {}
+    /// `progress` must outlive it.
+    explicit Loading(const Progress& progress, Allowance allowance = {}) : progress_(progress), allowance_(allowance) {}
     const Progress& progress() const { return progress_; }
     void tell(std::string_view what, std::uint64_t done, std::uint64_t total) const {
         if (progress_) progress_(what, done, total);
@@ -40,9 +46,13 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
+    std::uint64_t most() const;
+
     const Progress& progress_;
+    Allowance allowance_;
     std::uint64_t read_ = 0, made_ = 0;
     std::vector<std::string> notes_;
+    std::unordered_set<std::string> noted_;    ///< the same, to be searched
 };
 
 /// "1 triangle", "2 triangles".

@@ -1,7 +1,9 @@
 #include "sim/load/triangulate.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -37,9 +39,10 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 
 /// The polygon that is left, as a ring of corner numbers, and which of its corners may be ears.
 ///
-/// A corner is no ear while a reflex corner lies in its triangle. Reflex corners only ever go away, so one that was found to
-/// lie outside need not be looked at again, and a corner waits for the one that is in its way: with its neighbours unchanged
-/// every reflex corner is looked at once for it, instead of once in every round.
+/// A corner is no ear while a spot with reflex corners lies in its triangle. Reflex corners only ever go away, so a spot that was
+/// found to lie outside need not be looked at again, and a corner waits for the spot that is in its way: with its neighbours
+/// unchanged every spot is looked at once for it, instead of once in every round. Spots lie side by side in the order of x, and
+/// many corners in one place are one spot.
 class Ring {
 public:
     explicit Ring(const Points& points) : points_(points), corners_(points.size()), may_be_ear_((points.size() + 63) / 64, 0) {
@@ -50,9 +53,9 @@ public:
         }
         for (std::uint32_t i = 0; i < n; ++i) {
             corners_[i].is_reflex = bend(i) <= 0;
-            if (corners_[i].is_reflex) reflex_.push_back(i);
             mark(i);
         }
+        find_spots();
     }
 
     std::uint32_t next(std::uint32_t i) const { return corners_[i].next; }
@@ -86,21 +89,39 @@ private:
     std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
     double bend(std::uint32_t i) const { return turn(points_[previous(i)], points_[i], points_[next(i)]); }
 
+    void find_spots() {
+        std::vector<std::uint32_t> reflex;
+        for (std::uint32_t i = 0; i < size(); ++i)
+            if (corners_[i].is_reflex) reflex.push_back(i);
+        const auto place = [&](std::uint32_t i) { return std::pair(points_[i].x, points_[i].y); };
+        std::sort(reflex.begin(), reflex.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+        for (const std::uint32_t i : reflex) {
+            if (spots_.empty() || spots_.back().p != points_[i]) spots_.push_back({points_[i]});
+            ++spots_.back().reflex;
+            corners_[i].spot = static_cast<std::uint32_t>(spots_.size() - 1);
+        }
+    }
+
+    std::uint32_t first_spot(double x) const {
+        const auto found = std::lower_bound(spots_.begin(), spots_.end(), x, [](const Spot& s, double least) { return s.p.x < least; });
+        return static_cast<std::uint32_t>(found - spots_.begin());
+    }
+
     /// Convex, and no reflex or straight corner lies in the triangle that would go. If not, it waits.
     bool is_ear(std::uint32_t i) {
         unmark(i);
         const glm::dvec2 a = points_[previous(i)], b = points_[i], c = points_[next(i)];
         if (!(turn(a, b, c) > 0)) return false;    // until a neighbour goes
         const glm::dvec2 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
-        for (std::uint32_t& k = corners_[i].looked_at; k < reflex_.size(); ++k) {
-            const std::uint32_t r = reflex_[k];
-            const glm::dvec2 p = points_[r];
-            if (!corners_[r].is_reflex || p.x < lo.x || p.x > hi.x || p.y < lo.y || p.y > hi.y) continue;
+        std::uint32_t& k = corners_[i].looked_at;
+        for (k = std::max(k, first_spot(lo.x)); k < spots_.size() && spots_[k].p.x <= hi.x; ++k) {
+            const glm::dvec2 p = spots_[k].p;
+            if (spots_[k].reflex == 0 || p.y < lo.y || p.y > hi.y) continue;
             // Other corners at the same place touch (bridges to holes do that); they do not block.
             if (p == a || p == b || p == c) continue;
             if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) {
-                waiting_.push_back({i, corners_[r].first_waiting});
-                corners_[r].first_waiting = static_cast<std::uint32_t>(waiting_.size() - 1);
+                waiting_.push_back({i, spots_[k].first_waiting});
+                spots_[k].first_waiting = static_cast<std::uint32_t>(waiting_.size() - 1);
                 return false;
             }
         }
@@ -108,12 +129,15 @@ private:
         return true;
     }
 
-    /// Who waits for `r` may look again. One whose triangle has changed meanwhile does so needlessly.
+    /// If its spot is free now, who waits for it may look again. One whose triangle has changed meanwhile does so needlessly.
     void no_longer_reflex(std::uint32_t r) {
+        if (!corners_[r].is_reflex) return;
         corners_[r].is_reflex = false;
-        for (std::uint32_t w = corners_[r].first_waiting; w != none; w = waiting_[w].next)
+        Spot& spot = spots_[corners_[r].spot];
+        if (--spot.reflex > 0) return;
+        for (std::uint32_t w = spot.first_waiting; w != none; w = waiting_[w].next)
             if (!corners_[waiting_[w].who].is_gone) mark(waiting_[w].who);
-        corners_[r].first_waiting = none;
+        spot.first_waiting = none;
     }
 
     void mark(std::uint32_t i) { may_be_ear_[i / 64] |= std::uint64_t{1} << i % 64; }
@@ -134,9 +158,15 @@ private:
 
     struct InRing {
         std::uint32_t next = 0, previous = 0;
-        std::uint32_t looked_at = 0;          ///< of `reflex_`, for this corner's triangle
-        std::uint32_t first_waiting = none;   ///< in `waiting_`: who waits for this reflex corner
+        std::uint32_t looked_at = 0;    ///< of `spots_`, for this corner's triangle
+        std::uint32_t spot = none;      ///< of a reflex corner
         bool is_reflex = false, is_gone = false;
+    };
+    /// One place, and the reflex corners there.
+    struct Spot {
+        glm::dvec2 p;
+        std::uint32_t reflex = 0;              ///< how many there are
+        std::uint32_t first_waiting = none;    ///< in `waiting_`: who waits until there are none
     };
     struct Waiting {
         std::uint32_t who, next;
@@ -144,7 +174,7 @@ private:
 
     const Points& points_;
     std::vector<InRing> corners_;
-    std::vector<std::uint32_t> reflex_;
+    std::vector<Spot> spots_;
     std::vector<Waiting> waiting_;
     std::vector<std::uint64_t> may_be_ear_;    ///< a bit for each corner
 };

@@ -65,6 +65,18 @@ std::string scene_digest(const Scene& scene) {
     return fmt::format("{:016x}", digest.value());
 }
 
+std::optional<ordered_json> entry_value(const std::string& path, const std::string& text, const std::string& key) {
+    try {
+        parse_json(path, text);   // refuses what would take the next line too long, or too deep
+    } catch (const UserError&) {
+        return std::nullopt;
+    }
+    ordered_json entry = ordered_json::parse(text);
+    if (!entry.is_object() || !entry.contains("key") || !entry.contains("check") || !entry.contains("value")) return std::nullopt;
+    if (entry["key"] != key || entry["check"] != hash_text(entry["value"].dump())) return std::nullopt;
+    return entry["value"];
+}
+
 Cache::Cache(fs::path folder, bool fresh) : folder_(std::move(folder)), fresh_(fresh) {
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -75,17 +87,12 @@ fs::path Cache::path_of(const std::string& kind, const std::string& key) const {
 
 std::optional<ordered_json> Cache::find(const std::string& kind, const std::string& key) const {
     if (fresh_) return std::nullopt;
-    ordered_json entry;
     try {
-        const std::string path = path_of(kind, key).string(), text = read_file(path, {}, most_bytes);
-        parse_json(path, text);   // refuses what would take the next line too long, or too deep
-        entry = ordered_json::parse(text);
+        const std::string path = path_of(kind, key).string();
+        return entry_value(path, read_file(path, {}, most_bytes), key);
     } catch (const UserError&) {
         return std::nullopt;
     }
-    if (!entry.is_object() || !entry.contains("key") || !entry.contains("check") || !entry.contains("value")) return std::nullopt;
-    if (entry["key"] != key || entry["check"] != hash_text(entry["value"].dump())) return std::nullopt;
-    return entry["value"];
 }
 
 void Cache::keep(const std::string& kind, const std::string& key, const ordered_json& value) {

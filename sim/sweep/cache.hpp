@@ -21,6 +21,9 @@ std::string scene_digest(const Scene& scene);
 /// of an older one's.
 const char* program_stamp();
 
+/// The value of an entry, from the text of its file, if it is whole and of this key. `path` only names it.
+std::optional<nlohmann::ordered_json> entry_value(const std::string& path, const std::string& text, const std::string& key);
+
 /// One file per entry, named by the kind of entry and a hash of its key; the key stands in it in full, and a checksum. A file that
 /// is not whole, or that has another key, counts as missing. Files appear whole or not at all, so several programs may share the
 /// folder, and may be killed at any time.

@@ -140,7 +140,14 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
     }
     CHECK(printable("a\x1b[2Jb\x7f\n\xff\xc2\x9b") == "a\\x1b[2Jb\\x7f\\x0a\\xff\\xc2\\x9b");
     CHECK(printable("Würfel \xe2\x80\xae") == "Würfel \\xe2\\x80\\xae");
-    CHECK(printable(std::string(100, 'a') + std::string(100, 'b'), 30) == std::string(20, 'a') + "..." + std::string(10, 'b'));
+    CHECK(printable(std::string(100, 'a') + std::string(100, 'b'), 30) == std::string(17, 'a') + "..." + std::string(10, 'b'));
+    // The limit is that of what is shown, and no letter is cut in two.
+    CHECK(printable(std::string(29, '\xff') + "b", 30) == "\\xff\\xff\\xff\\xff...\\xff\\xffb");
+    CHECK(printable("\xc3\xbc" + std::string(28, '\xff') + "\xc3\xbc", 30) == "\xc3\xbc\\xff\\xff\\xff...\\xff\\xff\xc3\xbc");
+    for (const std::string& text : {std::string(500, '\x1b'), "\xff" + std::string(500, 'a'), std::string(299, 'a') + "\xff"}) {
+        CHECK(printable(text).size() <= 300);
+        CHECK(printable(printable(text)) == printable(text));
+    }
     CHECK(shown(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
     CHECK(did_you_mean(std::string(1 << 20, 'x'), std::vector<std::string>{std::string(1 << 20, 'y')}).empty());
 }
@@ -163,6 +170,17 @@ TEST_CASE("tens of thousands of materials, primitives and nodes take a time that
     json = {{"meshes", {{"b", {{"builtin", "icosphere:1"}}}}}, {"objects", {{{"mesh", "b"}}}}};
     for (int i = 0; i < 80'000; ++i) json["materials"]["m" + std::to_string(i)] = {{"shine", 1}};
     CHECK(quick(folder.write("a.json", json.dump())).empty());
+}
+
+TEST_CASE("a megabyte of names of missing files, or of faces with their corners in a few places, takes no time") {
+    const Folder folder;
+    std::string names = "mtllib", places, face = "f";
+    for (int i = 0; i < 150'000; ++i) (names += ' ') += std::to_string(i);
+    CHECK(quick(folder.write("names.obj", names + "\n" + v3 + "f 1 2 3\n")).empty());
+    for (int i = 0; i < 9; ++i) ((places += "v ") += std::to_string(i * i % 7) += ' ') += std::to_string(i * 5 % 9) + " 0\n";
+    unsigned random = 1;
+    for (int i = 0; i < 10'000; ++i) (face += ' ') += std::to_string(1 + (random = random * 1'664'525 + 1'013'904'223) / 65'536 % 9);
+    CHECK(quick(folder.write("places.obj", places + repeated(face + "\n", 49))).empty());
 }
 
 TEST_CASE("a small file cannot ask for more than its size allows") {

@@ -35,6 +35,12 @@ mutant(load_degenerate_not_counted FILE sim/load/place.cpp TEST load "what a fil
 mutant(load_ear_waits_for_ever FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
   OLD [[if (!corners_[waiting_[w].who].is_gone) mark(waiting_[w].who);]]
   NEW [[;]])
+mutant(load_spot_is_free_too_soon FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
+  OLD [[if (--spot.reflex > 0) return;]]
+  NEW [[--spot.reflex;]])
+mutant(load_spots_end_too_soon FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
+  OLD [[spots_[k].p.x <= hi.x]]
+  NEW [[spots_[k].p.x < hi.x]])
 mutant(load_ear_looks_at_an_old_triangle FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
   OLD [[corners_[side].looked_at = 0;]]
   NEW [[]])

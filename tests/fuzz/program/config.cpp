@@ -1,0 +1,25 @@
+// Configuration files.
+#include <nlohmann/json.hpp>
+
+#include "sim/app/setup.hpp"
+#include "tests/fuzz/program/targets.hpp"
+
+namespace rayclock::fuzz {
+
+void config(std::string_view bytes) {
+    const std::string path = file("fuzzed.json").string();
+    passes([&] {
+        const Config config = with_settings(parse_config(path, bytes), {}, path);
+        nlohmann::json written{{"name", config.name}};
+        for (const Parameter& p : parameters()) {
+            const int value = config.*p.member;
+            demand(value >= p.lo && value <= p.hi, "a legal configuration has its parameters in range");
+            written[p.key] = p.names ? nlohmann::json(value_text(config, p)) : nlohmann::json(value);
+        }
+        const Config again = parse_config(path, written.dump());
+        for (const Parameter& p : parameters()) demand(config.*p.member == again.*p.member, "what is written is read again");
+        demand(again.name == config.name, "a name that was made printable stays as it is");
+    });
+}
+
+} // namespace rayclock::fuzz

@@ -1,0 +1,12 @@
+// Scenes in JSON, with the files that they refer to.
+#include "sim/load/json_scene.hpp"
+#include "tests/fuzz/program/scenes.hpp"
+#include "tests/fuzz/program/targets.hpp"
+
+namespace rayclock::fuzz {
+
+void scene(std::string_view bytes) {
+    check_reader(bytes, [&](Loading& loading) { return read_json_scene(file("fuzzed.json"), bytes, loading).scene; }, Finite::checked);
+}
+
+} // namespace rayclock::fuzz

@@ -1,0 +1,68 @@
+#include "tests/fuzz/program/scenes.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "model/scene/view.hpp"
+#include "sim/load/lights.hpp"
+#include "sim/sweep/cache.hpp"
+#include "tests/fuzz/program/targets.hpp"
+
+namespace rayclock::fuzz {
+namespace {
+
+/// What a call gives, or the sentence of its refusal.
+struct Answer {
+    Scene scene;
+    std::string refusal;
+    bool operator==(const Answer& other) const {
+        return refusal == other.refusal && sweep::scene_digest(scene) == sweep::scene_digest(other.scene);
+    }
+};
+
+Answer answer_of(const std::function<Scene(Loading&)>& read) {
+    static const Progress silent;
+    static const bool is_large = std::getenv("RC_FUZZ_LARGE") != nullptr;
+    Loading loading(silent, is_large ? Allowance{} : small_allowance);
+    Answer answer;
+    try {
+        answer.scene = read(loading);
+    } catch (const UserError& error) {
+        answer.refusal = error.what();
+        check_sentence(answer.refusal);
+    }
+    for (const std::string& note : loading.notes()) check_sentence(note);
+    return answer;
+}
+
+void check_indices(const Scene& scene) {
+    for (const Triangle& t : scene.triangles) {
+        for (const std::uint32_t v : t.vertex) demand(v < scene.vertices.size(), "a triangle's vertices are in range");
+        demand(t.material < scene.materials.size(), "a triangle's material is in range");
+    }
+    for (const Sphere& s : scene.spheres) demand(s.material < scene.materials.size(), "a sphere's material is in range");
+    for (const Plane& p : scene.planes) demand(p.material < scene.materials.size(), "a plane's material is in range");
+    demand(scene.normals.empty() || scene.normals.size() == scene.vertices.size(), "every vertex has a normal, or none has");
+}
+
+} // namespace
+
+void check_reader(std::string_view bytes, const std::function<Scene(Loading&)>& read, Finite finite) {
+    Answer answer = answer_of(read);
+    if (bytes.size() % 8 == 0) demand(answer == answer_of(read), "the same bytes give the same answer");
+    if (!answer.refusal.empty()) return;
+    Scene& scene = answer.scene;
+    check_indices(scene);
+    const bool is_good = passes([&] { check_scene(scene, "the scene"); });
+    demand(is_good || finite == Finite::checked, "what a file of floats gives can be traced");
+    if (!is_good) return;
+    for (const glm::dvec3& n : scene.normals)
+        demand(std::abs(n.x * n.x + n.y * n.y + n.z * n.z - 1) < 1e-6, "normals have unit length");
+    passes([&] {
+        add_missing_lights(scene);
+        check_scene(scene, "the scene with lights");
+        view_of(scene.camera ? *scene.camera : fit_camera(scene, 4.0 / 3), "the camera");
+    });
+}
+
+} // namespace rayclock::fuzz
