@@ -110,13 +110,15 @@ std::vector<std::string> row_of(const Counted& c, std::size_t k) {
     return row;
 }
 
-const std::vector<std::string> head{"scene", "rays", "published", "reference", "model", "reference, off", "model, off", "model from reference"};
+Table table_of(const std::vector<Counted>& all) {
+    Table table({"scene", "rays", "published", "reference", "model", "reference, off", "model, off", "model from reference"}, 2);
+    for (const Counted& c : all)
+        for (std::size_t k = 0; k < kind_names.size(); ++k) table.add(row_of(c, k));
+    return table;
+}
 
 std::string text_of(const std::vector<Counted>& all) {
-    Table text(head, 2);
-    for (const Counted& c : all)
-        for (std::size_t k = 0; k < kind_names.size(); ++k) text.add(row_of(c, k));
-    std::string lines = text.text();
+    std::string lines = table_of(all).text();
     for (const Counted& c : all)
         lines += fmt::format("  {}: {} rays; reference {:.1f} s, model recorded in {:.1f} s, {:.2f} M rays/s{}\n", c.scene, grouped(c.rays), c.reference_seconds, c.model_seconds,
                              double(c.rays) / c.model_seconds / 1e6, is_good(c) ? "" : "; TOO FAR OFF");
@@ -139,11 +141,10 @@ counted for each light on the side from which the surface is seen.
 
 std::string page_of(const std::vector<Counted>& all, FrameSize size, const std::string& command) {
     std::string text = fmt::format(fmt::runtime(intro), command, size.width, size.height);
-    text += fmt::format("| {} |\n|---|---|---:|---:|---:|---:|---:|---:|\n", fmt::join(head, " | "));
+    text += table_of(all).markdown();
     double from_table = 0, between = 0;
     bool has_published = false;
     for (const Counted& c : all) {
-        for (std::size_t k = 0; k < kind_names.size(); ++k) text += fmt::format("| {} |\n", fmt::join(row_of(c, k), " | "));
         between = std::max(between, largest(c.model, c.reference));
         if (!c.published) continue;
         has_published = true;

@@ -34,10 +34,12 @@ struct Size {
 };
 constexpr Size sizes[] = {{{512, 384}, "512x384"}, {{1024, 768}, "1024x768"}};
 
+std::string hits_text(const FrameRun& run, Unit cache) { return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate()); }
+
 std::string machine_table(const char* config_name, int khz, const Options& o, const Progress& progress) {
     const Config config = load_config(config_name, {});
-    std::string text = fmt::format("| scene | triangles | picture | fps | cycles/ray | node hits | triangle hits | bytes/ray | memory MB/s (of peak) | bound, reached | published fps, 512x384 |\n"
-                                   "|---|---|---|---|---|---|---|---|---|---|---|\n");
+    Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits", "bytes/ray", "memory MB/s (of peak)",
+                 "bound, reached", "published fps, 512x384"}, Table::words_only);
     for (const Published& row : rows)
         for (const Size& size : sizes) {
             Options scene_options = o;
@@ -51,13 +53,13 @@ std::string machine_table(const char* config_name, int khz, const Options& o, co
             const Bound bound = bound_of(config, khz, run);
             const double fps = per_second(run, khz), rays = double(run.pixels), rate = fps * double(bytes_read(run));
             const char* published = std::string_view(config_name) == "rpu" ? row.rpu : row.saarcor;
-            text += fmt::format("| {} for {} | {} | {} | {:.1f} | {:.1f} | {:.1f} % | {:.1f} % | {:.0f} | {:.0f} ({:.0f} %) | {}, {:.0f} % | {} |\n", row.scene,
-                                row.stands_for, grouped(scene.triangles.size()), size.name, fps, double(run.cycles) / rays,
-                                100 * cache_account(run, Unit::node_cache).hit_rate(), 100 * cache_account(run, Unit::prim_cache).hit_rate(),
-                                double(bytes_read(run)) / rays, rate / 1e6, 100 * rate / peak_bytes_per_second(config, khz), bound.unit, bound.reached * 100,
-                                size.pixels.width == 512 ? published : "");
+            table.add({fmt::format("{} for {}", row.scene, row.stands_for), grouped(scene.triangles.size()), size.name, fmt::format("{:.1f}", fps),
+                       fmt::format("{:.1f}", double(run.cycles) / rays), hits_text(run, Unit::node_cache), hits_text(run, Unit::prim_cache),
+                       fmt::format("{:.0f}", double(bytes_read(run)) / rays),
+                       fmt::format("{:.0f} ({:.0f} %)", rate / 1e6, 100 * rate / peak_bytes_per_second(config, khz)),
+                       fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100), size.pixels.width == 512 ? published : ""});
         }
-    return text;
+    return table.markdown();
 }
 
 struct FinishedRow {
@@ -83,8 +85,8 @@ constexpr FinishedRow finished_rows[] = {
 
 /// Whole pictures: shadows of all lights, up to 4 bounces, as Haines counts rays.
 std::string finished_table(const Options& o, const Progress& progress) {
-    std::string text = "| scene | configuration, MHz, pipelines | fps | Mrays/s | rays/pixel | cycles/ray | node, primitive, surface hits | bytes/ray | bound, reached | shade busy | published fps, 512x384 |\n"
-                       "|---|---|---|---|---|---|---|---|---|---|---|\n";
+    Table table({"scene", "configuration, MHz, pipelines", "fps", "Mrays/s", "rays/pixel", "cycles/ray", "node, primitive, surface hits",
+                 "bytes/ray", "bound, reached", "shade busy", "published fps, 512x384"}, Table::words_only);
     for (const FinishedRow& row : finished_rows) {
         Options asked = o;
         asked.scene = row.scene;
@@ -101,12 +103,15 @@ std::string finished_table(const Options& o, const Progress& progress) {
         const Bound bound = bound_of(job.config, 1000 * row.mhz, run);
         const double fps = per_second(run, 1000 * row.mhz), rays = rays_of(run);
         const auto hits = [&](Unit cache) { return 100 * cache_account(run, cache).hit_rate(); };
-        text += fmt::format("| {}: {} | {}, {}, {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.1f}, {:.1f}, {:.1f} % | {:.1f} | {}, {:.0f} % | {:.0f} % | {} |\n", row.scene, row.stands_for,
-                            row.config, row.mhz, row.pipelines, fps, fps * rays / 1e6, rays / double(run.pixels), double(run.cycles) / rays, hits(Unit::node_cache),
-                            hits(Unit::prim_cache), hits(Unit::surf_cache), double(bytes_read(run)) / rays, bound.unit, bound.reached * 100,
-                            100 * double(run.accounts.units[index(Unit::shade)][0]) / double(run.cycles * std::uint64_t(row.pipelines)), row.published);
+        const double busy = double(run.accounts.units[index(Unit::shade)][0]) / double(run.cycles * std::uint64_t(row.pipelines));
+        table.add({fmt::format("{}: {}", row.scene, row.stands_for), fmt::format("{}, {}, {}", row.config, row.mhz, row.pipelines),
+                   fmt::format("{:.1f}", fps), fmt::format("{:.1f}", fps * rays / 1e6), fmt::format("{:.2f}", rays / double(run.pixels)),
+                   fmt::format("{:.1f}", double(run.cycles) / rays),
+                   fmt::format("{:.1f}, {:.1f}, {:.1f} %", hits(Unit::node_cache), hits(Unit::prim_cache), hits(Unit::surf_cache)),
+                   fmt::format("{:.1f}", double(bytes_read(run)) / rays), fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100),
+                   fmt::format("{:.0f} %", 100 * busy), row.published});
     }
-    return text;
+    return table.markdown();
 }
 
 constexpr const char* intro = R"(# Yardstick: beside SaarCOR and RPU

@@ -16,13 +16,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string row_text(const Row& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
-std::string head_text(const Row& cells) {
-    std::string text = row_text(cells) + "|---|";
-    for (std::size_t i = 1; i < cells.size(); ++i) text += "---:|";
-    return text + "\n";
-}
-
 const Row count_heads{"LUTs", "LUT4", "CCU2C", "DPR16X4", "FF", "MULT18X18D", "DP16KD"};
 
 Row count_cells(const Count& c) {
@@ -45,6 +38,13 @@ Row joined(const std::string& first, const Row& rest) {
     return row;
 }
 
+/// Units and what they take, under a heading of the first column.
+Table count_table(const std::string& first, const std::vector<Row>& rows) {
+    Table table(joined(first, count_heads));
+    for (const Row& row : rows) table.add(row);
+    return table;
+}
+
 std::string name_text(const Part& part, const std::string& indent) {
     return indent + (indent.empty() ? part.name : "rc_" + part.name) + (part.times > 1 ? fmt::format(", {} of them", part.times) : "");
 }
@@ -55,7 +55,7 @@ void add_rows(std::vector<Row>& rows, const Part& part, const std::string& inden
     for (const Part& p : part.parts) add_rows(rows, p, indent + step, step);
 }
 
-std::vector<Row> unit_table(const Areas& areas, std::size_t variant, const std::string& step) {
+std::vector<Row> unit_rows_of(const Areas& areas, std::size_t variant, const std::string& step) {
     std::vector<Row> rows;
     const auto& units = areas.units[variant];
     for (const bool in_pipeline : {true, false}) {
@@ -83,27 +83,28 @@ std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t be
 std::size_t before(std::size_t variant) { return variant < 2 ? 0 : 1; }
 
 std::string summary(const Areas& areas) {
-    std::string text = head_text(joined("one pipeline", {"LUTs", "FF", "MULT18X18D", "DP16KD", "more LUTs", "more FF", "more multipliers"}));
+    Table table({"one pipeline", "LUTs", "FF", "MULT18X18D", "DP16KD", "more LUTs", "more FF", "more multipliers"});
     for (std::size_t v = 0; v < areas.variants.size(); ++v) {
         const Count now = pipeline_count(areas, v), was = pipeline_count(areas, before(v));
         Row cells{areas.variants[v].name, grouped(now.luts()), grouped(now.ff), grouped(now.dsp), grouped(now.bram)};
         if (v == 0) cells.insert(cells.end(), {"", "", ""});
         else cells.insert(cells.end(), {signed_text(now.luts(), was.luts()), signed_text(now.ff, was.ff), signed_text(now.dsp, was.dsp)});
-        text += row_text(cells);
+        table.add(cells);
     }
-    return text;
+    return table.markdown();
 }
 
 std::string speed_table(const std::vector<Speed>& speeds) {
-    std::string text = head_text({"machine", "cycles of the frame", "rays", "model, s", "RTL, s", "model, M cycles/s", "RTL, k cycles/s", "model / RTL", "RTL's time beside the first",
-                                  "compiled RTL, kB"});
+    Table table({"machine", "cycles of the frame", "rays", "model, s", "RTL, s", "model, M cycles/s", "RTL, k cycles/s", "model / RTL",
+                 "RTL's time beside the first", "compiled RTL, kB"});
     for (const Speed& s : speeds) {
         const double cycles = double(s.cycles), first = speeds[0].rtl_seconds / double(speeds[0].cycles);
-        text += row_text({s.name, grouped(s.cycles), grouped(std::uint64_t(s.rays)), fmt::format("{:.3f}", s.model_seconds), fmt::format("{:.2f}", s.rtl_seconds),
-                          fmt::format("{:.2f}", cycles / s.model_seconds / 1e6), fmt::format("{:.1f}", cycles / s.rtl_seconds / 1e3),
-                          fmt::format("{:.1f}", s.rtl_seconds / s.model_seconds), fmt::format("{:.2f}", s.rtl_seconds / cycles / first), grouped(s.library / 1000)});
+        table.add({s.name, grouped(s.cycles), grouped(std::uint64_t(s.rays)), fmt::format("{:.3f}", s.model_seconds),
+                   fmt::format("{:.2f}", s.rtl_seconds), fmt::format("{:.2f}", cycles / s.model_seconds / 1e6),
+                   fmt::format("{:.1f}", cycles / s.rtl_seconds / 1e3), fmt::format("{:.1f}", s.rtl_seconds / s.model_seconds),
+                   fmt::format("{:.2f}", s.rtl_seconds / cycles / first), grouped(s.library / 1000)});
     }
-    return text;
+    return table.markdown();
 }
 
 std::string how_counted() {
@@ -132,12 +133,9 @@ std::string table(const Areas& areas) {
     std::string text;
     for (std::size_t v = 0; v < areas.variants.size(); ++v) {
         if (areas.units[v].empty()) continue;
-        Table lines(joined(areas.variants[v].name, count_heads));
-        for (Row row : unit_table(areas, v, "  ")) {
-            row[0].erase(std::remove(row[0].begin(), row[0].end(), '*'), row[0].end());
-            lines.add(row);
-        }
-        text += lines.text() + "\n";
+        std::vector<Row> rows = unit_rows_of(areas, v, "  ");
+        for (Row& row : rows) std::erase(row[0], '*');
+        text += count_table(areas.variants[v].name, rows).text() + "\n";
     }
     return text;
 }
@@ -164,13 +162,12 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const Spe
                                    command, base, sweep::yosys_version().substr(0, sweep::yosys_version().find(" (")));
     text += summary(areas);
     for (const std::size_t v : {std::size_t(0), std::size_t(1), areas.variants.size() - 1}) {
-        text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name) + head_text(joined("unit", count_heads));
-        for (const Row& row : unit_table(areas, v, "&emsp;")) text += row_text(row);
+        text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name);
+        text += count_table("unit", unit_rows_of(areas, v, "&emsp;")).markdown();
     }
     text += "\n## Units that change\n\nBeside `shading`; all others stay as they are.\n";
     for (std::size_t v = 2; v < areas.variants.size(); ++v) {
-        text += fmt::format("\n### {}\n\n", areas.variants[v].name) + head_text(joined("unit", count_heads));
-        for (const Row& row : changes(areas, v, 1)) text += row_text(row);
+        text += fmt::format("\n### {}\n\n", areas.variants[v].name) + count_table("unit", changes(areas, v, 1)).markdown();
     }
     if (!speeds.empty()) {
         text += fmt::format("\n## Speed of simulation\n\n{} as triangles, {}, depth {}; one thread, the best of several runs that take turns on one host. `hits` draws camera rays only, so "

@@ -58,15 +58,19 @@ nlohmann::ordered_json json_of(const Series& s) {
 }
 
 void show(Page& page, const Series& s, std::size_t from, std::size_t to) {
-    std::string head = "|", rule = "|", pictures = "|", differences = "|";
+    std::vector<std::string> head, pictures, differences;
     for (std::size_t k = from; k < to; ++k) {
-        head += fmt::format(" depth {} |", k);
-        rule += "---|";
-        pictures += " " + page.picture(fmt::format("spheres-{}-{}", name_of(s.engine), k), s.shots[k].picture) + " |";
-        if (k == 0) differences += " |";
-        else differences += " " + page.picture(fmt::format("spheres-{}-{}-added", name_of(s.engine), k), amplified_difference(s.shots[k].picture, s.shots[k - 1].picture, factor)) + " |";
+        const Picture& picture = s.shots[k].picture;
+        const std::string name = fmt::format("spheres-{}-{}", name_of(s.engine), k);
+        head.push_back(fmt::format("depth {}", k));
+        pictures.push_back(page.picture(name, picture));
+        if (k == 0) differences.emplace_back();
+        else differences.push_back(page.picture(name + "-added", amplified_difference(picture, s.shots[k - 1].picture, factor)));
     }
-    page.say(fmt::format("\n{}\n{}\n{}\n{}\n", head, rule, pictures, differences));
+    Table table(head, Table::words_only);
+    table.add(pictures);
+    table.add(differences);
+    page.say("\n" + table.markdown());
 }
 
 } // namespace

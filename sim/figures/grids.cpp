@@ -39,14 +39,15 @@ std::vector<Sample> draw(Page& page, Stage& stage, const std::string& scene) {
 void show(Page& page, const std::vector<Sample>& all, const std::string& scene, const std::function<Picture(const Picture&)>& prepare) {
     for (const Engine e : {Engine::reference, Engine::model, Engine::rtl}) {
         if (!page.studio().has(e) || !page.is_shown(e)) continue;
-        page.say(fmt::format("\nBy the {}:\n\n| | 1 sample | 2x2 | 4x4 |\n|---|---|---|---|\n", figures::name_of(e)));
+        Table table({"", "1 sample", "2x2", "4x4"}, Table::words_only);
         for (const bool jitter : {false, true}) {
-            page.say(jitter ? "| jittered |" : "| regular |");
+            std::vector<std::string> row{jitter ? "jittered" : "regular"};
             for (const Sample& s : all)
                 if (s.engine == e && s.grid.jitter == jitter)
-                    page.say(" " + page.picture(fmt::format("{}-{}-{}", scene, figures::name_of(e), file_of(s.grid)), prepare(s.shot.picture)) + " |");
-            page.say("\n");
+                    row.push_back(page.picture(fmt::format("{}-{}-{}", scene, figures::name_of(e), file_of(s.grid)), prepare(s.shot.picture)));
+            table.add(row);
         }
+        page.say(fmt::format("\nBy the {}:\n\n{}", figures::name_of(e), table.markdown()));
     }
 }
 

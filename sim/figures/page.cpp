@@ -21,13 +21,9 @@ Page::Page(const Studio& studio, std::string folder) : studio_(studio), folder_(
 }
 
 void Page::table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
-    text_ += fmt::format("\n| {} |\n|---|{}\n", fmt::join(head, " | "), [&] {
-        std::string rule;
-        for (std::size_t i = 1; i < head.size(); ++i) rule += "---:|";
-        return rule;
-    }());
-    for (const auto& row : rows) text_ += fmt::format("| {} |\n", fmt::join(row, " | "));
-    text_ += "\n";
+    Table table(head);
+    for (const auto& row : rows) table.add(row);
+    text_ += "\n" + table.markdown() + "\n";
 }
 
 std::string Page::picture(const std::string& name, const Picture& picture) {

@@ -56,40 +56,44 @@ std::string per_million(std::uint64_t count, std::uint64_t rays) {
 std::string tests_table(const Plan& plan, const Outcome& outcome) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> groups{
         {"random", {"random"}}, {"edges", {"edges"}}, {"corners", {"corners"}}, {"needles", {"needles", "slivers"}}, {"stadium", {"stadium", "far"}}, {"all closed", {}}};
-    std::string out = "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. Baselines and controls get a tenth of the rays of exact and sheared; "
-                      "the controls have a fault each and must be noticed.\n\n| test |";
-    for (const auto& group : groups) out += fmt::format(" {} |", group.first);
-    out += " not exact | verdict |\n|---|";
-    for (std::size_t i = 0; i < groups.size(); ++i) out += "---|";
-    out += "---|---|\n";
+    std::vector<std::string> head{"test"};
+    for (const auto& group : groups) head.emplace_back(group.first);
+    head.insert(head.end(), {"not exact", "verdict"});
+    Table table(head, Table::words_only);
     for (const std::string& name : plan.tests) {
         const NamedTest& test = named_test(name);
-        out += fmt::format("| {} |", name);
+        std::vector<std::string> row{name};
         for (const auto& group : groups) {
             const Counts c = sum(outcome.cells, [&](const Cell& cell) {
                 if (cell.test != name || !family(cell.family).closed || family(cell.family).leaks) return false;
                 return group.second.empty() || std::find(group.second.begin(), group.second.end(), cell.family) != group.second.end();
             });
-            out += fmt::format(" {} / {} |", per_million(c.leaks, c.rays), per_million(c.double_hits, c.rays));
+            row.push_back(fmt::format("{} / {}", per_million(c.leaks, c.rays), per_million(c.double_hits, c.rays)));
         }
         const Counts all = sum(outcome.cells, [&](const Cell& cell) { return cell.test == name && !family(cell.family).leaks; });
-        out += fmt::format(" {} | {} |\n", per_million(all.oracle_mismatches, all.rays), verdict(test, meets_demand(test, outcome.cells)));
+        row.push_back(per_million(all.oracle_mismatches, all.rays));
+        row.emplace_back(verdict(test, meets_demand(test, outcome.cells)));
+        table.add(row);
     }
-    out += "\n";
+    std::string out = "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. Baselines and controls "
+                      "get a tenth of the rays of exact and sheared; the controls have a fault each and must be noticed.\n\n" + table.markdown() + "\n";
     for (const std::string& name : plan.tests) out += fmt::format("- `{}`: {}\n", name, named_test(name).what);
     return out + "\n`t_junction`, a surface with seams that do not fit, is left out above: it must leak under every test.\n\n";
 }
 
 std::string bits_table(const Plan& plan, const Outcome& outcome, const std::string& test) {
-    std::string out = fmt::format("## The {} test, by lattice\n\n| N | rays | leaks | double hits | oracle mismatches | false shadows | light leaks | extra boxes |\n|---|---|---|---|---|---|---|---|\n", test);
+    Table table({"N", "rays", "leaks", "double hits", "oracle mismatches", "false shadows", "light leaks", "extra boxes"}, Table::words_only);
+    const auto add = [&](const std::string& name, const Counts& c, const std::string& shadows) {
+        table.add({name, grouped(c.rays), std::to_string(c.leaks), std::to_string(c.double_hits), std::to_string(c.oracle_mismatches), shadows,
+                   std::to_string(c.light_leaks), extra_boxes(c)});
+    };
     for (const int bits : plan.bits) {
         const Counts c = sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.bits == bits && !family(cell.family).leaks; });
-        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", bits, grouped(c.rays), c.leaks, c.double_hits, c.oracle_mismatches, c.false_shadows, c.light_leaks,
-                           extra_boxes(c));
+        add(std::to_string(bits), c, std::to_string(c.false_shadows));
     }
     const Counts c = sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && !family(cell.family).leaks; });
-    return out + fmt::format("| all | {} | {} | {} | {} | {} of {} | {} | {} |\n\n", grouped(c.rays), c.leaks, c.double_hits, c.oracle_mismatches, c.false_shadows,
-                             grouped(c.shadow_rays), c.light_leaks, extra_boxes(c));
+    add("all", c, fmt::format("{} of {}", c.false_shadows, grouped(c.shadow_rays)));
+    return fmt::format("## The {} test, by lattice\n\n{}\n", test, table.markdown());
 }
 
 std::string family_part(const Family& which, const Outcome& outcome, const std::string& test, const std::string& picture) {

@@ -13,13 +13,7 @@ namespace rayclock::sweep {
 
 namespace {
 
-std::string row(const std::vector<std::string>& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
-std::string rule(std::size_t columns) {
-    std::string text = "|";
-    for (std::size_t i = 0; i < columns; ++i) text += "---|";
-    return text + "\n";
-}
-std::string table_head(const std::vector<std::string>& cells) { return row(cells) + rule(cells.size()); }
+Table table_of(std::vector<std::string> head) { return Table(std::move(head), Table::words_only); }
 
 std::string count_text(const std::optional<std::uint64_t>& n) { return n ? grouped(*n) : "-"; }
 std::string percent_text(const Result& r) {
@@ -42,19 +36,19 @@ public:
         const std::vector<Result> results = grid_results(study_, scene.outcome);
         const Front front = front_of(results);
         std::string text = fmt::format("\n### {}\n\n![Error against cost and against speed of {}]({}.png)\n\n", scene.name, scene.name, scene.plot);
-        text += table_head({study_.grid[0].key, study_.grid[1].key, "other primitive", "PSNR, dB", "fps", "multipliers", "flip-flops", "memory image, bytes", "front"});
+        Table table = table_of({study_.grid[0].key, study_.grid[1].key, "other primitive", "PSNR, dB", "fps", "multipliers", "flip-flops", "memory image, bytes", "front"});
         for (std::size_t i = 0; i < results.size(); ++i) {
             const Result& r = results[i];
             const bool knee = front.knee && front.knee->point == i;
             if (!r.complete() || (!front.pareto[i] && !knee)) continue;
-            text += row({r.point.values[0], r.point.values[1], percent_text(r), decibel_text(r.picture->error.psnr_db), fmt::format("{:.2f}", r.fps()),
+            table.add({r.point.values[0], r.point.values[1], percent_text(r), decibel_text(r.picture->error.psnr_db), fmt::format("{:.2f}", r.fps()),
                          count_text(r.multipliers), count_text(r.flip_flops), grouped(r.picture->memory_bytes), knee ? "**knee**" : "on it"});
         }
-        return text;
+        return text + table.markdown();
     }
 
     std::string knee_table() const {
-        std::string text = table_head({"scene", "triangles", "picture", "knee of the grid", "its error", "its fps", "its multipliers", "error of `default`", "fps", "multipliers"});
+        Table table = table_of({"scene", "triangles", "picture", "knee of the grid", "its error", "its fps", "its multipliers", "error of `default`", "fps", "multipliers"});
         for (const SceneStudy& scene : scenes_) {
             const std::vector<Result> results = grid_results(study_, scene.outcome);
             const Front front = front_of(results);
@@ -68,9 +62,9 @@ public:
             cells.push_back(knee ? name_of(study_.grid, *knee) : "none");
             add(knee);
             add(&scene.outcome.results[at_default(study_.series[0])]);
-            text += row(cells);
+            table.add(cells);
         }
-        return text;
+        return table.markdown();
     }
 
     bool has_netlists() const {
@@ -102,7 +96,7 @@ private:
     std::string error_table(const Series& series) const {
         std::vector<std::string> head = head_of(series, {"multipliers", "flip-flops"});
         head.push_back("cracks");
-        std::string text = table_head(head);
+        Table table = table_of(head);
         for (std::size_t i = 0; i < series.points.size(); ++i) {
             const Result& first = result(scenes_[0], series.points[i]);
             std::vector<std::string> cells{series.axis.values[i], count_text(first.multipliers), count_text(first.flip_flops)};
@@ -113,27 +107,27 @@ private:
                 if (r.complete()) cracks += r.picture->cracks;
             }
             cells.push_back(grouped(cracks));
-            text += row(cells);
+            table.add(cells);
         }
-        return text + "\nPixels with another primitive than the reference's; cracks of all scenes together.\n";
+        return table.markdown() + "\nPixels with another primitive than the reference's; cracks of all scenes together.\n";
     }
 
     std::string other_table(const Series& series) const {
-        std::string text = table_head(head_of(series, {}));
+        Table table = table_of(head_of(series, {}));
         for (std::size_t i = 0; i < series.points.size(); ++i) {
             std::vector<std::string> cells{series.axis.values[i]};
             for (const SceneStudy& scene : scenes_) {
                 const Result& r = result(scene, series.points[i]);
                 cells.push_back(!r.complete() ? "refused" : fmt::format("{} / {:.2g} / {:.2f}", decibel_text(r.picture->error.psnr_db), r.picture->error.max_abs_depth, r.cycles_per_ray()));
             }
-            text += row(cells);
+            table.add(cells);
         }
-        return text + "\nPSNR in dB / largest depth error in scene units / cycles per ray.\n";
+        return table.markdown() + "\nPSNR in dB / largest depth error in scene units / cycles per ray.\n";
     }
 
     /// What a step to the next value brings and costs, in figures of all scenes together.
     std::string step_table(const Series& series) const {
-        std::string text = table_head({"step", "bits", "multipliers", "flip-flops", "pixels with another primitive", "cycles of all frames"});
+        Table table = table_of({"step", "bits", "multipliers", "flip-flops", "pixels with another primitive", "cycles of all frames"});
         for (std::size_t i = 0; i + 1 < series.points.size(); ++i) {
             std::uint64_t before = 0, after = 0;
             double cycles_before = 0, cycles_after = 0;
@@ -152,12 +146,12 @@ private:
             const auto growth = [](const std::optional<std::uint64_t>& from, const std::optional<std::uint64_t>& to) {
                 return from && to ? fmt::format("{:+d}", std::int64_t(*to) - std::int64_t(*from)) : std::string("-");
             };
-            text += row({series.axis.values[i] + " to " + series.axis.values[i + 1],
+            table.add({series.axis.values[i] + " to " + series.axis.values[i + 1],
                          std::to_string(std::stoi(series.axis.values[i + 1]) - std::stoi(series.axis.values[i])), growth(a.multipliers, b.multipliers),
                          growth(a.flip_flops, b.flip_flops), grouped(before) + " to " + grouped(after),
                          fmt::format("{:+.2f} %", 100 * (cycles_after / cycles_before - 1))});
         }
-        return text + "\nWhat the step costs and brings, of all scenes together.\n";
+        return table.markdown() + "\nWhat the step costs and brings, of all scenes together.\n";
     }
 
     const Study& study_;
