@@ -8,6 +8,7 @@
 
 #include "model/core/error.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
@@ -83,10 +84,14 @@ std::vector<std::string> remarks() {
     return all;
 }
 
-} // namespace
+struct Options {
+    JsonOutput json;
+};
 
-int doctor_command(const Options& o) {
-    check_outputs(o);
+void declare(Parser& parser, Options& o) { json_option(parser, o.json); }
+
+int run(const Options& o) {
+    o.json.check();
     Table table({"part", "found"}, 2);
     nlohmann::ordered_json json, missing = nlohmann::ordered_json::object();
     std::vector<std::string> cures;
@@ -105,13 +110,19 @@ int doctor_command(const Options& o) {
     json["missing"] = missing;
     json["remarks"] = said;
     json["complete"] = cures.empty();
-    if (o.json != "-") {
+    if (!o.json.is_alone()) {
         fmt::print("rayclock {}\n{}", RAYCLOCK_VERSION, table.text());
         for (const std::string& remark : said) fmt::print("{}.\n", remark);
         fmt::print("{}.\n", cures.empty() ? "Everything is there" : fmt::format("Something is missing; {}", fmt::join(cures, "; ")));
     }
-    if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
+    o.json.write(json);
     return cures.empty() ? 0 : 1;
+}
+
+} // namespace
+
+Command doctor_command() {
+    return command("doctor", "what is installed, and what a missing part disables", "rayclock doctor", declare, run);
 }
 
 } // namespace rayclock

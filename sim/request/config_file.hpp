@@ -1,0 +1,24 @@
+#pragma once
+// Configurations by name, by file, and with single parameters set over them.
+#include <string>
+#include <vector>
+
+#include "model/core/config.hpp"
+
+namespace rayclock {
+
+/// A configuration as it is asked for.
+struct ConfigChoice {
+    std::string name = "default";     ///< or a file: JSON with every parameter, or "like": NAME and some of them
+    std::vector<std::string> set;     ///< key=value, each over the one before it
+};
+/// Throws UserError.
+Config load_config(const ConfigChoice& choice);
+
+/// The configuration with every key=value of `set`; `where` begins the sentence if it is not legal then. Throws UserError.
+Config with_settings(Config config, const std::vector<std::string>& set, const std::string& where);
+
+/// As load_config() reads it from a file.
+std::string config_json(const Config& config);
+
+} // namespace rayclock
