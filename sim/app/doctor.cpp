@@ -13,7 +13,7 @@
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
 #include "sim/rtl/tools.hpp"
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
 
 namespace rayclock {
 
@@ -61,7 +61,7 @@ std::vector<Part> parts() {
     const RtlTools& tools = rtl_tools();
     std::vector<Part> all{
         tool("verilator", tools.verilator, no_new_rtl, "build"), tool("c++", tools.compiler, no_new_rtl, "build"),
-        tool("yosys", sweep::yosys_version(), "no multipliers and flip-flops in sweep and tradeoff, no area; the tests leave the synthesis check out", "test"),
+        tool("yosys", synth::yosys_version(), "no multipliers and flip-flops in sweep and tradeoff, no area; the tests leave the synthesis check out", "test"),
         cache_part(), sources_part()};
     // Both run, and yet something is missing: Verilator's own sources.
     if (!tools.verilator.empty() && !tools.compiler.empty() && !tools.problem.empty())
@@ -77,7 +77,7 @@ std::vector<std::string> remarks() {
     };
     add(untried("verilator", rtl_tools().verilator));
     add(untried("c++", rtl_tools().compiler));
-    add(untried("yosys", sweep::yosys_version()));
+    add(untried("yosys", synth::yosys_version()));
     try {
         add(cache_place().warning);
     } catch (const UserError&) {}   // said of the cache

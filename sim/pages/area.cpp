@@ -8,7 +8,7 @@
 #include "model/scene/builtin.hpp"
 #include "sim/report/text.hpp"
 #include "sim/request/request.hpp"
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
 
 namespace rayclock::area {
 
@@ -131,7 +131,7 @@ sources and the width that rc_top gives it), `setattr -mod -set keep_hierarchy 1
 - Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no place of their own; the tallies that count what each unit does
   (`rc_tally`) and the wires of rc_pipeline and rc_top; the memory's controller; placement and routing. No clock rate is claimed.
 )",
-                       sweep::yosys_version().substr(0, sweep::yosys_version().find(" (")));
+                       synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
 }
 
 } // namespace
@@ -148,11 +148,11 @@ std::string table(const Areas& areas) {
 }
 
 ordered_json json(const Areas& areas, const std::vector<Speed>& speeds) {
-    ordered_json all{{"yosys", sweep::yosys_version()}, {"script", synth_script()}, {"variants", ordered_json::array()}, {"speed", ordered_json::array()}};
+    ordered_json all{{"yosys", synth::yosys_version()}, {"script", synth::synth_script()}, {"variants", ordered_json::array()}, {"speed", ordered_json::array()}};
     for (std::size_t v = 0; v < areas.variants.size(); ++v) {
-        ordered_json variant{{"name", areas.variants[v].name}, {"pipeline", count_json(pipeline_count(areas, v))}, {"units", ordered_json::array()}};
+        ordered_json variant{{"name", areas.variants[v].name}, {"pipeline", synth::count_json(pipeline_count(areas, v))}, {"units", ordered_json::array()}};
         for (const UnitRow& unit : unit_rows())
-            if (const auto part = areas.units[v].find(unit.name); part != areas.units[v].end()) variant["units"].push_back(part_json(part->second));
+            if (const auto part = areas.units[v].find(unit.name); part != areas.units[v].end()) variant["units"].push_back(synth::part_json(part->second));
         all["variants"].push_back(variant);
     }
     for (const Speed& s : speeds)
@@ -173,7 +173,7 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
                                    "## With and without\n\n`hits` finds what camera rays meet and makes no colours. The other machines make finished pictures: `shading` has no further "
                                    "unit,\nthe next five have one more each, the last has all. \"More\" is beside `hits` for `shading`, and beside `shading` for the others.\n"
                                    "An LFE5U-85, the largest ECP5, has 83,640 LUTs and as many flip-flops, 156 multipliers and 208 block memories.\n\n",
-                                   command, base, sweep::yosys_version().substr(0, sweep::yosys_version().find(" (")));
+                                   command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
     text += summary(areas);
     for (const std::size_t v : {std::size_t(0), std::size_t(1), areas.variants.size() - 1}) {
         text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name);

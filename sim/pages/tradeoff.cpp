@@ -11,8 +11,8 @@
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
 #include "sim/request/request.hpp"
-#include "sim/sweep/netlist.hpp"
 #include "sim/sweep/table.hpp"
+#include "sim/synth/yosys.hpp"
 
 namespace rayclock::sweep {
 
@@ -186,7 +186,7 @@ std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes,
     std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
     text += fmt::format("Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: configuration `default` but for what is varied, "
                         "{:g} MHz, the first frame of each scene{}.\n",
-                        command, khz / 1e3, page.has_netlists() ? "; " + yosys_version().substr(0, yosys_version().find(" (")) : "");
+                        command, khz / 1e3, page.has_netlists() ? "; " + synth::yosys_version().substr(0, synth::yosys_version().find(" (")) : "");
     text += what_counts;
     text += "\n## In short\n\n" + page.knee_table();
     text += "\n## One width at a time\n";
@@ -219,7 +219,7 @@ void check_tradeoff_paths(const std::string& path, const std::vector<std::string
     for (const std::string& name : scenes) plot::check_plot_path(plot_path(path, name));
 }
 
-void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command, Cache& cache, const Progress& progress) {
+void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command, work::Cache& cache, const Progress& progress) {
     const Study study = make_study(khz);
     std::vector<SceneStudy> scenes;
     for (const std::string& name : what.scenes) {

@@ -1,14 +1,16 @@
-#include "sim/sweep/netlist.hpp"
+#include "sim/synth/netlist.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "model/core/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
+#include "sim/work/cache.hpp"
 
-namespace rayclock::sweep {
+namespace rayclock::synth {
 
 namespace fs = std::filesystem;
 
@@ -57,7 +59,7 @@ bool exists_in_rtl(const Config& config) {
 }
 
 std::string netlist_key(const Config& config) {
-    return fmt::format("package {} rtl {} script {} {} pipelines {}", hash_text(rc_package(config)), rtl_digest(), hash_text(script), yosys_version(),
+    return fmt::format("package {} rtl {} script {} {} pipelines {}", work::hash_text(rc_package(config)), rtl_digest(), work::hash_text(script), yosys_version(),
                        config.pipelines);
 }
 
@@ -70,4 +72,4 @@ std::optional<Netlist> count_netlist(const Config& config, const fs::path& work)
     return counts;
 }
 
-} // namespace rayclock::sweep
+} // namespace rayclock::synth

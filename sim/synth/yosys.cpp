@@ -1,4 +1,4 @@
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
 
 #include <cerrno>
 #include <chrono>
@@ -16,9 +16,9 @@
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
-#include "sim/sweep/cache.hpp"
+#include "sim/work/cache.hpp"
 
-namespace rayclock::sweep {
+namespace rayclock::synth {
 
 namespace fs = std::filesystem;
 
@@ -74,7 +74,7 @@ const std::string& rtl_digest() {
     static const std::string digest = [] {
         std::string all;
         for (const fs::path& file : rtl_files()) all += file.filename().string() + "\n" + text_of(file);
-        return hash_text(all);
+        return work::hash_text(all);
     }();
     return digest;
 }
@@ -108,4 +108,4 @@ bool YosysFolder::run(const std::string& script) const {
 
 std::string YosysFolder::text(const char* file) const { return text_of(path_ / file); }
 
-} // namespace rayclock::sweep
+} // namespace rayclock::synth

@@ -9,7 +9,7 @@
 
 #include "model/core/config.hpp"
 
-namespace rayclock::area {
+namespace rayclock::synth {
 
 /// Cells of an ECP5.
 struct Count {
@@ -42,6 +42,9 @@ nlohmann::ordered_json part_json(const Part& part);
 Part part_of(const nlohmann::ordered_json& json);
 nlohmann::ordered_json count_json(const Count& count);
 
+/// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate. Names without rc_.
+const std::vector<std::string>& cells();
+
 /// What is done with a module once its hierarchy stands.
 std::string synth_script();
 
@@ -54,4 +57,4 @@ std::optional<Part> synthesize(const Config& config, const std::string& unit, co
 /// What `stat -json` says of the unit's module and those beneath it.
 Part parts_of_stat(const std::string& stat, const std::string& unit);
 
-} // namespace rayclock::area
+} // namespace rayclock::synth

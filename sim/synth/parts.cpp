@@ -1,15 +1,14 @@
-#include "sim/area/synth.hpp"
+#include "sim/synth/parts.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
-#include "sim/area/variants.hpp"
-#include "sim/sweep/cache.hpp"
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
+#include "sim/work/cache.hpp"
 
-namespace rayclock::area {
+namespace rayclock::synth {
 
 using nlohmann::ordered_json;
 
@@ -77,20 +76,27 @@ constexpr const char* read_flags = "-defer ";   // only what the top module need
 
 } // namespace
 
+const std::vector<std::string>& cells() {
+    static const std::vector<std::string> names{
+        "divide", "sqrt",    "unit",   "power",  "sample", "recip", "slope",  "stack", "slab",    "rank",   "edges",  "shear",   "hitdiv",
+        "sphere", "contexts", "pass",  "surf",   "corners", "ball", "angles", "light", "bounce", "snell",  "schlick", "finish", "turnout"};
+    return names;
+}
+
 std::string synth_script() {
     // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests' (tests/synth).
     return fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -run :check\ntee -q -o stat.json stat -json\n", fmt::join(cells(), "* *rc_"));
 }
 
 std::optional<std::string> shape_of(const Config& config, const std::string& unit, const std::filesystem::path& work) {
-    const sweep::YosysFolder folder(work);
+    const YosysFolder folder(work);
     const std::string tidy = "proc\nopt_expr\nopt_clean\nsetattr -unset src\nsetattr -mod -unset src\nwrite_rtlil shape.il\n";
     if (!folder.run(config, read_flags, elaborate(config, unit) + tidy)) return std::nullopt;
-    return sweep::hash_text(folder.text("shape.il"));
+    return work::hash_text(folder.text("shape.il"));
 }
 
 std::optional<Part> synthesize(const Config& config, const std::string& unit, const std::filesystem::path& work) {
-    const sweep::YosysFolder folder(work);
+    const YosysFolder folder(work);
     if (!folder.run(config, read_flags, elaborate(config, unit) + synth_script())) return std::nullopt;
     return parts_of_stat(folder.text("stat.json"), unit);
 }
@@ -123,4 +129,4 @@ Part part_of(const ordered_json& json) {
     return part;
 }
 
-} // namespace rayclock::area
+} // namespace rayclock::synth

@@ -1,12 +1,12 @@
 #pragma once
 // What a configuration costs as hardware: Yosys on its RTL.
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "model/core/config.hpp"
-#include "sim/sweep/cache.hpp"
-#include "sim/sweep/yosys.hpp"
 
-namespace rayclock::sweep {
+namespace rayclock::synth {
 
 /// Counts of one machine's pipelines together; what they share (dispatch, arbiter, l2) is not among them.
 struct Netlist {
@@ -24,4 +24,4 @@ std::string netlist_key(const Config& config);
 /// std::runtime_error with the tool's words if it fails.
 std::optional<Netlist> count_netlist(const Config& config, const std::filesystem::path& work);
 
-} // namespace rayclock::sweep
+} // namespace rayclock::synth

@@ -7,19 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/scene/scene.hpp"
-
-namespace rayclock::sweep {
+namespace rayclock::work {
 
 /// FNV-1a, 64 bits, as 16 hexadecimal digits.
 std::string hash_text(const std::string& text);
-
-/// Everything of a scene that a picture depends on, as 16 hexadecimal digits.
-std::string scene_digest(const Scene& scene);
-
-/// Of the sources that figures come from and of the compiler, taken when the program was built: a changed program finds nothing
-/// of an older one's.
-const char* program_stamp();
 
 /// One file per entry, named by the kind of entry and a hash of its key; the key stands in it in full, and a checksum. A file that
 /// is not whole, or that has another key, counts as missing. Files appear whole or not at all, so several programs may share the
@@ -45,4 +36,4 @@ private:
     std::string trouble_;
 };
 
-} // namespace rayclock::sweep
+} // namespace rayclock::work

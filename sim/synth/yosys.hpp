@@ -5,7 +5,7 @@
 
 #include "model/core/config.hpp"
 
-namespace rayclock::sweep {
+namespace rayclock::synth {
 
 /// First line of `yosys -V`, or empty if there is none. Asked once.
 const std::string& yosys_version();
@@ -33,4 +33,4 @@ private:
     std::filesystem::path path_;
 };
 
-} // namespace rayclock::sweep
+} // namespace rayclock::synth
