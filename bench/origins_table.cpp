@@ -1,12 +1,10 @@
 // The tables at the end of docs/origins.md: how often each scheme of secondary-ray origins is wrong, and what bits it needs.
 //
 // rc_origins PAGE [rays per scheme, scene and width]: puts the tables in place of what follows the page's line `<!-- measured -->`.
-#include <atomic>
 #include <charconv>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +13,7 @@
 #include "sim/report/text.hpp"
 #include "sim/stress/shadow_scenes.hpp"
 #include "sim/stress/shadows.hpp"
+#include "sim/work/threads.hpp"
 
 using namespace rayclock;
 
@@ -31,18 +30,12 @@ using Counts = std::vector<std::vector<std::array<ShadowCounts, bits.size()>>>;
 Counts count_all(std::uint64_t rays) {
     const auto& scenes = shadow_scenes();
     Counts counts(schemes.size(), std::vector<std::array<ShadowCounts, bits.size()>>(scenes.size()));
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t job; (job = next++) < scenes.size() * bits.size();) {
-            const std::size_t scene = job / bits.size(), width = job % bits.size();
-            const Shadows world(scenes[scene].make(bits[width]), bits[width]);
-            for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
-            fmt::print(stderr, "{}, N = {}\n", scenes[scene].name, bits[width]);
-        }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
-    for (auto& thread : threads) thread.join();
+    work::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
+        const std::size_t scene = job / bits.size(), width = job % bits.size();
+        const Shadows world(scenes[scene].make(bits[width]), bits[width]);
+        for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
+        fmt::print(stderr, "{}, N = {}\n", scenes[scene].name, bits[width]);
+    });
     return counts;
 }
 

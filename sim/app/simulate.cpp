@@ -1,8 +1,6 @@
 // rayclock simulate: cycles, frames per second, work and accounts of frames, at each clock.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <future>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -17,6 +15,7 @@
 #include "sim/report/accounts.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/work/threads.hpp"
 
 namespace rayclock {
 
@@ -52,29 +51,21 @@ void declare(Parser& parser, Options& o) {
 std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks, const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
                                     const Progress& progress) {
     std::vector<ClockRun> runs(clocks.size());
-    std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
-    const auto work = [&] {
-        for (std::size_t i = next++; i < clocks.size(); i = next++) {
-            const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
-                const std::lock_guard lock(mutex);
-                done[i] = std::max(done[i], n);
-                std::uint64_t sum = 0;
-                for (const std::uint64_t d : done) sum += d;
-                progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
-            };
-            runs[i].khz = clocks[i];
-            const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
-            for (std::size_t f = 0; f < timings.size(); ++f) runs[i].frames.push_back(frame_run(traces[f], timings[f]));
-        }
-    };
-    const std::size_t cores = threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> helpers;
-    for (std::size_t i = 1; i < std::min(cores, clocks.size()); ++i) helpers.push_back(std::async(std::launch::async, work));
-    work();
-    for (auto& helper : helpers) helper.get();
+    work::for_each(clocks.size(), threads, [&](std::size_t i) {
+        const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
+            const std::lock_guard lock(mutex);
+            done[i] = std::max(done[i], n);
+            std::uint64_t sum = 0;
+            for (const std::uint64_t d : done) sum += d;
+            progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
+        };
+        runs[i].khz = clocks[i];
+        const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
+        for (std::size_t f = 0; f < timings.size(); ++f) runs[i].frames.push_back(frame_run(traces[f], timings[f]));
+    });
     return runs;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // Pieces of work on several threads, by TBB. What comes of them does not depend on how many threads there are.
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -8,8 +9,11 @@
 
 namespace rayclock::work {
 
-/// As many threads as asked for; 0: one for each core.
-inline int threads_of(int asked) { return asked > 0 ? asked : tbb::this_task_arena::max_concurrency(); }
+/// As many threads as asked for, but not more than there are cores; 0: one for each.
+inline int threads_of(int asked) {
+    const int cores = tbb::this_task_arena::max_concurrency();
+    return asked > 0 ? std::min(asked, cores) : cores;
+}
 
 /// Calls make(0), make(1), ... for as long as goes_on(i), begun in this order on several threads, and take(what make gave) one after
 /// the other, in the same order. The first exception lets nothing more begin, and is thrown here. While a piece waits for threads
