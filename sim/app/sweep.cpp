@@ -29,7 +29,7 @@ void declare(Parser& parser, Options& o) {
     clock_option(parser, o.clock);
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "table as CSV");
-    parser.option("--plot", o.plot, "writes NAME.svg and NAME.png: error against cost and against speed, with the fronts and the knee");
+    parser.option("--plot", o.plot, "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
     fresh_option(parser, o.fresh);
     netlist_option(parser, o.no_netlist);
     threads_option(parser, o.threads);

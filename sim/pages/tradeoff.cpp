@@ -42,7 +42,7 @@ public:
     std::string grid_text(const SceneStudy& scene) const {
         const std::vector<Result> results = grid_results(study_, scene.outcome);
         const Front front = front_of(results);
-        std::string text = fmt::format("\n### {}\n\n![Error against cost and against speed of {}]({}.png)\n\n", scene.name, scene.name, scene.plot);
+        std::string text = fmt::format("\n### {}\n\n![Error against cost and against speed of {}]({}.svg)\n\n", scene.name, scene.name, scene.plot);
         Table table = table_of({study_.grid[0].key, study_.grid[1].key, "other primitive", "PSNR, dB", "fps", "multipliers", "flip-flops", "memory image, bytes", "front"});
         for (std::size_t i = 0; i < results.size(); ++i) {
             const Result& r = results[i];
