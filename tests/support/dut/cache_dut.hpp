@@ -2,7 +2,7 @@
 // The caches' two machines behind one face, and the shapes they are tried in.
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Requests for box, and the verdict of exact geometry on its answers.
 #include "model/oracle/exact.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "model/sched/dispatch.hpp"
 #include "model/sched/sched.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 

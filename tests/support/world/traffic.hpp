@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/draw.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/cases/draw.hpp"
+#include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "model/shade/unit.hpp"
-#include "tests/support/dut.hpp"
-#include "tests/support/pass_cases.hpp"
+#include "tests/support/dut/dut.hpp"
+#include "tests/support/cases/pass_cases.hpp"
 
 namespace rayclock::test {
 

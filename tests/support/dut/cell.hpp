@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim/rtl/rtl_module.hpp"
-#include "tests/support/draw.hpp"
+#include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test {
 

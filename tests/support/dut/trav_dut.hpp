@@ -1,6 +1,6 @@
 #pragma once
 #include "model/trav/trav.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The rules of a cache, as checks that run on its model and on its RTL.
-#include "tests/support/cache_world.hpp"
+#include "tests/support/world/cache_world.hpp"
 
 namespace rayclock::test {
 

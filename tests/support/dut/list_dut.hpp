@@ -1,7 +1,7 @@
 #pragma once
 #include "model/list/leaves.hpp"
 #include "model/list/list.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 

@@ -1,8 +1,8 @@
 #pragma once
 // What surrounds list in a test: box answers with leaves, memory, tri and trav, and a plain description of the triangles that a
 // node makes list ask for.
-#include "tests/support/list_dut.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/dut/list_dut.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "model/oracle/overlap.hpp"
-#include "tests/support/box_cases.hpp"
+#include "tests/support/cases/box_cases.hpp"
 
 namespace rayclock::test {
 

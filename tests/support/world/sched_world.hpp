@@ -1,8 +1,8 @@
 #pragma once
 // What surrounds sched in a test: tiles that come in any order and rays that end in any order, and the plain rule of which
 // pixel goes to which context.
-#include "tests/support/sched_dut.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/dut/sched_dut.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 

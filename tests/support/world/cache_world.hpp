@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "tests/support/cache_dut.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/dut/cache_dut.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 

@@ -5,7 +5,7 @@
 
 #include "model/isect/primitive.hpp"
 #include "model/scene/builtin.hpp"
-#include "tests/support/tri_cases.hpp"
+#include "tests/support/cases/tri_cases.hpp"
 
 namespace rayclock::test {
 

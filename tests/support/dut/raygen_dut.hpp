@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/support/dut.hpp"
+#include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 

@@ -2,8 +2,8 @@
 // What surrounds trav in a test: rays with invented trees, and a plain description of the nodes each ray must visit.
 #include <map>
 
-#include "tests/support/traffic.hpp"
-#include "tests/support/trav_dut.hpp"
+#include "tests/support/world/traffic.hpp"
+#include "tests/support/dut/trav_dut.hpp"
 
 namespace rayclock::test {
 

@@ -2,7 +2,7 @@
 // Requests for tri, and the verdict of exact geometry on its answers.
 #include "model/isect/sheared.hpp"
 #include "model/oracle/exact.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 

@@ -3,7 +3,7 @@
 #include "model/isect/any.hpp"
 #include "model/isect/tri.hpp"
 #include "model/oracle/ball.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 

@@ -3,7 +3,7 @@
 #include "model/shade/bounce.hpp"
 #include "model/shade/pass.hpp"
 #include "model/shade/unit_vector.hpp"
-#include "tests/support/draw.hpp"
+#include "tests/support/cases/draw.hpp"
 
 namespace rayclock::test {
 
