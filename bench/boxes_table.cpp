@@ -8,6 +8,7 @@
 
 #include "model/oracle/extra_visits.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/report/text.hpp"
 
 using namespace rayclock;
 
@@ -27,20 +28,20 @@ ExtraVisits measure(const char* spec, const Config& config) {
 
 /// A row a scene, a column a value of `member`, and in it `figure` of that run as per cent.
 std::string table(const char* key, int Config::*member, const std::vector<int>& values, double (ExtraVisits::*figure)() const) {
-    std::string page = fmt::format("| {} |", key), line = "\n|---|";
-    for (const int value : values) page += fmt::format(" {} |", value), line += "---|";
-    page += line + "\n";
+    std::vector<std::string> head{key};
+    for (const int value : values) head.push_back(std::to_string(value));
+    Table table(head, Table::words_only);
     for (const char* scene : scenes) {
-        page += fmt::format("| {} |", scene);
+        std::vector<std::string> row{scene};
         for (const int value : values) {
             Config config;
             config.stack_depth = 64;
             config.*member = value;
-            page += fmt::format(" {:.2f} % |", 100 * (measure(scene, config).*figure)());
+            row.push_back(fmt::format("{:.2f} %", 100 * (measure(scene, config).*figure)()));
         }
-        page += "\n";
+        table.add(row);
     }
-    return page;
+    return table.markdown();
 }
 
 std::string measured() {

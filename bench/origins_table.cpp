@@ -1,19 +1,19 @@
 // The tables at the end of docs/origins.md: how often each scheme of secondary-ray origins is wrong, and what bits it needs.
 //
 // rc_origins PAGE [rays per scheme, scene and width]: puts the tables in place of what follows the page's line `<!-- measured -->`.
-#include <atomic>
 #include <charconv>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "model/isect/origin.hpp"
+#include "sim/report/text.hpp"
 #include "sim/stress/shadow_scenes.hpp"
 #include "sim/stress/shadows.hpp"
+#include "sim/work/threads.hpp"
 
 using namespace rayclock;
 
@@ -30,18 +30,12 @@ using Counts = std::vector<std::vector<std::array<ShadowCounts, bits.size()>>>;
 Counts count_all(std::uint64_t rays) {
     const auto& scenes = shadow_scenes();
     Counts counts(schemes.size(), std::vector<std::array<ShadowCounts, bits.size()>>(scenes.size()));
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t job; (job = next++) < scenes.size() * bits.size();) {
-            const std::size_t scene = job / bits.size(), width = job % bits.size();
-            const Shadows world(scenes[scene].make(bits[width]), bits[width]);
-            for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
-            fmt::print(stderr, "{}, N = {}\n", scenes[scene].name, bits[width]);
-        }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
-    for (auto& thread : threads) thread.join();
+    work::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
+        const std::size_t scene = job / bits.size(), width = job % bits.size();
+        const Shadows world(scenes[scene].make(bits[width]), bits[width]);
+        for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
+        fmt::print(stderr, "{}, N = {}\n", scenes[scene].name, bits[width]);
+    });
     return counts;
 }
 
@@ -52,37 +46,44 @@ ShadowCounts sum_of(const std::array<ShadowCounts, bits.size()>& all) {
     return sum;
 }
 
-std::string row(const std::string& name, const ShadowCounts& c, bool surface) {
-    std::string line = fmt::format("| {} | {} | {} | {} | {:.1f} |", name, c.rays, c.false_shadows, c.light_leaks, per_million(c.either, c.rays));
-    return line + (surface ? fmt::format(" {:.0f} | {:.0f} |\n", per_million(c.moved_shadows, c.rays), per_million(c.moved_leaks, c.rays)) : " - | - |\n");
+std::vector<std::string> row(const std::string& name, const ShadowCounts& c, bool surface) {
+    const auto moved = [&](std::uint64_t count) { return surface ? fmt::format("{:.0f}", per_million(count, c.rays)) : "-"; };
+    return {name, std::to_string(c.rays), std::to_string(c.false_shadows), std::to_string(c.light_leaks),
+            fmt::format("{:.1f}", per_million(c.either, c.rays)), moved(c.moved_shadows), moved(c.moved_leaks)};
 }
-std::string head(const char* what) {
-    return fmt::format("\n| {} | rays | false shadows | light leaks | either, per million | moved shadows, per million | moved leaks, per million |\n"
-                       "|---|---|---|---|---|---|---|\n", what);
+Table table_by(const char* what) {
+    return Table({what, "rays", "false shadows", "light leaks", "either, per million", "moved shadows, per million", "moved leaks, per million"},
+                 Table::words_only);
+}
+
+/// False shadows and light leaks of each scheme, by scene.
+Table table_by_scene(const Counts& counts) {
+    std::vector<std::string> head{"scene"};
+    for (const OriginScheme& s : schemes) head.push_back(s.name());
+    Table table(head, Table::words_only);
+    const auto& scenes = shadow_scenes();
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        std::vector<std::string> cells{fmt::format("{}: {}", scenes[i].name, scenes[i].what)};
+        for (std::size_t s = 0; s < schemes.size(); ++s) {
+            const ShadowCounts sum = sum_of(counts[s][i]);
+            cells.push_back(fmt::format("{:.0f}, {:.0f}", per_million(sum.false_shadows, sum.rays), per_million(sum.light_leaks, sum.rays)));
+        }
+        table.add(cells);
+    }
+    return table;
 }
 
 std::string measured(const Counts& counts) {
     const auto& scenes = shadow_scenes();
-    std::string page = head("scheme");
+    Table by_scheme = table_by("scheme"), by_scene = table_by("on the surface, B = 12, by scene");
     for (std::size_t s = 0; s < schemes.size(); ++s) {
         ShadowCounts sum;
         for (const auto& scene : counts[s]) sum += sum_of(scene);
-        page += row(schemes[s].name(), sum, schemes[s].kind == Kind::surface);
+        by_scheme.add(row(schemes[s].name(), sum, schemes[s].kind == Kind::surface));
     }
-    page += head("on the surface, B = 12, by scene");
-    for (std::size_t i = 0; i < scenes.size(); ++i) page += row(scenes[i].name, sum_of(counts[6][i]), true);
-    page += "\nFalse shadows, light leaks per million rays, by scene:\n\n| scene |";
-    for (const OriginScheme& s : schemes) page += fmt::format(" {} |", s.name());
-    page += "\n|---|";
-    for (std::size_t s = 0; s < schemes.size(); ++s) page += "---|";
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        page += fmt::format("\n| {}: {} |", scenes[i].name, scenes[i].what);
-        for (std::size_t s = 0; s < schemes.size(); ++s) {
-            const ShadowCounts sum = sum_of(counts[s][i]);
-            page += fmt::format(" {:.0f}, {:.0f} |", per_million(sum.false_shadows, sum.rays), per_million(sum.light_leaks, sum.rays));
-        }
-    }
-    return page + "\n";
+    for (std::size_t i = 0; i < scenes.size(); ++i) by_scene.add(row(scenes[i].name, sum_of(counts[6][i]), true));
+    return "\n" + by_scheme.markdown() + "\n" + by_scene.markdown() + "\nFalse shadows, light leaks per million rays, by scene:\n\n" +
+           table_by_scene(counts).markdown();
 }
 
 /// 18 x 18 multipliers for a signed product: each takes 17 bits of a number, the highest of them one more.
@@ -94,16 +95,18 @@ int multipliers(int coord_bits, const RayWidths& w) {
 }
 
 std::string widths() {
-    std::string page = "\nBits, with M = N + 2; 18 x 18 multipliers of the triangle test with a camera ray, a bounce and a shadow ray:\n\n"
-                       "| N | B | O | bounce: s | u, v, w | num | num det' | shadow: d | u, v, w | num | multipliers |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+    Table table({"N", "B", "O", "bounce: s", "u, v, w", "num", "num det'", "shadow: d", "u, v, w", "num", "multipliers"}, Table::words_only);
     for (const int n : bits)
         for (const int b : {4, 6, 8, 10, 12, 16}) {
             const RayWidths camera = bounce_widths(n, n + 2, 0), bounce = bounce_widths(n, n + 2, b), shadow = shadow_widths(n, b);
-            page += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {}, {}, {} |\n", n, b, bounce.point, bounce.offset, bounce.edge, bounce.num,
-                                bounce.num + bounce.det, shadow.direction, shadow.edge, shadow.num, multipliers(n, camera), multipliers(n, bounce),
-                                multipliers(n, shadow));
+            std::vector<std::string> cells;
+            for (const int width : {n, b, bounce.point, bounce.offset, bounce.edge, bounce.num, bounce.num + bounce.det, shadow.direction,
+                                    shadow.edge, shadow.num})
+                cells.push_back(std::to_string(width));
+            cells.push_back(fmt::format("{}, {}, {}", multipliers(n, camera), multipliers(n, bounce), multipliers(n, shadow)));
+            table.add(cells);
         }
-    return page;
+    return "\nBits, with M = N + 2; 18 x 18 multipliers of the triangle test with a camera ray, a bounce and a shadow ray:\n\n" + table.markdown();
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
@@ -28,56 +29,90 @@ template <class Work> double best_seconds(Work work) {
     return best;
 }
 
-} // namespace
+struct Options {
+    std::string scene, size = default_size;
+    ConfigChoice config;
+    int threads = 0;
+    JsonOutput json;
+};
 
-int bench_command(const Options& o) {
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    size_option(parser, o.size);
+    config_options(parser, o.config);
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
+
+/// Seconds of each kind of work on one frame.
+struct Seconds {
+    double compile = 0, record = 0, replay = 0, model = 0, rtl = 0, reference = 0;
+};
+
+Seconds measure(const Scene& scene, const Job& job, int threads) {
+    Seconds s;
+    s.compile = best_seconds([&] { make_job(scene, *scene.camera, job.size, job.config); });
+    std::vector<FrameTrace> traces;
+    traces.push_back(record_frame(job, job.frame, threads));
+    s.record = best_seconds([&] { record_frame(job, job.frame, threads); });
+    s.replay = best_seconds([&] { replay(job.config, job.khz, traces); });
+    s.model = best_seconds([&] {
+        std::vector<FrameTrace> fresh;
+        record_and_replay(job, job.khz, fresh, {}, threads);
+    });
+    s.rtl = best_seconds([&] { run_rtl(job); });
+    const Reference tracer(scene);
+    s.reference = best_seconds([&] { tracer.frame(*scene.camera, job.size, 1); });
+    return s;
+}
+
+std::string text_of(const Seconds& s, double cycles, double rays) {
+    Table table({"engine", "seconds", "M cycles/s", "M rays/s", "times the RTL"});
+    const auto row = [&](const char* name, double seconds, bool clocked) {
+        table.add({name, fmt::format("{:.3f}", seconds), clocked ? fmt::format("{:.2f}", cycles / seconds / 1e6) : "",
+                   fmt::format("{:.3f}", rays / seconds / 1e6), fmt::format("{:.1f}", s.rtl / seconds)});
+    };
+    row("rtl", s.rtl, true);
+    row("model", s.model, true);
+    row("  rays recorded", s.record, false);
+    row("  trace replayed", s.replay, true);
+    row("reference, 1 thread", s.reference, false);
+    return fmt::format("{}  scene compilation {:.2f} s\n", table.text(), s.compile);
+}
+
+nlohmann::ordered_json json_of(const Scene& scene, const Job& job, const FrameRun& frame, const Seconds& s) {
+    const double cycles = double(frame.cycles), rays = double(frame.hits.hits.size());
+    return {{"scene", scene_json(scene)}, {"config", config_json_object(job.config)},
+            {"frame", {{"width", job.size.width}, {"height", job.size.height}}},
+            {"cycles", frame.cycles}, {"rtl", {{"seconds", s.rtl}, {"cycles_per_second", cycles / s.rtl}}},
+            {"model", {{"seconds", s.model}, {"cycles_per_second", cycles / s.model}, {"times_rtl", s.rtl / s.model}}},
+            {"record", {{"seconds", s.record}, {"rays_per_second", rays / s.record}}},
+            {"replay", {{"seconds", s.replay}, {"cycles_per_second", cycles / s.replay}, {"times_rtl", s.rtl / s.replay}}},
+            {"reference", {{"seconds", s.reference}, {"rays_per_second", rays / s.reference}}}, {"compile", {{"seconds", s.compile}}}};
+}
+
+int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
-    const Config config = load_config(o.config, o.set);
+    const Config config = load_config(o.config);
     check_rtl(config);
-    check_outputs(o);
-    const Scene scene = ready_scene(o, size, terminal_progress());
+    o.json.check();
+    const Scene scene = ready_scene(o.scene, size, terminal_progress());
     build_rtl(config);
-    double compile = best_seconds([&] { make_job(scene, *scene.camera, size, config); });
     const Job job = make_job(scene, *scene.camera, size, config);
     const FrameRun frame = run_model(job);
-    std::vector<FrameTrace> traces;
-    traces.push_back(record_frame(job, job.frame, o.threads));
-    const double record = best_seconds([&] { record_frame(job, job.frame, o.threads); });
-    const double again = best_seconds([&] { replay(config, job.khz, traces); });
-    const double model = best_seconds([&] {
-        std::vector<FrameTrace> fresh;
-        record_and_replay(job, job.khz, fresh, {}, o.threads);
-    });
-    const double rtl = best_seconds([&] { run_rtl(job); });
-    const Reference tracer(scene);
-    const double reference = best_seconds([&] { tracer.frame(*scene.camera, size, 1); });
-
-    const double cycles = double(frame.cycles), rays = double(frame.hits.hits.size());
-    if (o.json != "-") {
+    const Seconds seconds = measure(scene, job, o.threads);
+    if (!o.json.is_alone()) {
         fmt::print("{}, {}x{}, configuration {}: {} cycles\n\n", scene.name, size.width, size.height, config.name, grouped(frame.cycles));
-        Table table({"engine", "seconds", "M cycles/s", "M rays/s", "times the RTL"});
-        const auto row = [&](const char* name, double s, bool clocked) {
-            table.add({name, fmt::format("{:.3f}", s), clocked ? fmt::format("{:.2f}", cycles / s / 1e6) : "", fmt::format("{:.3f}", rays / s / 1e6),
-                       fmt::format("{:.1f}", rtl / s)});
-        };
-        row("rtl", rtl, true);
-        row("model", model, true);
-        row("  rays recorded", record, false);
-        row("  trace replayed", again, true);
-        row("reference, 1 thread", reference, false);
-        fmt::print("{}  scene compilation {:.2f} s\n", table.text(), compile);
+        fmt::print("{}", text_of(seconds, double(frame.cycles), double(frame.hits.hits.size())));
     }
-    if (!o.json.empty()) {
-        const nlohmann::ordered_json json{
-            {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"cycles", frame.cycles}, {"rtl", {{"seconds", rtl}, {"cycles_per_second", cycles / rtl}}},
-            {"model", {{"seconds", model}, {"cycles_per_second", cycles / model}, {"times_rtl", rtl / model}}},
-            {"record", {{"seconds", record}, {"rays_per_second", rays / record}}},
-            {"replay", {{"seconds", again}, {"cycles_per_second", cycles / again}, {"times_rtl", rtl / again}}},
-            {"reference", {{"seconds", reference}, {"rays_per_second", rays / reference}}}, {"compile", {{"seconds", compile}}}};
-        write_file(o.json, json.dump(2) + "\n");
-    }
+    o.json.write(json_of(scene, job, frame, seconds));
     return 0;
+}
+
+} // namespace
+
+Command bench_command() {
+    return command("bench", "speed of the simulator itself: model, RTL and reference on one frame", "rayclock bench gears:8", declare, run);
 }
 
 } // namespace rayclock

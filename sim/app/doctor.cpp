@@ -8,11 +8,12 @@
 
 #include "model/core/error.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
 #include "sim/rtl/tools.hpp"
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
 
 namespace rayclock {
 
@@ -60,7 +61,7 @@ std::vector<Part> parts() {
     const RtlTools& tools = rtl_tools();
     std::vector<Part> all{
         tool("verilator", tools.verilator, no_new_rtl, "build"), tool("c++", tools.compiler, no_new_rtl, "build"),
-        tool("yosys", sweep::yosys_version(), "no multipliers and flip-flops in sweep and tradeoff, no area; the tests leave the synthesis check out", "test"),
+        tool("yosys", synth::yosys_version(), "no multipliers and flip-flops in sweep and tradeoff, no area; the tests leave the synthesis check out", "test"),
         cache_part(), sources_part()};
     // Both run, and yet something is missing: Verilator's own sources.
     if (!tools.verilator.empty() && !tools.compiler.empty() && !tools.problem.empty())
@@ -76,17 +77,21 @@ std::vector<std::string> remarks() {
     };
     add(untried("verilator", rtl_tools().verilator));
     add(untried("c++", rtl_tools().compiler));
-    add(untried("yosys", sweep::yosys_version()));
+    add(untried("yosys", synth::yosys_version()));
     try {
         add(cache_place().warning);
     } catch (const UserError&) {}   // said of the cache
     return all;
 }
 
-} // namespace
+struct Options {
+    JsonOutput json;
+};
 
-int doctor_command(const Options& o) {
-    check_outputs(o);
+void declare(Parser& parser, Options& o) { json_option(parser, o.json); }
+
+int run(const Options& o) {
+    o.json.check();
     Table table({"part", "found"}, 2);
     nlohmann::ordered_json json, missing = nlohmann::ordered_json::object();
     std::vector<std::string> cures;
@@ -105,13 +110,19 @@ int doctor_command(const Options& o) {
     json["missing"] = missing;
     json["remarks"] = said;
     json["complete"] = cures.empty();
-    if (o.json != "-") {
+    if (!o.json.is_alone()) {
         fmt::print("rayclock {}\n{}", RAYCLOCK_VERSION, table.text());
         for (const std::string& remark : said) fmt::print("{}.\n", remark);
         fmt::print("{}.\n", cures.empty() ? "Everything is there" : fmt::format("Something is missing; {}", fmt::join(cures, "; ")));
     }
-    if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
+    o.json.write(json);
     return cures.empty() ? 0 : 1;
+}
+
+} // namespace
+
+Command doctor_command() {
+    return command("doctor", "what is installed, and what a missing part disables", "rayclock doctor", declare, run);
 }
 
 } // namespace rayclock

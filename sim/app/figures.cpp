@@ -7,7 +7,10 @@
 #include "model/core/error.hpp"
 #include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/figures/page.hpp"
+#include "sim/app/options.hpp"
+#include "sim/image/image.hpp"
+#include "sim/pages/figures/page.hpp"
+#include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock {
@@ -32,32 +35,51 @@ std::vector<Engine> engines_of(const std::string& text) {
     return all;
 }
 
-/// What to type for this page. Where this machine keeps its files is nobody's business.
+constexpr const char* usual_size = "256x192";
+constexpr const char* all_engines = "reference,model,rtl";
+
+struct Options {
+    std::string output, size = usual_size, engines = all_engines;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    parser.option("-o,--output", o.output, "folder for figures.md, and for its pictures in figures/").required();
+    parser.option("--size", o.size, "pictures, WIDTHxHEIGHT").with_default();
+    parser.option("--engine", o.engines, "engines, with commas").with_default();
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
+
 std::string command_of(const Options& o) {
-    const std::filesystem::path path(o.output);
-    std::string text = "rayclock figures -o " + (path.is_absolute() ? path.filename() : path).string();
-    if (o.figure_size != Options{}.figure_size) text += " --size " + o.figure_size;
-    if (o.engines != Options{}.engines) text += " --engine " + o.engines;
+    std::string text = "rayclock figures -o " + told_path(o.output);
+    if (o.size != usual_size) text += " --size " + o.size;
+    if (o.engines != all_engines) text += " --engine " + o.engines;
     return text;
 }
 
-} // namespace
-
-int figures_command(const Options& o) {
+int run(const Options& o) {
     catch_interrupts();
     figures::Studio studio;
-    studio.size = parse_size(o.figure_size);
+    studio.size = parse_size(o.size);
     studio.engines = engines_of(o.engines);
     studio.threads = o.threads;
     studio.progress = terminal_progress();
-    check_outputs(o);
+    o.json.check();
     figures::Page page(studio, o.output);
     const std::string text = figures::make_page(page, command_of(o));
     const std::string path = (std::filesystem::path(o.output) / "figures.md").string();
     write_file(path, text);
-    if (!o.json.empty()) write_file(o.json, page.numbers.dump(2) + "\n");
-    if (o.json != "-") fmt::print("{} written. {}\n", printable(path), page.rtl_sentence());
+    o.json.write(page.numbers);
+    if (!o.json.is_alone()) fmt::print("{} written. {}\n", printable(path), page.rtl_sentence());
     return 0;
+}
+
+} // namespace
+
+Command figures_command() {
+    return command("figures", "the page of the field's classic figures, drawn by all engines", "rayclock figures -o docs", declare, run);
 }
 
 } // namespace rayclock

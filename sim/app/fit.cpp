@@ -8,6 +8,7 @@
 #include "model/core/error.hpp"
 #include "model/core/quote.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/report.hpp"
 #include "sim/report/json.hpp"
@@ -19,12 +20,32 @@ namespace {
 
 using namespace fit;
 
+struct Options {
+    std::string scene, size = default_size, max_error = "0.1%", max_work = "2%", output;
+    std::optional<double> min_psnr;
+    ConfigChoice config;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    parser.option("--max-error", o.max_error, "most pixels that may hold another primitive than the reference's, in per cent: 0.1%").with_default();
+    parser.option("--min-psnr", o.min_psnr, "least PSNR of the picture against the reference's, in dB");
+    parser.option("--max-work", o.max_work, "most nodes and triangles that narrow boxes, reciprocals and distances may cost, in per cent").with_default();
+    size_option(parser, o.size);
+    config_options(parser, o.config);
+    parser.option("-o,--output", o.output, "configuration file to write").required();
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
+
 Goal goal_of(const Options& o) {
     Goal goal;
     goal.max_error = parse_percent("--max-error", o.max_error, false);
     goal.max_work = parse_percent("--max-work", o.max_work, true);
     goal.min_psnr = o.min_psnr;
-    check_psnr(o);
+    check_psnr(o.min_psnr);
     return goal;
 }
 
@@ -60,35 +81,73 @@ std::string hopeless(const Options& o, const Goal& goal, const Config& base, Mea
                             : std::string(", but without that no width would do either"));
 }
 
-} // namespace
+/// What was found, and what it took.
+struct Found {
+    const Scene& scene;
+    FrameSize size;
+    const Goal& goal;
+    const Config& base;
+    Fit fit;
+    Ranges ranges;
+    std::size_t frames = 0;
+    double seconds = 0;
+};
 
-int fit_command(const Options& o) {
-    const auto start = std::chrono::steady_clock::now();
-    catch_interrupts();
-    const FrameSize size = parse_size(o.size);
-    const Goal goal = goal_of(o);
-    const Config base = load_config(o.config, o.set);
-    if (base.test() != PrimitiveTest::exact)
-        throw UserError("fit: primitive_test must be exact, not " + primitive_test_names()[std::size_t(base.primitive_test)] +
-                        ": only exact decisions make the primitives depend on N and M alone");
-    check_outputs(o);
-    if (o.output != "-") check_writable(o.output);
-    else if (o.json == "-") throw UserError("-o and --json cannot both go to standard output");
-    const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o, size, progress);
-    Measure measure(scene, size, o.threads);
+void print(const Options& o, const Found& f) {
+    const Outcome& result = f.fit.outcome;
+    fmt::print("{}, {} triangles, {}x{}: {}\n\n", f.scene.name, grouped(f.scene.triangles.size()), f.size.width, f.size.height, goal_text(f.goal));
+    fmt::print("{}\n{}\n", parameter_table(f.fit, f.base), needs_text(f.fit, f.base, f.ranges));
+    fmt::print("{}\n", units_text(f.fit.config));
+    fmt::print("{}\n", range_table(f.ranges));
+    fmt::print("  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles than with the widest fields\n",
+               grouped(result.other), grouped(result.pixels), result.other_percent(),
+               std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
+               100 * (double(result.work) / double(f.fit.widest.work) - 1));
+    fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n", printable(o.output), f.frames, f.seconds,
+               printable(o.scene), o.size, printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
+}
+
+nlohmann::ordered_json json_of(const Found& f) {
+    const nlohmann::ordered_json psnr = f.goal.min_psnr ? nlohmann::ordered_json(*f.goal.min_psnr) : nlohmann::ordered_json(nullptr);
+    return {{"scene", scene_json(f.scene)}, {"frame", {{"width", f.size.width}, {"height", f.size.height}}},
+            {"bounds", {{"max_error_percent", f.goal.max_error}, {"min_psnr_db", psnr}, {"max_work_percent", f.goal.max_work}}},
+            {"config", config_json_object(f.fit.config)}, {"parameters", parameters_json(f.fit, f.base)},
+            {"error", outcome_json(f.fit.outcome)}, {"widest", outcome_json(f.fit.widest)}, {"compile", compile_json(f.fit.outcome.compile)},
+            {"needs", needs_json(f.fit, f.ranges)}, {"units", units_json(f.fit.config)},
+            {"cost", {{"fitted", cost_json(f.fit.cost)}, {"base", cost_json(f.fit.base_cost)}}}, {"ranges", ranges_json(f.ranges)},
+            {"host", {{"seconds", f.seconds}, {"frames", f.frames}}}};
+}
+
+/// The search, and the sentence if it finds nothing.
+Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& measure, const Progress& progress) {
     measure.tell = [&](const Config& c, std::size_t done) {
         constexpr std::size_t expected = 40;
         if (progress) progress(fmt::format("fit, N = {}, M = {}", c.coord_bits, c.dir_bits), done, std::max(expected, done + 1));
     };
     Search search(measure, base, goal);
     std::optional<Fit> found = search.run();
-    if (!found) {
-        const std::string sentence = hopeless(o, goal, base, measure, search.closest());
-        if (progress) progress("fit", 1, 1);
-        throw std::runtime_error(sentence);
-    }
-    Fit& fit = *found;
+    if (found) return *found;
+    const std::string sentence = hopeless(o, goal, base, measure, search.closest());
+    if (progress) progress("fit", 1, 1);
+    throw std::runtime_error(sentence);
+}
+
+int run(const Options& o) {
+    const auto start = std::chrono::steady_clock::now();
+    catch_interrupts();
+    const FrameSize size = parse_size(o.size);
+    const Goal goal = goal_of(o);
+    const Config base = load_config(o.config);
+    if (base.test() != PrimitiveTest::exact)
+        throw UserError("fit: primitive_test must be exact, not " + primitive_test_names()[std::size_t(base.primitive_test)] +
+                        ": only exact decisions make the primitives depend on N and M alone");
+    o.json.check();
+    if (o.output != "-") check_writable(o.output);
+    else if (o.json.is_alone()) throw UserError("-o and --json cannot both go to standard output");
+    const Progress progress = terminal_progress();
+    const Scene scene = ready_scene(o.scene, size, progress);
+    Measure measure(scene, size, o.threads);
+    Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);
     const Job job = make_job(scene, *scene.camera, size, fit.config);
     const Ranges ranges = prove_ranges(job.image, job.frame, fit.config);
@@ -97,30 +156,17 @@ int fit_command(const Options& o) {
     write_file(o.output, config_json_object(fit.config).dump(2) + "\n");
 
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const Outcome& result = fit.outcome;
-    if (o.json != "-" && o.output != "-") {
-        fmt::print("{}, {} triangles, {}x{}: {}\n\n", scene.name, grouped(scene.triangles.size()), size.width, size.height, goal_text(goal));
-        fmt::print("{}\n{}\n", parameter_table(fit, base), needs_text(fit, base, ranges));
-        fmt::print("{}\n", units_text(fit.config));
-        fmt::print("{}\n", range_table(ranges));
-        fmt::print("  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles than with the widest fields\n", grouped(result.other),
-                   grouped(result.pixels), result.other_percent(), std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
-                   100 * (double(result.work) / double(fit.widest.work) - 1));
-        fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n", printable(o.output), measure.done(), seconds, printable(o.scene), o.size,
-                   printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
-    }
-    if (!o.json.empty()) {
-        const nlohmann::ordered_json json{
-            {"scene", scene_json(scene)}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"bounds", {{"max_error_percent", goal.max_error}, {"min_psnr_db", goal.min_psnr ? nlohmann::ordered_json(*goal.min_psnr) : nlohmann::ordered_json(nullptr)},
-                        {"max_work_percent", goal.max_work}}},
-            {"config", config_json_object(fit.config)}, {"parameters", parameters_json(fit, base)}, {"error", outcome_json(result)}, {"widest", outcome_json(fit.widest)},
-            {"compile", compile_json(result.compile)}, {"needs", needs_json(fit, ranges)}, {"units", units_json(fit.config)},
-            {"cost", {{"fitted", cost_json(fit.cost)}, {"base", cost_json(fit.base_cost)}}}, {"ranges", ranges_json(ranges)},
-            {"host", {{"seconds", seconds}, {"frames", measure.done()}}}};
-        write_file(o.json, json.dump(2) + "\n");
-    }
+    const Found found{scene, size, goal, base, fit, ranges, measure.done(), seconds};
+    if (!o.json.is_alone() && o.output != "-") print(o, found);
+    o.json.write(json_of(found));
     return 0;
+}
+
+} // namespace
+
+Command fit_command() {
+    return command("fit", "the smallest formats that draw a scene within an error, as a configuration file, with a proof that nothing overflows",
+                   "rayclock fit gears:4 --max-error 0.1% -o gears.json && rayclock verify gears:4 --config gears.json", declare, run);
 }
 
 } // namespace rayclock

@@ -8,11 +8,11 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/picture.hpp"
-#include "sim/app/tables.hpp"
+#include "sim/app/options.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/json.hpp"
+#include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock {
@@ -28,47 +28,89 @@ std::uint64_t digest_of(const HitFrame& frame) {
     return digest.value();
 }
 
-} // namespace
+struct Options {
+    std::string scene, size = default_size, engine = "model", output;
+    ConfigChoice config;
+    Finish finish;
+    int threads = 0;
+    JsonOutput json;
+};
 
-int render_command(const Options& o) {
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    finished_options(parser, o.finish);
+    size_option(parser, o.size);
+    config_options(parser, o.config);
+    parser.option("--engine", o.engine, "reference, model or rtl").with_default();
+    parser.option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number").required();
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
+
+/// A picture, what its pixels hit, and what the report says of it.
+struct Drawn {
+    HitFrame hits;
+    Picture picture;
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+};
+
+Drawn draw_reference(const Request& request, FrameSize size, int threads, const Progress& progress) {
+    const Scene& scene = request.scene;
+    Drawn drawn;
+    if (request.finished) {
+        WhittedFrame frame = Reference(scene).whitted(*scene.camera, size, request.settings, threads, progress);
+        drawn.picture = picture_of(frame);
+        drawn.hits = std::move(frame.hits);
+    } else {
+        drawn.hits = Reference(scene).frame(*scene.camera, size, threads, progress);
+        drawn.picture = shade(scene, drawn.hits);
+    }
+    drawn.json["digest"] = digest_text(digest_of(drawn.hits));
+    return drawn;
+}
+
+Drawn draw_machine(const Request& request, FrameSize size, bool is_rtl, const Progress& progress) {
+    const Scene& scene = request.scene;
+    const Job job = make_job(scene, *scene.camera, size, request.config, progress, request.settings);
+    FrameRun run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
+    Drawn drawn;
+    drawn.picture = request.finished ? picture_of(size, run.colours) : shade(scene, run.hits);
+    drawn.hits = std::move(run.hits);
+    drawn.json["config"] = config_json_object(request.config);
+    drawn.json["cycles"] = run.cycles;
+    drawn.json["digest"] = digest_text(run.digest);
+    return drawn;
+}
+
+int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
     check_picture_path(o.output);
-    check_outputs(o);
+    o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o, size, progress);
-    const Config& config = request.config;
+    const Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress);
     const Scene& scene = request.scene;
-    if (o.engine == "rtl") check_rtl(config);
+    if (o.engine == "rtl") check_rtl(request.config);
 
     const auto start = std::chrono::steady_clock::now();
+    const Drawn drawn = o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
+                                                : draw_machine(request, size, o.engine == "rtl", progress);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write_picture(o.output, drawn.picture, drawn.hits);
+    if (!o.json.is_alone())
+        fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height, o.engine, printable(o.output));
     nlohmann::ordered_json json{{"scene", scene_json(scene)}, {"frame", {{"width", size.width}, {"height", size.height}}}, {"engine", o.engine}};
-    HitFrame hits;
-    Picture picture;
-    if (o.engine == "reference" && request.finished) {
-        WhittedFrame frame = Reference(scene).whitted(*scene.camera, size, request.settings, o.threads, progress);
-        picture = picture_of(frame);
-        hits = std::move(frame.hits);
-        json["digest"] = digest_text(digest_of(hits));
-    } else if (o.engine == "reference") {
-        hits = Reference(scene).frame(*scene.camera, size, o.threads, progress);
-        json["digest"] = digest_text(digest_of(hits));
-    } else {
-        const Job job = make_job(scene, *scene.camera, size, config, progress, request.settings);
-        FrameRun run = o.engine == "model" ? run_model(job, {}, progress) : run_rtl(job, {}, progress);
-        hits = std::move(run.hits);
-        if (request.finished) picture = picture_of(size, run.colours);
-        json["config"] = config_json_object(config);
-        json["cycles"] = run.cycles;
-        json["digest"] = digest_text(run.digest);
-    }
-    json["host"] = {{"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
-    if (picture.pixels.empty()) picture = shade(scene, hits);
-    write_picture(o.output, picture, hits);
-    if (o.json != "-") fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height, o.engine, printable(o.output));
-    if (!o.json.empty()) write_file(o.json, json.dump(2) + "\n");
+    json.update(drawn.json);
+    json["host"] = {{"seconds", seconds}};
+    o.json.write(json);
     return 0;
+}
+
+} // namespace
+
+Command render_command() {
+    return command("render", "make a picture with one engine", "rayclock render gears:4 --engine rtl -o gears.png", declare, run);
 }
 
 } // namespace rayclock

@@ -1,8 +1,6 @@
 // rayclock simulate: cycles, frames per second, work and accounts of frames, at each clock.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <future>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -12,43 +10,62 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/picture.hpp"
-#include "sim/app/tables.hpp"
+#include "sim/app/options.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/report/accounts.hpp"
+#include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/work/threads.hpp"
 
 namespace rayclock {
 
 namespace {
 
+struct Options {
+    std::string scene, size = default_size, clock = default_clocks, engine = "model";
+    ConfigChoice config;
+    Finish finish;
+    FramesOptions frames;
+    TrafficOptions traffic;
+    bool no_reference = false, no_judge = false;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    finished_options(parser, o.finish);
+    size_option(parser, o.size);
+    clock_option(parser, o.clock);
+    config_options(parser, o.config);
+    parser.option("--engine", o.engine, "model or rtl").with_default();
+    frames_options(parser, o.frames);
+    parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
+    judge_option(parser, o.no_judge);
+    threads_option(parser, o.threads);
+    traffic_options(parser, o.traffic);
+    json_option(parser, o.json);
+}
+
 /// One replay per clock, on all cores, from the same trace.
 std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks, const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
                                     const Progress& progress) {
     std::vector<ClockRun> runs(clocks.size());
-    std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
-    const auto work = [&] {
-        for (std::size_t i = next++; i < clocks.size(); i = next++) {
-            const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
-                const std::lock_guard lock(mutex);
-                done[i] = std::max(done[i], n);
-                std::uint64_t sum = 0;
-                for (const std::uint64_t d : done) sum += d;
-                progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
-            };
-            runs[i].khz = clocks[i];
-            const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
-            for (std::size_t f = 0; f < timings.size(); ++f) runs[i].frames.push_back(frame_run(traces[f], timings[f]));
-        }
-    };
-    const std::size_t cores = threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> helpers;
-    for (std::size_t i = 1; i < std::min(cores, clocks.size()); ++i) helpers.push_back(std::async(std::launch::async, work));
-    work();
-    for (auto& helper : helpers) helper.get();
+    work::for_each(clocks.size(), threads, [&](std::size_t i) {
+        const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
+            const std::lock_guard lock(mutex);
+            done[i] = std::max(done[i], n);
+            std::uint64_t sum = 0;
+            for (const std::uint64_t d : done) sum += d;
+            progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
+        };
+        runs[i].khz = clocks[i];
+        const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
+        for (std::size_t f = 0; f < timings.size(); ++f) runs[i].frames.push_back(frame_run(traces[f], timings[f]));
+    });
     return runs;
 }
 
@@ -64,94 +81,141 @@ std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clo
     return runs;
 }
 
-} // namespace
+/// What is simulated: frames along a path of the camera, at each clock.
+struct Work {
+    const Request& request;
+    FrameSize size;
+    std::vector<int> clocks;
+    std::vector<Camera> path;
+    Job job;
+};
 
-int simulate_command(const Options& o) {
+/// What came of it.
+struct Simulated {
+    bool is_model = true;
+    std::vector<FrameTrace> traces;
+    std::vector<ClockRun> runs;                ///< [clock]
+    std::optional<FrameError> error;           ///< of the last frame
+    std::optional<Judgement> judgement;
+    bool partial = false;
+
+    const std::vector<Closest>& answers() const { return is_model ? traces.back().trace.hits : runs.back().last().answers; }
+    const Colours& colours() const { return is_model ? traces.back().trace.colours : runs.back().last().colours; }
+};
+
+Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
+    Simulated s;
+    s.is_model = o.engine == "model";
+    if (s.is_model && work.clocks.size() == 1 && work.path.size() == 1) {   // one replay, beside the recording
+        const std::vector<FrameTiming> timings = record_and_replay(work.job, work.clocks[0], s.traces, traffic, o.threads, progress);
+        s.runs.push_back({work.clocks[0], {frame_run(s.traces[0], timings[0])}});
+    } else {
+        for (const Camera& camera : work.path)
+            s.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
+        s.runs = s.is_model ? replay_clocks(work.job, work.clocks, s.traces, traffic, o.threads, progress)
+                            : run_rtl_clocks(work.job, work.clocks, s.traces, traffic, int(o.traffic.seed), progress);
+    }
+    s.partial = s.runs.size() < work.clocks.size() || std::any_of(s.runs.begin(), s.runs.end(), [](const ClockRun& r) { return r.partial(); });
+    return s;
+}
+
+/// Sets the last frame beside the reference's, and judges it.
+void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
+    const Scene& scene = work.request.scene;
+    const Frame& shown = s.traces.back().frame;
+    const Camera& camera = work.path.back();
+    const HitFrame hits = scaled(work.job, shown, s.answers());
+    const Reference tracer(scene);
+    const Asked asked{scene, camera, shown, work.job.image.lattice, work.request.config};
+    if (work.request.finished) {
+        const WhittedFrame reference = tracer.whitted(camera, work.size, work.request.settings, o.threads, progress);
+        const Picture picture = picture_of(work.size, s.colours());
+        s.error = frame_error(hits, picture, reference.hits, picture_of(reference));
+        const Given given{s.answers(), s.colours(), s.traces.back().trace.signatures};
+        if (!o.no_judge)
+            s.judgement = judge_finished(asked, work.job.image, work.request.settings, {reference, picture, given}, hits, o.threads, progress);
+    } else {
+        const HitFrame reference = tracer.frame(camera, work.size, o.threads, progress);
+        s.error = frame_error(scene, hits, reference);
+        if (!o.no_judge) s.judgement = judge(asked, {reference, s.answers(), shade(scene, hits)}, o.threads, progress);
+    }
+}
+
+/// All frames at all clocks together.
+struct Totals {
+    std::uint64_t cycles = 0;
+    double machine_seconds = 0, record_seconds = 0, engine_seconds = 0;   ///< of the host
+    Digest digest;
+};
+Totals totals_of(const Simulated& s) {
+    Totals t;
+    for (const ClockRun& run : s.runs)
+        for (const FrameRun& frame : run.frames) {
+            t.cycles += frame.cycles;
+            t.machine_seconds += frame.seconds;
+            t.digest.add(frame.digest);
+        }
+    for (const FrameTrace& trace : s.traces) t.record_seconds += trace.trace.seconds;
+    // A single replay runs beside the recording, and its time has both.
+    t.engine_seconds = t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
+    return t;
+}
+
+void print(const Work& work, const Simulated& s, const Totals& t, double seconds) {
+    const Config& config = work.request.config;
+    fmt::print("{}\n{}\n{}\n{}", heading(work.request.scene, work.size, work.job), clock_table(config, s.runs), work_table(config, s.runs[0]),
+               unit_table(config, s.runs));
+    if (s.error) fmt::print("\n{}{}", error_line("against the reference", *s.error), s.judgement ? cause_lines(*s.judgement) : "");
+    fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n", seconds, t.record_seconds,
+               grouped(t.cycles), t.machine_seconds, double(t.cycles) / t.machine_seconds / 1e6);
+    if (s.partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
+}
+
+nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulated& s, const Totals& t) {
+    const Config& config = work.request.config;
+    const FrameRun& frame = s.runs[0].last();
+    nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
+    for (const ClockRun& run : s.runs) clocks.push_back(clock_json(config, run));
+    return {{"scene", scene_json(work.request.scene)}, {"config", config_json_object(config)},
+            {"frame", {{"width", work.size.width}, {"height", work.size.height}}}, {"frames", o.frames.frames}, {"pan", o.frames.pan},
+            {"engine", o.engine}, {"partial", s.partial}, {"compile", compile_json(work.job.image.report)}, {"rays", rays_json(frame)},
+            {"work", work_json(frame)}, {"clocks", clocks}, {"units", units_json(config, frame)},
+            {"memory", memory_json(config, s.runs[0].khz, frame)}, {"error", error_json(s.error, s.judgement)},
+            {"judge", judge_json(s.judgement)},
+            {"host", {{"seconds", t.engine_seconds}, {"record_seconds", s.is_model ? t.record_seconds : 0},
+                      {"judge_seconds", s.judgement ? s.judgement->seconds : 0}, {"cycles_per_second", double(t.cycles) / t.engine_seconds},
+                      {"rays_per_second", rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
+            {"digest", digest_text(t.digest.value())}};
+}
+
+int run(const Options& o) {
     const auto start = std::chrono::steady_clock::now();
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
     if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
-    const Traffic traffic = traffic_of(o);
-    check_outputs(o);
+    const Traffic traffic = traffic_of(o.traffic);
+    o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o, size, progress);
-    const Config& config = request.config;
-    const Scene& scene = request.scene;
-    if (o.engine == "rtl") check_rtl(config);
-    const std::vector<Camera> path = camera_path(o, *scene.camera);
-    const Job job = make_job(scene, path[0], size, config, progress, request.settings);
-    std::vector<FrameTrace> traces;
-    std::vector<ClockRun> runs;
-    if (o.engine == "model" && clocks.size() == 1 && path.size() == 1) {   // one replay, beside the recording
-        const std::vector<FrameTiming> timings = record_and_replay(job, clocks[0], traces, traffic, o.threads, progress);
-        runs.push_back({clocks[0], {frame_run(traces[0], timings[0])}});
-    } else {
-        for (const Camera& camera : path) traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
-        runs = o.engine == "model" ? replay_clocks(job, clocks, traces, traffic, o.threads, progress)
-                                   : run_rtl_clocks(job, clocks, traces, traffic, int(o.seed), progress);
-    }
-    const bool partial = runs.size() < clocks.size() || std::any_of(runs.begin(), runs.end(), [](const ClockRun& r) { return r.partial(); });
-    std::uint64_t cycles = 0;
-    double machine_seconds = 0, record_seconds = 0;
-    Digest digest;
-    for (const ClockRun& run : runs)
-        for (const FrameRun& frame : run.frames) {
-            cycles += frame.cycles;
-            machine_seconds += frame.seconds;
-            digest.add(frame.digest);
-        }
-    for (const FrameTrace& trace : traces) record_seconds += trace.trace.seconds;
-    // A single replay runs beside the recording, and its time has both.
-    const double engine_seconds = machine_seconds + (o.engine == "model" && traces.size() * clocks.size() > 1 ? record_seconds : 0);
-    std::optional<FrameError> error;
-    std::optional<Judgement> judgement;
-    if (!o.no_reference && !partial) {
-        const std::vector<Closest>& answers = o.engine == "model" ? traces.back().trace.hits : runs.back().last().answers;
-        const Frame& shown = traces.back().frame;
-        const HitFrame hits = scaled(job, shown, answers);
-        const Reference tracer(scene);
-        if (request.finished) {
-            const Colours& colours = o.engine == "model" ? traces.back().trace.colours : runs.back().last().colours;
-            const WhittedFrame reference = tracer.whitted(path.back(), size, request.settings, o.threads, progress);
-            const Picture picture = picture_of(size, colours);
-            error = frame_error(hits, picture, reference.hits, picture_of(reference));
-            const Given given{answers, colours, traces.back().trace.signatures};
-            if (!o.no_judge)
-                judgement = judge_finished({scene, path.back(), shown, job.image.lattice, config}, job.image, request.settings,
-                                           {reference, picture, given}, hits, o.threads, progress);
-        } else {
-            const HitFrame reference = tracer.frame(path.back(), size, o.threads, progress);
-            error = frame_error(scene, hits, reference);
-            if (!o.no_judge)
-                judgement = judge({scene, path.back(), shown, job.image.lattice, config}, {reference, answers, shade(scene, hits)}, o.threads, progress);
-        }
-    }
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    if (o.engine == "rtl") check_rtl(request.config);
+    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
+    const Work work{request, size, clocks, path, make_job(request.scene, path[0], size, request.config, progress, request.settings)};
+    Simulated simulated = run_engine(o, work, traffic, progress);
+    if (!o.no_reference && !simulated.partial) compare(simulated, o, work, progress);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-    const FrameRun& frame = runs[0].last();
-    if (o.json != "-") {
-        fmt::print("{}\n{}\n{}\n{}", heading(scene, size, job), clock_table(config, runs), work_table(config, runs[0]), unit_table(config, runs));
-        if (error) fmt::print("\n{}{}", error_line("against the reference", *error), judgement ? cause_lines(*judgement) : "");
-        fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n", seconds, record_seconds, grouped(cycles),
-                   machine_seconds, double(cycles) / machine_seconds / 1e6);
-        if (partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
-    }
-    if (!o.json.empty()) {
-        nlohmann::ordered_json clocks_json = nlohmann::ordered_json::array();
-        for (const ClockRun& run : runs) clocks_json.push_back(clock_json(config, run));
-        const nlohmann::ordered_json json{
-            {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"frames", o.frames}, {"pan", o.pan}, {"engine", o.engine}, {"partial", partial}, {"compile", compile_json(job.image.report)},
-            {"rays", rays_json(frame)},
-            {"work", work_json(frame)}, {"clocks", clocks_json}, {"units", units_json(config, frame)}, {"memory", memory_json(config, runs[0].khz, frame)},
-            {"error", error_json(error, judgement)}, {"judge", judge_json(judgement)},
-            {"host", {{"seconds", engine_seconds}, {"record_seconds", o.engine == "model" ? record_seconds : 0}, {"judge_seconds", judgement ? judgement->seconds : 0}, {"cycles_per_second", double(cycles) / engine_seconds},
-                      {"rays_per_second", rays_of(frame) * double(runs.size() * runs[0].frames.size()) / engine_seconds}}},
-            {"digest", digest_text(digest.value())}};
-        write_file(o.json, json.dump(2) + "\n");
-    }
-    return partial || (judgement && judgement->wrong_for(config) > 0) ? 1 : 0;
+    const Totals totals = totals_of(simulated);
+    if (!o.json.is_alone()) print(work, simulated, totals, seconds);
+    o.json.write(json_of(o, work, simulated, totals));
+    return simulated.partial || (simulated.judgement && simulated.judgement->wrong_for(request.config) > 0) ? 1 : 0;
+}
+
+} // namespace
+
+Command simulate_command() {
+    return command("simulate", "cycles, frames per second, work and accounts of a frame", "rayclock simulate balls:3 --clock 66,90 --set contexts=32",
+                   declare, run);
 }
 
 } // namespace rayclock

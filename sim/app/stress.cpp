@@ -6,15 +6,36 @@
 
 #include "model/core/error.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/image/image.hpp"
+#include "sim/pages/hard_cases.hpp"
 #include "sim/report/text.hpp"
-#include "sim/stress/page.hpp"
 #include "sim/stress/report.hpp"
 
 namespace rayclock {
 
 namespace {
+
+struct Options {
+    std::string bits = "12:20:2", rays = "1e6", output, state;
+    std::vector<std::string> tests, families;
+    std::uint64_t seed = default_seed;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    parser.option("--bits", o.bits, "lattices: bits of a coordinate, as 12:20:2 or 16,18").with_default();
+    parser.option("--rays", o.rays, "rays for exact and for sheared; a tenth for baselines and controls").with_default();
+    parser.option("--test", o.tests, "primitive test, or all; may be repeated").by_commas();
+    parser.option("--family", o.families, "family of hard cases; may be repeated; all by default").by_commas();
+    parser.option("--seed", o.seed, "seed of the rays").within(1, 1 << 30);
+    parser.option("-o,--output", o.output, "page to write (Markdown), with a picture of each family in a folder beside it");
+    parser.option("--state", o.state, "file that keeps what is done: go on from it if it is there");
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
 
 stress::Plan make_plan(const Options& o) {
     stress::Plan plan;
@@ -47,22 +68,27 @@ stress::Plan make_plan(const Options& o) {
     return plan;
 }
 
-} // namespace
-
-int stress_command(const Options& o) {
+int run(const Options& o) {
     catch_interrupts();
     const stress::Plan plan = make_plan(o);
-    check_outputs(o);
+    o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     if (!plan.state.empty()) check_replaceable(plan.state);
     const stress::Outcome outcome = stress::run(plan, terminal_progress());
-    if (o.json != "-") fmt::print("{}", stress::text(plan, outcome));
-    if (!o.json.empty()) write_file(o.json, stress::json(plan, outcome).dump(2) + "\n");
+    if (!o.json.is_alone()) fmt::print("{}", stress::text(plan, outcome));
+    o.json.write(stress::json(plan, outcome));
     if (outcome.partial) return 1;
     if (!o.output.empty()) stress::write_page(o.output, plan, outcome);
     bool good = true;
     for (const std::string& name : plan.tests) good = good && stress::meets_demand(stress::named_test(name), outcome.cells);
     return good ? 0 : 1;
+}
+
+} // namespace
+
+Command stress_command() {
+    return command("stress", "numerical hard cases against the exact oracle",
+                   "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started again, it goes on)", declare, run);
 }
 
 } // namespace rayclock

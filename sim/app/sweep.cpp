@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
@@ -12,41 +13,67 @@ namespace rayclock {
 
 namespace {
 
+struct Options {
+    std::string scene, size = default_size, clock = default_clocks, output, plot;
+    std::vector<std::string> axes;
+    ConfigChoice config;
+    bool fresh = false, no_netlist = false;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    parser.option("--axis", o.axes, "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; may be repeated").required();
+    size_option(parser, o.size);
+    clock_option(parser, o.clock);
+    config_options(parser, o.config);
+    parser.option("-o,--output", o.output, "table as CSV");
+    parser.option("--plot", o.plot, "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
+    fresh_option(parser, o.fresh);
+    netlist_option(parser, o.no_netlist);
+    threads_option(parser, o.threads);
+    json_option(parser, o.json);
+}
+
 int one_clock(const std::string& value) { return parse_clocks(value).at(0); }
 
-} // namespace
-
-int sweep_command(const Options& o) {
+int run(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     std::vector<sweep::Axis> axes;
     for (const std::string& text : o.axes) axes.push_back(sweep::parse_axis(text));
-    std::vector<sweep::Point> points = sweep::make_points(axes, load_config(o.config, o.set), parse_clocks(o.clock)[0], one_clock);
-    check_outputs(o);
+    const Config config = load_config(o.config);
+    std::vector<sweep::Point> points = sweep::make_points(axes, config, parse_clocks(o.clock)[0], one_clock);
+    o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     if (!o.plot.empty()) plot::check_plot_path(o.plot);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o, size, progress);
-    sweep::Cache cache(rtl_cache() / "sweep", o.fresh);
+    const Scene scene = ready_scene(o.scene, size, progress);
+    work::Cache cache(rtl_cache() / "sweep", o.fresh);
     const sweep::Outcome outcome = sweep::run({scene, size, std::move(points), o.threads, !o.no_netlist}, cache, progress);
     const sweep::Front front = sweep::front_of(outcome.results);
 
-    if (o.json != "-") {
-        fmt::print("{}, {}x{}: {} points from {} traces, {} of them known before\n{}", scene.name, size.width, size.height, outcome.results.size(),
-                   outcome.traces, outcome.known, sweep::text(axes, outcome, front));
+    if (!o.json.is_alone()) {
+        fmt::print("{}, {}x{}: {} points from {} traces, {} of them known before\n{}", scene.name, size.width, size.height,
+                   outcome.results.size(), outcome.traces, outcome.known, sweep::text(axes, outcome, front));
         if (!cache.trouble().empty()) fmt::print("  nothing is kept for the next run: {}\n", cache.trouble());
         if (outcome.partial) fmt::print("  PARTIAL: interrupted; the same command goes on where it was\n");
     }
     if (!o.output.empty()) write_file(o.output, sweep::csv(axes, outcome.results, front));
     if (!o.plot.empty()) plot::write_plot(o.plot, sweep::front_plot(scene.name, size, axes, outcome.results, front));
-    if (!o.json.empty()) {
-        const nlohmann::ordered_json json{
-            {"scene", scene_json(scene)}, {"config", config_json_object(load_config(o.config, o.set))}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"partial", outcome.partial}, {"front", {{"error", front.measures[0].key}, {"cost", front.measures[1].key}, {"speed", front.measures[2].key}}},
-            {"knee", sweep::knee_json(axes, outcome.results, front)}, {"points", sweep::points_json(axes, outcome.results, front)}};
-        write_file(o.json, json.dump(2) + "\n");
-    }
+    o.json.write({{"scene", scene_json(scene)}, {"config", config_json_object(config)},
+                  {"frame", {{"width", size.width}, {"height", size.height}}}, {"partial", outcome.partial},
+                  {"front", {{"error", front.measures[0].key}, {"cost", front.measures[1].key}, {"speed", front.measures[2].key}}},
+                  {"knee", sweep::knee_json(axes, outcome.results, front)}, {"points", sweep::points_json(axes, outcome.results, front)}});
     return outcome.partial ? 1 : 0;
+}
+
+} // namespace
+
+Command sweep_command() {
+    return command("sweep", "one scene on many configurations and clocks; what differs in timing only shares one trace",
+                   "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
 }
 
 } // namespace rayclock

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "sim/app/commands.hpp"
-#include "sim/app/tables.hpp"
+#include "sim/app/options.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/lockstep.hpp"
 #include "sim/report/text.hpp"
@@ -27,7 +27,7 @@ nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResul
 
 } // namespace
 
-int torture_command(const Options& o) {
+int run_torture_set(const JsonOutput& json) {
     const auto start = Clock::now();
     catch_interrupts();
     const Progress progress = terminal_progress();
@@ -40,17 +40,16 @@ int torture_command(const Options& o) {
             frames += torture.frames.size();
             transfers += result.events_compared;
             failed += !result.agrees();
-            if (!result.agrees() && o.json != "-") fmt::print("{}:\n{}", torture.name, lockstep_lines(result));
+            if (!result.agrees() && !json.is_alone()) fmt::print("{}:\n{}", torture.name, lockstep_lines(result));
             if (interrupted()) break;
         }
     }
     const bool good = failed == 0 && !interrupted();
     const double seconds = seconds_since(start);
-    if (o.json != "-")
+    if (!json.is_alone())
         fmt::print("  torture: {} cases on {} chips, {} frames, {} transfers compared, {} cases differ\n  {} in {:.1f} s\n", cases.size(),
                    torture_chips().size(), frames, grouped(transfers), failed, good ? "VERIFIED" : interrupted() ? "PARTIAL: interrupted" : "FAILED", seconds);
-    if (!o.json.empty())
-        write_file(o.json, nlohmann::ordered_json{{"torture", cases}, {"partial", interrupted()}, {"host", {{"seconds", seconds}}}}.dump(2) + "\n");
+    json.write({{"torture", cases}, {"partial", interrupted()}, {"host", {{"seconds", seconds}}}});
     return good ? 0 : 1;
 }
 

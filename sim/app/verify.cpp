@@ -11,12 +11,12 @@
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/limits.hpp"
-#include "sim/app/picture.hpp"
-#include "sim/app/tables.hpp"
+#include "sim/app/options.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/image/golden.hpp"
+#include "sim/report/limits.hpp"
 #include "sim/report/lockstep.hpp"
+#include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock {
@@ -24,6 +24,47 @@ namespace rayclock {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct Options {
+    std::string scene, size = default_size, clock = default_clocks, output;
+    ConfigChoice config;
+    Finish finish;
+    FramesOptions frames;
+    TrafficOptions traffic;
+    std::optional<std::string> max_other;
+    std::optional<double> min_psnr;
+    bool torture = false, no_judge = false;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    const Declared scene = scene_option(parser, o.scene);
+    parser.flag("--torture", o.torture, "no scene, but the torture set: small frames on three chips that reach the corners of the machine")
+        .excludes(scene);
+    finished_options(parser, o.finish);
+    size_option(parser, o.size);
+    clock_option(parser, o.clock);
+    config_options(parser, o.config);
+    frames_options(parser, o.frames);
+    judge_option(parser, o.no_judge);
+    parser.option("--max-other", o.max_other,
+                  "fail if more pixels hold another primitive than the reference's, in per cent; otherwise it warns above 1%");
+    parser.option("--min-psnr", o.min_psnr, "fail if the picture is further from the reference's, in decibel; otherwise it warns below 30");
+    parser.option("-o,--output", o.output, "folder for the pictures of the three engines and their difference");
+    threads_option(parser, o.threads);
+    traffic_options(parser, o.traffic);
+    json_option(parser, o.json);
+}
+
+Limits limits_of(const Options& o) {
+    check_psnr(o.min_psnr);
+    Limits limits;
+    if (o.max_other) limits.max_other = parse_percent("--max-other", *o.max_other, true);
+    if (o.min_psnr) limits.min_psnr = *o.min_psnr;
+    limits.fails = o.max_other || o.min_psnr;
+    return limits;
+}
 
 /// Fails early if the pictures could not be written later. Makes nothing: the work may still fail.
 void check_folder(const std::string& folder) {
@@ -35,11 +76,11 @@ void check_folder(const std::string& folder) {
 }
 
 /// The golden picture of the scene is of one size of its own; the model makes that frame for it.
-GoldenResult golden_result(const Options& o, const Scene& scene, const Config& config) {
+GoldenResult golden_result(const std::string& spec, const Scene& scene, const Config& config) {
     const std::string folder = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/golden";
     const FrameSize size{128, 96};
     // A built-in scene's name has its size in it, also where none was typed.
-    if (!is_builtin(o.scene) || !fs::exists(golden_path(folder, scene.name, size))) return {};
+    if (!is_builtin(spec) || !fs::exists(golden_path(folder, scene.name, size))) return {};
     const Job job = make_job(scene, *scene.camera, size, config);
     return check_golden(folder, scene.name, shade(scene, run_model(job).hits), config.coord_bits);
 }
@@ -76,80 +117,135 @@ void write_pictures(const std::string& folder, const Pictures& p, const Lockstep
     if (judgement) write_picture(path("difference.png"), cause_picture(p.reference, *judgement), p.hits);
 }
 
-} // namespace
+/// What is verified: the last frame along a path of the camera.
+struct Work {
+    const Request& request;
+    FrameSize size;
+    std::vector<Camera> path;
+    Job job;
+};
 
-int verify_command(const Options& o) {
-    if (o.torture) return torture_command(o);
+/// What came of it.
+struct Verified {
+    std::vector<FrameTrace> traces;
+    LockstepResult result;
+    Pictures pictures;
+    FrameError model, rtl;                  ///< beside the reference
+    std::optional<Judgement> judgement;
+    GoldenResult golden;
+
+    bool partial() const { return result.model.partial; }
+    /// If the RTL is the model, what is said of one holds for both.
+    const FrameRun& judged() const { return result.agrees() ? result.model : result.rtl; }
+    const FrameError& error() const { return result.agrees() ? model : rtl; }
+    bool is_good(const Config& config) const {
+        return result.agrees() && !partial() && (!judgement || judgement->wrong_for(config) == 0) && (!golden.found || golden.within);
+    }
+};
+
+/// The frames on both machines, and the reference's picture.
+Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
+    Verified v;
+    for (const Camera& camera : work.path) v.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
+    auto reference = std::async(std::launch::async, [&] { return draw_reference(work.request, work.path.back(), work.size, o.threads); });
+    v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed));
+    v.pictures = reference.get();
+    return v;
+}
+
+Picture drawn(const Work& work, const FrameRun& made) {
+    return work.request.finished ? picture_of(work.size, made.colours) : shade(work.request.scene, made.hits);
+}
+
+/// Sets the machines' pictures beside the reference's and the golden one, and judges what they answered.
+void compare(Verified& v, const Options& o, const Work& work, const Progress& progress) {
+    const Scene& scene = work.request.scene;
+    Pictures& p = v.pictures;
+    p.model = drawn(work, v.result.model), p.rtl = drawn(work, v.result.rtl);
+    v.model = frame_error(v.result.model.hits, p.model, p.hits, p.reference);
+    v.rtl = frame_error(v.result.rtl.hits, p.rtl, p.hits, p.reference);
+    const FrameRun& judged = v.judged();
+    const Asked asked{scene, work.path.back(), v.traces.back().frame, work.job.image.lattice, work.request.config};
+    const bool judges = !v.partial() && !o.no_judge;
+    if (judges && !work.request.finished) v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
+    const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
+    if (judges && work.request.finished)
+        v.judgement = judge_finished(asked, work.job.image, work.request.settings, {p.finished, drawn(work, judged), given}, judged.hits,
+                                     o.threads, progress);
+    if (!work.request.finished) v.golden = golden_result(o.scene, scene, work.request.config);
+}
+
+void print(const Options& o, const Work& work, const Verified& v) {
+    const Config& config = work.request.config;
+    const ClockRun run{work.job.khz, {v.result.model}};
+    fmt::print("{}\n{}\n{}\n{}\n", heading(work.request.scene, work.size, work.job), clock_table(config, {run}), work_table(config, run),
+               unit_table(config, {run}));
+    fmt::print("{}", lockstep_lines(v.result));
+    fmt::print("{}", error_line("model against reference", v.model));
+    if (!v.result.agrees()) fmt::print("{}", error_line("RTL against reference", v.rtl));
+    if (v.judgement) fmt::print("{}", cause_lines(*v.judgement));
+    if (v.golden.found)
+        fmt::print("  golden picture: {}, {}\n", std::isfinite(v.golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", v.golden.psnr_db) : "equal",
+                   v.golden.within ? "within bounds" : "OUT OF BOUNDS");
+    if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", printable(o.output));
+}
+
+nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits& limits, double seconds) {
+    const Config& config = work.request.config;
+    const LockstepResult& result = v.result;
+    const FrameRun& frame = result.model;
+    nlohmann::ordered_json golden;
+    if (v.golden.found) golden = {{"psnr_db", decibel(v.golden.psnr_db)}, {"within", v.golden.within}};
+    return {{"scene", scene_json(work.request.scene)}, {"config", config_json_object(config)},
+            {"frame", {{"width", work.size.width}, {"height", work.size.height}}}, {"compile", compile_json(work.job.image.report)},
+            {"partial", v.partial()}, {"pixels", v.model.pixels}, {"events_compared", result.events_compared},
+            {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap},
+            {"first_divergence", divergence_json(result.first)}, {"counters_compared", result.counters_compared},
+            {"first_counter", counter_json(result.counter)}, {"reference", error_json(v.model, v.judgement)},
+            {"limits", limits_json(limits, v.error())}, {"judge", judge_json(v.judgement)}, {"golden", golden}, {"rays", rays_json(frame)},
+            {"work", work_json(frame)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.job.khz, {frame}})})},
+            {"units", units_json(config, frame)}, {"memory", memory_json(config, work.job.khz, frame)},
+            {"host", {{"seconds", seconds}, {"judge_seconds", v.judgement ? v.judgement->seconds : 0}}}, {"digest", digest_text(frame.digest)}};
+}
+
+int run(const Options& o) {
+    if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const auto start = std::chrono::steady_clock::now();
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
-    const Traffic traffic = traffic_of(o);
-    check_outputs(o);
+    const Traffic traffic = traffic_of(o.traffic);
+    o.json.check();
     const Limits limits = limits_of(o);
     const Progress progress = terminal_progress();
-    const Request request = request_of(o, size, progress);
-    const Config& config = request.config;
-    const Scene& scene = request.scene;
-    check_rtl(config);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    check_rtl(request.config);
     if (!o.output.empty()) check_folder(o.output);
-    const std::vector<Camera> path = camera_path(o, *scene.camera);
-    Job job = make_job(scene, path[0], size, config, progress, request.settings);
-    job.khz = clocks[0];
-    std::vector<FrameTrace> traces;
-    for (const Camera& camera : path) traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
-
-    auto reference_work = std::async(std::launch::async, [&] { return draw_reference(request, path.back(), size, o.threads); });
-    const LockstepResult result = run_lockstep(job, traces, traffic, progress, int(o.seed));
-    const ClockRun run{job.khz, {result.model}};
-    Pictures pictures = reference_work.get();
-    const HitFrame& reference = pictures.hits;
-    const auto drawn = [&](const FrameRun& made) { return request.finished ? picture_of(size, made.colours) : shade(scene, made.hits); };
-    pictures.model = drawn(result.model), pictures.rtl = drawn(result.rtl);
-    const FrameError model = frame_error(result.model.hits, pictures.model, reference, pictures.reference),
-                     rtl = frame_error(result.rtl.hits, pictures.rtl, reference, pictures.reference);
-    // If the RTL is the model, what is said of one holds for both.
-    const FrameRun& judged = result.agrees() ? result.model : result.rtl;
-    const Asked asked{scene, path.back(), traces.back().frame, job.image.lattice, config};
-    std::optional<Judgement> judgement;
-    const bool judges = !result.model.partial && !o.no_judge;
-    if (judges && !request.finished) judgement = judge(asked, {reference, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
-    const Given given{judged.answers, judged.colours, traces.back().trace.signatures};
-    if (judges && request.finished)
-        judgement = judge_finished(asked, job.image, request.settings, {pictures.finished, drawn(judged), given}, judged.hits, o.threads, progress);
-    const GoldenResult golden = request.finished ? GoldenResult{} : golden_result(o, scene, config);
-    if (!o.output.empty()) write_pictures(o.output, pictures, result, judgement);
+    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
+    Work work{request, size, path, make_job(request.scene, path[0], size, request.config, progress, request.settings)};
+    work.job.khz = clocks[0];
+    Verified verified = run_machines(o, work, traffic, progress);
+    compare(verified, o, work, progress);
+    if (!o.output.empty()) write_pictures(o.output, verified.pictures, verified.result, verified.judgement);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const bool partial = result.model.partial;
-    const FrameError& error = result.agrees() ? model : rtl;
-    const std::string beyond = partial ? "" : beyond_limits(limits, error);
-    const bool good = (beyond.empty() || !limits.fails) && result.agrees() && !partial && (!judgement || judgement->wrong_for(config) == 0) && (!golden.found || golden.within);
 
-    if (o.json != "-") {
-        fmt::print("{}\n{}\n{}\n{}\n", heading(scene, size, job), clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
-        fmt::print("{}", lockstep_lines(result));
-        fmt::print("{}", error_line("model against reference", model));
-        if (!result.agrees()) fmt::print("{}", error_line("RTL against reference", rtl));
-        if (judgement) fmt::print("{}", cause_lines(*judgement));
-        if (golden.found) fmt::print("  golden picture: {}, {}\n", std::isfinite(golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", golden.psnr_db) : "equal", golden.within ? "within bounds" : "OUT OF BOUNDS");
-        if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", printable(o.output));
-        fmt::print("{}  {} in {:.1f} s\n", beyond, good ? (beyond.empty() ? "VERIFIED" : "VERIFIED, but far from the reference") : partial ? "PARTIAL: interrupted" : "FAILED", seconds);
+    const std::string beyond = verified.partial() ? "" : beyond_limits(limits, verified.error());
+    const bool good = (beyond.empty() || !limits.fails) && verified.is_good(request.config);
+    if (!o.json.is_alone()) {
+        print(o, work, verified);
+        const char* const praise = beyond.empty() ? "VERIFIED" : "VERIFIED, but far from the reference";
+        fmt::print("{}  {} in {:.1f} s\n", beyond, good ? praise : verified.partial() ? "PARTIAL: interrupted" : "FAILED", seconds);
     }
-    if (!o.json.empty()) {
-        const nlohmann::ordered_json json{
-            {"scene", scene_json(scene)}, {"config", config_json_object(config)}, {"frame", {{"width", size.width}, {"height", size.height}}},
-            {"compile", compile_json(job.image.report)}, {"partial", partial}, {"pixels", model.pixels}, {"events_compared", result.events_compared},
-            {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap}, {"first_divergence", divergence_json(result.first)},
-            {"counters_compared", result.counters_compared}, {"first_counter", counter_json(result.counter)},
-            {"reference", error_json(model, judgement)}, {"limits", limits_json(limits, error)}, {"judge", judge_json(judgement)},
-            {"golden", golden.found ? nlohmann::ordered_json{{"psnr_db", decibel(golden.psnr_db)}, {"within", golden.within}} : nlohmann::ordered_json(nullptr)},
-            {"rays", rays_json(result.model)}, {"work", work_json(result.model)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, run)})}, {"units", units_json(config, result.model)},
-            {"memory", memory_json(config, job.khz, result.model)},
-            {"host", {{"seconds", seconds}, {"judge_seconds", judgement ? judgement->seconds : 0}}}, {"digest", digest_text(result.model.digest)}};
-        write_file(o.json, json.dump(2) + "\n");
-    }
+    o.json.write(json_of(work, verified, limits, seconds));
     return good ? 0 : 1;
+}
+
+} // namespace
+
+Command verify_command() {
+    return command("verify", "run model and RTL in lockstep, and compare both with the reference", "rayclock verify teapot:12 -o out", declare,
+                   run);
 }
 
 } // namespace rayclock

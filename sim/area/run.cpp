@@ -1,15 +1,15 @@
 #include "sim/area/run.hpp"
 
 #include <algorithm>
-#include <thread>
+#include <mutex>
 
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
-#include "sim/sweep/tasks.hpp"
-#include "sim/sweep/yosys.hpp"
+#include "sim/synth/yosys.hpp"
+#include "sim/work/threads.hpp"
 
 namespace rayclock::area {
 
@@ -24,8 +24,8 @@ struct Piece {
 
 class Runner {
 public:
-    Runner(Areas& areas, sweep::Cache& cache, const Progress& progress, int threads)
-        : areas_(areas), cache_(cache), progress_(progress), threads_(threads ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency())) {}
+    Runner(Areas& areas, work::Cache& cache, const Progress& progress, int threads)
+        : areas_(areas), cache_(cache), progress_(progress), threads_(threads) {}
 
     void run(std::vector<Piece> pieces) {
         for_each(pieces, "looking at units", [&](Piece& piece) { find_shape(piece); });
@@ -35,7 +35,7 @@ public:
         areas_.different = shapes.size();
         std::vector<Piece> missing;
         for (const auto& [shape, piece] : shapes)
-            if (const auto entry = cache_.find("area", shape)) parts_[shape] = part_of(*entry), ++areas_.known;
+            if (const auto entry = cache_.find("area", shape)) parts_[shape] = synth::part_of(*entry), ++areas_.known;
             else missing.push_back(piece);
         // Long ones first, so that none is left alone in the end.
         std::stable_sort(missing.begin(), missing.end(), [](const Piece& a, const Piece& b) { return weight(a) > weight(b); });
@@ -48,47 +48,44 @@ public:
 private:
     static int weight(const Piece& piece) { return piece.unit == "shade" ? 2 : piece.unit == "tri" || piece.unit == "box"; }
 
-    template <class Work> void for_each(std::vector<Piece>& pieces, const char* what, Work work) {
+    template <class Do> void for_each(std::vector<Piece>& pieces, const char* what, Do look_at) {
         done_ = 0;
-        sweep::Tasks tasks;
-        for (Piece& piece : pieces)
-            tasks.add([&, all = pieces.size()] {
-                if (interrupted()) return;
-                work(piece);
-                const std::lock_guard lock(mutex_);
-                if (progress_) progress_(fmt::format("{}, {}", what, piece.unit), ++done_, all);
-            });
-        tasks.run(threads_);
+        work::for_each(pieces.size(), threads_, [&](std::size_t i) {
+            if (interrupted()) return;
+            look_at(pieces[i]);
+            const std::lock_guard lock(mutex_);
+            if (progress_) progress_(fmt::format("{}, {}", what, pieces[i].unit), ++done_, pieces.size());
+        });
     }
 
     const Config& config(const Piece& piece) const { return areas_.variants[piece.variant].config; }
 
     void find_shape(Piece& piece) {
-        const std::string with = fmt::format("script {} {}", sweep::hash_text(synth_script()), sweep::yosys_version());
-        const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}", sweep::hash_text(rc_package(config(piece))), sweep::rtl_digest(), piece.unit,
+        const std::string with = fmt::format("script {} {}", work::hash_text(synth::synth_script()), synth::yosys_version());
+        const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}", work::hash_text(rc_package(config(piece))), synth::rtl_digest(), piece.unit,
                                             config(piece).pipelines, with);
         if (const auto entry = cache_.find("shape", key)) {
             piece.shape = entry->get<std::string>();
             return;
         }
-        const std::optional<std::string> shape = shape_of(config(piece), piece.unit, cache_.folder());
+        const std::optional<std::string> shape = synth::shape_of(config(piece), piece.unit, cache_.folder());
         if (!shape) return;
         piece.shape = fmt::format("unit {} shape {} {}", piece.unit, *shape, with);
         cache_.keep("shape", key, piece.shape);
     }
 
     void count(const Piece& piece) {
-        const std::optional<Part> part = synthesize(config(piece), piece.unit, cache_.folder());
+        const std::optional<Part> part = synth::synthesize(config(piece), piece.unit, cache_.folder());
         if (!part) return;
-        cache_.keep("area", piece.shape, part_json(*part));
+        cache_.keep("area", piece.shape, synth::part_json(*part));
         const std::lock_guard lock(mutex_);
         parts_[piece.shape] = *part;
     }
 
     Areas& areas_;
-    sweep::Cache& cache_;
+    work::Cache& cache_;
     const Progress& progress_;
-    std::size_t threads_;
+    int threads_;
     std::mutex mutex_;
     std::size_t done_ = 0;
     std::map<std::string, Part> parts_;
@@ -96,8 +93,8 @@ private:
 
 } // namespace
 
-Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, sweep::Cache& cache, const Progress& progress) {
-    if (sweep::yosys_version().empty()) throw UserError("yosys is not installed, and areas come from it; 'rayclock doctor' tells what is missing");
+Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, work::Cache& cache, const Progress& progress) {
+    if (synth::yosys_version().empty()) throw UserError("yosys is not installed, and areas come from it; 'rayclock doctor' tells what is missing");
     Areas areas;
     areas.variants = std::move(variants);
     areas.units.resize(areas.variants.size());

@@ -61,11 +61,4 @@ const std::vector<UnitRow>& unit_rows() {
     return rows;
 }
 
-const std::vector<std::string>& cells() {
-    static const std::vector<std::string> names{
-        "divide", "sqrt",    "unit",   "power",  "sample", "recip", "slope",  "stack", "slab",    "rank",   "edges",  "shear",   "hitdiv",
-        "sphere", "contexts", "pass",  "surf",   "corners", "ball", "angles", "light", "bounce", "snell",  "schlick", "finish", "turnout"};
-    return names;
-}
-
 } // namespace rayclock::area

@@ -30,7 +30,4 @@ struct UnitRow {
 /// In the order in which a ray meets them.
 const std::vector<UnitRow>& unit_rows();
 
-/// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate. Names without rc_.
-const std::vector<std::string>& cells();
-
 } // namespace rayclock::area

@@ -1,12 +1,10 @@
 #pragma once
-// A drawing as a list of shapes, for two writers: svg() and raster().
+// A drawing as a list of shapes, and as an SVG file.
 #include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "model/shade/shade.hpp"
 
 namespace rayclock::plot {
 
@@ -51,19 +49,12 @@ struct Drawing {
 /// How wide a text is drawn.
 double text_width(const std::string& text, double size);
 
-/// A text as strokes, in drawing coordinates, and how wide the pen is.
-std::vector<std::vector<Place>> strokes_of(const Text& text);
-double pen_width(double size);
-
 /// As a whole SVG file. Texts are texts, set to the width that text_width() says.
 std::string svg(const Drawing& drawing);
 
-/// On white, `scale` pixels to one, edges smoothed.
-Picture raster(const Drawing& drawing, int scale);
-
-/// Writes NAME.svg and NAME.png; both appear whole or not at all. Throws UserError.
+/// Writes NAME.svg, whole or not at all. Throws UserError.
 void write_plot(const std::string& name, const Drawing& drawing);
-/// Fails early (UserError) if write_plot() could not write them.
+/// Fails early (UserError) if write_plot() could not write it.
 void check_plot_path(const std::string& name);
 
 } // namespace rayclock::plot

@@ -1,10 +1,25 @@
+#include <string_view>
+
 #include <fmt/format.h>
 
+#include "sim/image/image.hpp"
 #include "sim/plot/drawing.hpp"
+#include "sim/report/text.hpp"
 
 namespace rayclock::plot {
 
 namespace {
+
+// How wide the letters from '!' to '~' are, in sevenths of a capital's height. The file demands these widths of whatever font
+// shows it, so that labels lie where they were put.
+constexpr std::string_view widths = "02444402244130444444444440144444444444442444445"
+                                     "45444444444242441444443440131444443434444442024";
+constexpr double between_letters = 1.7, blank = 0.8;
+
+double width_of(char c) {
+    if (c == ' ') return blank;
+    return double(widths[std::size_t((c < ' ' || c > '~' ? '?' : c) - '!')] - '0');
+}
 
 std::string escaped(const std::string& text) {
     std::string out;
@@ -44,6 +59,12 @@ struct Element {
 
 } // namespace
 
+double text_width(const std::string& text, double size) {
+    double width = text.empty() ? 0 : -between_letters;
+    for (const char c : text) width += width_of(c) + between_letters;
+    return width * size * 0.72 / 7;
+}
+
 std::string svg(const Drawing& drawing) {
     std::string text = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" viewBox="0 0 {0:.0f} {1:.0f}">)"
                                    "\n" R"(<rect width="100%" height="100%" fill="#ffffff"/>)" "\n",
@@ -51,5 +72,9 @@ std::string svg(const Drawing& drawing) {
     for (const Shape& shape : drawing.shapes) text += std::visit(Element{}, shape) + "\n";
     return text + "</svg>\n";
 }
+
+void check_plot_path(const std::string& name) { check_writable(name + ".svg"); }
+
+void write_plot(const std::string& name, const Drawing& drawing) { write_file(name + ".svg", svg(drawing)); }
 
 } // namespace rayclock::plot

@@ -19,6 +19,25 @@ std::string grouped(std::uint64_t n) {
     return text;
 }
 
+namespace {
+
+/// An empty corner takes a single blank.
+std::string markdown_row(const std::vector<std::string>& cells) {
+    std::string line = "|";
+    for (std::size_t c = 0; c < cells.size(); ++c) line += (c == 0 && cells[c].empty() ? "" : " " + cells[c]) + " |";
+    return line + "\n";
+}
+
+} // namespace
+
+std::string Table::markdown() const {
+    std::string text = markdown_row(rows_[0]) + "|";
+    for (std::size_t c = 0; c < rows_[0].size(); ++c) text += c < left_ ? "---|" : "---:|";
+    text += "\n";
+    for (std::size_t r = 1; r < rows_.size(); ++r) text += markdown_row(rows_[r]);
+    return text;
+}
+
 std::string Table::text(int indent) const {
     std::vector<std::size_t> width;
     for (const auto& row : rows_)

@@ -1,19 +1,16 @@
 #include "sim/stress/run.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
-#include <future>
-#include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "sim/engine/engine.hpp"
 #include "sim/stress/shadows.hpp"
 #include "sim/stress/state.hpp"
+#include "sim/work/threads.hpp"
 
 namespace rayclock::stress {
 
@@ -99,61 +96,73 @@ Config format_of(int bits, std::uint64_t batch) {
     return config;
 }
 
-Outcome run(const Plan& plan, const Progress& progress) {
-    using Clock = std::chrono::steady_clock;
-    Work work = make_work(plan);
-    std::uint64_t first = 0;
-    const auto rays_after = [&](std::uint64_t batches) {
-        std::vector<std::uint64_t> rays(work.cells.size());
-        for (std::uint64_t u = 0; u < batches; ++u) rays[work.units[u].cell] += work.units[u].rays;
-        return rays;
-    };
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Rays of each cell after so many units.
+std::vector<std::uint64_t> rays_after(const Work& work, std::uint64_t units) {
+    std::vector<std::uint64_t> rays(work.cells.size());
+    for (std::uint64_t u = 0; u < units; ++u) rays[work.units[u].cell] += work.units[u].rays;
+    return rays;
+}
+
+/// What an earlier run has done: the number of its units. Their counts are in the cells then.
+std::uint64_t go_on(const Plan& plan, Work& work) {
     std::error_code error;
     const bool is_new = std::filesystem::status(plan.state, error).type() == std::filesystem::file_type::not_found;
-    if (!plan.state.empty() && !is_new) first = read_state(plan, work.cells, work.units.size(), rays_after);
+    if (plan.state.empty() || is_new) return 0;
+    return read_state(plan, work.cells, work.units.size(), [&](std::uint64_t units) { return rays_after(work, units); });
+}
 
+/// What came of a unit, and the processor time that it took.
+struct Made {
+    std::size_t unit = 0;
+    Counts counts;
+    double seconds = 0;
+};
+
+} // namespace
+
+Outcome run(const Plan& plan, const Progress& progress) {
+    Work work = make_work(plan);
+    const std::uint64_t first = go_on(plan, work), end = std::min<std::uint64_t>(work.units.size(), plan.stop_after);
     Outcome outcome;
     std::uint64_t rays_all = 0;
-    for (std::size_t u = 0; u < work.units.size(); ++u) (u < first ? outcome.rays_before : rays_all) += work.units[u].rays;
-    rays_all += outcome.rays_before;
+    for (std::size_t u = 0; u < work.units.size(); ++u) {
+        if (u < first) outcome.rays_before += work.units[u].rays;
+        rays_all += work.units[u].rays;
+    }
 
-    // Results are added up in the order of the units, so that a state is always that of a beginning.
     const auto start = Clock::now();
-    std::vector<std::optional<Counts>> results(work.units.size() - std::min<std::size_t>(first, work.units.size()));
-    std::uint64_t added = first;
-    std::atomic<std::uint64_t> next = first, done_rays = outcome.rays_before;
-    std::mutex mutex;
     auto saved = start;
+    std::uint64_t added = first, done_rays = outcome.rays_before;
     const auto save = [&] {
         if (!plan.state.empty()) write_state(plan, work.cells, added);
         saved = Clock::now();
     };
-    std::atomic<double> core_seconds = 0;
-    const auto help = [&] {
+    const auto make = [&](std::size_t i) {
         const double begin = thread_seconds();
-        for (std::uint64_t u = next++; u < std::min<std::uint64_t>(work.units.size(), plan.stop_after) && !interrupted(); u = next++) {
-            const Unit& unit = work.units[u];
-            const Counts counts = run_batch(plan, work.cells[unit.cell], unit.batch, unit.rays);
-            done_rays += counts.rays;
-            const std::lock_guard lock(mutex);
-            results[u - first] = counts;
-            for (; added < work.units.size() && results[added - first]; ++added) work.cells[work.units[added].cell].counts += *results[added - first];
-            if (progress) progress(fmt::format("rays, {:.2f} M/s", double(done_rays - outcome.rays_before) / 1e6 / std::chrono::duration<double>(Clock::now() - start).count()),
-                                   done_rays, rays_all);
-            if (std::chrono::duration<double>(Clock::now() - saved).count() > seconds_between_saves) save();
-        }
-        core_seconds = core_seconds + thread_seconds() - begin;
+        const Unit& unit = work.units[first + i];
+        Made made{first + i, run_batch(plan, work.cells[unit.cell], unit.batch, unit.rays), 0};
+        made.seconds = thread_seconds() - begin;
+        return made;
     };
-    const std::size_t cores = plan.threads > 0 ? std::size_t(plan.threads) : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> helpers;
-    for (std::size_t i = 1; i < cores; ++i) helpers.push_back(std::async(std::launch::async, help));
-    help();
-    for (auto& helper : helpers) helper.get();
+    // In the order of the units, so that a state is always that of a beginning.
+    const auto take = [&](const Made& made) {
+        work.cells[work.units[made.unit].cell].counts += made.counts;
+        ++added;
+        done_rays += made.counts.rays;
+        outcome.core_seconds += made.seconds;
+        if (progress) progress(fmt::format("rays, {:.2f} M/s", double(done_rays - outcome.rays_before) / 1e6 / seconds_since(start)), done_rays, rays_all);
+        if (seconds_since(saved) > seconds_between_saves) save();
+    };
+    work::in_order(plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
     save();
 
     outcome.partial = added < work.units.size();
-    outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    outcome.core_seconds = core_seconds;
+    outcome.seconds = seconds_since(start);
     for (const Cell& cell : work.cells) outcome.rays += cell.counts.rays;
     outcome.cells = std::move(work.cells);
     return outcome;

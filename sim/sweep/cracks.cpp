@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
 #include "model/oracle/surface.hpp"
 #include "model/raygen/raygen.hpp"
+#include "sim/work/threads.hpp"
 
 namespace rayclock::sweep {
 
@@ -54,19 +54,13 @@ bool is_crack(const oracle::Surface& surface, const Vec3i& o, const Vec3i& d, co
 std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector<Closest>& hits, int threads) {
     const oracle::Surface surface(oracle::snapped(scene, job.image.lattice));
     const std::uint32_t width = job.frame.width, height = job.frame.height;
-    std::atomic<std::uint32_t> next = 0;
     std::atomic<std::uint64_t> cracks = 0;
-    const auto work = [&] {
+    work::for_each(height, threads, [&](std::size_t y) {
         std::uint64_t mine = 0;
-        for (std::uint32_t y = next++; y < height; y = next++)
-            for (std::uint32_t x = 0; x < width; ++x)
-                mine += is_crack(surface, job.frame.eye, pixel_direction(x, y, job.frame, job.config), hits[std::size_t(y) * width + x]);
+        for (std::uint32_t x = 0; x < width; ++x)
+            mine += is_crack(surface, job.frame.eye, pixel_direction(x, std::uint32_t(y), job.frame, job.config), hits[y * width + x]);
         cracks += mine;
-    };
-    std::vector<std::thread> helpers;
-    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
-    work();
-    for (std::thread& helper : helpers) helper.join();
+    });
     return cracks;
 }
 

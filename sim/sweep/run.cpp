@@ -1,16 +1,19 @@
 #include "sim/sweep/run.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <functional>
 #include <map>
+#include <mutex>
 
 #include <fmt/format.h>
 
 #include "model/core/error.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/sweep/cracks.hpp"
-#include "sim/sweep/netlist.hpp"
-#include "sim/sweep/tasks.hpp"
+#include "sim/sweep/key.hpp"
+#include "sim/synth/netlist.hpp"
+#include "sim/synth/yosys.hpp"
+#include "sim/work/threads.hpp"
 
 namespace rayclock::sweep {
 
@@ -57,21 +60,21 @@ struct Traced {
 
 class Runner {
 public:
-    Runner(const Plan& plan, Cache& cache, const Progress& progress) : plan_(plan), cache_(cache), progress_(progress) {
+    Runner(const Plan& plan, work::Cache& cache, const Progress& progress) : plan_(plan), cache_(cache), progress_(progress) {
         scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene), plan.size.width, plan.size.height);
-        cores_ = plan.threads > 0 ? std::size_t(plan.threads) : std::max(1u, std::thread::hardware_concurrency());
+        cores_ = work::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}});
     }
 
     Outcome run() {
         find_known();
         const std::size_t open = std::size_t(std::count_if(groups_.begin(), groups_.end(), [](const auto& g) { return needs_trace(g.second); }));
-        inner_threads_ = int(std::max<std::size_t>(1, cores_ / std::max<std::size_t>(1, std::min(cores_, open))));
+        inner_threads_ = std::max(1, cores_ / std::clamp(int(open), 1, cores_));
         if (plan_.netlists) plan_netlists();
         for (auto& [format, group] : groups_)
-            if (needs_trace(group)) tasks_.add([this, &group = group] { trace(group); });
+            if (needs_trace(group)) tasks_.push_back([this, &group = group] { trace(group); });
         tell(0);
-        tasks_.run(cores_);
+        work::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
         outcome_.traces = groups_.size();
         return std::move(outcome_);
     }
@@ -107,12 +110,12 @@ private:
     void plan_netlists() {
         std::map<std::string, std::vector<Result*>> wanted;
         for (Result& r : outcome_.results) {
-            if (r.refused() || !exists_in_rtl(r.point.config)) continue;
-            if (yosys_version().empty()) {
+            if (r.refused() || !synth::exists_in_rtl(r.point.config)) continue;
+            if (synth::yosys_version().empty()) {
                 outcome_.netlist_note = "Yosys is not installed, so multipliers and flip-flops are not counted";
                 return;
             }
-            wanted[netlist_key(r.point.config)].push_back(&r);
+            wanted[synth::netlist_key(r.point.config)].push_back(&r);
         }
         for (auto& [key, results] : wanted) {
             if (const auto known = cache_.find("netlist", key)) {
@@ -120,10 +123,10 @@ private:
                 continue;
             }
             ++all_;
-            tasks_.add([this, key = key, results = results] { count(key, results); });
+            tasks_.push_back([this, key = key, results = results] { count(key, results); });
         }
     }
-    static void set_netlist(const std::vector<Result*>& results, const Netlist& netlist) {
+    static void set_netlist(const std::vector<Result*>& results, const synth::Netlist& netlist) {
         for (Result* r : results) {
             r->multipliers = netlist.multipliers;
             r->flip_flops = netlist.flip_flops;
@@ -132,7 +135,7 @@ private:
     void count(const std::string& key, const std::vector<Result*>& results) {
         if (stopped()) return;
         try {
-            const auto netlist = count_netlist(results[0]->point.config, cache_.folder());
+            const auto netlist = synth::count_netlist(results[0]->point.config, cache_.folder());
             if (!netlist) {
                 stopped();
                 return;
@@ -160,35 +163,36 @@ private:
         tell(1);
     }
 
-    /// Compiles and records for a group's format; its frames are to be timed next.
+    /// Compiles and records for a group's format, and times its frames.
     void trace(Group& group) {
         if (stopped()) return;
-        const auto traced = std::make_shared<Traced>();
+        Traced traced;
         const Config& config = group.results[0]->point.config;
         try {
-            traced->job = {config, {}, compile_scene(plan_.scene, plan_.scene.camera->eye, config), plan_.size};
+            traced.job = {config, {}, compile_scene(plan_.scene, plan_.scene.camera->eye, config), plan_.size};
         } catch (const UserError& e) {
             for (Result* r : group.results)
                 if (!r->refused()) refuse(*r, e.what());
             return;
         }
-        Job& job = traced->job;
+        Job& job = traced.job;
         job.frame = make_frame(*plan_.scene.camera, plan_.size, job.image.lattice, config);
-        traced->frames.push_back(record_frame(job, job.frame, inner_threads_));
+        traced.frames.push_back(record_frame(job, job.frame, inner_threads_));
         if (!group.picture_known) {
-            const PictureFigures picture = compare_picture(*traced);
+            const PictureFigures picture = compare_picture(traced);
             cache_.keep("picture", group.key, picture_json(picture));
             for (Result* r : group.results) r->picture = picture;
         }
-        for (Result* r : group.results) {
-            if (r->refused()) continue;
-            if (!r->clock.is_null()) tell(1);
-            else tasks_.add_next([this, r, traced] { time(*r, *traced); });
-        }
+        work::for_each(group.results.size(), cores_, [&](std::size_t i) {
+            Result& r = *group.results[i];
+            if (r.refused()) return;
+            if (r.clock.is_null()) time(r, traced);
+            else tell(1);
+        });
     }
 
     PictureFigures compare_picture(const Traced& traced) {
-        std::call_once(reference_once_, [this] { reference_ = Reference(plan_.scene).frame(*plan_.scene.camera, plan_.size, int(cores_)); });
+        std::call_once(reference_once_, [this] { reference_ = Reference(plan_.scene).frame(*plan_.scene.camera, plan_.size, cores_); });
         return {frame_error(plan_.scene, hits_of(traced.job, traced.frames[0]), reference_),
                 count_cracks(plan_.scene, traced.job, traced.frames[0].trace.hits, inner_threads_), traced.job.image.report.bytes};
     }
@@ -218,14 +222,13 @@ private:
     }
 
     const Plan& plan_;
-    Cache& cache_;
+    work::Cache& cache_;
     const Progress& progress_;
     std::string scene_key_;
-    std::size_t cores_ = 1;
-    int inner_threads_ = 1;
+    int cores_ = 1, inner_threads_ = 1;
     Outcome outcome_;
     std::map<std::string, Group> groups_;
-    Tasks tasks_;
+    std::vector<std::function<void()>> tasks_;   ///< netlists to be counted, then groups to be traced
     std::once_flag reference_once_;
     HitFrame reference_;
     std::mutex mutex_;
@@ -234,6 +237,6 @@ private:
 
 } // namespace
 
-Outcome run(const Plan& plan, Cache& cache, const Progress& progress) { return Runner(plan, cache, progress).run(); }
+Outcome run(const Plan& plan, work::Cache& cache, const Progress& progress) { return Runner(plan, cache, progress).run(); }
 
 } // namespace rayclock::sweep

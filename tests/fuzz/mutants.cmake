@@ -3,7 +3,7 @@
 fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])
-fuzz_mutant(cache_key_not_compared QUICK FILE sim/sweep/cache.cpp TARGET cache RUNS 20000
+fuzz_mutant(cache_key_not_compared QUICK FILE sim/work/cache.cpp TARGET cache RUNS 20000
   OLD [[entry["key"] != key || ]]
   NEW [[]])
 fuzz_mutant(mtl_more_light_than_came FILE sim/load/surface.cpp TARGET mtl RUNS 100000
@@ -27,6 +27,6 @@ fuzz_mutant(config_value_above_its_range FILE model/core/config.cpp TARGET confi
 fuzz_mutant(state_of_other_rays FILE sim/stress/state.cpp TARGET state RUNS 100000
   OLD [[if (c.rays != rays)]]
   NEW [[if (c.rays > 2 * rays)]])
-fuzz_mutant(options_clock_of_any_rate FILE sim/app/setup.cpp TARGET options RUNS 100000
+fuzz_mutant(options_clock_of_any_rate FILE sim/app/values.cpp TARGET options RUNS 100000
   OLD [[ || mhz > 100000)]]
   NEW [[)]])

@@ -5,7 +5,7 @@
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/camera.hpp"
-#include "tests/support/coincident.hpp"
+#include "tests/support/cases/coincident.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -6,6 +6,7 @@
 
 using namespace rayclock;
 using namespace rayclock::area;
+using namespace rayclock::synth;
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Drawings: well-formed SVG, and ink where it should be.
+// Plots: well-formed SVG, shapes where they were put, and labels that cover nothing.
 #include <cmath>
 
 #include "sim/plot/axis.hpp"
@@ -39,12 +39,17 @@ bool is_well_formed(const std::string& xml) {
     return open.empty() && elements > 0;
 }
 
-/// Darkest value in a rectangle of a picture.
-float darkest(const Picture& p, int x0, int y0, int x1, int y1) {
-    float least = 1;
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) least = std::min(least, p.pixels[std::size_t(y * p.size.width + x)].y);
-    return least;
+struct Box {
+    double x0, y0, x1, y1;
+    bool meets(const Box& b) const { return x0 < b.x1 && b.x0 < x1 && y0 < b.y1 && b.y0 < y1; }
+};
+/// Where labels lie, which are texts of this size.
+std::vector<Box> labels_of(const plot::Drawing& drawing, double size) {
+    std::vector<Box> boxes;
+    for (const plot::Shape& shape : drawing.shapes)
+        if (const auto* t = std::get_if<plot::Text>(&shape); t && t->size == size)
+            boxes.push_back({t->base.x, t->base.y - 0.72 * size, t->base.x + plot::text_width(t->text, size), t->base.y});
+    return boxes;
 }
 
 sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers) {
@@ -66,36 +71,46 @@ TEST_CASE("the check of well-formedness sees faults") {
     }
 }
 
-TEST_CASE("shapes are where they were put, in both forms") {
+TEST_CASE("shapes are where they were put") {
     plot::Drawing drawing{100, 50, {}};
     drawing.shapes.push_back(plot::Line{{{10, 10}, {40, 10}}, {0, 0, 0}, 2});
-    drawing.shapes.push_back(plot::Disc{{70, 25}, 5, {0, 0, 0}});
+    drawing.shapes.push_back(plot::Disc{{70, 25}, 5, {255, 0, 0}});
     drawing.shapes.push_back(plot::Text{{10, 45}, "a < b & c > \"d\"", 12, {0, 0, 0}});
-    CHECK(is_well_formed(plot::svg(drawing)));
-    CHECK(plot::svg(drawing).find("a &lt; b &amp; c &gt;") != std::string::npos);
-    const Picture p = plot::raster(drawing, 2);
-    CHECK(p.size.width == 200);
-    CHECK(darkest(p, 40, 18, 60, 22) < 0.01f);
-    CHECK(darkest(p, 138, 48, 142, 52) < 0.01f);
-    CHECK(darkest(p, 20, 68, 190, 92) < 0.2f);   // the text
-    CHECK(darkest(p, 100, 0, 200, 30) == 1);     // nothing
+    const std::string svg = plot::svg(drawing);
+    CHECK(is_well_formed(svg));
+    for (const char* part : {"width=\"100\" height=\"50\"", "points=\"10.00,10.00 40.00,10.00\"", "<circle cx=\"70.00\" cy=\"25.00\" r=\"5.00\" fill=\"#ff0000\"",
+                             "<text x=\"10.00\" y=\"45.00\"", ">a &lt; b &amp; c &gt; \"d\"</text>"}) {
+        INFO(part);
+        CHECK(svg.find(part) != std::string::npos);
+    }
 }
 
-TEST_CASE("every letter has ink of its own, within its width") {
-    std::vector<std::vector<float>> seen;
-    for (char c = '!'; c <= '~'; ++c) {
+TEST_CASE("a text is as wide as its letters and the gaps between them") {
+    CHECK(plot::text_width("", 12) == 0);
+    for (char c = ' '; c <= '~'; ++c) {
         INFO("letter " << c);
-        plot::Drawing drawing{40, 40, {}};
-        drawing.shapes.push_back(plot::Text{{8, 28}, std::string(1, c), 24, {0, 0, 0}});
-        const Picture p = plot::raster(drawing, 1);
-        std::vector<float> ink;
-        for (const glm::vec3& v : p.pixels) ink.push_back(v.x);
-        CHECK(*std::min_element(ink.begin(), ink.end()) < 0.5f);
-        CHECK(std::find(seen.begin(), seen.end(), ink) == seen.end());
-        seen.push_back(ink);
-        const int end = int(8 + plot::text_width(std::string(1, c), 24) + plot::pen_width(24)) + 2;
-        CHECK(darkest(p, std::min(end, 39), 0, 40, 40) == 1);
-        CHECK(darkest(p, 0, 0, 5, 40) == 1);
+        const std::string one(1, c);
+        const double width = plot::text_width(one, 12), gap = plot::text_width(one + one, 12) - 2 * width;
+        CHECK(width >= 0);
+        CHECK(gap > 1);
+        CHECK(plot::text_width(one + "x" + one, 24) == Approx(2 * (2 * width + plot::text_width("x", 12) + 2 * gap)));
+    }
+    CHECK(plot::text_width("i", 12) < plot::text_width("n", 12));
+    CHECK(plot::text_width("\x01", 12) == plot::text_width("?", 12));
+}
+
+TEST_CASE("labels cover neither points nor one another") {
+    plot::Panel panel{"", "x", "y", false, {}};
+    for (int i = 0; i < 40; ++i) panel.marks.push_back({double(i % 8), double(i * i % 11), "12 / " + std::to_string(i), i % 3 == 0, false});
+    const plot::Drawing drawing = plot::chart("", "", {panel});
+    const std::vector<Box> labels = labels_of(drawing, 11.5);
+    CHECK(labels.size() > 10);
+    CHECK(labels.size() < 40);   // there is not room for all
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) CHECK(!labels[i].meets(labels[k]));
+        for (const plot::Shape& shape : drawing.shapes)
+            if (const auto* d = std::get_if<plot::Disc>(&shape))
+                CHECK(!labels[i].meets({d->centre.x - d->radius, d->centre.y - d->radius, d->centre.x + d->radius, d->centre.y + d->radius}));
     }
 }
 
@@ -129,7 +144,6 @@ TEST_CASE("a plot of a front names the knee and is well formed") {
         INFO(word);
         CHECK(svg.find(word) != std::string::npos);
     }
-    CHECK(darkest(plot::raster(drawing, 1), 0, 0, int(drawing.width), int(drawing.height)) < 0.1f);
     for (const std::size_t count : {0, 1}) {   // nothing to see is no reason to fail
         const std::vector<sweep::Result> few(results.begin(), results.begin() + std::ptrdiff_t(count));
         CHECK(is_well_formed(plot::svg(sweep::front_plot("s", {4, 4}, {{"coord_bits", {}}}, few, sweep::front_of(few)))));

@@ -4,7 +4,7 @@
 #include "model/accel/surfaces.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/report/json.hpp"
-#include "tests/support/coincident.hpp"
+#include "tests/support/cases/coincident.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

@@ -5,7 +5,7 @@
 #include "model/reference/reference.hpp"
 #include "sim/image/image.hpp"
 #include "sim/load/load.hpp"
-#include "tests/support/build_all.hpp"
+#include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

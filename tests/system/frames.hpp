@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/lockstep/lockstep.hpp"
-#include "tests/support/machines.hpp"
+#include "tests/support/machine/machines.hpp"
 
 namespace rayclock::test {
 

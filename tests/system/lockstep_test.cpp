@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "sim/load/load.hpp"
-#include "tests/support/build_all.hpp"
+#include "tests/support/machine/build_all.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

@@ -2,8 +2,8 @@
 // its RTL (about 12 s a pipeline): a few are quick, the others slow.
 #include <catch2/catch.hpp>
 
-#include "tests/support/build_all.hpp"
-#include "tests/support/random_config.hpp"
+#include "tests/support/machine/build_all.hpp"
+#include "tests/support/machine/random_config.hpp"
 #include "tests/system/frames.hpp"
 
 using namespace rayclock;

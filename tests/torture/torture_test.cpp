@@ -3,7 +3,7 @@
 
 #include "sim/report/lockstep.hpp"
 #include "sim/torture/torture.hpp"
-#include "tests/support/build_all.hpp"
+#include "tests/support/machine/build_all.hpp"
 
 using namespace rayclock;
 

@@ -2,7 +2,7 @@
 // the end of t, discriminants that are all but a square.
 #include <cmath>
 
-#include "tests/support/any_cases.hpp"
+#include "tests/support/cases/any_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

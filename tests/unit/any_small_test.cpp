@@ -4,8 +4,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include "tests/support/any_cases.hpp"
-#include "tests/support/small.hpp"
+#include "tests/support/cases/any_cases.hpp"
+#include "tests/support/cases/small.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

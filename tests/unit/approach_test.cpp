@@ -7,7 +7,7 @@
 #include "model/shade/approach.hpp"
 #include "model/shade/dot.hpp"
 #include "model/shade/light.hpp"
-#include "tests/support/pass_cases.hpp"
+#include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

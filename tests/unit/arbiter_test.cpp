@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/mem/arbiter.hpp"
-#include "tests/support/draw.hpp"
+#include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
 using test::Draw;

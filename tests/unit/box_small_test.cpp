@@ -2,7 +2,7 @@
 // planes. Judged by cross-multiplied exact overlap; the RTL by the model as well, to the bit. docs/boxes.md has the proof.
 #include "model/accel/encode.hpp"
 #include "model/isect/tri.hpp"
-#include "tests/support/small.hpp"
+#include "tests/support/cases/small.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

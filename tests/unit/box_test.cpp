@@ -1,5 +1,5 @@
 // box: slab test of a node's children, against exact intervals.
-#include "tests/support/box_cases.hpp"
+#include "tests/support/cases/box_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

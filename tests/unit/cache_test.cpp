@@ -1,5 +1,5 @@
 // cache: when requests are answered, what memory is asked for, and which lines stay.
-#include "tests/support/cache_rules.hpp"
+#include "tests/support/world/cache_rules.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

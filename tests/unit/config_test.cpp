@@ -4,7 +4,7 @@
 #include "model/core/error.hpp"
 #include "model/core/layout.hpp"
 #include "model/core/payloads.hpp"
-#include "tests/support/draw.hpp"
+#include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
 using Catch::Contains;

@@ -1,5 +1,5 @@
 // dispatch: which tile goes to which pipeline, and when.
-#include "tests/support/sched_world.hpp"
+#include "tests/support/world/sched_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

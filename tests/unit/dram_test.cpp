@@ -1,5 +1,5 @@
 // dram: commands by the data sheet, latency and bandwidth by formula, refresh, order, accounts; skipping is the same as clocking.
-#include "tests/support/dram_world.hpp"
+#include "tests/support/world/dram_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -7,7 +7,7 @@
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/search.hpp"
 #include "sim/report/json.hpp"
-#include "tests/support/machines.hpp"
+#include "tests/support/machine/machines.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

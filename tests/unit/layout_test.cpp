@@ -2,7 +2,7 @@
 #include <tuple>
 
 #include "model/core/channels.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -1,5 +1,5 @@
 // list: which triangles of a node are tested, in which order, and when.
-#include "tests/support/list_world.hpp"
+#include "tests/support/world/list_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -5,8 +5,8 @@
 
 #include "model/machine.hpp"
 #include "sim/rtl/rtl_machine.hpp"
-#include "tests/support/machines.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/machine/machines.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -4,7 +4,7 @@
 #include "model/isect/origin.hpp"
 #include "model/isect/tri.hpp"
 #include "model/oracle/exact.hpp"
-#include "tests/support/draw.hpp"
+#include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -3,7 +3,7 @@
 #include "model/oracle/extra_visits.hpp"
 #include "model/oracle/overlap.hpp"
 #include "model/scene/builtin.hpp"
-#include "tests/support/box_cases.hpp"
+#include "tests/support/cases/box_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

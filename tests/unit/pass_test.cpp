@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/rtl/rtl_module.hpp"
-#include "tests/support/pass_cases.hpp"
+#include "tests/support/cases/pass_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

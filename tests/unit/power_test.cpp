@@ -5,7 +5,7 @@
 #include "model/shade/power.hpp"
 #include "model/shade/square_root.hpp"
 #include "model/shade/tables.hpp"
-#include "tests/support/cell.hpp"
+#include "tests/support/dut/cell.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

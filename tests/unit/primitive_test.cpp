@@ -2,7 +2,7 @@
 // known to lose. The sheared test: sheared_test.cpp.
 #include "model/core/error.hpp"
 #include "model/isect/unit24.hpp"
-#include "tests/support/primitive_cases.hpp"
+#include "tests/support/cases/primitive_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -8,9 +8,9 @@
 
 #include "sim/fit/ranges.hpp"
 #include "sim/rtl/builder.hpp"
-#include "tests/support/draw.hpp"
-#include "tests/support/machines.hpp"
-#include "tests/support/observed.hpp"
+#include "tests/support/cases/draw.hpp"
+#include "tests/support/machine/machines.hpp"
+#include "tests/support/machine/observed.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

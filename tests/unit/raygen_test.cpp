@@ -1,6 +1,6 @@
 // raygen: camera rays and reciprocal directions, against exact fractions.
 #include "model/oracle/exact.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

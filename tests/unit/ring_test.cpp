@@ -1,5 +1,5 @@
 // Queues, merges and pipes of the model, each against its plain description.
-#include "tests/support/traffic.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -1,7 +1,7 @@
 // Builds the RTL that the unit tests load, two at a time, before any of them runs.
-#include "tests/support/build_all.hpp"
-#include "tests/support/cache_dut.hpp"
-#include "tests/support/pass_cases.hpp"
+#include "tests/support/machine/build_all.hpp"
+#include "tests/support/dut/cache_dut.hpp"
+#include "tests/support/cases/pass_cases.hpp"
 #include <catch2/catch.hpp>
 
 using namespace rayclock;

@@ -8,8 +8,8 @@
 
 #include "sim/rtl/builder.hpp"
 #include "sim/rtl/rtl_module.hpp"
-#include "tests/support/cell.hpp"
-#include "tests/support/dut.hpp"
+#include "tests/support/dut/cell.hpp"
+#include "tests/support/dut/dut.hpp"
 
 using namespace rayclock;
 namespace fs = std::filesystem;

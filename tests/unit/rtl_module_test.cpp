@@ -2,7 +2,7 @@
 #include <memory>
 #include <thread>
 
-#include "tests/support/sched_dut.hpp"
+#include "tests/support/dut/sched_dut.hpp"
 #include <catch2/catch.hpp>
 
 using namespace rayclock;

@@ -1,5 +1,5 @@
 // sched: which pixel goes to which context, and which pixel a hit belongs to.
-#include "tests/support/sched_world.hpp"
+#include "tests/support/world/sched_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/shade_dut.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/dut/shade_dut.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -3,7 +3,7 @@
 #include "model/isect/sheared.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
-#include "tests/support/primitive_cases.hpp"
+#include "tests/support/cases/primitive_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

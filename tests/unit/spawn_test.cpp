@@ -2,8 +2,8 @@
 #include "model/accel/memory_image.hpp"
 #include "model/oracle/exact.hpp"
 #include "model/scene/whitted.hpp"
-#include "tests/support/raygen_dut.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/dut/raygen_dut.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -4,8 +4,8 @@
 #include "model/machine.hpp"
 #include "model/where.hpp"
 #include "sim/lockstep/lockstep.hpp"
-#include "tests/support/machines.hpp"
-#include "tests/support/traffic.hpp"
+#include "tests/support/machine/machines.hpp"
+#include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

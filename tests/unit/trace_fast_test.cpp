@@ -6,9 +6,9 @@
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
 #include "model/trav/slab.hpp"
-#include "tests/support/box_cases.hpp"
-#include "tests/support/tri_cases.hpp"
-#include "tests/support/walked.hpp"
+#include "tests/support/cases/box_cases.hpp"
+#include "tests/support/cases/tri_cases.hpp"
+#include "tests/support/machine/walked.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -7,7 +7,7 @@
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
-#include "tests/support/walked.hpp"
+#include "tests/support/machine/walked.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "model/accel/memory_image.hpp"
-#include "tests/support/dut.hpp"
-#include "tests/support/machines.hpp"
+#include "tests/support/dut/dut.hpp"
+#include "tests/support/machine/machines.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -1,5 +1,5 @@
 // trav: which nodes a ray visits, in which order, and when.
-#include "tests/support/trav_world.hpp"
+#include "tests/support/world/trav_world.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

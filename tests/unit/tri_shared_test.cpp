@@ -1,6 +1,6 @@
 // tri: rays aimed exactly at what triangles share. Around a corner or along an edge of a closed surface exactly one triangle
 // takes the ray, whichever way each of them is wound.
-#include "tests/support/tri_cases.hpp"
+#include "tests/support/cases/tri_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -5,8 +5,8 @@
 #include <tbb/parallel_for.h>
 
 #include "model/isect/tri.hpp"
-#include "tests/support/small.hpp"
-#include "tests/support/tri_cases.hpp"
+#include "tests/support/cases/small.hpp"
+#include "tests/support/cases/tri_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

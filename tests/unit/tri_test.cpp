@@ -1,5 +1,5 @@
 // tri: ray against triangle, exact to the last decision.
-#include "tests/support/tri_cases.hpp"
+#include "tests/support/cases/tri_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

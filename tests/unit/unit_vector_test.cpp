@@ -3,7 +3,7 @@
 
 #include "model/shade/tables.hpp"
 #include "model/shade/unit_vector.hpp"
-#include "tests/support/cell.hpp"
+#include "tests/support/dut/cell.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;

@@ -1,7 +1,7 @@
 // Configuration files.
 #include <nlohmann/json.hpp>
 
-#include "sim/app/setup.hpp"
+#include "sim/request/config_file.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

@@ -1,15 +1,17 @@
-// The command line: main() of the program, with commands that only read their options.
+// The command line: main() of the program and the options that commands share, with commands that only read them.
 //
 // An input has a word in each line. Whatever a command would do after it has read its options is left out, so that nothing is
 // written, built or drawn.
-#include <array>
 #include <cstdlib>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/limits.hpp"
+#include "sim/app/options.hpp"
 #include "sim/files/streams.hpp"
+#include "sim/report/builds.hpp"
 #include "sim/sweep/axes.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
@@ -19,9 +21,46 @@ namespace rayclock {
 
 namespace {
 
+/// The options that commands share, and those of single commands whose values are read from text.
+struct Options {
+    std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2", max_error = "0.1%",
+                max_work = "0%", max_other = "1%";
+    std::vector<std::string> axes;
+    std::optional<double> min_psnr;
+    ConfigChoice config;
+    Finish finish;
+    FramesOptions frames;
+    TrafficOptions traffic;
+    JsonOutput json;
+    int threads = 0;
+    bool no_judge = false, fresh = false, no_netlist = false;
+};
+
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene);
+    size_option(parser, o.size);
+    clock_option(parser, o.clocks);
+    threads_option(parser, o.threads);
+    config_options(parser, o.config);
+    finished_options(parser, o.finish);
+    judge_option(parser, o.no_judge);
+    fresh_option(parser, o.fresh);
+    netlist_option(parser, o.no_netlist);
+    frames_options(parser, o.frames);
+    traffic_options(parser, o.traffic);
+    json_option(parser, o.json);
+    parser.option("--axis", o.axes, "");
+    parser.option("--rays", o.rays, "");
+    parser.option("--bits", o.bits, "");
+    parser.option("--max-error", o.max_error, "");
+    parser.option("--max-work", o.max_work, "");
+    parser.option("--max-other", o.max_other, "");
+    parser.option("--min-psnr", o.min_psnr, "");
+}
+
 int clock_khz(const std::string& text) { return parse_clocks(text).at(0); }
 
-/// All options are read, whichever command has them; each refusal must be a sentence, and the last one is thrown.
+/// All options are read; each refusal must be a sentence, and the last one is thrown.
 int read_options(const Options& o) {
     std::string refused;
     const auto read = [&](const auto& part) {
@@ -31,16 +70,16 @@ int read_options(const Options& o) {
             fuzz::check_sentence(refused = error.what());
         }
     };
-    for (const std::string& size : {o.size, o.figure_size, o.count_size})
-        read([&] {
-            const FrameSize frame = parse_size(size);
-            fuzz::demand(frame.width > 0 && frame.height > 0 && std::int64_t{frame.width} * frame.height <= 1 << 26, "a picture has a sensible size");
-        });
     read([&] {
-        for (const int khz : parse_clocks(o.clock)) fuzz::demand(khz >= 1000 && khz <= 100'000'000, "a clock is in range");
+        const FrameSize frame = parse_size(o.size);
+        const bool sensible = frame.width > 0 && frame.height > 0 && std::int64_t{frame.width} * frame.height <= 1 << 26;
+        fuzz::demand(sensible, "a picture has a sensible size");
     });
     read([&] {
-        const Config config = load_config(o.config, o.set);
+        for (const int khz : parse_clocks(o.clocks)) fuzz::demand(khz >= 1000 && khz <= 100'000'000, "a clock is in range");
+    });
+    read([&] {
+        const Config config = load_config(o.config);
         std::vector<sweep::Axis> axes;
         for (const std::string& axis : o.axes) axes.push_back(sweep::parse_axis(axis));
         if (!axes.empty()) sweep::make_points(axes, config, 66000, clock_khz);
@@ -49,11 +88,12 @@ int read_options(const Options& o) {
     read([&] { fuzz::demand(parse_rays(o.rays) >= 1, "there is a ray"); });
     read([&] { fuzz::demand(parse_percent("--max-error", o.max_error, false) > 0, "an error may be above 0"); });
     read([&] { parse_percent("--max-work", o.max_work, true); });
-    read([&] { limits_of(o); });
-    read([&] { traffic_of(o); });
-    read([&] { camera_path(o, Camera{}); });
+    read([&] { parse_percent("--max-other", o.max_other, true); });
+    read([&] { check_psnr(o.min_psnr); });
+    read([&] { traffic_of(o.traffic); });
+    read([&] { camera_path(o.frames, Camera{}); });
     read([&] {
-        if (is_builtin(o.scene)) builtin_counts(o.scene, o.fresnel ? Primitives::native : Primitives::triangles);
+        if (is_builtin(o.scene)) builtin_counts(o.scene, o.finish.fresnel ? Primitives::native : Primitives::triangles);
     });
     if (!refused.empty()) throw UserError(refused);
     return 0;
@@ -61,13 +101,14 @@ int read_options(const Options& o) {
 
 } // namespace
 
-#define COMMAND(name) int name##_command(const Options& options) { return read_options(options); }
+#define COMMAND(name) \
+    Command name##_command() { return command<Options>(#name, "", "", declare, read_options); }
+COMMAND(scenes)
 COMMAND(render)
 COMMAND(simulate)
 COMMAND(verify)
-COMMAND(torture)
-COMMAND(sweep)
 COMMAND(stress)
+COMMAND(sweep)
 COMMAND(fit)
 COMMAND(tradeoff)
 COMMAND(yardstick)
@@ -75,17 +116,11 @@ COMMAND(figures)
 COMMAND(counts)
 COMMAND(area)
 COMMAND(bench)
-COMMAND(scenes)
 COMMAND(config)
 COMMAND(rtl)
 COMMAND(doctor)
 
 void show_builds() {}
-const std::vector<std::string>& default_tradeoff_scenes() {
-    static const std::vector<std::string> scenes{"gears:4"};
-    return scenes;
-}
-std::vector<std::string> published_scenes() { return {"gears:4"}; }
 
 // The streams stay as libFuzzer has them.
 void guard_streams() {}

@@ -5,7 +5,7 @@
 
 #include "model/scene/view.hpp"
 #include "sim/load/lights.hpp"
-#include "sim/sweep/cache.hpp"
+#include "sim/sweep/key.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {

@@ -1,0 +1,67 @@
+#include "sim/request/request.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "model/core/error.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/load/load.hpp"
+
+namespace rayclock {
+
+namespace {
+
+Whitted settings_of(const Finish& f, std::uint64_t seed) {
+    Whitted w;
+    const auto within = [](const char* option, double value, double lo, double hi) {
+        if (!(value >= lo && value <= hi)) throw UserError(fmt::format("{} must lie in {}..{}, not {}", option, lo, hi, value));
+    };
+    if (f.depth) within("--depth", *f.depth, 0, most_depth), w.depth = *f.depth;
+    if (f.aa) within("--aa", *f.aa, 1, most_aa), w.aa = *f.aa;
+    if (f.threshold) within("--threshold", *f.threshold, 0, 1), w.threshold = *f.threshold;
+    if (f.contrast) within("--contrast", *f.contrast, 0, 1), w.contrast = *f.contrast;
+    w.jitter = f.jittered;
+    w.seed = std::uint32_t(seed);
+    return w;
+}
+
+} // namespace
+
+Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
+    constexpr std::size_t most = 20;
+    std::vector<std::string> notes;
+    Scene scene = load_scene(spec, progress, primitives, &notes);
+    for (std::size_t i = 0; i < std::min(notes.size(), most); ++i) std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
+    if (notes.size() > most) std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
+    return scene;
+}
+
+Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress) {
+    Scene scene = told_scene(spec, progress);
+    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
+    return scene;
+}
+
+Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish, std::uint64_t seed, FrameSize size,
+                   const Progress& progress) {
+    Request r;
+    r.settings = settings_of(finish, seed);
+    // A setting may name units that only a chip with shading has: they are set once it is known to be one.
+    const bool by_hand = std::any_of(config.set.begin(), config.set.end(), [](const std::string& item) { return item.starts_with("shading="); });
+    r.config = finish.is_asked() && !by_hand ? load_config({config.name, {}}) : load_config(config);
+    r.finished = finish.is_asked() || r.config.shading;
+    r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
+    r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
+    if (!r.scene.camera) r.scene.camera = fit_camera(r.scene, double(size.width) / size.height);
+    if (finish.fresnel)
+        for (Material& m : r.scene.materials) m.schlick = true;
+    if (!r.finished || r.config.shading || by_hand) return r;
+    // The units that the scene needs; what was set by hand is set again.
+    const Config fitted = fitted_config(r.scene, r.settings, r.config);
+    r.config = with_settings(fitted, config.set, fitted.name);
+    return r;
+}
+
+} // namespace rayclock

@@ -1,0 +1,36 @@
+#pragma once
+// Yosys as a program of its own, on the RTL of a configuration.
+#include <filesystem>
+#include <string>
+
+#include "model/core/config.hpp"
+
+namespace rayclock::synth {
+
+/// First line of `yosys -V`, or empty if there is none. Asked once.
+const std::string& yosys_version();
+
+/// Hash of all Verilog sources but the package. Read once.
+const std::string& rtl_digest();
+
+/// A folder of its own for one run, removed in the end.
+class YosysFolder {
+public:
+    explicit YosysFolder(const std::filesystem::path& beside);
+    ~YosysFolder();
+    YosysFolder(const YosysFolder&) = delete;
+
+    /// Reads the package of a configuration and all sources (with `read_flags`, as for read_verilog), then runs the script in this folder.
+    /// False if interrupted() meanwhile; std::runtime_error with the tool's words if it fails.
+    bool run(const Config& config, const std::string& read_flags, const std::string& script) const;
+    /// The script alone.
+    bool run(const std::string& script) const;
+
+    std::string text(const char* file) const;
+    std::filesystem::path path(const char* file) const { return path_ / file; }
+
+private:
+    std::filesystem::path path_;
+};
+
+} // namespace rayclock::synth

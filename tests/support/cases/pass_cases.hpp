@@ -1,0 +1,181 @@
+#pragma once
+// Configurations of chips that shade, and random passes of their unit shade: every event, every kind of surface.
+#include "model/shade/bounce.hpp"
+#include "model/shade/pass.hpp"
+#include "model/shade/unit_vector.hpp"
+#include "tests/support/cases/draw.hpp"
+
+namespace rayclock::test {
+
+/// "all" has every unit of default, "plain" none but shading itself, "mirror" all but refraction; "narrow" and "broad" are at the
+/// ends of the lattice, "short" has directions shorter than a unit vector's components.
+inline Config shaded_format(const std::string& name) {
+    Config c;
+    c.name = name;
+    c.shading = 1;
+    if (name == "plain") return c;
+    c.spheres = c.planes = c.smooth = c.refraction = c.supersampling = 1;
+    c.lights = 3;
+    if (name == "mirror") c.refraction = 0;
+    if (name == "narrow") c.coord_bits = 12, c.dir_bits = 24, c.recip_bits = 15, c.origin_bits = 16, c.lights = 1, c.bounces = 15;
+    if (name == "broad") c.coord_bits = 20, c.dir_bits = 22, c.recip_bits = 18, c.origin_bits = 10, c.bary_bits = 10, c.lights = 5;
+    if (name == "short") c.coord_bits = 14, c.dir_bits = 14, c.origin_bits = 6;
+    check_config(c, name);
+    return c;
+}
+
+inline std::uint32_t share_up_to(Draw& draw, int bits) {   // 0..2^bits
+    return draw.percent(20) ? (draw.coin() ? 1u << bits : 0) : std::uint32_t(draw.natural(bits));
+}
+inline std::array<std::uint32_t, 3> shares_up_to(Draw& draw, int bits) { return {share_up_to(draw, bits), share_up_to(draw, bits), share_up_to(draw, bits)}; }
+
+inline Vec3i draw_unit(Draw& draw) {
+    Vec3l v{};
+    for (auto& x : v) x = draw.number(draw.between(2, 40));
+    return unit_vector(v);
+}
+
+inline Frame random_shade_frame(Draw& draw, const Config& c) {
+    Frame frame;
+    ShadeFrame& s = frame.shade;
+    s.depth = std::uint32_t(draw.below(16));
+    s.threshold = draw.coin() ? 0 : share_up_to(draw, unit_bits + 1) >> draw.below(18);
+    if (draw.percent(30)) s.threshold = 3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many bounces
+    s.side = c.supersampling ? std::uint32_t(draw.between(1, 8)) : 1;
+    s.contrast = draw.coin() ? 0 : share_up_to(draw, unit_bits);
+    s.share = share_up_to(draw, unit_bits), s.first_share = share_up_to(draw, unit_bits);
+    s.background = shares_up_to(draw, unit_bits);
+    s.lights = std::uint32_t(draw.between(draw.percent(10) ? 0 : 1, c.lights));
+    for (std::size_t i = 0; i < std::size_t(c.lights); ++i) {
+        s.near[i] = draw.coin(), s.clear[i] = draw.percent(80);
+        for (std::size_t k = 0; k < 3; ++k) {
+            s.place[3 * i + k] = std::int32_t(draw.number(s.near[i] ? c.coord_bits : c.light_bits()));
+            s.colour[3 * i + k] = std::uint32_t(draw.natural(strength_bits));
+        }
+    }
+    return frame;
+}
+
+inline Vec3i draw_place(Draw& draw, const Config& c) {   // a point that o can say
+    Vec3i o{};
+    for (auto& x : o) x = std::int32_t(std::max(draw.number(c.origin_width()), 1 - (std::int64_t(1) << (c.origin_width() - 1))));
+    return o;
+}
+
+inline Surface random_surface(Draw& draw, const Config& c) {
+    Surface s;
+    s.kind = std::uint32_t(draw.below(3));
+    if ((s.kind == std::uint32_t(PrimKind::plane) && !c.planes) || (s.kind == std::uint32_t(PrimKind::sphere) && !c.spheres)) s.kind = 0;
+    s.a = draw.vector(c.coord_bits), s.b = draw.vector(c.coord_bits), s.c = draw.vector(c.coord_bits);
+    if (s.kind == std::uint32_t(PrimKind::triangle)) {   // edges of whole 2^fine steps
+        s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine) + 1));
+        const std::int32_t step = 1 << s.fine;
+        for (Vec3i* corner : {&s.b, &s.c})
+            for (std::size_t k = 0; k < 3; ++k) (*corner)[k] = s.a[k] + ((*corner)[k] - s.a[k]) / step * step;
+    }
+    s.smooth = c.smooth && s.kind == 0 && draw.coin();
+    for (auto& x : s.normal) x = s.smooth ? std::max(std::int32_t(draw.number(corner_bits)), -1023) : 0;
+    if (s.kind == std::uint32_t(PrimKind::plane)) {
+        for (std::size_t side = 0; side < 2; ++side)
+            s.normal[side] = std::int32_t(draw.number(corner_bits)), s.normal[2 + side] = draw.between(-1, c.bary_bits + corner_bits - 1);
+    }
+    s.checkered = draw.coin(), s.schlick = draw.coin();
+    s.colour = shares_up_to(draw, share_bits), s.other = shares_up_to(draw, share_bits);
+    for (auto* x : {&s.ambient, &s.diffuse, &s.highlight}) *x = share_up_to(draw, share_bits);
+    for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
+    s.shine = std::uint32_t(draw.natural(shine_bits));
+    s.enter = std::uint32_t(draw.natural(ratio_bits)), s.leave = std::uint32_t(draw.natural(ratio_bits));
+    return s;
+}
+
+inline Closest random_closest(Draw& draw, const Config& c, const Surface& surface) {
+    Closest hit;
+    if (!(hit.found = draw.percent(75))) return hit;
+    hit.back = draw.coin();
+    hit.prim = std::uint32_t(draw.natural(c.prim_bits));
+    hit.t = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
+    if (surface.kind == std::uint32_t(PrimKind::plane)) {
+        const std::uint32_t mask = (1u << c.uv_bits()) - 1;
+        hit.u = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask, hit.v = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask;
+    } else if (surface.kind == std::uint32_t(PrimKind::triangle)) {
+        const std::uint32_t one = 1u << c.bary_bits;
+        hit.u = std::uint32_t(draw.percent(10) ? one : draw.natural(c.bary_bits));
+        hit.v = std::min(std::uint32_t(draw.percent(20) ? one : draw.natural(c.bary_bits)), one - hit.u);
+    }
+    return hit;
+}
+
+/// Puts a point beyond the lattice so that the ray that it sends, now or to a light beyond, comes near a point of the lattice.
+inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
+    const Vec3i within = draw_place(draw, c);
+    const bool is_light = s.event == std::uint32_t(ShadeEvent::light);
+    const Vec3i d = s.event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
+    const int further = draw.between(1, 6);
+    const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1, steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t to_light = (std::int64_t(frame.shade.place[3 * s.light + k]) << c.origin_bits) - within[k];
+        s.o[k] = std::clamp(within[k] - (is_light ? to_light >> further : d[k] * steps), -most, most);
+    }
+}
+
+inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
+    ShadeState s;
+    s.event = std::uint32_t(draw.below(5));
+    if (s.event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.event = 0;
+    if (s.event == std::uint32_t(ShadeEvent::refract) && !c.refraction) s.event = std::uint32_t(ShadeEvent::reflect);
+    s.pending = std::uint32_t(draw.below(3));
+    s.x = std::uint32_t(draw.natural(c.pixel_bits)), s.y = std::uint32_t(draw.natural(c.pixel_bits));
+    if (c.supersampling) {
+        s.sample = std::uint32_t(draw.below(int(frame.shade.side * frame.shade.side)));
+        if (draw.percent(25) && frame.shade.side > 1) s.sample = 3;
+        for (std::size_t k = 0; k < 3; ++k) {
+            s.sum[k] = std::uint32_t(draw.below(int(s.sample * 65536 + 1)));
+            s.least[k] = share_up_to(draw, unit_bits), s.most[k] = share_up_to(draw, unit_bits);
+        }
+    }
+    s.found = draw.coin(), s.prim = std::uint32_t(draw.natural(c.prim_bits)), s.t = std::uint32_t(draw.natural(c.t_bits()));
+    s.u = std::uint32_t(draw.natural(c.uv_bits())), s.v = std::uint32_t(draw.natural(c.uv_bits()));
+    s.colour = shares_up_to(draw, unit_bits), s.share = shares_up_to(draw, unit_bits);
+    if (c.supersampling && draw.coin()) s.least = s.most = s.colour;   // samples that agree
+    s.waiting = c.refraction && draw.coin() ? std::uint32_t(draw.between(1, c.bounces)) : 0;
+    s.weight = share_up_to(draw, unit_bits);
+    s.depth = std::uint32_t(draw.below(15));
+    for (std::size_t k = 0; const std::int32_t x : draw_place(draw, c)) s.o[k++] = x;
+    s.far = c.planes && draw.percent(30), s.lost = s.far && draw.percent(20);
+    if (s.far)
+        for (auto& x : s.o) x = draw.number(draw.between(c.origin_width(), c.point_width() - 1));
+    for (auto& x : s.n) x = draw.percent(5) ? 0 : draw.number(c.normal_bits() - 1);
+    if (draw.percent(5)) s.n = {};   // so that a direction lies in the plane
+    s.normal = draw_unit(draw), s.view = draw_unit(draw);
+    s.cosine = share_up_to(draw, unit_bits);
+    s.self = std::uint32_t(draw.natural(c.prim_bits)), s.inside = draw.coin();
+    s.albedo = shares_up_to(draw, share_bits);
+    for (auto* x : {&s.diffuse, &s.highlight}) *x = share_up_to(draw, share_bits);
+    for (auto* x : {&s.mirror, &s.transmit, &s.r0}) *x = share_up_to(draw, unit_bits);
+    s.shine = std::uint32_t(draw.natural(draw.between(1, shine_bits)));
+    s.ratio = std::uint32_t(draw.percent(70) ? draw.between(2000, 8000) : int(draw.natural(ratio_bits)));
+    s.schlick = draw.coin();
+    s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
+    s.total = c.refraction && draw.coin();
+    if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
+    return s;
+}
+
+inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
+    PassIn in;
+    in.ray = std::uint32_t(draw.bits(c.ray_bits()));
+    in.state = random_state(draw, frame, c);
+    in.surface = random_surface(draw, c);
+    in.hit = random_closest(draw, c, in.surface);
+    in.hit.ray = in.ray;
+    in.o = draw_place(draw, c);
+    in.d = draw.vector(c.dir_bits);
+    if (c.refraction) {
+        in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
+        in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
+        in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
+    }
+    return in;
+}
+
+} // namespace rayclock::test

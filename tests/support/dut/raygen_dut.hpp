@@ -1,0 +1,66 @@
+#pragma once
+#include "tests/support/dut/dut.hpp"
+
+namespace rayclock::test {
+
+/// What both machines of raygen show, if the chip shades: rays that shade asks for and new pixels, on one door.
+struct RaygenLinks {
+    Link<Spawn> spawn;
+    Link<Slot> slot;
+    Link<Ray> ray;
+};
+
+class RaygenModel : public RaygenLinks {
+public:
+    RaygenModel(const Frame& frame, const Config& config, int = 1)
+        : config_(config), frame_(frame), pipe_(config.raygen_latency(), config.raygen_queue) {}
+    void eval() {
+        second_ = merge_.second(spawn.offer.has_value());
+        spawn.ready = pipe_.ready() && !second_;
+        slot.ready = pipe_.ready() && second_;
+        ray.offer.reset();
+        if (pipe_.valid(now_)) ray.offer = pipe_.front();
+    }
+    void commit() {
+        merge_.clock(spawn.offer || slot.offer, spawn.fires() || slot.fires(), second_);
+        if (ray.fires()) pipe_.leave();
+        if (spawn.fires()) pipe_.admit(now_) = spawn_ray(*spawn.offer, frame_, config_);
+        if (slot.fires()) pipe_.admit(now_) = raygen(*slot.offer, frame_, config_);
+        ++now_;
+    }
+
+private:
+    Config config_;
+    Frame frame_;
+    Merge merge_;
+    bool second_ = false;
+    Pipe<Ray> pipe_;
+    std::uint64_t now_ = 0;
+};
+
+class RaygenRtl : public RaygenLinks {
+public:
+    RaygenRtl(const Frame& frame, const Config& config, int seed = 1) : links_(config, "rc_raygen", seed) {
+        links_.fix("frame", frame);
+        drive();
+        links_.reset();
+    }
+    void eval() {
+        drive();
+        links_.settle();
+        links_.read_in("spawn", spawn);
+        links_.read_in("slot", slot);
+        links_.read_out("ray", ray);
+    }
+    void commit() { links_.clock(); }
+
+private:
+    void drive() {
+        links_.drive_in("spawn", spawn);
+        links_.drive_in("slot", slot);
+        links_.drive_out("ray", ray);
+    }
+    RtlLinks links_;
+};
+
+} // namespace rayclock::test

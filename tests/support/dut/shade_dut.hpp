@@ -1,0 +1,185 @@
+#pragma once
+#include "model/shade/unit.hpp"
+#include "tests/support/dut/dut.hpp"
+#include "tests/support/cases/pass_cases.hpp"
+
+namespace rayclock::test {
+
+/// What both machines of shade show. `slot` and `ray` are only listened to; `surf_waits` is said by the cache.
+struct ShadeLinks {
+    std::optional<Slot> slot;
+    std::optional<Ray> ray;
+    Link<Closest> closest;
+    Link<SurfReq> surf_req;
+    Link<SurfRsp> surf_rsp;
+    bool surf_waits = false;
+    Link<Spawn> spawn;
+    Link<Pixel> pixel;
+    std::uint32_t cause = 0;
+};
+
+/// Shade says when, pass() what.
+class ShadeModel : public ShadeLinks {
+public:
+    ShadeModel(const Config& config, const Frame& frame, int = 1)
+        : config_(config), frame_(frame), shade_(config), contexts_(std::size_t(config.contexts)) {}
+    void eval() {
+        closest.ready = true;
+        surf_req.offer.reset(), spawn.offer.reset(), pixel.offer.reset();
+        if (shade_.surf_valid()) surf_req.offer = SurfReq{shade_.surf_ray(), frame_.shade.surfaces + contexts_[shade_.surf_ray()].in.hit.prim};
+        if (shade_.spawn_valid()) spawn.offer = contexts_[shade_.spawn_ray()].out.spawn;
+        if (shade_.pixel_valid()) pixel.offer = contexts_[shade_.pixel_ray()].out.pixel;
+        surf_rsp.ready = shade_.ready();
+        cause = shade_.offers(surf_rsp.offer.has_value()) ? (shade_.ready() ? 0 : 3) : surf_waits ? 1 : 2;
+    }
+    void commit() {
+        bool wants = false;
+        if (closest.offer) {
+            PassIn& in = contexts_[closest.offer->ray].in;
+            in.hit = *closest.offer;
+            wants = in.hit.found && in.state.event == std::uint32_t(ShadeEvent::arrive);
+        }
+        if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
+        shade_.clock(now_++, closest.offer ? &closest.offer->ray : nullptr, wants, surf_rsp.fires() ? &surf_rsp.offer->ray : nullptr, surf_req.fires(),
+                     spawn.fires(), pixel.fires(), [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
+        if (slot) {
+            contexts_[slot->ray] = {};
+            contexts_[slot->ray].in.ray = slot->ray;
+            contexts_[slot->ray].in.state = fresh_state(slot->x, slot->y);
+        }
+        if (ray && !ends_at_any(ray->kind)) contexts_[ray->ray].in.o = ray->o, contexts_[ray->ray].in.d = ray->d;
+    }
+
+private:
+    struct Context {
+        PassIn in;
+        PassOut out;
+        std::vector<Waiting> stack;
+        Shade::Turn pass(const Frame& frame, const Config& config) {
+            const bool pops = in.state.event == std::uint32_t(ShadeEvent::pop) && !stack.empty();
+            if (pops) in.top = stack.back(), stack.pop_back();
+            out = rayclock::pass(in, frame, config);
+            in.state = out.state;
+            if (out.push) stack.push_back(out.pushed);
+            return Shade::Turn(std::uint32_t(out.leave));
+        }
+    };
+    Config config_;
+    Frame frame_;
+    Shade shade_;
+    std::vector<Context> contexts_;
+    std::uint64_t now_ = 0;
+};
+
+class ShadeRtl : public ShadeLinks {
+public:
+    ShadeRtl(const Config& config, const Frame& frame, int seed = 1) : links_(config, "rc_shade", seed) {
+        links_.fix("frame", frame);
+        drive();
+        links_.reset();
+    }
+    void eval() {
+        drive();
+        links_.settle();
+        links_.read_in("closest", closest);
+        links_.read_in("surf_rsp", surf_rsp);
+        links_.read_out("surf_req", surf_req);
+        links_.read_out("spawn", spawn);
+        links_.read_out("pixel", pixel);
+        cause = links_.plain("cause");
+    }
+    void commit() { links_.clock(); }
+
+private:
+    void drive() {
+        links_.drive_listen("slot", slot);
+        links_.drive_listen("ray", ray);
+        links_.drive_in("closest", closest);
+        links_.drive_in("surf_rsp", surf_rsp);
+        links_.drive_plain("surf_waits", surf_waits);
+        links_.drive_out("surf_req", surf_req);
+        links_.drive_out("spawn", spawn);
+        links_.drive_out("pixel", pixel);
+    }
+    RtlLinks links_;
+};
+
+/// What lies around shade: contexts get pixels, rays are sent and answered, surfaces come from memory, in the order asked for.
+/// All at random, `idle` and `stall` percent of the cycles without.
+class ShadeWorld {
+public:
+    ShadeWorld(const Config& config, const Frame& frame, int idle, int stall, unsigned seed)
+        : config_(config), frame_(frame), idle_(idle), stall_(stall), draw_(seed), free_(std::size_t(config.contexts)), surfaces_(free_.size()) {
+        for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = std::uint32_t(i);
+    }
+    int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
+
+    /// What goes in, in this cycle.
+    void offer(ShadeLinks& in) {
+        in.slot.reset(), in.ray.reset();
+        if (!free_.empty() && !draw_.percent(idle_)) {
+            const std::uint32_t ray = take(free_);
+            in.slot = Slot{ray, std::uint32_t(draw_.natural(config_.pixel_bits)), std::uint32_t(draw_.natural(config_.pixel_bits))};
+            made_.push_back(camera_ray(ray));
+        } else if (!made_.empty() && !draw_.percent(idle_)) {
+            in.ray = take(made_);
+            flying_.push_back(in.ray->ray);
+        }
+        in.closest.offer.reset();
+        if (in.ray || flying_.empty() || draw_.percent(idle_)) {   // a ray is not answered in the cycle in which it is sent
+        } else {
+            const std::uint32_t ray = take(flying_);
+            surfaces_[ray] = random_surface(draw_, config_);
+            in.closest.offer = random_closest(draw_, config_, surfaces_[ray]);
+            in.closest.offer->ray = ray;
+        }
+        if (!surface_ && !asked_.empty() && !draw_.percent(idle_)) {
+            surface_ = SurfRsp{asked_.front(), surfaces_[asked_.front()]};
+            asked_.pop_front();
+        }
+        in.surf_rsp.offer = surface_;
+        in.surf_waits = draw_.coin();
+        in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_), in.pixel.ready = !draw_.percent(stall_);
+    }
+    /// What has come of it.
+    void take_over(const ShadeLinks& out) {
+        if (out.surf_rsp.fires()) surface_.reset();
+        if (out.surf_req.fires()) asked_.push_back(out.surf_req.offer->ray);
+        if (out.pixel.fires()) free_.push_back(out.pixel.offer->first.ray), ++pixels;
+        closed += out.cause == 3;
+        if (!out.spawn.fires()) return;
+        const Spawn& s = *out.spawn.offer;
+        Ray ray = camera_ray(s.ray);
+        ray.kind = s.kind, ray.o = s.o;
+        if (s.kind != std::uint32_t(RayKind::camera)) ray.d = s.d;
+        made_.push_back(ray);
+        (s.kind == std::uint32_t(RayKind::camera) ? samples : s.kind == std::uint32_t(RayKind::bounce) ? bounces : shadows)++;
+    }
+
+private:
+    template <class T> T take(std::vector<T>& from) {
+        const auto at = from.begin() + draw_.below(int(from.size()));
+        const T value = *at;
+        from.erase(at);
+        return value;
+    }
+    Ray camera_ray(std::uint32_t number) {
+        Ray ray;
+        ray.ray = number;
+        ray.o = draw_place(draw_, config_);
+        ray.d = draw_.vector(config_.dir_bits);
+        return ray;
+    }
+    Config config_;
+    Frame frame_;
+    int idle_, stall_;
+    Draw draw_;
+    std::vector<std::uint32_t> free_;
+    std::vector<Surface> surfaces_;   // what the context's ray has hit
+    std::vector<std::uint32_t> flying_;
+    std::vector<Ray> made_;
+    std::deque<std::uint32_t> asked_;
+    std::optional<SurfRsp> surface_;
+};
+
+} // namespace rayclock::test

@@ -1,0 +1,225 @@
+#pragma once
+// What surrounds list in a test: box answers with leaves, memory, tri and trav, and a plain description of the triangles that a
+// node makes list ask for.
+#include "tests/support/dut/list_dut.hpp"
+#include "tests/support/world/traffic.hpp"
+
+namespace rayclock::test {
+
+/// One ray at list, told simply: leaves from near to far, each triangle of a leaf in turn, no leaf that begins beyond the best hit.
+/// One that asks for a light wants nothing more after its first hit.
+struct LeafWalk {
+    Ray ray;
+    TriRsp found;             ///< best so far; closer 0: none
+    BoxRsp node;
+    std::size_t leaf = 0;     ///< of the node's leaves
+    std::uint32_t triangle = 0;
+    std::uint32_t beyond = 0;
+
+    bool asks_for_light() const { return ray.kind == 2 || ray.kind == 3; }
+    bool blocked() const { return asks_for_light() && found.closer; }
+    std::uint32_t t_best() const { return found.closer ? found.t : beyond; }
+    std::size_t entry() const { return node.inner + leaf; }
+    bool more() const { return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[entry()] <= t_best()); }
+    std::uint32_t address() const { return 2 * node.base + node.offset[entry()] + triangle; }
+    void next() {
+        if (++triangle < node.count[entry()]) return;
+        triangle = 0;
+        ++leaf;
+    }
+};
+
+class ListWorld {
+public:
+    ListWorld(const Config& config, unsigned seed, const Flow& flow, int rays)
+        : config_(config), flow_(flow), draw_(seed), left_(rays), contexts_(std::size_t(config.contexts)) {}
+
+    bool finished() const { return left_ == 0 && running_ == 0; }
+    int triangles() const { return triangles_; }
+    int stopped() const { return stopped_; }
+
+    void drive(ListLinks& dut) {
+        dut.ray.reset();
+        if (!box_ && !waiting_for_box_.empty() && go()) make_boxes();
+        if (!prim_ && !fetched_.empty() && go()) answer_triangle();
+        if (!tri_ && !tested_.empty() && go()) answer_test();
+        if (!done_ && !ending_.empty() && go()) done_ = Done{pick(ending_)};
+        if (left_ > 0 && go()) start_ray(dut);   // its first boxes come later
+        dut.box_rsp.offer = box_;
+        dut.prim_rsp.offer = prim_;
+        dut.tri_rsp.offer = tri_;
+        dut.done.offer = done_;
+        dut.prim_req.ready = take();
+        dut.tri_req.ready = take();
+        dut.step.ready = take();
+        dut.closest.ready = take();
+    }
+
+    void watch(const ListLinks& dut) {
+        if (dut.prim_req.fires()) see_fetch(*dut.prim_req.offer);
+        if (dut.tri_req.offer) check_test(*dut.tri_req.offer);
+        if (dut.tri_req.fires()) {
+            tested_.push_back(prim_->ray);
+            prim_.reset();
+        }
+        if (dut.step.fires()) see_step(*dut.step.offer);
+        if (dut.closest.offer) check_closest(*dut.closest.offer);
+        if (dut.closest.fires()) {
+            contexts_[done_->ray].busy = false;
+            --running_;
+            done_.reset();
+        }
+        if (dut.box_rsp.fires()) {
+            Context& c = contexts_[box_->ray];
+            c.here = true;
+            c.walk.node = *box_;
+            c.walk.leaf = 0;
+            c.walk.triangle = 0;
+            box_.reset();
+        }
+        if (dut.tri_rsp.fires()) {
+            contexts_[tri_->ray].out = false;
+            LeafWalk& walk = contexts_[tri_->ray].walk;
+            if (tri_->closer) walk.found = *tri_;
+            walk.next();
+            tri_.reset();
+        }
+    }
+
+private:
+    struct Context {
+        bool busy = false;
+        bool here = false;   ///< its node is with list
+        bool out = false;    ///< a triangle of it is with memory or tri
+        int nodes = 0;
+        LeafWalk walk;
+    };
+
+    bool go() { return !draw_.percent(flow_.idle_percent); }
+    bool take() { return !draw_.percent(flow_.stall_percent); }
+    std::uint32_t pick(std::vector<std::uint32_t>& from) {
+        const auto at = from.begin() + draw_.below(int(from.size()));
+        const std::uint32_t ray = *at;
+        from.erase(at);
+        return ray;
+    }
+
+    void start_ray(ListLinks& dut) {
+        const std::size_t first = std::size_t(draw_.below(config_.contexts));
+        for (std::size_t i = 0; i < contexts_.size(); ++i) {
+            const std::size_t number = (first + i) % contexts_.size();
+            Context& c = contexts_[number];
+            if (c.busy) continue;
+            c = {};
+            c.busy = true;
+            c.nodes = draw_.between(1, 8);
+            c.walk.ray = random_payload<Ray>(draw_, config_);
+            c.walk.ray.ray = std::uint32_t(number);
+            // To the surface: t = 2^-B, in units of 2^-F of a direction of N + B bits.
+            c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits) : (1u << config_.t_bits()) - 1;
+            dut.ray = c.walk.ray;
+            waiting_for_box_.push_back(std::uint32_t(number));
+            --left_;
+            ++running_;
+            return;
+        }
+    }
+
+    void make_boxes() {
+        BoxRsp rsp;
+        rsp.ray = pick(waiting_for_box_);
+        rsp.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
+        const int children = draw_.between(0, config_.node_width);
+        rsp.leaves = std::uint32_t(draw_.between(0, children));
+        rsp.inner = std::uint32_t(children) - rsp.leaves;
+        std::uint32_t near[2] = {0, 0};
+        const std::uint32_t best = contexts_[rsp.ray].walk.t_best();
+        for (std::size_t i = 0; i < std::size_t(children); ++i) {
+            std::uint32_t& t = near[i >= rsp.inner];
+            t = draw_.below(4) == 0 ? std::max(t, best + std::uint32_t(draw_.below(4) == 0)) : t + std::uint32_t(draw_.below(40));   // exactly as far counts
+            rsp.t_near[i] = t = std::min(t, (1u << config_.t_bits()) - 1);
+            rsp.offset[i] = i < rsp.inner ? 2 * std::uint32_t(draw_.below(config_.node_width)) : std::uint32_t(draw_.bits(offset_bits));
+            rsp.count[i] = i < rsp.inner ? 0 : std::uint32_t(draw_.between(1, 6));
+        }
+        box_ = rsp;
+    }
+
+    void answer_triangle() {
+        PrimRsp rsp = random_payload<PrimRsp>(draw_, config_);
+        rsp.ray = pick(fetched_);
+        prim_ = rsp;
+    }
+
+    void answer_test() {
+        const std::uint32_t ray = pick(tested_);
+        TriRsp rsp;
+        if (draw_.below(3) == 0) {
+            const std::uint32_t best = std::min(contexts_[ray].walk.t_best(), 150u);
+            if (!contexts_[ray].walk.asks_for_light()) {
+                rsp = random_payload<TriRsp>(draw_, config_);
+                rsp.t = std::uint32_t(draw_.below(int(best) + 1));
+            }
+            rsp.closer = 1;
+        }
+        rsp.ray = ray;
+        tri_ = rsp;
+    }
+
+    void see_fetch(const PrimReq& req) {
+        CAPTURE(req.ray);
+        Context& c = contexts_[req.ray];
+        const LeafWalk& walk = c.walk;
+        REQUIRE((c.here && !c.out));
+        REQUIRE(walk.more());
+        REQUIRE(req.addr == walk.address());
+        c.out = true;
+        fetched_.push_back(req.ray);
+        ++triangles_;
+    }
+
+    void check_test(const TriReq& req) const {
+        const LeafWalk& walk = contexts_[prim_->ray].walk;
+        TriReq expected{walk.ray.ray, walk.ray.o, walk.ray.d, prim_->triangle, {}, walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside, walk.ray.finite};
+        if (walk.found.closer) expected.best = {1, walk.found.num, walk.found.det, walk.found.prim};
+        REQUIRE(same(req, expected, config_));
+    }
+
+    void see_step(const Step& step) {
+        CAPTURE(step.ray);
+        Context& c = contexts_[step.ray];
+        const LeafWalk& walk = c.walk;
+        REQUIRE((c.here && !c.out));
+        REQUIRE_FALSE(walk.more());
+        REQUIRE(step.stop == walk.blocked());
+        stopped_ += walk.blocked();
+        REQUIRE(step.inner == (walk.blocked() ? 0 : walk.node.inner));
+        REQUIRE((walk.blocked() || (step.t_best == walk.t_best() && step.base == walk.node.base)));
+        for (std::size_t i = 0; i < step.inner; ++i) {
+            REQUIRE(step.t_near[i] == walk.node.t_near[i]);
+            REQUIRE(step.slot[i] == walk.node.offset[i] / 2);
+        }
+        c.here = false;
+        if (--c.nodes > 0 && !walk.blocked()) waiting_for_box_.push_back(step.ray);
+        else ending_.push_back(step.ray);
+    }
+
+    void check_closest(const Closest& closest) const {
+        const TriRsp& f = contexts_[done_->ray].walk.found;
+        Closest expected{done_->ray, 0, 0, 0, 0, 0};
+        if (f.closer) expected = {done_->ray, 1, f.prim, f.t, f.u, f.v, f.back};
+        REQUIRE(same(closest, expected, config_));
+    }
+
+    Config config_;
+    Flow flow_;
+    Draw draw_;
+    int left_, running_ = 0, triangles_ = 0, stopped_ = 0;
+    std::vector<Context> contexts_;
+    std::vector<std::uint32_t> waiting_for_box_, fetched_, tested_, ending_;
+    std::optional<BoxRsp> box_;
+    std::optional<PrimRsp> prim_;
+    std::optional<TriRsp> tri_;
+    std::optional<Done> done_;
+};
+
+} // namespace rayclock::test

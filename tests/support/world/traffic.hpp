@@ -1,0 +1,161 @@
+#pragma once
+// How a test talks to a unit: four kinds of traffic, and what every unit behind a door must do under all of them.
+#include <deque>
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/cases/draw.hpp"
+#include "tests/support/dut/dut.hpp"
+
+namespace rayclock::test {
+
+struct Flow {
+    const char* name;
+    int idle_percent;    ///< cycles in which the source has nothing
+    int stall_percent;   ///< cycles in which the sink takes nothing
+};
+constexpr std::array<Flow, 4> flows{{{"full rate", 0, 0}, {"idle source", 60, 0}, {"stalling sink", 0, 60}, {"both", 40, 40}}};
+
+/// Sees to it that an offer that was not taken stays as it is.
+template <class P> class Steady {
+public:
+    explicit Steady(const Config& config) : config_(config) {}
+    void check(const Link<P>& link) {
+        if (held_) REQUIRE((link.offer && same(*link.offer, *held_, config_)));
+        held_ = link.fires() ? std::nullopt : link.offer;
+    }
+
+private:
+    Config config_;
+    std::optional<P> held_;
+};
+
+/// Sends `count` requests and hands each request with its answer to judge(req, rsp), in order. Nothing may be lost, doubled or
+/// left over, and a stalled answer may not change.
+template <class Dut, class Make, class Judge>
+void stream(Dut& dut, const Config& config, const Flow& flow, Draw& draw, int count, Make make, Judge judge) {
+    using Req = typename Dut::Unit::Req;
+    std::deque<Req> waiting;
+    std::optional<Req> pending;
+    Steady<typename Dut::Unit::Rsp> steady{config};
+    int sent = 0, received = 0, quiet = 0;
+    for (int cycle = 0; quiet < Dut::Unit::latency(config) + 4; ++cycle) {
+        INFO(flow.name << ", cycle " << cycle << ", request " << received);
+        REQUIRE(cycle < 20 * count + 1000);
+        if (!pending && sent < count && !draw.percent(flow.idle_percent)) pending = make(draw);
+        dut.in.offer = pending;
+        dut.out.ready = !draw.percent(flow.stall_percent);
+        dut.eval();
+        steady.check(dut.out);
+        if (dut.out.fires()) {
+            REQUIRE_FALSE(waiting.empty());
+            judge(waiting.front(), *dut.out.offer);
+            waiting.pop_front();
+            ++received;
+        }
+        if (dut.in.fires()) {
+            waiting.push_back(*pending);
+            pending.reset();
+            ++sent;
+        }
+        quiet = received == count ? quiet + 1 : 0;
+        dut.commit();
+    }
+    REQUIRE(received == count);
+    REQUIRE(waiting.empty());
+}
+
+/// Answers to the given requests, at full rate.
+template <class Dut> std::vector<typename Dut::Unit::Rsp> answers(Dut& dut, const Config& config, const std::vector<typename Dut::Unit::Req>& requests) {
+    std::vector<typename Dut::Unit::Rsp> all;
+    std::size_t next = 0;
+    Draw draw{1};
+    stream(dut, config, flows[0], draw, int(requests.size()), [&](Draw&) { return requests[next++]; },
+           [&](const auto&, const auto& rsp) { all.push_back(rsp); });
+    return all;
+}
+
+/// A lone request is answered in exactly cycle latency + 1, whether or not the sink is waiting, after any pause.
+template <class Dut, class Make> void check_latency(Dut& dut, const Config& config, Make make) {
+    Draw draw{3};
+    const int expected = Dut::Unit::latency(config) + 1;
+    for (int round = 0; round < 20; ++round) {
+        dut.in.offer = make(draw);
+        dut.out.ready = round % 2 == 0;
+        dut.eval();
+        REQUIRE(dut.in.fires());
+        REQUIRE_FALSE(dut.out.offer);
+        dut.commit();
+        dut.in.offer.reset();
+        for (int cycle = 1; cycle < expected; ++cycle) {
+            INFO("round " << round << ", cycle " << cycle << " of " << expected);
+            dut.eval();
+            REQUIRE_FALSE(dut.out.offer);
+            dut.commit();
+        }
+        dut.out.ready = true;
+        dut.eval();
+        REQUIRE(dut.out.fires());
+        dut.commit();
+        for (int pause = draw.below(5); pause >= 0; --pause) {
+            dut.eval();
+            REQUIRE_FALSE(dut.out.offer);
+            dut.commit();
+        }
+    }
+}
+
+/// n requests take n + latency + 1 cycles when nobody stalls; with a sink that takes nothing, as many get in as the queue holds.
+template <class Dut, class Make> void check_throughput(Dut& dut, const Config& config, Make make) {
+    Draw draw{5};
+    constexpr int n = 1000;
+    int received = 0, cycle = 0;
+    dut.out.ready = true;
+    for (; received < n; ++cycle) {
+        REQUIRE(cycle < 3 * n);
+        dut.in.offer.reset();
+        if (cycle < n) dut.in.offer = make(draw);
+        dut.eval();
+        if (cycle < n) REQUIRE(dut.in.ready);
+        received += dut.out.fires();
+        dut.commit();
+    }
+    REQUIRE(cycle == n + Dut::Unit::latency(config) + 1);
+
+    dut.out.ready = false;
+    int admitted = 0;
+    for (int i = 0; i < 3 * Dut::Unit::queue(config); ++i) {
+        dut.in.offer = make(draw);
+        dut.eval();
+        admitted += dut.in.fires();
+        dut.commit();
+    }
+    REQUIRE(admitted == Dut::Unit::queue(config));
+}
+
+/// Model and RTL do the same in every cycle: ready, valid and payload.
+template <class Unit, class Make>
+void check_lockstep(const Config& config, const Frame& frame, const Flow& flow, unsigned seed, int cycles, Make make) {
+    Model<Unit> model{config, frame};
+    Rtl<Unit> rtl{config, frame, int(seed)};
+    Draw draw{seed};
+    std::optional<typename Unit::Req> pending;
+    int moved = 0;
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+        INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
+        if (!pending && !draw.percent(flow.idle_percent)) pending = make(draw);
+        model.in.offer = rtl.in.offer = pending;
+        model.out.ready = rtl.out.ready = !draw.percent(flow.stall_percent);
+        model.eval();
+        rtl.eval();
+        REQUIRE(same(model.in, rtl.in, config));
+        REQUIRE(same(model.out, rtl.out, config));
+        if (model.in.fires()) pending.reset();
+        moved += model.out.fires();
+        model.commit();
+        rtl.commit();
+    }
+    REQUIRE(moved > cycles / 5);
+}
+
+} // namespace rayclock::test
