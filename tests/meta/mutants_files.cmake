@@ -37,7 +37,7 @@ mutant(load_ear_waits_for_ever FILE sim/load/triangulate.cpp TEST load "polygons
   NEW [[;]])
 mutant(load_spot_is_free_too_soon FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
   OLD [[if (--spot.reflex > 0) return;]]
-  NEW [[--spot.reflex;]])
+  NEW [[spot.reflex = 0;]])
 mutant(load_spots_end_too_soon FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
   OLD [[spots_[k].p.x <= hi.x]]
   NEW [[spots_[k].p.x < hi.x]])

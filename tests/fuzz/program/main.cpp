@@ -1,7 +1,7 @@
 // rc_fuzz: libFuzzer around the target that RC_FUZZ_TARGET names.
 //
-// RC_FUZZ_LARGE=BYTES blows every input up: its first two bytes choose a part of the rest, which is repeated until there are so
-// many bytes. So a small input stands for a large file, and what takes a time that grows with the square is found.
+// RC_FUZZ_LARGE=BYTES blows every input up: a part of it is repeated until there are so many bytes. So a small input stands for a
+// large file, and what takes a time that grows with the square is found.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <functional>
+#include <vector>
 
 #include "tests/fuzz/program/targets.hpp"
 
@@ -26,13 +28,18 @@ void (*chosen)(std::string_view) = nullptr;
 std::size_t large = 0;
 
 std::string blown_up(std::string_view bytes) {
-    if (bytes.size() < 3) return std::string(bytes);
-    const auto place = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]) * (bytes.size() - 2) / 256; };
-    const std::size_t from = std::min(place(0), place(1)), to = std::max(place(0), place(1)) + 1;
-    bytes.remove_prefix(2);
-    std::string all(bytes.substr(0, to));
-    while (all.size() + (to - from) + (bytes.size() - to) <= large) all += bytes.substr(from, to - from);
-    return all += bytes.substr(to);
+    // Lines, or what stands between commas: so a list grows, and is often still a list. Which, follows from the bytes themselves.
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        if (bytes[i] == ',' || bytes[i] == '\n') ends.push_back(i);
+    if (ends.size() < 2) ends = {0, bytes.size()};
+    const std::size_t hash = std::hash<std::string_view>()(bytes);
+    const std::size_t first = hash % (ends.size() - 1), count = 1 + hash / 65'536 % std::min<std::size_t>(4, ends.size() - 1 - first);
+    const std::size_t from = ends[first], to = ends[first + count];
+    std::string all(bytes.substr(0, from));
+    const std::string_view part = bytes.substr(from, to - from), rest = bytes.substr(to);
+    while (!part.empty() && all.size() + part.size() + rest.size() <= large) all += part;
+    return all += rest;
 }
 
 /// libFuzzer's own limit is by the clock on the wall, which says little on a machine that does other things as well.
