@@ -99,6 +99,13 @@ std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
     return all;
 }
 
+std::vector<PrimData> walls(const Config& config) {
+    const std::int32_t most = most_of(config.coord_bits), step = std::max(4, most / 256);
+    return {plane({0, -most / 2, 0}, {step, -most / 2, 0}, {0, 1 - most / 2, -step}),
+            plane({0, most / 2, 0}, {step, most / 2 - 1, 0}, {0, most / 2, step}),
+            plane({most - 1, 0, 0}, {most, step, 0}, {most - 1, 0, step})};
+}
+
 std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
     std::vector<PrimData> all;

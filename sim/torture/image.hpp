@@ -9,6 +9,9 @@ namespace rayclock::torture {
 /// the chip has.
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count);
 
+/// Planes that are all but parallel to each other or to an axis.
+std::vector<PrimData> walls(const Config& config);
+
 /// Spheres in each other's way.
 std::vector<PrimData> balls(const Config& config, Dice& dice, int count);
 

@@ -29,7 +29,7 @@ Config shading_chip() {
 Config wide_chip() {
     Config c;
     c.coord_bits = 18, c.dir_bits = 24, c.t_frac_bits = 6, c.recip_bits = 23, c.box_bits = 8, c.bary_bits = 24, c.origin_bits = 11;
-    c.node_width = 8, c.leaf_size = 6, c.contexts = 16, c.stack_depth = 8, c.tile_bits = 5;
+    c.node_width = 8, c.leaf_size = 6, c.contexts = 16, c.stack_depth = 2, c.tile_bits = 5;
     c.tri_queue = 32, c.node_sets = 4, c.node_ways = 4, c.node_mshrs = 8, c.prim_sets = 8, c.prim_ways = 2, c.prim_line = 128, c.prim_mshrs = 4;
     c.shading = 1, c.surf_sets = 8, c.surf_ways = 1, c.surf_mshrs = 4, c.lights = 3, c.bounces = 1;
     return c;
@@ -40,7 +40,8 @@ Config sheared_chip() {
     c.primitive_test = int(PrimitiveTest::sheared);
     c.coord_bits = 16, c.dir_bits = 20, c.recip_bits = 14, c.box_bits = 4, c.bary_bits = 8, c.t_frac_bits = 0;
     c.node_width = 2, c.leaf_size = 3, c.contexts = 4, c.stack_depth = 32, c.tile_bits = 0;
-    c.node_sets = 1, c.node_ways = 8, c.node_line = 256, c.node_mshrs = 4, c.prim_sets = 4, c.prim_ways = 1, c.prim_mshrs = 2;
+    // One set: reset is as short as it may be.
+    c.node_sets = 1, c.node_ways = 8, c.node_line = 256, c.node_mshrs = 4, c.prim_sets = 1, c.prim_ways = 4, c.prim_mshrs = 2;
     c.addr_bits = 8;
     return c;
 }
@@ -69,7 +70,7 @@ template <class V> V turned(const V& v, int turns) {
 
 class Cases {
 public:
-    explicit Cases(const std::string& chip) : config_(torture_chip(chip)), dice_(chip.size() * 1000 + 7) {}
+    explicit Cases(const std::string& chip) : config_(torture_chip(chip)), dice_(seed()) {}
 
     std::vector<TortureCase> make() {
         static constexpr Size sizes[] = {{13, 9}, {128, 1}, {3, 17}, {11, 7}, {1, 1}, {16, 8}};
@@ -81,6 +82,7 @@ public:
         add_panes();
         if (config_.shading) add_lights();
         if (config_.spheres) add_balls();
+        if (config_.planes) add_planes();
         if (config_.supersampling) add_contrast(), add_samples();
         return std::move(cases_);
     }
@@ -144,8 +146,10 @@ private:
     void add_panes() {
         const std::vector<PrimData> prims = panes(config_, 6);
         TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", Look::clear));
-        for (const double spread : {0.4, 0.01, 3e-6}) {
+        // From between the first two panes a ray goes to and fro, and leaves one behind at each turn: as many as can wait.
+        for (const double spread : {0.4, 0.01, 3e-6, 0.1}) {
             Frame frame = pane_view(config_, {8, 6}, spread);
+            if (spread == 0.1) frame.eye[2] = (prims[0].a[2] + prims[2].a[2]) / 2;
             shade(frame, t.job.image, 1);
             frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
             t.frames.push_back(frame);
@@ -181,7 +185,35 @@ private:
     void add_balls() {
         const std::vector<PrimData> prims = balls(config_, dice_, 12);
         TortureCase t = begin("balls", image_of(prims, config_, dice_, "balls", Look::clear));
-        for (int i = 0; i < 2; ++i) {
+        for (int i = 0; i < 3; ++i) {
+            Frame frame = view(prims, config_, {10, 8}, 0, dice_);
+            shade(frame, t.job.image, 1);
+            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
+            if (i == 2) put_lights_into(prims, frame);
+            t.frames.push_back(frame);
+        }
+        end(std::move(t));
+    }
+
+    /// Lights inside the first balls, in their middles and above them, and the eye inside one as well.
+    void put_lights_into(const std::vector<PrimData>& balls, Frame& frame) {
+        frame.shade.lights = std::uint32_t(config_.lights);
+        frame.shade.depth = 1;
+        for (std::size_t i = 0; i < frame.shade.lights; ++i) {
+            Vec3i place = balls[i / 2].a;
+            place[i % 3] += i % 2 == 0 ? 0 : 1 + dice_.below(most_of(config_.coord_bits) >> 4);
+            frame.shade.near[i] = 1, frame.shade.clear[i] = 0;
+            std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
+        }
+        frame.eye = balls[0].a;
+    }
+
+    /// Planes that meet far beyond the lattice: rays come back from there, or miss it, or see lights behind the surface.
+    void add_planes() {
+        std::vector<PrimData> prims = soup(config_, dice_, 8);
+        for (const PrimData& plane : walls(config_)) prims.push_back(plane);
+        TortureCase t = begin("planes", image_of(prims, config_, dice_, "planes", Look::clear));
+        for (int i = 0; i < 3; ++i) {
             Frame frame = view(prims, config_, {10, 8}, 0, dice_);
             shade(frame, t.job.image, 1);
             frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
@@ -220,11 +252,13 @@ private:
         t.job.frame = t.frames[0];
         t.job.size = {int(t.frames[0].width), int(t.frames[0].height)};
         cases_.push_back(std::move(t));
+        dice_ = Dice(seed());   // of its own for each case, so that one can be changed without the others
     }
+    std::uint64_t seed() const { return config_.name.size() * 1000 + 7 + 100 * cases_.size(); }
 
     Config config_;
-    Dice dice_;
     std::vector<TortureCase> cases_;
+    Dice dice_;
 };
 
 } // namespace

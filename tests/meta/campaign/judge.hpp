@@ -1,21 +1,14 @@
 #pragma once
 // Runs the torture set on one called mutant after the other, each in a process of its own, so that a crash is a verdict as well.
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "sim/torture/torture.hpp"
+#include "tests/meta/campaign/state.hpp"
 
 /// The model's fault that is awake; 0: none.
 extern int rc_fault;
 
 namespace rayclock::campaign {
-
-struct Verdict {
-    bool noticed = false;
-    std::string by;      ///< the case that saw it, or how the process ended
-    double seconds = 0;
-};
 
 class TortureJudge {
 public:
