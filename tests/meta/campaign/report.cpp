@@ -1,5 +1,3 @@
-#include <fstream>
-
 #include <fmt/format.h>
 
 #include "tests/meta/campaign/stages.hpp"
@@ -10,17 +8,6 @@ namespace rayclock::campaign {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// "file:line operator: what it does" of the faults that change nothing, as the page lists them, each with its reason.
-std::set<std::string> equivalents(const fs::path& arguments) {
-    std::set<std::string> all;
-    std::ifstream in(arguments);
-    for (std::string line; std::getline(in, line);) {
-        const std::size_t end = line.find("`: ");
-        if (line.starts_with("- `") && end != std::string::npos) all.insert(line.substr(3, end - 3));
-    }
-    return all;
-}
 
 struct Count {
     int all = 0, torture = 0, quick = 0, slow = 0;
@@ -34,17 +21,16 @@ void print(const char* what, const Count& c) {
 
 } // namespace
 
-bool report(const fs::path& folder, const fs::path& arguments, double percent) {
+bool report(const fs::path& folder, const fs::path& page, double percent) {
     const Lines mutants = lines_of(folder / "mutants"), torture = lines_of(folder / "torture"), quick = lines_of(folder / "quick"),
                 slow = lines_of(folder / "slow");
-    const std::set<std::string> same = equivalents(arguments);
+    const std::set<std::string> same = argued(page);
     Count drawn, rows;
     int equivalent = 0;
     for (const auto& [number, m] : mutants) {
         const bool by_torture = is_noticed(torture, number), by_quick = by_torture || is_noticed(quick, number),
                    by_slow = by_quick || is_noticed(slow, number);
-        const std::string what = fmt::format("{}:{} {}: {}", m[1], m[2], m[3], m[4]);
-        if (!by_slow && same.contains(what)) {
+        if (!by_slow && same.contains(description(m))) {
             ++equivalent;
             continue;
         }

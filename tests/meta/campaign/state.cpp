@@ -56,7 +56,17 @@ void append(const fs::path& file, int number, const Verdict& verdict) {
 }
 
 std::string description(const std::vector<std::string>& m) {
-    return fmt::format("{} {}:{} {}: {}", m.at(0), m.at(1), m.at(2), m.at(3), m.at(4));
+    return fmt::format("{}:{} {}: {}", m.at(1), m.at(2), m.at(3), m.at(4));
+}
+
+std::set<std::string> argued(const fs::path& page) {
+    std::set<std::string> all;
+    std::ifstream in(page);
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t end = line.find("`: ");
+        if (line.starts_with("- `") && end != std::string::npos) all.insert(line.substr(3, end - 3));
+    }
+    return all;
 }
 
 } // namespace rayclock::campaign

@@ -22,8 +22,11 @@ struct Verdict {
 };
 void append(const std::filesystem::path& file, int number, const Verdict& verdict);
 
-/// "7 rtl/trav/rc_box.sv:80 comparison: ...", of a line of `mutants`.
+/// "rtl/trav/rc_box.sv:80 comparison: ...", of a line of `mutants`.
 std::string description(const std::vector<std::string>& mutant);
+
+/// Descriptions of the faults that change nothing, as the page lists them: a line "- `description`: reason" for each.
+std::set<std::string> argued(const std::filesystem::path& page);
 
 /// Numbers from here on are rows of a table.
 inline constexpr int first_row = 10000;

@@ -87,7 +87,7 @@ private:
 
 } // namespace
 
-void test_survivors(const fs::path& folder, const fs::path& build, bool slow) {
+void test_survivors(const fs::path& folder, const fs::path& build, const fs::path& page, bool slow) {
     const bool is_rtl = fs::exists(folder / "rtl");
     const Lines mutants = lines_of(folder / "mutants"), tortured = lines_of(folder / "torture"), quick = lines_of(folder / "quick");
     const fs::path results = folder / (slow ? "slow" : "quick");
@@ -96,11 +96,12 @@ void test_survivors(const fs::path& folder, const fs::path& build, bool slow) {
     else
         for (const char* program : {"tests/rc_unit_tests", "tests/rc_system_tests"})
             if (!fs::exists(folder / fs::path(program).filename())) link_with_faults(folder, build, program);
+    const std::set<std::string> same = argued(page);
     const Runner run(folder, is_rtl ? build / "tests" : folder, is_rtl);
     std::set<std::string> sound;   // tests that pass with every fault asleep
     for (const auto& [number, mutant] : mutants) {
         if (number > first_row || !tortured.contains(number) || is_noticed(tortured, number) || done.contains(number)) continue;
-        if (slow && is_noticed(quick, number)) continue;
+        if ((slow && is_noticed(quick, number)) || same.contains(description(mutant))) continue;
         const std::vector<Step> steps = steps_for(mutant[1], slow);
         for (const Step& step : steps) {
             if (!sound.insert(step.program + step.cases).second) continue;
