@@ -111,7 +111,7 @@ private:
         TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", Look::clear));
         // From between the first two panes a ray goes to and fro, and leaves one behind at each turn: as many as can wait.
         for (const double spread : {0.4, 0.01, 3e-6, 3e-7, 0.1}) {
-            Frame frame = pane_view(config_, {8, 6}, spread);
+            Frame frame = pane_view(config_, {6, 4}, spread);
             if (spread == 0.1) frame.eye[2] = (prims[0].a[2] + prims[2].a[2]) / 2;
             shade(frame, t.job.image, 1);
             frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
@@ -226,9 +226,9 @@ private:
         for (const Vec3i& eye : {Vec3i{0, 0, 14}, Vec3i{3, -2, 9}}) {
             t.frames.push_back(diagonal_view(eye, 1 << (config_.dir_bits - 5)));
             Frame& frame = t.frames.back();
-            frame.width = frame.height = 17;
+            frame.width = frame.height = 12;
             for (std::size_t k = 0; k < 2; ++k) frame.corner[k] /= 2;
-            frame.right[0] /= 4, frame.down[1] /= 4;
+            frame.right[0] = frame.right[0] * 3 / 8, frame.down[1] = frame.down[1] * 3 / 8;
             shade(frame, t.job.image, 1);
             frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
         }
@@ -263,7 +263,7 @@ private:
         for (const PrimData& plane : walls(config_)) prims.push_back(plane);
         TortureCase t = begin("planes", image_of(prims, config_, dice_, "planes", Look::clear));
         for (int i = 0; i < 3; ++i) {
-            Frame frame = view(prims, config_, {10, 8}, 0, dice_);
+            Frame frame = view(prims, config_, {7, 5}, 0, dice_);
             shade(frame, t.job.image, 1);
             frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
             t.frames.push_back(frame);

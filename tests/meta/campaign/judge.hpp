@@ -12,8 +12,9 @@ namespace rayclock::campaign {
 
 class TortureJudge {
 public:
-    /// `chips`: of torture_chips(), those that are run, in this order.
-    explicit TortureJudge(const std::vector<std::string>& chips);
+    /// `chips`: of torture_chips(), those that are run, in this order. `records` what rays do, once for all faults of the RTL; for
+    /// faults of the model nothing must have been worked out before they wake.
+    TortureJudge(const std::vector<std::string>& chips, bool records);
     Verdict operator()(int seconds_at_most) const;
     /// The same with a fault of the model awake, so that what rays do is recorded anew.
     Verdict with_fault(int number, int seconds_at_most) const;

@@ -22,6 +22,15 @@ constexpr const char* arithmetic[] = {"model/isect/", "model/trav/", "model/list
 constexpr const char* not_in_a_machine[] = {"model/isect/moller.cpp", "model/isect/woop.cpp", "model/isect/unit24.cpp",
                                             "model/isect/truncated.cpp", "model/shade/shade.cpp"};
 
+/// What model and RTL share: memory images, memory's timing, pictures to compare with. A fault there changes both alike.
+constexpr const char* shared[] = {"model/accel/", "model/mem/dram", "model/mem/memport", "model/core/", "model/oracle/",
+                                  "model/reference/", "model/scene/"};
+
+bool is_shared(const Mutant& m) {
+    const auto begins = [&](const char* folder) { return m.file.starts_with(folder); };
+    return std::any_of(std::begin(shared), std::end(shared), begins);
+}
+
 bool is_drawn(const Mutant& m) {
     const auto begins = [&](const char* folder) { return m.file.starts_with(folder); };
     const auto is = [&](const char* file) { return m.file == file; };
@@ -108,6 +117,7 @@ void make_model_copy(const fs::path& source, const Order& order) {
     std::vector<std::string> others;
     std::vector<Mutant> rows, mutants, out;
     if (!order.rows.empty()) rows = all_rows(source, order.rows, "model/", others);
+    fmt::print("{} rows are in what model and RTL share\n", std::erase_if(rows, is_shared));
     Compiler compiler(source, order.folder);
     for (;;) {
         while (int(mutants.size()) < order.count) {

@@ -20,23 +20,58 @@ struct Row {
     Language language = Language::verilog;
 };
 
-/// The part of the row's text in which old and new differ, as a change of the smallest expression around it.
-std::optional<std::pair<Region, std::string>> one_expression(const Row& row) {
+/// Where the row's texts differ: from..to of the file becomes `fresh`.
+struct Change {
+    std::size_t from = 0, to = 0;
+    std::string fresh;
+};
+Change change_of(const Row& row) {
     const std::size_t shorter = std::min(row.old.size(), row.fresh.size());
     std::size_t same = 0, tail = 0;
     while (same < shorter && row.old[same] == row.fresh[same]) ++same;
     while (tail < shorter - same && row.old[row.old.size() - 1 - tail] == row.fresh[row.fresh.size() - 1 - tail]) ++tail;
-    const std::size_t from = row.at + same, to = row.at + row.old.size() - tail;
-    std::optional<std::pair<Region, std::string>> best;
-    for (const Region& region : regions(row.text, row.language)) {
-        const bool begins = region.begin <= from || row.text.find_first_not_of(" \n", from) >= region.begin;
-        if (!begins || region.begin > to || region.end < to) continue;
-        if (best && region.end - region.begin >= best->first.end - best->first.begin) continue;
-        const std::string changed = row.text.substr(region.begin, std::max(from, region.begin) - region.begin) +
-                                    row.fresh.substr(same, row.fresh.size() - tail - same) + row.text.substr(to, region.end - to);
-        best = {region, blanked(changed, row.language)};
+    return {row.at + same, row.at + row.old.size() - tail, row.fresh.substr(same, row.fresh.size() - tail - same)};
+}
+
+/// A C++ argument, or the smallest thing between brackets and commas, around the characters from..to; none if there is none.
+std::optional<Region> argument(const std::string& plain, std::size_t from, std::size_t to) {
+    int depth = 0;
+    std::size_t begin = from, end = to;
+    for (; begin > 0; --begin) {
+        const char c = plain[begin - 1];
+        if (c == ';' || (depth == 0 && (c == '(' || c == '[' || c == '{' || c == ','))) break;
+        depth += (c == ')' || c == ']' || c == '}') - (c == '(' || c == '[' || c == '{');
     }
-    return best;
+    depth = 0;
+    for (; end < plain.size(); ++end) {
+        const char c = plain[end];
+        if (c == ';' || (depth == 0 && (c == ')' || c == ']' || c == '}' || c == ','))) break;
+        depth += (c == '(' || c == '[' || c == '{') - (c == ')' || c == ']' || c == '}');
+    }
+    if (begin == 0 || end == plain.size() || plain[begin - 1] == ';' || plain[end] == ';') return {};
+    Region region;
+    region.begin = begin, region.end = end;
+    return region;
+}
+
+/// The change as one of the smallest expression around it.
+std::optional<std::pair<Region, std::string>> one_expression(const Row& row) {
+    const std::string plain = blanked(row.text, row.language);
+    const Change change = change_of(row);
+    std::vector<Region> around;
+    for (const Region& region : regions(row.text, row.language)) {
+        const bool begins = region.begin <= change.from || row.text.find_first_not_of(" \n", change.from) >= region.begin;
+        if (begins && region.begin <= change.to && region.end >= change.to) around.push_back(region);
+    }
+    if (around.empty() && row.language == Language::cpp)
+        if (const auto region = argument(plain, change.from, change.to)) around.push_back(*region);
+    if (around.empty()) return {};
+    const Region& best = *std::min_element(around.begin(), around.end(), [](const Region& a, const Region& b) {
+        return a.end - a.begin < b.end - b.begin;
+    });
+    const std::size_t from = std::max(change.from, best.begin);
+    const std::string changed = row.text.substr(best.begin, from - best.begin) + change.fresh + row.text.substr(change.to, best.end - change.to);
+    return std::pair{best, blanked(changed, row.language)};
 }
 
 /// What tells an expression from its neighbours: what is assigned, or the word before its bracket.
@@ -109,6 +144,13 @@ std::vector<Mutant> of_row(const fs::path& source, const fs::path& folder, int n
     return mutants;
 }
 
+static bool overlaps(const Mutant& m, const std::vector<Mutant>& others) {
+    return std::any_of(others.begin(), others.end(), [&](const Mutant& o) {
+        const bool same = m.region.begin == o.region.begin && m.region.end == o.region.end;
+        return m.file == o.file && !same && m.region.begin < o.region.end && o.region.begin < m.region.end;
+    });
+}
+
 std::vector<Mutant> all_rows(const fs::path& source, const fs::path& rows, const std::string& folder, std::vector<std::string>& others) {
     std::vector<fs::path> all;
     for (const auto& entry : fs::directory_iterator(rows))
@@ -119,8 +161,9 @@ std::vector<Mutant> all_rows(const fs::path& source, const fs::path& rows, const
     for (const fs::path& row : all) {
         if (text_of(row / "old").empty()) continue;   // a control
         const std::vector<Mutant> some = of_row(source, row, ++number);
-        mutants.insert(mutants.end(), some.begin(), some.end());
-        if (some.empty()) others.push_back(row.filename().string());
+        const bool fits = !some.empty() && std::none_of(some.begin(), some.end(), [&](const Mutant& m) { return overlaps(m, mutants); });
+        if (fits) mutants.insert(mutants.end(), some.begin(), some.end());
+        else others.push_back(row.filename().string());
     }
     return mutants;
 }

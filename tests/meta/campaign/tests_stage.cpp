@@ -46,6 +46,11 @@ struct Step {
 std::vector<Step> steps_for(const std::string& file, bool slow) {
     const std::string tag = tag_of(file);
     if (slow) return {{"rc_unit_tests", fmt::format("[{}][slow]", tag)}, {"rc_system_tests", "[slow]"}, {"rc_unit_tests", "[slow]"}};
+    if (!file.starts_with("rtl/"))   // what needs no RTL first
+        return {{"rc_unit_tests", fmt::format("[{}]~[slow]~[lockstep]~*Rtl*", tag)},
+                {"rc_unit_tests", "~[slow]~[lockstep]~[rtl]~*Rtl*"},
+                {"rc_unit_tests", fmt::format("[{}]~[slow]", tag)},
+                {"rc_system_tests", "~[slow]"}};
     return {{"rc_unit_tests", fmt::format("[{}]~[slow]", tag)}, {"rc_unit_tests", "~[slow]"}, {"rc_system_tests", "~[slow]"}};
 }
 

@@ -44,7 +44,7 @@ void torture_rtl(const fs::path& folder) {
     const Caller caller = caller_of(folder);
     caller.call(0);
     for (const std::string& chip : torture_chips()) build_rtl(torture_chip(chip));
-    const TortureJudge judge(torture_chips());
+    const TortureJudge judge(torture_chips(), true);
     torture_all(folder, [&](int number) {
         caller.call(number);
         const Verdict verdict = judge(most_seconds);
@@ -55,7 +55,7 @@ void torture_rtl(const fs::path& folder) {
 
 void torture_model(const fs::path& folder) {
     for (const std::string& chip : torture_chips()) build_rtl(torture_chip(chip));
-    const TortureJudge judge(torture_chips());
+    const TortureJudge judge(torture_chips(), false);
     torture_all(folder, [&](int number) { return judge.with_fault(number, most_seconds); });
 }
 
