@@ -184,8 +184,8 @@ private:
     void add_lights() {
         const std::vector<PrimData> prims = soup(config_, dice_, 12);
         TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", Look::shiny));
-        for (int i = 0; i < 2; ++i) {
-            Frame frame = view(prims, config_, {20, 14}, 0, dice_);
+        for (int i = 0; i < 4; ++i) {
+            Frame frame = view(prims, config_, {12, 9}, 0, dice_);
             shade(frame, t.job.image, 1);
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
             t.frames.push_back(frame);
@@ -254,6 +254,9 @@ private:
             std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
         }
         t.frames.push_back(frame);
+        // From a point of a ball's surface into it.
+        t.frames.push_back(diagonal_view(corners[0], 1 << (config_.dir_bits - 4)));
+        shade(t.frames.back(), t.job.image, 1);
         end(std::move(t), 0);
     }
 

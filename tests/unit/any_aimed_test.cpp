@@ -1,5 +1,5 @@
 // tri of a chip that shades, with operands aimed at what random ones do not reach: a sphere touched where a shadow ray ends,
-// the end of t, discriminants that are all but a square.
+// the ends of t, u and v, discriminants that are all but a square, a sphere as far as what was hit before.
 #include <cmath>
 
 #include "tests/support/any_cases.hpp"
@@ -117,5 +117,70 @@ TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri]
         CAPTURE(i, model[i].t, rtl[i].t);
         REQUIRE(model[i].closer == 1);
         REQUIRE(model[i].t == rtl[i].t);
+    }
+}
+
+TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, but for the sign
+    const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
+    std::vector<TriReq> requests;
+    std::vector<std::array<std::int64_t, 2>> expected;
+    for (const std::int32_t side : {1, 2, 3, 5})
+        for (const std::int32_t more : {-1, 0, 1})
+            for (const std::int32_t sign : {-1, 1})
+                for (const std::size_t axis : {0u, 1u}) {
+                    TriReq r;
+                    r.kind = std::uint32_t(RayKind::camera);
+                    r.triangle.kind = std::uint32_t(PrimKind::plane);
+                    r.triangle.prim = 7;
+                    r.triangle.b = {side, 0, 0}, r.triangle.c = {0, side, 0};
+                    Vec3i at{1, 1, 100};
+                    at[axis] = sign * end * side + more;
+                    if (std::abs(at[axis]) > most) continue;
+                    for (std::size_t k = 0; k < 3; ++k) r.o[k] = at[k] * (1 << c.origin_bits);
+                    r.d[2] = -(1 << (c.dir_bits - 2));
+                    requests.push_back(r);
+                    const std::int64_t one = std::int64_t(1) << c.bary_bits, last = (std::int64_t(end) << c.bary_bits) - 1;
+                    std::array<std::int64_t, 2> uv{};
+                    for (std::size_t k = 0; k < 2; ++k) {
+                        const std::int64_t scaled = at[k] * one, floor = scaled / side - (scaled % side < 0);
+                        uv[k] = std::clamp(floor, -last - 1, last);
+                    }
+                    expected.push_back(uv);
+                }
+    REQUIRE(requests.size() > 20);
+    const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
+    const auto number = [&](std::uint32_t field) { return std::int64_t(std::uint64_t(field) << (64 - c.uv_bits())) >> (64 - c.uv_bits()); };
+    for (std::size_t k = 0; k < rsps.size(); ++k) {
+        CAPTURE(k, rsps[k].u, rsps[k].v);
+        REQUIRE(rsps[k].closer == 1);
+        REQUIRE(number(rsps[k].u) == expected[k][0]);
+        REQUIRE(number(rsps[k].v) == expected[k][1]);
+    }
+}
+
+TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher numbers and its own", "[tri][any][aimed]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    std::vector<TriReq> requests;
+    for (const std::int64_t further : {-1, 0, 1})
+        for (const std::uint32_t prim : {6u, 7u, 8u}) {
+            TriReq r;
+            r.kind = std::uint32_t(RayKind::camera);
+            set_sphere(r.triangle, {0, 0, 0}, 100, c.coord_bits);
+            r.o[2] = 30 * (1 << c.origin_bits);
+            r.d[2] = -(1 << (c.dir_bits - 2));
+            // Its near side is at 20 steps, twice as many in units of a direction.
+            const int units = c.dir_bits - 1 + c.t_frac_bits;
+            r.best.found = 1, r.best.prim = prim;
+            r.best.det = std::uint64_t(1) << units;
+            r.best.num = std::uint64_t((std::int64_t(40) << c.t_frac_bits) + further);
+            requests.push_back(r);
+        }
+    const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
+    for (std::size_t k = 0; k < rsps.size(); ++k) {
+        CAPTURE(k);
+        REQUIRE((rsps[k].closer != 0) == (k > 5 || (k > 2 && k % 3 > 0)));
     }
 }
