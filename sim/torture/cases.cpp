@@ -180,7 +180,7 @@ private:
         end(std::move(t));
     }
 
-    /// Many highlights: lights of any strength, exponents of any size.
+    /// Many highlights, exponents of any size.
     void add_lights() {
         const std::vector<PrimData> prims = soup(config_, dice_, 12);
         TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", Look::shiny));
@@ -188,6 +188,9 @@ private:
             Frame frame = view(prims, config_, {12, 9}, 0, dice_);
             shade(frame, t.job.image, 1);
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
+            // One light is bright, so that all of them together do not make everything white.
+            for (std::size_t k = 0; k < 3 * frame.shade.lights; ++k)
+                if (k / 3 != frame.shade.lights - 1 - std::size_t(i) % frame.shade.lights) frame.shade.colour[k] >>= 6;
             t.frames.push_back(frame);
         }
         end(std::move(t));

@@ -126,7 +126,8 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
     const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
     std::vector<TriReq> requests;
     std::vector<std::array<std::int64_t, 2>> expected;
-    for (const std::int32_t side : {1, 2, 3, 5})
+    const std::int32_t fine = 1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is left
+    for (const std::int32_t side : {1, 2, 3, 5, fine})
         for (const std::int32_t more : {-1, 0, 1})
             for (const std::int32_t sign : {-1, 1})
                 for (const std::size_t axis : {0u, 1u}) {
@@ -136,7 +137,7 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
                     r.triangle.prim = 7;
                     r.triangle.b = {side, 0, 0}, r.triangle.c = {0, side, 0};
                     Vec3i at{1, 1, 100};
-                    at[axis] = sign * end * side + more;
+                    at[axis] = side == fine ? 4 * sign + more : sign * end * side + more;
                     if (std::abs(at[axis]) > most) continue;
                     for (std::size_t k = 0; k < 3; ++k) r.o[k] = at[k] * (1 << c.origin_bits);
                     r.d[2] = -(1 << (c.dir_bits - 2));
