@@ -2,6 +2,8 @@
 // the ends of t, u and v, discriminants that are all but a square, a sphere as far as what was hit before.
 #include <cmath>
 
+#include "model/core/rng.hpp"
+#include "model/isect/vectors.hpp"
 #include "tests/support/any_cases.hpp"
 
 using namespace rayclock;
@@ -184,4 +186,33 @@ TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher n
         CAPTURE(k);
         REQUIRE((rsps[k].closer != 0) == (k > 5 || (k > 2 && k % 3 > 0)));
     }
+}
+
+TEMPLATE_TEST_CASE("a ray that passes an edge by the least there is is on its side", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    const std::int32_t one = 1 << c.origin_bits;
+    Rng rng(20261122);
+    const auto point = [&](int most) { return Vec3i{rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most}; };
+    std::vector<TriReq> requests;
+    for (int i = 0; i < 2000000 && requests.size() < 600; ++i) {
+        TriReq r;
+        r.kind = std::uint32_t(RayKind::bounce);
+        r.triangle.a = point(1), r.triangle.b = point(1), r.triangle.c = point(1);
+        r.triangle.prim = 7;
+        r.o = point(one), r.d = point(1);
+        Vec3l s, e1, e2;
+        for (std::size_t k = 0; k < 3; ++k) {
+            s[k] = r.o[k] - std::int64_t(r.triangle.a[k]) * one;
+            e1[k] = r.triangle.b[k] - r.triangle.a[k], e2[k] = r.triangle.c[k] - r.triangle.a[k];
+        }
+        const Vec3l d{r.d[0], r.d[1], r.d[2]}, p1 = cross(d, e1), p2 = cross(d, e2);
+        const auto dot = [](const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+        const std::int64_t det = dot(p2, e1), u = dot(p2, s), v = -dot(p1, s), w = det * one - u - v;
+        if (det == 0 || (std::abs(u) != 1 && std::abs(v) != 1 && std::abs(w) != 1)) continue;
+        requests.push_back(r);
+    }
+    REQUIRE(requests.size() > 300);
+    int hits = 0;
+    for (const TriRsp& rsp : judged<TestType>(requests, c)) hits += rsp.closer != 0;
+    CHECK(hits > 20);
 }
