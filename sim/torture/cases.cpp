@@ -171,7 +171,7 @@ private:
     void add_contrast() {
         const std::vector<PrimData> prims = mesh(40, 6);
         TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
-        for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1}) {
+        for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1, 0u}) {
             Frame frame = corner_view(config_, {9, 7}, 40);
             shade(frame, t.job.image, 3);
             frame.shade.contrast = contrast, frame.shade.background = {0, 1u << unit_bits, 0};
@@ -238,27 +238,27 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Balls whose surfaces go through corners of a mesh that are hit exactly: shadow rays from within end on the ball's
-    /// surface, those from straight above touch it where they end.
+    /// Balls whose surfaces go through points of a mesh that are hit exactly, and lie so far inside a triangle that rays from
+    /// there begin there: shadow rays from within the ball end on its surface, those from straight above touch it where they end.
     void add_contacts() {
-        const std::int32_t step = 40;
+        const std::int32_t step = 40, radius = step / 4;
         std::vector<PrimData> prims = mesh(step, 6);
-        const Vec3i corners[] = {{-step, 0, 0}, {-step, step, 0}, {-2 * step, -step, 0}};
-        for (const Vec3i& p : corners) prims.push_back(ball(config_, {p[0] - step / 2, p[1], 0}, step / 2));
+        const Vec3i points[] = {{-50, 20, 0}, {-50, 60, 0}, {-50, -20, 0}};
+        for (const Vec3i& p : points) prims.push_back(ball(config_, {p[0] - radius, p[1], 0}, radius));
         TortureCase t = begin("contacts", image_of(prims, config_, dice_, "contacts", Look::shiny));
-        Frame frame = corner_view(config_, {9, 9}, step);
+        Frame frame = corner_view(config_, {13, 13}, radius);
         shade(frame, t.job.image, 1);
-        frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 1;
+        frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
         for (std::size_t i = 0; i < frame.shade.lights; ++i) {
-            Vec3i place = corners[i % 3];
-            if (i < 2) place[0] -= step / 2, place[2] = 1 + std::int32_t(i);
+            Vec3i place = points[i % 3];
+            if (i < 2) place[0] -= radius, place[2] = 1 + std::int32_t(i);
             else place[2] = step * std::int32_t(i);
             frame.shade.near[i] = 1, frame.shade.clear[i] = 0;
             std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
         }
         t.frames.push_back(frame);
         // From a point of a ball's surface into it.
-        t.frames.push_back(diagonal_view(corners[0], 1 << (config_.dir_bits - 4)));
+        t.frames.push_back(diagonal_view(points[0], 1 << (config_.dir_bits - 4)));
         shade(t.frames.back(), t.job.image, 1);
         end(std::move(t), 0);
     }
