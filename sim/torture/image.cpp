@@ -59,7 +59,7 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     s.kind = prim.kind, s.a = prim.a, s.b = prim.b, s.c = prim.c;
     const bool flat = s.kind == std::uint32_t(PrimKind::triangle);
     if (flat) s.fine = fine_of(prim, config);
-    s.smooth = config.smooth && flat && dice.percent(40);
+    s.smooth = look != Look::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
     if (s.kind == std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them apart
         for (std::size_t side : {0u, 1u}) {
