@@ -99,12 +99,15 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
 }
 
 TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri][any][aimed]") {
-    const Config c = any_format("default");
+    const Config c = any_format("wide");
     // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. Sought: q = 4 k^2 + 1, 2 or 3, k of 28 bits, so that
-    // the root of what is kept is k exactly, and only what was cut says that it must be rounded up.
-    const std::int64_t square = std::int64_t(131000) * 131000, all = square << (2 * c.origin_bits);
+    // the root of what is kept is k exactly, and only what was cut says that it must be rounded up; and k such that t, of fewer
+    // bits, is whole, and one more if the root is rounded up.
+    const std::int64_t square = std::int64_t(524000) * 524000, all = square << (2 * c.origin_bits);
+    const std::int64_t step = std::int64_t(1) << std::max(0, c.origin_bits - c.t_frac_bits - 2);
     std::vector<TriReq> requests;
-    for (std::int64_t k = root(all / 4) - 1; requests.size() < 20; --k) {
+    for (std::int64_t k = (root(all / 4) - 1) / step * step; requests.size() < 20; k -= step) {
+        REQUIRE(k >> 27 == 1);
         const std::int64_t rest = all - 4 * k * k, y = root(rest - 1), z = root(rest - 1 - y * y), left = rest - y * y - z * z;
         if (left > 3) continue;
         TriReq r;
