@@ -83,6 +83,34 @@ Frame diagonal_view(const Vec3i& eye, std::int64_t unit) {
     return frame;
 }
 
+Frame brim_view(const Vec3i& eye, const Config& config) {
+    Frame frame = diagonal_view(eye, 1 << (config.dir_bits - 5));
+    const std::int64_t brim = (std::int64_t(1) << (config.dir_bits - 2 + guard_bits)) - 1;
+    frame.corner = {-brim, brim - (std::int64_t(4) << guard_bits), -brim};
+    frame.right = {0, std::int64_t(1) << (guard_bits - 1), 0};
+    frame.down = {0, 0, std::int64_t(1) << (guard_bits - 3)};
+    return frame;
+}
+
+Vec3i mirror_place(const Config& config, std::int32_t at) {
+    const std::int32_t step = most_of(config.coord_bits) / 2;
+    return {at * step, at * step, -step};
+}
+
+Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int32_t at) {
+    // What comes along v is mirrored to z if v + z is a multiple of the normal.
+    const std::int32_t square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    const Vec3i v{2 * normal[2] * normal[0], 2 * normal[2] * normal[1], 2 * normal[2] * normal[2] - square};
+    Frame frame;
+    frame.width = size.width, frame.height = size.height;
+    frame.eye = mirror_place(config, at);
+    const std::int32_t away = most_of(config.coord_bits) / 64;
+    for (std::size_t k = 0; k < 3; ++k) frame.eye[k] += v[k] * away / 4;
+    const double spread = 1e-4 * largest({double(v[0]), double(v[1]), double(v[2])});
+    aim(frame, {double(-v[0]), double(-v[1]), double(-v[2])}, {spread / size.width, 0, 0}, {0, spread / size.height, 0}, 1, config);
+    return frame;
+}
+
 Frame pane_view(const Config& config, Size size, double spread) {
     Frame frame;
     frame.width = size.width, frame.height = size.height;
@@ -108,7 +136,7 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     s.seed = std::uint32_t(dice.below(1 << 30));
     s.background = dice.colour(unit_bits);
     s.lights = std::uint32_t(dice.between(1, config.lights));
-    for (std::size_t i = 0; i < s.lights; ++i) {
+    for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {   // those beyond are there, and do not shine
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);
         const Vec3i place = dice.point(most_of(s.near[i] ? config.coord_bits : config.light_bits()));
         std::copy(place.begin(), place.end(), s.place.begin() + std::ptrdiff_t(3 * i));

@@ -19,6 +19,13 @@ Frame corner_view(const Config& config, Size size, std::int32_t step);
 /// 9 x 9 directions of at most 4 `unit`s a component, so that many components are equal.
 Frame diagonal_view(const Vec3i& eye, std::int64_t unit);
 
+/// Directions whose components all but reach a power of two, so that they round up to it.
+Frame brim_view(const Vec3i& eye, const Config& config);
+
+/// Where the mirror number `at` stands, -1, 0 or 1, and a view from where it sends rays along z.
+Vec3i mirror_place(const Config& config, std::int32_t at);
+Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int32_t at);
+
 /// From outside straight at the panes, all of them behind each other; `spread` is the tangent of the picture's angle.
 Frame pane_view(const Config& config, Size size, double spread);
 

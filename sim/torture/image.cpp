@@ -5,6 +5,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/core/payloads.hpp"
+#include "sim/torture/frames.hpp"
 
 namespace rayclock::torture {
 
@@ -58,7 +59,7 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     s.kind = prim.kind, s.a = prim.a, s.b = prim.b, s.c = prim.c;
     const bool flat = s.kind == std::uint32_t(PrimKind::triangle);
     if (flat) s.fine = fine_of(prim, config);
-    s.smooth = config.smooth && flat && dice.percent(40);
+    s.smooth = look != Look::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
     if (s.kind == std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them apart
         for (std::size_t side : {0u, 1u}) {
@@ -99,6 +100,35 @@ std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
     return all;
 }
 
+std::vector<PrimData> walls(const Config& config) {
+    const std::int32_t most = most_of(config.coord_bits), step = std::max(4, most / 256);
+    return {plane({0, -most / 2, 0}, {step, -most / 2, 0}, {0, 1 - most / 2, -step}),
+            plane({0, most / 2, 0}, {step, most / 2 - 1, 0}, {0, most / 2, step}),
+            plane({most - 1, 0, 0}, {most, step, 0}, {most - 1, 0, step})};
+}
+
+std::vector<PrimData> spans(const Config& config, Dice& dice, int count) {
+    const std::int32_t most = most_of(config.coord_bits);
+    const auto end = [&] { return dice.percent(50) ? most : -most; };
+    std::vector<PrimData> all;
+    while (int(all.size()) < count) {
+        const PrimData next = triangle({end(), end(), end()}, {end(), end(), end()}, {end(), end(), end()});
+        if (counts(next, config)) all.push_back(next);
+    }
+    return all;
+}
+
+PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
+    const std::int32_t side = most_of(config.coord_bits) / 64;
+    const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side}, two{0, normal[2] * side, -normal[1] * side};
+    const auto corner = [&](std::int32_t x, std::int32_t y) {
+        Vec3i p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = place[k] + x * one[k] + y * two[k];
+        return p;
+    };
+    return triangle(corner(-1, -1), corner(2, -1), corner(-1, 2));
+}
+
 std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
     std::vector<PrimData> all;
@@ -106,6 +136,16 @@ std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
         const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> dice.between(2, 5))));
         all.push_back(sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)), config.coord_bits));
     }
+    return all;
+}
+
+PrimData ball(const Config& config, const Vec3i& centre, std::int32_t radius) {
+    return sphere(centre, std::uint64_t(radius) * std::uint64_t(radius), config.coord_bits);
+}
+
+std::vector<PrimData> beads(const Config& config, Dice& dice, int count) {
+    std::vector<PrimData> all;
+    for (int i = 0; i < count; ++i) all.push_back(sphere(dice.near({}, 6, 6), std::uint64_t(dice.between(1, 9)), config.coord_bits));
     return all;
 }
 

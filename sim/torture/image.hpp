@@ -9,8 +9,22 @@ namespace rayclock::torture {
 /// the chip has.
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count);
 
+/// Planes that are all but parallel to each other or to an axis.
+std::vector<PrimData> walls(const Config& config);
+
+/// Triangles between corners of the lattice.
+std::vector<PrimData> spans(const Config& config, Dice& dice, int count);
+
+/// A triangle across the `normal`, with mirror_place(at) inside.
+PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at);
+
 /// Spheres in each other's way.
 std::vector<PrimData> balls(const Config& config, Dice& dice, int count);
+
+PrimData ball(const Config& config, const Vec3i& centre, std::int32_t radius);
+
+/// Spheres of a radius of one to three steps, near the middle.
+std::vector<PrimData> beads(const Config& config, Dice& dice, int count);
 
 /// Triangles and spheres of a few lattice steps, all within 3 of the middle.
 std::vector<PrimData> specks(const Config& config, Dice& dice, int count);

@@ -3,14 +3,11 @@
 #include <stdexcept>
 
 #include "model/core/error.hpp"
-#include "sim/torture/frames.hpp"
-#include "sim/torture/image.hpp"
+#include "sim/torture/cases.hpp"
 
 namespace rayclock {
 
 namespace {
-
-using namespace torture;
 
 Config shading_chip() {
     Config c;
@@ -29,7 +26,7 @@ Config shading_chip() {
 Config wide_chip() {
     Config c;
     c.coord_bits = 18, c.dir_bits = 24, c.t_frac_bits = 6, c.recip_bits = 23, c.box_bits = 8, c.bary_bits = 24, c.origin_bits = 11;
-    c.node_width = 8, c.leaf_size = 6, c.contexts = 16, c.stack_depth = 8, c.tile_bits = 5;
+    c.node_width = 8, c.leaf_size = 6, c.contexts = 16, c.stack_depth = 2, c.tile_bits = 5;
     c.tri_queue = 32, c.node_sets = 4, c.node_ways = 4, c.node_mshrs = 8, c.prim_sets = 8, c.prim_ways = 2, c.prim_line = 128, c.prim_mshrs = 4;
     c.shading = 1, c.surf_sets = 8, c.surf_ways = 1, c.surf_mshrs = 4, c.lights = 3, c.bounces = 1;
     return c;
@@ -38,194 +35,14 @@ Config wide_chip() {
 Config sheared_chip() {
     Config c;
     c.primitive_test = int(PrimitiveTest::sheared);
-    c.coord_bits = 16, c.dir_bits = 20, c.recip_bits = 14, c.box_bits = 4, c.bary_bits = 8, c.t_frac_bits = 0;
+    // Short reciprocals of long directions: the slabs' shifts go as far as they can.
+    c.coord_bits = 16, c.dir_bits = 24, c.recip_bits = 8, c.box_bits = 4, c.bary_bits = 8, c.t_frac_bits = 6;
     c.node_width = 2, c.leaf_size = 3, c.contexts = 4, c.stack_depth = 32, c.tile_bits = 0;
-    c.node_sets = 1, c.node_ways = 8, c.node_line = 256, c.node_mshrs = 4, c.prim_sets = 4, c.prim_ways = 1, c.prim_mshrs = 2;
+    // One set: reset is as short as it may be.
+    c.node_sets = 1, c.node_ways = 8, c.node_line = 256, c.node_mshrs = 4, c.prim_sets = 1, c.prim_ways = 4, c.prim_mshrs = 2;
     c.addr_bits = 8;
     return c;
 }
-
-/// Memories, clocks and disturbances, one after the other.
-void disturb(TortureCase& t, int number) {
-    struct Disturbance {
-        int dram, latency, interval, khz;
-        Traffic traffic;
-    };
-    static const Disturbance all[] = {{0, 1, 1, 66000, {}},        {0, 40, 3, 66000, {60, 0, 5}}, {2, 8, 1, 66000, {0, 60, 6}},
-                                      {0, 7, 1, 66000, {15, 85, 7}}, {1, 8, 1, 200000, {}},         {3, 8, 1, 33000, {9, 20, 8}}};
-    const Disturbance& d = all[std::size_t(number) % std::size(all)];
-    t.job.config.dram = d.dram, t.job.config.mem_latency = d.latency, t.job.config.mem_interval = d.interval;
-    t.job.khz = d.khz;
-    t.traffic = d.traffic;
-    t.seed = number + 1;
-}
-
-/// The axes one place on, so many times.
-template <class V> V turned(const V& v, int turns) {
-    V out = v;
-    for (std::size_t k = 0; k < 3; ++k) out[(k + std::size_t(turns)) % 3] = v[k];
-    return out;
-}
-
-class Cases {
-public:
-    explicit Cases(const std::string& chip) : config_(torture_chip(chip)), dice_(chip.size() * 1000 + 7) {}
-
-    std::vector<TortureCase> make() {
-        static constexpr Size sizes[] = {{13, 9}, {128, 1}, {3, 17}, {11, 7}, {1, 1}, {16, 8}};
-        for (int i = 0; i < 6; ++i) add_soup(i, sizes);
-        add_corners(1, 0);
-        add_corners(5, 1);
-        add_corners(3, 2);
-        add_specks();
-        add_panes();
-        if (config_.shading) add_lights();
-        if (config_.spheres) add_balls();
-        if (config_.supersampling) add_contrast(), add_samples();
-        return std::move(cases_);
-    }
-
-private:
-    /// Frames that differ in everything: eye, angle, lights, depth, threshold, contrast, background, size, and the root if the
-    /// tree has a second node to begin with.
-    void add_soup(int number, const Size* sizes) {
-        const std::vector<PrimData> prims = soup(config_, dice_, 8 + 12 * (number % 3));
-        TortureCase t = begin("soup " + std::to_string(number + 1), image_of(prims, config_, dice_, "soup"));
-        for (int i = 0; i < 3; ++i) {
-            Frame frame = view(prims, config_, sizes[(number + 2 * i) % 6], i == 1 ? number : 0, dice_);
-            if (i == 2) frame.root = inner_root(t.job.image);
-            shade(frame, t.job.image, 1 + (number + i) % 3);
-            t.frames.push_back(frame);
-        }
-        end(std::move(t));
-    }
-
-    /// The first child of the root, if it is a node itself.
-    std::uint32_t inner_root(const MemoryImage& image) const {
-        const Node root = unpack<Node>(image.line(0), config_);
-        return root.kind[0] == 1 ? root.base : 0;
-    }
-
-    /// `turn` says across which axis the mesh lies: ties go by the first axis that tells two corners apart.
-    void add_corners(std::int32_t step, int turn) {
-        std::vector<PrimData> prims = mesh(step, 6);
-        for (PrimData& prim : prims)
-            for (Vec3i* corner : {&prim.a, &prim.b, &prim.c}) *corner = turned(*corner, turn);
-        // In any order, so that of two at the same distance the lower number may come second.
-        for (std::size_t i = prims.size(); i-- > 1;) std::swap(prims[i], prims[std::size_t(dice_.below(int(i) + 1))]);
-        TortureCase t = begin("corners " + std::to_string(step), image_of(prims, config_, dice_, "mesh"));
-        t.frames.push_back(corner_view(config_, {9, 9}, step));
-        for (Vec3l* part : {&t.frames[0].corner, &t.frames[0].right, &t.frames[0].down}) *part = turned(*part, turn);
-        t.frames[0].eye = turned(t.frames[0].eye, turn);
-        shade(t.frames.back(), t.job.image, 1);
-        // From a point of the mesh itself: what is met at a distance of nought does not count.
-        Frame on_it = view(prims, config_, {9, 5}, 0, dice_);
-        on_it.eye = turned(Vec3i{step / 2, step / 3, 0}, turn);
-        shade(on_it, t.job.image, 1);
-        t.frames.push_back(on_it);
-        t.frames.push_back(diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
-        shade(t.frames.back(), t.job.image, 1);
-        for (Frame& frame : t.frames)   // lights in the plane of the mesh, from which they are on neither side
-            for (std::size_t i = 0; i < frame.shade.lights; i += 2) frame.shade.place[3 * i + std::size_t(turn + 2) % 3] = 0;
-        end(std::move(t));
-    }
-
-    /// Primitives of a few lattice steps and directions of a few units: products are small, and differ by one or not at all.
-    void add_specks() {
-        const std::vector<PrimData> prims = specks(config_, dice_, 40);
-        TortureCase t = begin("specks", image_of(prims, config_, dice_, "specks"));
-        for (const Vec3i& eye : {Vec3i{0, 0, 3}, Vec3i{1, -1, 1}, Vec3i{-2, 3, 4}}) {
-            t.frames.push_back(diagonal_view(eye, 1));
-            shade(t.frames.back(), t.job.image, 1);
-        }
-        end(std::move(t));
-    }
-
-    void add_panes() {
-        const std::vector<PrimData> prims = panes(config_, 6);
-        TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", Look::clear));
-        for (const double spread : {0.4, 0.01, 3e-6}) {
-            Frame frame = pane_view(config_, {8, 6}, spread);
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
-            t.frames.push_back(frame);
-        }
-        end(std::move(t));
-    }
-
-    void add_contrast() {
-        const std::vector<PrimData> prims = mesh(40, 6);
-        TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
-        for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1}) {
-            Frame frame = corner_view(config_, {9, 7}, 40);
-            shade(frame, t.job.image, 3);
-            frame.shade.contrast = contrast, frame.shade.background = {0, 1u << unit_bits, 0};
-            t.frames.push_back(frame);
-        }
-        end(std::move(t));
-    }
-
-    /// Many highlights: lights of any strength, exponents of any size.
-    void add_lights() {
-        const std::vector<PrimData> prims = soup(config_, dice_, 12);
-        TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", Look::shiny));
-        for (int i = 0; i < 2; ++i) {
-            Frame frame = view(prims, config_, {20, 14}, 0, dice_);
-            shade(frame, t.job.image, 1);
-            frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
-            t.frames.push_back(frame);
-        }
-        end(std::move(t));
-    }
-
-    void add_balls() {
-        const std::vector<PrimData> prims = balls(config_, dice_, 12);
-        TortureCase t = begin("balls", image_of(prims, config_, dice_, "balls", Look::clear));
-        for (int i = 0; i < 2; ++i) {
-            Frame frame = view(prims, config_, {10, 8}, 0, dice_);
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
-            t.frames.push_back(frame);
-        }
-        end(std::move(t));
-    }
-
-    /// Every number of samples.
-    void add_samples() {
-        const std::vector<PrimData> prims = soup(config_, dice_, 9);
-        TortureCase t = begin("samples", image_of(prims, config_, dice_, "samples"));
-        for (const int side : {2, 4, 5, 6, 7, 8}) {
-            Frame frame = view(prims, config_, {3, 2}, 0, dice_);
-            shade(frame, t.job.image, side);
-            frame.shade.depth = 0;
-            t.frames.push_back(frame);
-        }
-        end(std::move(t));
-    }
-
-    void shade(Frame& frame, const MemoryImage& image, int samples) {
-        if (config_.shading) frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
-    }
-
-    TortureCase begin(const std::string& name, MemoryImage image) {
-        TortureCase t;
-        t.name = config_.name + ": " + name;
-        t.job.config = config_;
-        t.job.image = std::move(image);
-        return t;
-    }
-
-    void end(TortureCase t) {
-        disturb(t, int(cases_.size()));
-        t.job.frame = t.frames[0];
-        t.job.size = {int(t.frames[0].width), int(t.frames[0].height)};
-        cases_.push_back(std::move(t));
-    }
-
-    Config config_;
-    Dice dice_;
-    std::vector<TortureCase> cases_;
-};
 
 } // namespace
 
@@ -241,7 +58,7 @@ Config torture_chip(const std::string& name) {
     return config;
 }
 
-std::vector<TortureCase> torture_cases(const std::string& chip) { return Cases(chip).make(); }
+std::vector<TortureCase> torture_cases(const std::string& chip) { return torture::cases_of(torture_chip(chip)); }
 
 LockstepResult run_torture(const TortureCase& torture, const Progress& progress) {
     std::vector<FrameTrace> frames;

@@ -1,5 +1,6 @@
 // What rc_arbiter promises, if an offer that was not taken stays: one grant at most, only to a source that offers, whose
-// data goes out; an offer on show stays until it is taken; and whoever offers is served after Sources - 1 others at most.
+// data goes out; an offer on show stays until it is taken; whoever offers is served after Sources - 1 others at most; and after
+// reset the turn begins behind source 0.
 //
 // One source is followed, any: `whom_i` never changes. Ties to the inside for the last claim: how far the turn is from the
 // followed source, and that an offer on show when it came is the only one that may be out of turn.
@@ -56,6 +57,11 @@ module arbiter #(
     else if (ready_o != '0) passed_q <= passed_q + 1'b1;
   end
   always @* if (begun_q) assume (whom_i == whom_q);
+  logic fresh_q;   // nobody has been served since reset
+  always @(posedge clk_i) begin
+    if (!rst_ni) fresh_q <= 1'b1;
+    else if (ready_o != '0) fresh_q <= 1'b0;
+  end
   assign turns      = whom_i - \u_dut.last_q - 1'b1;                  // sources before it in turn
   assign held_turns = \u_dut.held_source_q - \u_dut.last_q - 1'b1;    // the one on show: sources before it
 
@@ -71,6 +77,7 @@ module arbiter #(
     a_bounded: assert (passed_q <= Sources - 1);
     a_turn:    assert (passed_q == '0 || !waits_q[whom_i] || passed_q + turns <= Sources - 1);
     a_in_turn: assert (passed_q == '0 || !waits_q[whom_i] || !stalled_q || held_turns <= turns);
+    a_begins:  assert (!fresh_q || \u_dut.last_q == '0);   // the turn begins behind source 0
     a_passed:  assert (passed_q == '0 || waits_q[whom_i]);
   end
 endmodule

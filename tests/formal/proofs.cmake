@@ -45,6 +45,9 @@ prove(mutant:formal_merge_tells_both TOP merge RTL prim/rc_merge.sv CYCLES 8 FIL
 foreach(sources IN ITEMS 2 4 8)
   prove(formal:arbiter_of_${sources} TOP arbiter RTL mem/rc_arbiter.sv WITH Sources=${sources} INDUCTION 6)
 endforeach()
+prove(mutant:formal_arbiter_turn_not_reset TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
+  OLD "      last_q <= '0;"
+  NEW "      last_q <= last_q;")
 prove(mutant:formal_arbiter_changes_its_mind TOP arbiter RTL mem/rc_arbiter.sv CYCLES 10 FILE mem/rc_arbiter.sv
   OLD [[assign source_o = held_q ? held_source_q : turn;]]
   NEW [[assign source_o = turn;]])

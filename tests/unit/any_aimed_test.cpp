@@ -1,7 +1,9 @@
 // tri of a chip that shades, with operands aimed at what random ones do not reach: a sphere touched where a shadow ray ends,
-// the end of t, discriminants that are all but a square.
+// the ends of t, u and v, discriminants that are all but a square, a sphere as far as what was hit before.
 #include <cmath>
 
+#include "model/core/rng.hpp"
+#include "model/isect/vectors.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
 using namespace rayclock;
@@ -97,12 +99,15 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
 }
 
 TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri][any][aimed]") {
-    const Config c = any_format("default");
+    const Config c = any_format("wide");
     // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. Sought: q = 4 k^2 + 1, 2 or 3, k of 28 bits, so that
-    // the root of what is kept is k exactly, and only what was cut says that it must be rounded up.
-    const std::int64_t square = std::int64_t(131000) * 131000, all = square << (2 * c.origin_bits);
+    // the root of what is kept is k exactly, and only what was cut says that it must be rounded up; and k such that t, of fewer
+    // bits, is whole, and one more if the root is rounded up.
+    const std::int64_t square = std::int64_t(524000) * 524000, all = square << (2 * c.origin_bits);
+    const std::int64_t step = std::int64_t(1) << std::max(0, c.origin_bits - c.t_frac_bits - 2);
     std::vector<TriReq> requests;
-    for (std::int64_t k = root(all / 4) - 1; requests.size() < 20; --k) {
+    for (std::int64_t k = (root(all / 4) - 1) / step * step; requests.size() < 20; k -= step) {
+        REQUIRE(k >> 27 == 1);
         const std::int64_t rest = all - 4 * k * k, y = root(rest - 1), z = root(rest - 1 - y * y), left = rest - y * y - z * z;
         if (left > 3) continue;
         TriReq r;
@@ -118,4 +123,99 @@ TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri]
         REQUIRE(model[i].closer == 1);
         REQUIRE(model[i].t == rtl[i].t);
     }
+}
+
+TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, but for the sign
+    const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
+    std::vector<TriReq> requests;
+    std::vector<std::array<std::int64_t, 2>> expected;
+    const std::int32_t fine = 1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is left
+    for (const std::int32_t side : {1, 2, 3, 5, fine})
+        for (const std::int32_t more : {-1, 0, 1})
+            for (const std::int32_t sign : {-1, 1})
+                for (const std::size_t axis : {0u, 1u}) {
+                    TriReq r;
+                    r.kind = std::uint32_t(RayKind::camera);
+                    r.triangle.kind = std::uint32_t(PrimKind::plane);
+                    r.triangle.prim = 7;
+                    r.triangle.b = {side, 0, 0}, r.triangle.c = {0, side, 0};
+                    Vec3i at{1, 1, 100};
+                    at[axis] = side == fine ? 4 * sign + more : sign * end * side + more;
+                    if (std::abs(at[axis]) > most) continue;
+                    for (std::size_t k = 0; k < 3; ++k) r.o[k] = at[k] * (1 << c.origin_bits);
+                    r.d[2] = -(1 << (c.dir_bits - 2));
+                    requests.push_back(r);
+                    const std::int64_t one = std::int64_t(1) << c.bary_bits, last = (std::int64_t(end) << c.bary_bits) - 1;
+                    std::array<std::int64_t, 2> uv{};
+                    for (std::size_t k = 0; k < 2; ++k) {
+                        const std::int64_t scaled = at[k] * one, floor = scaled / side - (scaled % side < 0);
+                        uv[k] = std::clamp(floor, -last - 1, last);
+                    }
+                    expected.push_back(uv);
+                }
+    REQUIRE(requests.size() > 20);
+    const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
+    const auto number = [&](std::uint32_t field) { return std::int64_t(std::uint64_t(field) << (64 - c.uv_bits())) >> (64 - c.uv_bits()); };
+    for (std::size_t k = 0; k < rsps.size(); ++k) {
+        CAPTURE(k, rsps[k].u, rsps[k].v);
+        REQUIRE(rsps[k].closer == 1);
+        REQUIRE(number(rsps[k].u) == expected[k][0]);
+        REQUIRE(number(rsps[k].v) == expected[k][1]);
+    }
+}
+
+TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher numbers and its own", "[tri][any][aimed]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    std::vector<TriReq> requests;
+    for (const std::int64_t further : {-1, 0, 1})
+        for (const std::uint32_t prim : {6u, 7u, 8u}) {
+            TriReq r;
+            r.kind = std::uint32_t(RayKind::camera);
+            set_sphere(r.triangle, {0, 0, 0}, 100, c.coord_bits);
+            r.o[2] = 30 * (1 << c.origin_bits);
+            r.d[2] = -(1 << (c.dir_bits - 2));
+            // Its near side is at 20 steps, twice as many in units of a direction.
+            const int units = c.dir_bits - 1 + c.t_frac_bits;
+            r.best.found = 1, r.best.prim = prim;
+            r.best.det = std::uint64_t(1) << units;
+            r.best.num = std::uint64_t((std::int64_t(40) << c.t_frac_bits) + further);
+            requests.push_back(r);
+        }
+    const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
+    for (std::size_t k = 0; k < rsps.size(); ++k) {
+        CAPTURE(k);
+        REQUIRE((rsps[k].closer != 0) == (k > 5 || (k > 2 && k % 3 > 0)));
+    }
+}
+
+TEMPLATE_TEST_CASE("a ray that passes an edge by the least there is is on its side", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+    const Config c = any_format("default");
+    const std::int32_t one = 1 << c.origin_bits;
+    Rng rng(20261122);
+    const auto point = [&](int most) { return Vec3i{rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most}; };
+    std::vector<TriReq> requests;
+    for (int i = 0; i < 2000000 && requests.size() < 600; ++i) {
+        TriReq r;
+        r.kind = std::uint32_t(RayKind::bounce);
+        r.triangle.a = point(1), r.triangle.b = point(1), r.triangle.c = point(1);
+        r.triangle.prim = 7;
+        r.o = point(one), r.d = point(1);
+        Vec3l s, e1, e2;
+        for (std::size_t k = 0; k < 3; ++k) {
+            s[k] = r.o[k] - std::int64_t(r.triangle.a[k]) * one;
+            e1[k] = r.triangle.b[k] - r.triangle.a[k], e2[k] = r.triangle.c[k] - r.triangle.a[k];
+        }
+        const Vec3l d{r.d[0], r.d[1], r.d[2]}, p1 = cross(d, e1), p2 = cross(d, e2);
+        const auto dot = [](const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+        const std::int64_t det = dot(p2, e1), u = dot(p2, s), v = -dot(p1, s), w = det * one - u - v;
+        if (det == 0 || (std::abs(u) != 1 && std::abs(v) != 1 && std::abs(w) != 1)) continue;
+        requests.push_back(r);
+    }
+    REQUIRE(requests.size() > 300);
+    int hits = 0;
+    for (const TriRsp& rsp : judged<TestType>(requests, c)) hits += rsp.closer != 0;
+    CHECK(hits > 20);
 }

@@ -23,7 +23,8 @@ public:
         if (region_.is_condition && text_.find("rst_ni") != npos) add("removed reset", "1'b0", "reset");
         const bool varies = text_.size() > 4;   // '0 and 1'b1 have no bit to lose, and are never late
         if (!region_.target.empty() && varies) widths();
-        if (language_ == Language::verilog && !region_.target.empty() && varies) found_.push_back({"latched late", "", region_.target, true});
+        if (language_ == Language::verilog && !region_.target.empty() && varies && region_.outside != npos)
+            found_.push_back({"latched late", "", region_.target, true});
         return std::move(found_);
     }
 

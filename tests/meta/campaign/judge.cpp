@@ -9,8 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-int rc_fault = 0;
-
 namespace rayclock::campaign {
 
 namespace {
@@ -21,11 +19,12 @@ std::string seen(const TortureCase& torture, const LockstepResult& result) {
 
 } // namespace
 
-TortureJudge::TortureJudge(const std::vector<std::string>& chips) {
+TortureJudge::TortureJudge(const std::vector<std::string>& chips, bool records) {
     for (const std::string& chip : chips)
         for (TortureCase& torture : torture_cases(chip)) {
             cases_.push_back({std::move(torture), {}});
             Prepared& p = cases_.back();
+            if (!records) continue;
             for (const Frame& frame : p.torture.frames) p.frames.push_back(record_frame(p.torture.job, frame, 1));
         }
 }
@@ -66,7 +65,8 @@ Verdict in_child(const std::function<bool(std::string&)>& work, int seconds_at_m
         const int nowhere = open("/dev/null", O_WRONLY);
         dup2(nowhere, 1);
         dup2(nowhere, 2);
-        const rlimit limit{rlim_t(seconds_at_most), rlim_t(seconds_at_most)};   // of the processor, so that a busy machine changes no verdict
+        // Of the processor, so that a busy machine changes no verdict.
+        const rlimit limit{rlim_t(seconds_at_most), rlim_t(seconds_at_most)};
         setrlimit(RLIMIT_CPU, &limit);
         std::string by;
         bool noticed = true;
@@ -87,9 +87,10 @@ Verdict in_child(const std::function<bool(std::string&)>& work, int seconds_at_m
     int status = 0;
     waitpid(child, &status, 0);
     verdict.noticed = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
-    if (WIFSIGNALED(status)) verdict.by = WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL ? "it does not end" : fmt::format("signal {}", WTERMSIG(status));
-    for (char& c : verdict.by)
-        if (c == '\n' || c == '\t') c = ' ';
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        verdict.by = signal == SIGXCPU || signal == SIGKILL ? "it does not end" : fmt::format("signal {}", signal);
+    }
     verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return verdict;
 }

@@ -1,26 +1,20 @@
 #pragma once
 // Runs the torture set on one called mutant after the other, each in a process of its own, so that a crash is a verdict as well.
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "sim/torture/torture.hpp"
+#include "tests/meta/campaign/state.hpp"
 
 /// The model's fault that is awake; 0: none.
 extern int rc_fault;
 
 namespace rayclock::campaign {
 
-struct Verdict {
-    bool noticed = false;
-    std::string by;      ///< the case that saw it, or how the process ended
-    double seconds = 0;
-};
-
 class TortureJudge {
 public:
-    /// `chips`: of torture_chips(), those that are run, in this order.
-    explicit TortureJudge(const std::vector<std::string>& chips);
+    /// `chips`: of torture_chips(), those that are run, in this order. `records` what rays do, once for all faults of the RTL; for
+    /// faults of the model nothing must have been worked out before they wake.
+    TortureJudge(const std::vector<std::string>& chips, bool records);
     Verdict operator()(int seconds_at_most) const;
     /// The same with a fault of the model awake, so that what rays do is recorded anew.
     Verdict with_fault(int number, int seconds_at_most) const;

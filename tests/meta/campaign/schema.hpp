@@ -9,13 +9,15 @@
 
 namespace rayclock::campaign {
 
+/// A changed expression. Several of one number are one fault.
 struct Mutant {
     int number = 0;
-    std::string name;        ///< of a table's row; empty of a drawn one
     std::string file;        ///< below the source tree
     int line = 0;
     Region region;
     Fault fault;
+    std::string added;       ///< items of the module that the changed expression needs
+    std::size_t added_at = 0;
 };
 
 /// Which number is called: a file that holds it. The RTL reads it when it starts to run.
@@ -35,11 +37,11 @@ int line_of(const std::string& text, std::size_t at);
 /// Every fault of every file below `folder` of the source tree, in the order of the files.
 std::vector<Mutant> all_faults(const std::filesystem::path& source, const std::string& folder, Language language);
 
-/// Copies `source`/`folder` to `to`, with the mutants in it.
+/// Copies `source`/`folder` to `to`, with the mutants in it. Throws std::logic_error if two change overlapping text.
 void write_schema(const std::filesystem::path& source, const std::string& folder, const std::filesystem::path& to,
                   const std::vector<Mutant>& mutants, Language language, const Caller& caller);
 
-/// The file's text with one mutant in place, awake: for people.
-std::string changed_text(const std::filesystem::path& source, const Mutant& mutant);
+/// Numbers of the mutants that a compiler's message is about: each stands in the copy as a file of its own (`line).
+std::set<int> named_in(const std::string& said);
 
 } // namespace rayclock::campaign

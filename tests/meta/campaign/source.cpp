@@ -88,6 +88,7 @@ private:
             at_ += w.size();
             return take_brackets(false);
         }
+        if (is({"function", "initial"})) block_ = npos;   // no place for a register
         if (is({"assign"})) {
             block_ = at_;
             at_ += w.size();
@@ -106,7 +107,7 @@ private:
         std::size_t to = at_;
         while (to < end_ && (is_word(text_[to]) || text_[to] == '\'' || text_[to] == ',' || text_[to] == ' ' || text_[to] == '.')) ++to;
         if (to == at_ || to >= end_ || text_[to] != ':' || (to + 1 < end_ && text_[to + 1] == ':')) return false;
-        if (std::string_view(text_).substr(at_, 5) == "begin" || std::string_view(text_).substr(at_, 3) == "end") return false;
+        if (std::string_view(text_).substr(at_, to - at_).find("begin") != npos || word() == "end") return false;
         at_ = to + 1;
         return true;
     }
@@ -124,8 +125,9 @@ private:
         }
     }
     void assignment() {
-        static constexpr std::array<std::string_view, 19> not_first{"localparam", "parameter", "typedef", "input", "output", "genvar", "import", "package", "logic", "module",
-                                                                   "static", "using", "namespace", "struct", "class", "enum", "template", "assert", "wire"};
+        static constexpr std::array<std::string_view, 19> not_first{
+            "localparam", "parameter", "typedef", "input", "output", "genvar", "import", "package", "logic", "module",
+            "static", "using", "namespace", "struct", "class", "enum", "template", "assert", "wire"};
         for (const std::string_view w : not_first)
             if (word() == w) return;
         int depth = 0;
@@ -147,9 +149,27 @@ private:
             std::string target = text_.substr(at_, left - at_);
             while (!target.empty() && is_space(target.back())) target.pop_back();
             if (target.empty()) return;
-            found_.push_back({from, end_, target, block_});
-            return;
+            const std::size_t to = language_ == Language::cpp ? comma(from) : end_;
+            if (to == npos) return;
+            found_.push_back({from, to, target, block_});
+            if (to == end_) return;
+            at_ = to + 1;   // "a = b, c = d"
+            skip_space();
+            i = at_;
         }
+    }
+    /// The first comma from `at` on that ends an expression, or the end; npos if it may be one between arguments of a template.
+    std::size_t comma(std::size_t at) const {
+        int depth = 0;
+        bool has_template = false;
+        for (std::size_t i = at; i < end_; ++i) {
+            const char c = text_[i];
+            if (c == '(' || c == '[') ++depth;
+            if (c == ')' || c == ']') --depth;
+            has_template |= depth == 0 && c == '<' && is_word(text_[i - 1]);
+            if (depth == 0 && c == ',') return has_template ? npos : i;
+        }
+        return end_;
     }
 
     const std::string& text_;
@@ -204,7 +224,7 @@ std::vector<Region> regions(const std::string& text, Language language) {
         } else if (c != ';' && c != '{' && c != '}') {
             continue;
         }
-        if (language == Language::cpp || block < begin) block = begin;
+        if (language == Language::cpp) block = begin;
         Chunk(plain, begin, i, language, block, found).read();
         begin = i + 1;
     }

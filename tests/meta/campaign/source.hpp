@@ -11,7 +11,8 @@ enum class Language { verilog, cpp };
 struct Region {
     std::size_t begin = 0, end = 0;
     std::string target;        ///< what is assigned, for its width; empty of a condition or a port
-    std::size_t outside = 0;   ///< where the block or statement around it begins: a declaration can stand before it
+    std::size_t outside = 0;   ///< where the item of the module around it begins: a declaration can stand before it;
+                               ///< npos in a function
     bool is_condition = false;
 };
 

@@ -1,0 +1,62 @@
+#include <cstdio>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "sim/rtl/builder.hpp"
+#include "tests/meta/campaign/copies.hpp"
+#include "tests/meta/campaign/judge.hpp"
+#include "tests/meta/campaign/stages.hpp"
+
+namespace rayclock::campaign {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int most_seconds = 60;   // of a torture run, on the processor
+
+/// `judge` is given the number of a fault, 0 for none.
+void torture_all(const fs::path& folder, const std::function<Verdict(int)>& judge) {
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+    const Verdict sound = judge(0);
+    if (sound.noticed) throw std::runtime_error("with every fault asleep the torture set fails: " + sound.by);
+    fmt::print("with every fault asleep: {:.1f} s\n", sound.seconds);
+    const Lines mutants = lines_of(folder / "mutants"), done = lines_of(folder / "torture");
+    int noticed = 0;
+    for (const auto& [number, line] : mutants) {
+        if (done.contains(number)) {
+            noticed += is_noticed(done, number);
+            continue;
+        }
+        const Verdict verdict = judge(number);
+        noticed += verdict.noticed;
+        append(folder / "torture", number, verdict);
+        if (!verdict.noticed) fmt::print("survived: {}\n", description(line));
+    }
+    fmt::print("{} of {} noticed by the torture set\n", noticed, mutants.size());
+}
+
+} // namespace
+
+void torture_rtl(const fs::path& folder) {
+    use_rtl_copy(folder);
+    const Caller caller = caller_of(folder);
+    caller.call(0);
+    for (const std::string& chip : torture_chips()) build_rtl(torture_chip(chip));
+    const TortureJudge judge(torture_chips(), true);
+    torture_all(folder, [&](int number) {
+        caller.call(number);
+        const Verdict verdict = judge(most_seconds);
+        caller.call(0);
+        return verdict;
+    });
+}
+
+void torture_model(const fs::path& folder) {
+    for (const std::string& chip : torture_chips()) build_rtl(torture_chip(chip));
+    const TortureJudge judge(torture_chips(), false);
+    torture_all(folder, [&](int number) { return judge.with_fault(number, most_seconds); });
+}
+
+} // namespace rayclock::campaign
