@@ -189,8 +189,11 @@ private:
             shade(frame, t.job.image, 1);
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
             // One light is bright, so that all of them together do not make everything white.
+            const std::size_t bright = i % 2 == 0 ? frame.shade.lights - 1 : std::size_t(i) % frame.shade.lights;
             for (std::size_t k = 0; k < 3 * frame.shade.lights; ++k)
-                if (k / 3 != frame.shade.lights - 1 - std::size_t(i) % frame.shade.lights) frame.shade.colour[k] >>= 6;
+                if (k / 3 != bright) frame.shade.colour[k] >>= 6;
+            for (std::size_t k = 0; k < 3; ++k)   // of the last one a single bit, the highest
+                if (i % 2 == 0) frame.shade.colour[3 * bright + k] = 1u << (strength_bits - 1);
             t.frames.push_back(frame);
         }
         end(std::move(t));
