@@ -287,7 +287,7 @@ private:
         for (const int side : {2, 4, 5, 6, 7, 8}) {
             Frame frame = view(prims, config_, {3, 2}, 0, dice_);
             shade(frame, t.job.image, side);
-            frame.shade.depth = 0;
+            frame.shade.depth = 0, frame.shade.contrast = 0;   // and all of them are taken
             t.frames.push_back(frame);
         }
         end(std::move(t));
