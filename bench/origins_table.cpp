@@ -13,7 +13,7 @@
 #include "sim/report/text.hpp"
 #include "sim/stress/shadow_scenes.hpp"
 #include "sim/stress/shadows.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 using namespace rayclock;
 
@@ -30,7 +30,7 @@ using Counts = std::vector<std::vector<std::array<ShadowCounts, bits.size()>>>;
 Counts count_all(std::uint64_t rays) {
     const auto& scenes = shadow_scenes();
     Counts counts(schemes.size(), std::vector<std::array<ShadowCounts, bits.size()>>(scenes.size()));
-    work::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
+    jobs::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
         const std::size_t scene = job / bits.size(), width = job % bits.size();
         const Shadows world(scenes[scene].make(bits[width]), bits[width]);
         for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);

@@ -60,7 +60,7 @@ int run(const Options& o) {
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     const Progress progress = terminal_progress();
-    work::Cache cache(rtl_cache() / "area", o.fresh);
+    jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
     if (areas.partial) throw UserError("interrupted: no page was written; the same command goes on where it was");
     const std::vector<area::Speed> speeds = o.output.empty() ? std::vector<area::Speed>{} : area::page_speeds(areas, progress);

@@ -15,7 +15,7 @@
 #include "sim/report/accounts.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 namespace rayclock {
 
@@ -54,7 +54,7 @@ std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& cloc
     std::mutex mutex;
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
-    work::for_each(clocks.size(), threads, [&](std::size_t i) {
+    jobs::for_each(clocks.size(), threads, [&](std::size_t i) {
         const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
             const std::lock_guard lock(mutex);
             done[i] = std::max(done[i], n);

@@ -50,7 +50,7 @@ int run(const Options& o) {
     if (!o.plot.empty()) plot::check_plot_path(o.plot);
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o.scene, size, progress);
-    work::Cache cache(rtl_cache() / "sweep", o.fresh);
+    jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
     const sweep::Outcome outcome = sweep::run({scene, size, std::move(points), o.threads, !o.no_netlist}, cache, progress);
     const sweep::Front front = sweep::front_of(outcome.results);
 

@@ -42,7 +42,7 @@ int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     sweep::check_tradeoff_paths(o.output, o.scenes);
     const Progress progress = terminal_progress();
-    work::Cache cache(rtl_cache() / "sweep", o.fresh);
+    jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
     sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist}, command_of(o), cache, progress);
     fmt::print("{} written\n", printable(o.output));
     return 0;

@@ -9,7 +9,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/synth/yosys.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 namespace rayclock::area {
 
@@ -24,7 +24,7 @@ struct Piece {
 
 class Runner {
 public:
-    Runner(Areas& areas, work::Cache& cache, const Progress& progress, int threads)
+    Runner(Areas& areas, jobs::Cache& cache, const Progress& progress, int threads)
         : areas_(areas), cache_(cache), progress_(progress), threads_(threads) {}
 
     void run(std::vector<Piece> pieces) {
@@ -50,7 +50,7 @@ private:
 
     template <class Do> void for_each(std::vector<Piece>& pieces, const char* what, Do look_at) {
         done_ = 0;
-        work::for_each(pieces.size(), threads_, [&](std::size_t i) {
+        jobs::for_each(pieces.size(), threads_, [&](std::size_t i) {
             if (interrupted()) return;
             look_at(pieces[i]);
             const std::lock_guard lock(mutex_);
@@ -61,8 +61,8 @@ private:
     const Config& config(const Piece& piece) const { return areas_.variants[piece.variant].config; }
 
     void find_shape(Piece& piece) {
-        const std::string with = fmt::format("script {} {}", work::hash_text(synth::synth_script()), synth::yosys_version());
-        const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}", work::hash_text(rc_package(config(piece))), synth::rtl_digest(), piece.unit,
+        const std::string with = fmt::format("script {} {}", jobs::hash_text(synth::synth_script()), synth::yosys_version());
+        const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}", jobs::hash_text(rc_package(config(piece))), synth::rtl_digest(), piece.unit,
                                             config(piece).pipelines, with);
         if (const auto entry = cache_.find("shape", key)) {
             piece.shape = entry->get<std::string>();
@@ -83,7 +83,7 @@ private:
     }
 
     Areas& areas_;
-    work::Cache& cache_;
+    jobs::Cache& cache_;
     const Progress& progress_;
     int threads_;
     std::mutex mutex_;
@@ -93,7 +93,7 @@ private:
 
 } // namespace
 
-Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, work::Cache& cache, const Progress& progress) {
+Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, jobs::Cache& cache, const Progress& progress) {
     if (synth::yosys_version().empty()) throw UserError("yosys is not installed, and areas come from it; 'rayclock doctor' tells what is missing");
     Areas areas;
     areas.variants = std::move(variants);

@@ -5,7 +5,7 @@
 #include "model/core/progress.hpp"
 #include "sim/area/variants.hpp"
 #include "sim/synth/parts.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 
 namespace rayclock::area {
 
@@ -21,7 +21,7 @@ struct Areas {
 };
 
 /// `only`: names of units, or none for all. `threads` at the same time, 0 for all cores. Throws UserError if there is no Yosys.
-Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, work::Cache& cache, const Progress& progress);
+Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, jobs::Cache& cache, const Progress& progress);
 
 /// Of one pipeline.
 Count pipeline_count(const Areas& areas, std::size_t variant);

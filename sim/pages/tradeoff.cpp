@@ -219,7 +219,7 @@ void check_tradeoff_paths(const std::string& path, const std::vector<std::string
     for (const std::string& name : scenes) plot::check_plot_path(plot_path(path, name));
 }
 
-void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command, work::Cache& cache, const Progress& progress) {
+void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command, jobs::Cache& cache, const Progress& progress) {
     const Study study = make_study(khz);
     std::vector<SceneStudy> scenes;
     for (const std::string& name : what.scenes) {

@@ -10,7 +10,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/stress/shadows.hpp"
 #include "sim/stress/state.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 namespace rayclock::stress {
 
@@ -158,7 +158,7 @@ Outcome run(const Plan& plan, const Progress& progress) {
         if (progress) progress(fmt::format("rays, {:.2f} M/s", double(done_rays - outcome.rays_before) / 1e6 / seconds_since(start)), done_rays, rays_all);
         if (seconds_since(saved) > seconds_between_saves) save();
     };
-    work::in_order(plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
+    jobs::in_order(plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
     save();
 
     outcome.partial = added < work.units.size();

@@ -5,7 +5,7 @@
 
 #include "model/oracle/surface.hpp"
 #include "model/raygen/raygen.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 namespace rayclock::sweep {
 
@@ -55,7 +55,7 @@ std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector
     const oracle::Surface surface(oracle::snapped(scene, job.image.lattice));
     const std::uint32_t width = job.frame.width, height = job.frame.height;
     std::atomic<std::uint64_t> cracks = 0;
-    work::for_each(height, threads, [&](std::size_t y) {
+    jobs::for_each(height, threads, [&](std::size_t y) {
         std::uint64_t mine = 0;
         for (std::uint32_t x = 0; x < width; ++x)
             mine += is_crack(surface, job.frame.eye, pixel_direction(x, std::uint32_t(y), job.frame, job.config), hits[y * width + x]);

@@ -13,7 +13,7 @@
 #include "sim/sweep/key.hpp"
 #include "sim/synth/netlist.hpp"
 #include "sim/synth/yosys.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 namespace rayclock::sweep {
 
@@ -60,9 +60,9 @@ struct Traced {
 
 class Runner {
 public:
-    Runner(const Plan& plan, work::Cache& cache, const Progress& progress) : plan_(plan), cache_(cache), progress_(progress) {
+    Runner(const Plan& plan, jobs::Cache& cache, const Progress& progress) : plan_(plan), cache_(cache), progress_(progress) {
         scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene), plan.size.width, plan.size.height);
-        cores_ = work::threads_of(plan.threads);
+        cores_ = jobs::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}});
     }
 
@@ -74,7 +74,7 @@ public:
         for (auto& [format, group] : groups_)
             if (needs_trace(group)) tasks_.push_back([this, &group = group] { trace(group); });
         tell(0);
-        work::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
+        jobs::for_each(tasks_.size(), cores_, [&](std::size_t i) { tasks_[i](); });
         outcome_.traces = groups_.size();
         return std::move(outcome_);
     }
@@ -183,7 +183,7 @@ private:
             cache_.keep("picture", group.key, picture_json(picture));
             for (Result* r : group.results) r->picture = picture;
         }
-        work::for_each(group.results.size(), cores_, [&](std::size_t i) {
+        jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {
             Result& r = *group.results[i];
             if (r.refused()) return;
             if (r.clock.is_null()) time(r, traced);
@@ -222,7 +222,7 @@ private:
     }
 
     const Plan& plan_;
-    work::Cache& cache_;
+    jobs::Cache& cache_;
     const Progress& progress_;
     std::string scene_key_;
     int cores_ = 1, inner_threads_ = 1;
@@ -237,6 +237,6 @@ private:
 
 } // namespace
 
-Outcome run(const Plan& plan, work::Cache& cache, const Progress& progress) { return Runner(plan, cache, progress).run(); }
+Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress) { return Runner(plan, cache, progress).run(); }
 
 } // namespace rayclock::sweep

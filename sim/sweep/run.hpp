@@ -4,7 +4,7 @@
 
 #include "sim/report/json.hpp"
 #include "sim/sweep/axes.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 
 namespace rayclock::sweep {
 
@@ -46,6 +46,6 @@ struct Outcome {
 };
 
 /// Stops early when interrupted(); what was done is in the cache.
-Outcome run(const Plan& plan, work::Cache& cache, const Progress& progress);
+Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress);
 
 } // namespace rayclock::sweep

@@ -8,7 +8,7 @@
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
 #include "sim/synth/yosys.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 
 namespace rayclock::synth {
 
@@ -59,7 +59,7 @@ bool exists_in_rtl(const Config& config) {
 }
 
 std::string netlist_key(const Config& config) {
-    return fmt::format("package {} rtl {} script {} {} pipelines {}", work::hash_text(rc_package(config)), rtl_digest(), work::hash_text(script), yosys_version(),
+    return fmt::format("package {} rtl {} script {} {} pipelines {}", jobs::hash_text(rc_package(config)), rtl_digest(), jobs::hash_text(script), yosys_version(),
                        config.pipelines);
 }
 

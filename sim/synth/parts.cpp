@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/synth/yosys.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 
 namespace rayclock::synth {
 
@@ -92,7 +92,7 @@ std::optional<std::string> shape_of(const Config& config, const std::string& uni
     const YosysFolder folder(work);
     const std::string tidy = "proc\nopt_expr\nopt_clean\nsetattr -unset src\nsetattr -mod -unset src\nwrite_rtlil shape.il\n";
     if (!folder.run(config, read_flags, elaborate(config, unit) + tidy)) return std::nullopt;
-    return work::hash_text(folder.text("shape.il"));
+    return jobs::hash_text(folder.text("shape.il"));
 }
 
 std::optional<Part> synthesize(const Config& config, const std::string& unit, const std::filesystem::path& work) {

@@ -16,7 +16,7 @@
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 
 namespace rayclock::synth {
 
@@ -74,7 +74,7 @@ const std::string& rtl_digest() {
     static const std::string digest = [] {
         std::string all;
         for (const fs::path& file : rtl_files()) all += file.filename().string() + "\n" + text_of(file);
-        return work::hash_text(all);
+        return jobs::hash_text(all);
     }();
     return digest;
 }

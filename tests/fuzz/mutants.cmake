@@ -3,7 +3,7 @@
 fuzz_mutant(ply_index_unchecked QUICK FILE sim/load/read_ply.cpp TARGET ply RUNS 20000
   OLD [[index < static_cast<double>(vertices_)]]
   NEW [[index >= 0]])
-fuzz_mutant(cache_key_not_compared QUICK FILE sim/work/cache.cpp TARGET cache RUNS 20000
+fuzz_mutant(cache_key_not_compared QUICK FILE sim/jobs/cache.cpp TARGET cache RUNS 20000
   OLD [[entry["key"] != key || ]]
   NEW [[]])
 fuzz_mutant(mtl_more_light_than_came FILE sim/load/surface.cpp TARGET mtl RUNS 100000

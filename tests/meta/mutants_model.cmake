@@ -356,7 +356,7 @@ mutant(sweep_knee_above_the_chord FILE sim/sweep/front.cpp TEST sweep "*knee*"
 mutant(sweep_crack_in_front FILE sim/sweep/cracks.cpp TEST sweep "*crack*"
   OLD [[num * hit.den > hit.num * den]]
   NEW [[num * hit.den < hit.num * den]])
-mutant(sweep_believes_a_broken_entry FILE sim/work/cache.cpp TEST sweep "an entry*"
+mutant(sweep_believes_a_broken_entry FILE sim/jobs/cache.cpp TEST sweep "an entry*"
   OLD [[entry["check"] != hash_text(entry["value"].dump())]]
   NEW [[false]])
 mutant(sweep_takes_one_clock_for_another FILE sim/sweep/run.cpp TEST sweep "another parameter*"

@@ -37,7 +37,7 @@ void check_same(const sweep::Outcome& a, const sweep::Outcome& b) {
 
 TEST_CASE("the cache gives back what it got, under its key only") {
     const CacheFolder folder;
-    work::Cache cache(folder.path(), false);
+    jobs::Cache cache(folder.path(), false);
     const ordered_json value{{"a", 1.0 / 3}, {"b", nullptr}, {"c", {1, 2, 3}}};
     CHECK(!cache.find("frame", "key"));
     cache.keep("frame", "key", value);
@@ -45,14 +45,14 @@ TEST_CASE("the cache gives back what it got, under its key only") {
     CHECK(cache.find("frame", "key")->dump() == value.dump());
     CHECK(!cache.find("frame", "other key"));
     CHECK(!cache.find("picture", "key"));
-    CHECK(!work::Cache(folder.path(), true).find("frame", "key"));   // --fresh
+    CHECK(!jobs::Cache(folder.path(), true).find("frame", "key"));   // --fresh
     CHECK(files_in(folder.path()).size() == 1);
     CHECK(cache.trouble().empty());
 }
 
 TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
     const CacheFolder folder;
-    work::Cache cache(folder.path(), false);
+    jobs::Cache cache(folder.path(), false);
     cache.keep("frame", "key", {{"cycles", 12345}});
     const std::filesystem::path file = files_in(folder.path()).at(0);
     std::ifstream stream(file);
@@ -72,7 +72,7 @@ TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
 TEST_CASE("a folder that cannot be made is no reason to stop") {
     const CacheFolder folder;
     std::ofstream(folder.path() / "file") << "not a folder";
-    work::Cache cache(folder.path() / "file" / "sweep", false);
+    jobs::Cache cache(folder.path() / "file" / "sweep", false);
     CHECK(!cache.trouble().empty());
     cache.keep("frame", "key", 1);
     CHECK(!cache.find("frame", "key"));

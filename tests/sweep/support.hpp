@@ -48,7 +48,7 @@ inline std::vector<sweep::Point> points_of(const std::vector<std::string>& texts
 /// A sweep without netlists.
 inline sweep::Outcome run_sweep(const Scene& scene, const std::vector<std::string>& axes, const std::filesystem::path& folder, bool fresh = false,
                                 FrameSize size = {48, 36}) {
-    work::Cache cache(folder, fresh);
+    jobs::Cache cache(folder, fresh);
     sweep::Outcome outcome = sweep::run({scene, size, points_of(axes), 2, false}, cache, {});
     CHECK(cache.trouble().empty());
     return outcome;

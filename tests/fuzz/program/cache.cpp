@@ -1,6 +1,6 @@
 // Entries of the cache of figures.
 #include "sim/files/json_value.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {
@@ -8,18 +8,18 @@ namespace rayclock::fuzz {
 void cache(std::string_view bytes) {
     using Json = nlohmann::ordered_json;
     const std::string path = file("frame-0.json").string(), key = "the key";
-    const auto value = work::entry_value(path, std::string(bytes), key);
+    const auto value = jobs::entry_value(path, std::string(bytes), key);
     // Once more under its key and with a check that fits, which nobody finds by chance.
     if (!passes([&] { parse_json(path, bytes); })) return demand(!value, "an entry is sound JSON");
     auto json = Json::parse(bytes, nullptr, false);
     if (!json.is_object() || !json.contains("value")) return demand(!value, "an entry has a value");
     const auto text = [](const Json& part) { return part.dump(-1, ' ', false, Json::error_handler_t::replace); };
     json["key"] = key;
-    json["check"] = work::hash_text(text(json["value"]));
-    const auto found = work::entry_value(path, text(json), key);
+    json["check"] = jobs::hash_text(text(json["value"]));
+    const auto found = jobs::entry_value(path, text(json), key);
     demand(!value || (found && *found == *value), "an entry that was found is found again");
     demand(!found || text(*found) == text(json["value"]), "an entry gives the value that was written");
-    demand(!work::entry_value(path, text(json), "another key"), "an entry is of its key only");
+    demand(!jobs::entry_value(path, text(json), "another key"), "an entry is of its key only");
 }
 
 } // namespace rayclock::fuzz

@@ -3,7 +3,7 @@
 
 #include "sim/files/json_value.hpp"
 #include "sim/stress/state.hpp"
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
 namespace rayclock::fuzz {
@@ -44,7 +44,7 @@ void state(std::string_view bytes) {
     if (!json.is_object() || !json.contains("batches") || !json.contains("counts")) return;
     using Json = nlohmann::ordered_json;
     const auto text = [](const Json& part) { return nlohmann::json(part).dump(-1, ' ', false, Json::error_handler_t::replace); };
-    json["check"] = work::hash_text(text(json["batches"]) + text(json["counts"]));
+    json["check"] = jobs::hash_text(text(json["batches"]) + text(json["counts"]));
     check_state(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

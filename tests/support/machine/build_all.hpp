@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/rtl/builder.hpp"
-#include "sim/work/threads.hpp"
+#include "sim/jobs/threads.hpp"
 
 namespace rayclock::test {
 
@@ -21,7 +21,7 @@ inline void build_all(const std::vector<RtlJob>& jobs) {
     std::mutex mutex;
     std::exception_ptr failed;
     std::size_t done = 0, kept = 0;
-    work::for_each(jobs.size(), 2, [&](std::size_t i) {
+    jobs::for_each(jobs.size(), 2, [&](std::size_t i) {
         const RtlJob& job = jobs[i];
         RtlBuild build;
         std::exception_ptr error;

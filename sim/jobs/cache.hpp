@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rayclock::work {
+namespace rayclock::jobs {
 
 /// FNV-1a, 64 bits, as 16 hexadecimal digits.
 std::string hash_text(const std::string& text);
@@ -39,4 +39,4 @@ private:
     std::string trouble_;
 };
 
-} // namespace rayclock::work
+} // namespace rayclock::jobs

@@ -7,7 +7,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-namespace rayclock::work {
+namespace rayclock::jobs {
 
 /// As many threads as asked for, but not more than there are cores; 0: one for each.
 inline int threads_of(int asked) {
@@ -46,4 +46,4 @@ template <class Piece> void for_each(std::size_t count, int threads, Piece piece
     in_order(threads, [&](std::size_t i) { return i < count; }, make, [](std::size_t) {});
 }
 
-} // namespace rayclock::work
+} // namespace rayclock::jobs

@@ -1,4 +1,4 @@
-#include "sim/work/cache.hpp"
+#include "sim/jobs/cache.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "sim/files/json_value.hpp"
 #include "sim/files/output.hpp"
 
-namespace rayclock::work {
+namespace rayclock::jobs {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
@@ -72,4 +72,4 @@ std::string Cache::trouble() const {
     return trouble_;
 }
 
-} // namespace rayclock::work
+} // namespace rayclock::jobs
