@@ -35,7 +35,7 @@ public:
         areas_.different = shapes.size();
         std::vector<Piece> missing;
         for (const auto& [shape, piece] : shapes)
-            if (const auto entry = cache_.find("area", shape)) parts_[shape] = synth::part_of(*entry), ++areas_.known;
+            if (auto part = cache_.find("area", shape, synth::part_of)) parts_[shape] = std::move(*part), ++areas_.known;
             else missing.push_back(piece);
         // Long ones first, so that none is left alone in the end.
         std::stable_sort(missing.begin(), missing.end(), [](const Piece& a, const Piece& b) { return weight(a) > weight(b); });
@@ -64,8 +64,8 @@ private:
         const std::string with = fmt::format("script {} {}", jobs::hash_text(synth::synth_script()), synth::yosys_version());
         const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}", jobs::hash_text(rc_package(config(piece))), synth::rtl_digest(), piece.unit,
                                             config(piece).pipelines, with);
-        if (const auto entry = cache_.find("shape", key)) {
-            piece.shape = entry->get<std::string>();
+        if (const auto shape = cache_.find("shape", key, [](const nlohmann::ordered_json& text) { return text.get<std::string>(); })) {
+            piece.shape = *shape;
             return;
         }
         const std::optional<std::string> shape = synth::shape_of(config(piece), piece.unit, cache_.folder());

@@ -24,6 +24,18 @@ public:
     Cache(std::filesystem::path folder, bool fresh);
 
     std::optional<nlohmann::ordered_json> find(const std::string& kind, const std::string& key) const;
+    /// What `read` makes of the value. An entry that it cannot read counts as missing, although its checksum is right.
+    template <class Read>
+    auto find(const std::string& kind, const std::string& key, Read read) const
+        -> std::optional<decltype(read(nlohmann::ordered_json()))> {
+        const auto value = find(kind, key);
+        if (!value) return std::nullopt;
+        try {
+            return read(*value);
+        } catch (const nlohmann::json::exception&) {
+            return std::nullopt;
+        }
+    }
     void keep(const std::string& kind, const std::string& key, const nlohmann::ordered_json& value);
 
     /// Why nothing can be kept, or empty.

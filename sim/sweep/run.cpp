@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "model/reference/reference.hpp"
 #include "sim/sweep/cracks.hpp"
 #include "sim/sweep/key.hpp"
+#include "sim/sweep/table.hpp"
 #include "sim/synth/netlist.hpp"
 #include "sim/synth/yosys.hpp"
 #include "sim/jobs/threads.hpp"
@@ -38,6 +40,20 @@ PictureFigures picture_of(const ordered_json& json) {
     p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
     return p;
+}
+
+synth::Netlist netlist_of(const ordered_json& json) {
+    return {json.at("multipliers").get<std::uint64_t>(), json.at("flip_flops").get<std::uint64_t>()};
+}
+
+/// A frame's figures, or why there are none.
+std::variant<ordered_json, std::string> frame_of(const ordered_json& json) {
+    if (json.contains("refused")) return json.at("refused").get<std::string>();
+    Result r;
+    r.clock = json;
+    r.picture.emplace();
+    cells(r, false, false);   // whatever a table reads can be read
+    return json;
 }
 
 std::string timing_of(const Config& config) {
@@ -93,15 +109,15 @@ private:
             Group& group = groups_[format];
             if (group.results.empty()) group.key = scene_key_ + format;
             group.results.push_back(&r);
-            if (const auto frame = cache_.find("frame", frame_key(r))) {
-                if (frame->contains("refused")) r.point.refused = frame->at("refused").get<std::string>();
-                else r.clock = *frame;
+            if (auto frame = cache_.find("frame", frame_key(r), frame_of)) {
+                if (const auto* refused = std::get_if<std::string>(&*frame)) r.point.refused = *refused;
+                else r.clock = std::get<ordered_json>(*frame);
             }
         }
         for (auto& [format, group] : groups_)
-            if (const auto picture = cache_.find("picture", group.key)) {
+            if (const auto picture = cache_.find("picture", group.key, picture_of)) {
                 group.picture_known = true;
-                for (Result* r : group.results) r->picture = picture_of(*picture);
+                for (Result* r : group.results) r->picture = *picture;
             }
         for (const auto& [format, group] : groups_)
             for (const Result* r : group.results) ++(r->refused() || r->complete() ? outcome_.known : all_);
@@ -118,8 +134,8 @@ private:
             wanted[synth::netlist_key(r.point.config)].push_back(&r);
         }
         for (auto& [key, results] : wanted) {
-            if (const auto known = cache_.find("netlist", key)) {
-                set_netlist(results, {known->at("multipliers").get<std::uint64_t>(), known->at("flip_flops").get<std::uint64_t>()});
+            if (const auto known = cache_.find("netlist", key, netlist_of)) {
+                set_netlist(results, *known);
                 continue;
             }
             ++all_;

@@ -50,6 +50,22 @@ TEST_CASE("the cache gives back what it got, under its key only") {
     CHECK(cache.trouble().empty());
 }
 
+TEST_CASE("an entry whose value is of another kind counts as missing, although its checksum is right") {
+    const CacheFolder folder;
+    const Scene scene = scene_with_camera("tetra:1");
+    const sweep::Outcome first = run_sweep(scene, {"coord_bits=16"}, folder.path());
+    for (const auto& file : files_in(folder.path())) {
+        std::ifstream stream(file);
+        const ordered_json entry = ordered_json::parse(stream);
+        const std::string kind = file.filename().string().substr(0, file.filename().string().find('-'));
+        for (const ordered_json& wrong : {ordered_json("text"), ordered_json(7), ordered_json::array({1}), ordered_json{{"refused", 7}}, ordered_json{{"cycles", "many"}}}) {
+            INFO(kind << ": " << wrong.dump());
+            jobs::Cache(folder.path(), false).keep(kind, entry["key"], wrong);
+            check_same(first, run_sweep(scene, {"coord_bits=16"}, folder.path()));
+        }
+    }
+}
+
 TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
     const CacheFolder folder;
     jobs::Cache cache(folder.path(), false);
