@@ -20,14 +20,17 @@ ExtraVisits measure(const char* spec, const Config& config) {
     const Scene scene = make_builtin(spec);
     const Camera camera = scene.camera ? *scene.camera : fit_camera(scene, 512.0 / 384);
     const MemoryImage image = compile_scene(scene, camera.eye, config);
-    const ExtraVisits extra = extra_visits(image, make_frame(camera, {512, 384}, image.lattice, config), config);
-    if (extra.boxes_lost + extra.t_late + extra.other_hits > 0) throw std::runtime_error(std::string(spec) + ": a box was lost");
+    const ExtraVisits extra =
+        extra_visits(image, make_frame(camera, {512, 384}, image.lattice, config), config);
+    if (extra.boxes_lost + extra.t_late + extra.other_hits > 0)
+        throw std::runtime_error(std::string(spec) + ": a box was lost");
     fmt::print(stderr, "{}\n", spec);
     return extra;
 }
 
 /// A row a scene, a column a value of `member`, and in it `figure` of that run as per cent.
-std::string table(const char* key, int Config::*member, const std::vector<int>& values, double (ExtraVisits::*figure)() const) {
+std::string table(const char* key, int Config::*member, const std::vector<int>& values,
+                  double (ExtraVisits::*figure)() const) {
     std::vector<std::string> head{key};
     for (const int value : values) head.push_back(std::to_string(value));
     Table table(head, Table::words_only);
@@ -46,13 +49,15 @@ std::string table(const char* key, int Config::*member, const std::vector<int>& 
 
 std::string measured() {
     return "\nMore node visits of the machine than with exact tests of the same boxes, R = 16:\n\n" +
-           table("N", &Config::coord_bits, {12, 14, 16, 18, 20}, &ExtraVisits::rounding) + "\nThe same, N = 18:\n\n" +
+           table("N", &Config::coord_bits, {12, 14, 16, 18, 20}, &ExtraVisits::rounding) +
+           "\nThe same, N = 18:\n\n" +
            table("R", &Config::recip_bits, {8, 9, 10, 11, 12, 13, 14, 15, 16}, &ExtraVisits::rounding) +
-           "\nMore visits with exact tests of quantised boxes than with exact tests of the real ones, N = 18:\n\n" +
+           "\nMore visits with exact tests of quantised boxes than with exact tests of the real ones, N = "
+           "18:\n\n" +
            table("B", &Config::box_bits, {4, 5, 6, 7, 8}, &ExtraVisits::quantisation);
 }
 
-} // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     const std::string marker = "<!-- measured -->\n";

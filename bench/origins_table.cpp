@@ -1,6 +1,8 @@
-// The tables at the end of docs/origins.md: how often each scheme of secondary-ray origins is wrong, and what bits it needs.
+// The tables at the end of docs/origins.md: how often each scheme of secondary-ray origins is wrong, and what
+// bits it needs.
 //
-// rc_origins PAGE [rays per scheme, scene and width]: puts the tables in place of what follows the page's line `<!-- measured -->`.
+// rc_origins PAGE [rays per scheme, scene and width]: puts the tables in place of what follows the page's
+// line `<!-- measured -->`.
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -20,8 +22,9 @@ using namespace rayclock;
 namespace {
 
 using Kind = OriginScheme::Kind;
-const std::vector<OriginScheme> schemes{{Kind::excluded, 0}, {Kind::pushed, 0},  {Kind::epsilon, 16},  {Kind::surface, 4},
-                                        {Kind::surface, 6},  {Kind::surface, 8}, {Kind::surface, 12}, {Kind::surface, 16}};
+const std::vector<OriginScheme> schemes{{Kind::excluded, 0}, {Kind::pushed, 0},  {Kind::epsilon, 16},
+                                        {Kind::surface, 4},  {Kind::surface, 6}, {Kind::surface, 8},
+                                        {Kind::surface, 12}, {Kind::surface, 16}};
 constexpr std::array bits{12, 14, 16, 18, 20};
 
 /// counts[scheme][scene][width]
@@ -33,13 +36,16 @@ Counts count_all(std::uint64_t rays) {
     jobs::for_each(scenes.size() * bits.size(), 0, [&](std::size_t job) {
         const std::size_t scene = job / bits.size(), width = job % bits.size();
         const Shadows world(scenes[scene].make(bits[width]), bits[width]);
-        for (std::size_t s = 0; s < schemes.size(); ++s) counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
+        for (std::size_t s = 0; s < schemes.size(); ++s)
+            counts[s][scene][width] = world.count(1000 + job, rays, schemes[s]);
         fmt::print(stderr, "{}, N = {}\n", scenes[scene].name, bits[width]);
     });
     return counts;
 }
 
-double per_million(std::uint64_t count, std::uint64_t rays) { return rays == 0 ? 0 : 1e6 * double(count) / double(rays); }
+double per_million(std::uint64_t count, std::uint64_t rays) {
+    return rays == 0 ? 0 : 1e6 * double(count) / double(rays);
+}
 ShadowCounts sum_of(const std::array<ShadowCounts, bits.size()>& all) {
     ShadowCounts sum;
     for (const ShadowCounts& c : all) sum += c;
@@ -47,12 +53,20 @@ ShadowCounts sum_of(const std::array<ShadowCounts, bits.size()>& all) {
 }
 
 std::vector<std::string> row(const std::string& name, const ShadowCounts& c, bool surface) {
-    const auto moved = [&](std::uint64_t count) { return surface ? fmt::format("{:.0f}", per_million(count, c.rays)) : "-"; };
-    return {name, std::to_string(c.rays), std::to_string(c.false_shadows), std::to_string(c.light_leaks),
-            fmt::format("{:.1f}", per_million(c.either, c.rays)), moved(c.moved_shadows), moved(c.moved_leaks)};
+    const auto moved = [&](std::uint64_t count) {
+        return surface ? fmt::format("{:.0f}", per_million(count, c.rays)) : "-";
+    };
+    return {name,
+            std::to_string(c.rays),
+            std::to_string(c.false_shadows),
+            std::to_string(c.light_leaks),
+            fmt::format("{:.1f}", per_million(c.either, c.rays)),
+            moved(c.moved_shadows),
+            moved(c.moved_leaks)};
 }
 Table table_by(const char* what) {
-    return Table({what, "rays", "false shadows", "light leaks", "either, per million", "moved shadows, per million", "moved leaks, per million"},
+    return Table({what, "rays", "false shadows", "light leaks", "either, per million",
+                  "moved shadows, per million", "moved leaks, per million"},
                  Table::words_only);
 }
 
@@ -66,7 +80,8 @@ Table table_by_scene(const Counts& counts) {
         std::vector<std::string> cells{fmt::format("{}: {}", scenes[i].name, scenes[i].what)};
         for (std::size_t s = 0; s < schemes.size(); ++s) {
             const ShadowCounts sum = sum_of(counts[s][i]);
-            cells.push_back(fmt::format("{:.0f}, {:.0f}", per_million(sum.false_shadows, sum.rays), per_million(sum.light_leaks, sum.rays)));
+            cells.push_back(fmt::format("{:.0f}, {:.0f}", per_million(sum.false_shadows, sum.rays),
+                                        per_million(sum.light_leaks, sum.rays)));
         }
         table.add(cells);
     }
@@ -81,9 +96,10 @@ std::string measured(const Counts& counts) {
         for (const auto& scene : counts[s]) sum += sum_of(scene);
         by_scheme.add(row(schemes[s].name(), sum, schemes[s].kind == Kind::surface));
     }
-    for (std::size_t i = 0; i < scenes.size(); ++i) by_scene.add(row(scenes[i].name, sum_of(counts[6][i]), true));
-    return "\n" + by_scheme.markdown() + "\n" + by_scene.markdown() + "\nFalse shadows, light leaks per million rays, by scene:\n\n" +
-           table_by_scene(counts).markdown();
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        by_scene.add(row(scenes[i].name, sum_of(counts[6][i]), true));
+    return "\n" + by_scheme.markdown() + "\n" + by_scene.markdown() +
+           "\nFalse shadows, light leaks per million rays, by scene:\n\n" + table_by_scene(counts).markdown();
 }
 
 /// 18 x 18 multipliers for a signed product: each takes 17 bits of a number, the highest of them one more.
@@ -91,25 +107,32 @@ int multipliers(int one, int other) { return ((one - 2) / 17 + 1) * ((other - 2)
 /// P1, P2: 12 products of d and e; u, v: 6 of P and s; e1 x e2: 6; num: 3 of that and s.
 int multipliers(int coord_bits, const RayWidths& w) {
     const int e = coord_bits + 1, p = w.direction + e;
-    return 12 * multipliers(w.direction, e) + 6 * multipliers(p, w.offset) + 6 * multipliers(e, e) + 3 * multipliers(2 * e, w.offset);
+    return 12 * multipliers(w.direction, e) + 6 * multipliers(p, w.offset) + 6 * multipliers(e, e) +
+           3 * multipliers(2 * e, w.offset);
 }
 
 std::string widths() {
-    Table table({"N", "B", "O", "bounce: s", "u, v, w", "num", "num det'", "shadow: d", "u, v, w", "num", "multipliers"}, Table::words_only);
+    Table table({"N", "B", "O", "bounce: s", "u, v, w", "num", "num det'", "shadow: d", "u, v, w", "num",
+                 "multipliers"},
+                Table::words_only);
     for (const int n : bits)
         for (const int b : {4, 6, 8, 10, 12, 16}) {
-            const RayWidths camera = bounce_widths(n, n + 2, 0), bounce = bounce_widths(n, n + 2, b), shadow = shadow_widths(n, b);
+            const RayWidths camera = bounce_widths(n, n + 2, 0), bounce = bounce_widths(n, n + 2, b),
+                            shadow = shadow_widths(n, b);
             std::vector<std::string> cells;
-            for (const int width : {n, b, bounce.point, bounce.offset, bounce.edge, bounce.num, bounce.num + bounce.det, shadow.direction,
-                                    shadow.edge, shadow.num})
+            for (const int width : {n, b, bounce.point, bounce.offset, bounce.edge, bounce.num,
+                                    bounce.num + bounce.det, shadow.direction, shadow.edge, shadow.num})
                 cells.push_back(std::to_string(width));
-            cells.push_back(fmt::format("{}, {}, {}", multipliers(n, camera), multipliers(n, bounce), multipliers(n, shadow)));
+            cells.push_back(fmt::format("{}, {}, {}", multipliers(n, camera), multipliers(n, bounce),
+                                        multipliers(n, shadow)));
             table.add(cells);
         }
-    return "\nBits, with M = N + 2; 18 x 18 multipliers of the triangle test with a camera ray, a bounce and a shadow ray:\n\n" + table.markdown();
+    return "\nBits, with M = N + 2; 18 x 18 multipliers of the triangle test with a camera ray, a bounce and "
+           "a shadow ray:\n\n" +
+           table.markdown();
 }
 
-} // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     std::uint64_t rays = 40000;

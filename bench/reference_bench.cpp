@@ -1,7 +1,8 @@
-// Primary rays per second of the reference tracer and of Embree 3, and their ratio: the same rays of gears:8, one at a
-// time, one thread, one process. Embree runs with its default flags and with RTC_SCENE_FLAG_ROBUST; its numbers are
-// single precision with the widest vectors of the host, the reference's double precision for baseline x86-64.
-// The reference's target is a quarter of Embree's speed. Both are timed around trace() alone.
+// Primary rays per second of the reference tracer and of Embree 3, and their ratio: the same rays of gears:8,
+// one at a time, one thread, one process. Embree runs with its default flags and with RTC_SCENE_FLAG_ROBUST;
+// its numbers are single precision with the widest vectors of the host, the reference's double precision for
+// baseline x86-64. The reference's target is a quarter of Embree's speed. Both are timed around trace()
+// alone.
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -35,14 +36,14 @@ const Rays& rays() {
         const PixelRays pixels = pixel_rays(scene.camera ? *scene.camera : fit_camera(scene, aspect), size);
         Rays made{pixels.eye, {}};
         for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) made.directions.push_back(glm::normalize(pixels.direction(x, y)));
+            for (int x = 0; x < size.width; ++x)
+                made.directions.push_back(glm::normalize(pixels.direction(x, y)));
         return made;
     }();
     return all;
 }
 
-template <typename Tracer>
-void trace_all(benchmark::State& state, const Tracer& tracer) {
+template <typename Tracer> void trace_all(benchmark::State& state, const Tracer& tracer) {
     std::uint64_t hits = 0;
     for (auto _ : state) {
         hits = 0;
@@ -89,7 +90,8 @@ public:
         benchmark::ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs)
             if (const auto rate = run.counters.find("rays/s"); rate != run.counters.end())
-                best_[run.run_name.function_name] = std::max(best_[run.run_name.function_name], rate->second.value);
+                best_[run.run_name.function_name] =
+                    std::max(best_[run.run_name.function_name], rate->second.value);
     }
     void print_ratios() {
         for (const char* embree : {"embree_default", "embree_robust"})
@@ -101,12 +103,13 @@ private:
     std::map<std::string, double> best_;
 };
 
-} // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    std::printf("gears:8, %zu triangles, %dx%d primary rays\n", gears().triangles.size(), size.width, size.height);
+    std::printf("gears:8, %zu triangles, %dx%d primary rays\n", gears().triangles.size(), size.width,
+                size.height);
     RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     reporter.print_ratios();

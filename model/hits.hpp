@@ -7,7 +7,8 @@
 
 namespace rayclock {
 
-/// What the chip's answers mean in scene units: depth = t / 2^(M-1+F) * |d * pitch|, weights u, v / 2^bary_bits.
+/// What the chip's answers mean in scene units: depth = t / 2^(M-1+F) * |d * pitch|, weights u, v /
+/// 2^bary_bits.
 class HitScale {
 public:
     HitScale(const Frame& frame, const Lattice& lattice, const Config& config);
@@ -16,15 +17,17 @@ public:
 private:
     Frame frame_;
     Config config_;
-    glm::dvec3 shape_;          ///< pitches, in units of the coarsest
+    glm::dvec3 shape_;   ///< pitches, in units of the coarsest
     double depth_, weight_;
 };
 
-/// Depth of a hit on a plane that is further away than t can say: by u and v; infinite where they end as well.
-float depth_on_plane(const Closest& hit, const Surface& plane, const Vec3i& eye, const Lattice& lattice, const Config& config);
+/// Depth of a hit on a plane that is further away than t can say: by u and v; infinite where they end as
+/// well.
+float depth_on_plane(const Closest& hit, const Surface& plane, const Vec3i& eye, const Lattice& lattice,
+                     const Config& config);
 
-/// 64-bit digest of a sequence of numbers (one multiplication and one fold a number, after FNV-1a and SplitMix64): the
-/// same on every machine.
+/// 64-bit digest of a sequence of numbers (one multiplication and one fold a number, after FNV-1a and
+/// SplitMix64): the same on every machine.
 class Digest {
 public:
     void add(std::uint64_t value) {
@@ -37,4 +40,4 @@ private:
     std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

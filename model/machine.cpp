@@ -5,8 +5,15 @@
 namespace rayclock {
 
 Machine::Machine(const Config& config, int khz, Traffic traffic)
-    : config_(config), has_l2_(config.l2_sets > 0), dispatch_(config), clients_(std::uint32_t(config.clients())), arbiter_(config.clients() * config.pipelines), memory_(config, khz, traffic),
-      undisturbed_(traffic.none()), shared_moves_(std::size_t(config.pipelines)), masks_(std::size_t(config.pipelines)) {
+    : config_(config),
+      has_l2_(config.l2_sets > 0),
+      dispatch_(config),
+      clients_(std::uint32_t(config.clients())),
+      arbiter_(config.clients() * config.pipelines),
+      memory_(config, khz, traffic),
+      undisturbed_(traffic.none()),
+      shared_moves_(std::size_t(config.pipelines)),
+      masks_(std::size_t(config.pipelines)) {
     for (int p = 0; p < config.pipelines; ++p) pipelines_.emplace_back(config, traffic, p);
     if (has_l2_) l2_.emplace(l2_shape(config));
 }
@@ -19,14 +26,16 @@ void Machine::start(const Frame& frame, const Trace& trace) {
     moved_at_ = now_;
 }
 
-// Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the cache that asked.
-// All of it follows from registered state.
+// Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the
+// cache that asked. All of it follows from registered state.
 void Machine::settle_shared() {
     std::uint32_t want = 0, misses = 0;
     for (std::uint32_t p = 0; p < pipelines_.size(); ++p) {
         const Pipeline& pipeline = pipelines_[p];
         want |= std::uint32_t(pipeline.tile_ready()) << p;
-        misses |= (std::uint32_t(pipeline.node_miss_valid()) | std::uint32_t(pipeline.prim_miss_valid()) << 1 | std::uint32_t(pipeline.surf_miss_valid()) << 2)
+        misses |=
+            (std::uint32_t(pipeline.node_miss_valid()) | std::uint32_t(pipeline.prim_miss_valid()) << 1 |
+             std::uint32_t(pipeline.surf_miss_valid()) << 2)
             << clients_ * p;
         shared_moves_[p] = {};
     }
@@ -56,9 +65,15 @@ void Machine::settle_shared() {
     if (client_ >= 0) {
         const std::size_t p = std::size_t(client_) / clients_;
         const std::uint32_t cache = std::uint32_t(client_) % clients_;
-        const Cache::Miss miss = cache == 0 ? pipelines_[p].node_miss() : cache == 1 ? pipelines_[p].prim_miss() : pipelines_[p].surf_miss();
-        client_request_ = {std::uint32_t(client_) << (config_.client_id_bits() - config_.client_bits()) | miss.id, miss.addr};
-        (cache == 0 ? shared_moves_[p].node_miss : cache == 1 ? shared_moves_[p].prim_miss : shared_moves_[p].surf_miss) = taken;
+        const Cache::Miss miss = cache == 0   ? pipelines_[p].node_miss()
+                                 : cache == 1 ? pipelines_[p].prim_miss()
+                                              : pipelines_[p].surf_miss();
+        client_request_ = {
+            std::uint32_t(client_) << (config_.client_id_bits() - config_.client_bits()) | miss.id,
+            miss.addr};
+        (cache == 0   ? shared_moves_[p].node_miss
+         : cache == 1 ? shared_moves_[p].prim_miss
+                      : shared_moves_[p].surf_miss) = taken;
     }
     const std::uint32_t dispatch = granted_ >= 0 ? 0 : dispatch_.more() ? 2 : 1;
     last_shared_ = dispatch | (client_ < 0 ? 1u : taken ? 0u : 2u) << 2;
@@ -79,7 +94,8 @@ void Machine::route(bool answered, std::uint32_t id) {
 void Machine::settle_pipelines() {
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         pipelines_[p].settle(now_);
-        masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p], now_), pipelines_[p].fire_mask(shared_moves_[p])};
+        masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p], now_),
+                     pipelines_[p].fire_mask(shared_moves_[p])};
     }
 }
 
@@ -97,8 +113,8 @@ void Machine::clock_shared() {
     arbiter_.clock(client_valid_, client_, taken);
     if (has_l2_) {
         const std::uint32_t filled = fires(Channel::mem_rsp) ? memory_.answer().id : 0;
-        l2_deed_ = l2_->clock(now_, taken ? &client_request_ : nullptr, fires(Channel::l2_rsp), fires(Channel::mem_rsp) ? &filled : nullptr,
-                              fires(Channel::mem_req));
+        l2_deed_ = l2_->clock(now_, taken ? &client_request_ : nullptr, fires(Channel::l2_rsp),
+                              fires(Channel::mem_rsp) ? &filled : nullptr, fires(Channel::mem_req));
         ++l2_counts_[std::size_t(l2_deed_)];
     }
     const Memory::Answer request{asked().id, asked().addr};
@@ -112,8 +128,8 @@ bool Machine::shared_is_still() const {
     if (has_l2_ || memory_.valid()) return false;
     unsigned busy = 0;   // without branches: this is asked in every cycle
     for (const Pipeline& pipeline : pipelines_)
-        busy += unsigned(pipeline.node_miss_valid()) + unsigned(pipeline.prim_miss_valid()) + unsigned(pipeline.surf_miss_valid()) +
-                unsigned(pipeline.tile_ready() && dispatch_.more());
+        busy += unsigned(pipeline.node_miss_valid()) + unsigned(pipeline.prim_miss_valid()) +
+                unsigned(pipeline.surf_miss_valid()) + unsigned(pipeline.tile_ready() && dispatch_.more());
     return busy == 0;
 }
 
@@ -155,7 +171,8 @@ void Machine::run(std::uint64_t until) {
     }
 }
 
-// If nothing can change before an answer of a pipe or of memory comes, the cycles until then are like the last one.
+// If nothing can change before an answer of a pipe or of memory comes, the cycles until then are like the
+// last one.
 void Machine::sleep(std::uint64_t until) {
     // In the next cycle, an answer is there, or a request that waits is taken.
     if (memory_.valid() || ((valid_ & bit(Channel::mem_req)) && memory_.ready())) return;
@@ -190,4 +207,4 @@ Accounts Machine::accounts() const {
     return sums;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

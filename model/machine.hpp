@@ -11,12 +11,13 @@
 
 namespace rayclock {
 
-/// A transfer on a link: whose and what, as far as time goes. What the payload holds beyond that is a Witness' business.
+/// A transfer on a link: whose and what, as far as time goes. What the payload holds beyond that is a
+/// Witness' business.
 struct Move {
-    int pipeline = 0;          ///< of the links that all share: 0
+    int pipeline = 0;   ///< of the links that all share: 0
     Channel channel{};
-    std::uint32_t id = 0;      ///< ray on a pipeline's links, request on the memory's
-    std::uint32_t addr = 0;    ///< of requests, and of the line that comes back
+    std::uint32_t id = 0;         ///< ray on a pipeline's links, request on the memory's
+    std::uint32_t addr = 0;       ///< of requests, and of the line that comes back
     std::uint32_t x = 0, y = 0;   ///< tile, pixel
 };
 
@@ -25,12 +26,14 @@ public:
     /// khz: clock of the chip. `traffic` disturbs memory and sinks, for tests.
     Machine(const Config& config, int khz, Traffic traffic = {});
 
-    /// A new frame; the machine must be fresh or done. What lies in the caches stays. The trace must outlive the frame.
+    /// A new frame; the machine must be fresh or done. What lies in the caches stays. The trace must outlive
+    /// the frame.
     void start(const Frame& frame, const Trace& trace);
 
     /// One clock cycle.
     void step();
-    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in channel order, and the masks are set.
+    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in channel order, and the
+    /// masks are set.
     template <class Observer> void step(Observer&& observe) {
         settle_shared();
         settle_pipelines();
@@ -45,13 +48,17 @@ public:
 
     const Config& config() const { return config_; }
     bool done() const { return hits_ == pixels_; }
-    std::uint64_t cycle() const { return now_; }        ///< since the machine was made
-    std::uint64_t hits() const { return hits_; }        ///< of the frame
+    std::uint64_t cycle() const { return now_; }               ///< since the machine was made
+    std::uint64_t hits() const { return hits_; }               ///< of the frame
     std::uint64_t quiet() const { return now_ - moved_at_; }   ///< cycles since anything moved
-    const Slot& pixel(int pipeline, std::uint32_t ray) const { return pipelines_[std::size_t(pipeline)].pixel(ray); }
+    const Slot& pixel(int pipeline, std::uint32_t ray) const {
+        return pipelines_[std::size_t(pipeline)].pixel(ray);
+    }
     Accounts accounts() const;
     const Memory& memory() const { return memory_; }
-    std::string where(int pipeline, std::uint32_t ray) const { return pipelines_[std::size_t(pipeline)].where(ray); }
+    std::string where(int pipeline, std::uint32_t ray) const {
+        return pipelines_[std::size_t(pipeline)].where(ray);
+    }
 
     /// Valid and fire masks of the last observed cycle, of a pipeline and of what all share.
     std::uint32_t valid_mask(int pipeline) const { return masks_[std::size_t(pipeline)].valid; }
@@ -87,13 +94,14 @@ private:
     // The cycle, once settled.
     std::vector<SharedMoves> shared_moves_;   // [pipeline]
     std::vector<Masks> masks_;
-    std::uint32_t valid_ = 0, fire_ = 0;      // of the shared links
-    int granted_ = -1, client_ = -1, fill_client_ = -1;   // pipeline that gets a tile; caches that ask for and that get a word
+    std::uint32_t valid_ = 0, fire_ = 0;   // of the shared links
+    int granted_ = -1, client_ = -1,
+        fill_client_ = -1;   // pipeline that gets a tile; caches that ask for and that get a word
     std::uint32_t client_valid_ = 0, fill_id_ = 0;
     Cache::Request client_request_{}, l2_miss_{};
 
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
-    std::uint32_t last_shared_ = 0;           // codes of dispatch and memport
+    std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
     CacheDeed l2_deed_{};
     std::array<std::uint64_t, 16> shared_counts_{};
     CauseCounts l2_counts_{};
@@ -106,29 +114,37 @@ template <class Observer> void Machine::show(Observer& observe) const {
             const Channel c = Channel(std::countr_zero(left));
             Move move{p, c, 0, 0, 0, 0};
             switch (c) {
-            case Channel::tile: move.x = dispatch_.tile().x, move.y = dispatch_.tile().y; break;
-            case Channel::node_miss: move.id = pipeline.node_miss().id, move.addr = pipeline.node_miss().addr; break;
-            case Channel::prim_miss: move.id = pipeline.prim_miss().id, move.addr = pipeline.prim_miss().addr; break;
-            case Channel::node_fill:
-            case Channel::surf_fill:
-            case Channel::prim_fill: move.id = fill_id_; break;
-            case Channel::surf_miss: move.id = pipeline.surf_miss().id, move.addr = pipeline.surf_miss().addr; break;
-            default: {
-                move.id = pipeline.ray_on(c);
-                const Slot& pixel = c == Channel::slot ? pipeline.slot() : pipeline.pixel(move.id);
-                move.x = pixel.x, move.y = pixel.y;
-                if (c == Channel::node_req) move.addr = pipeline.node_addr(move.id);
-                if (c == Channel::surf_req) move.addr = pipeline.surf_addr(move.id);
-                if (c == Channel::prim_req) move.addr = pipeline.prim_addr(move.id);
-            }
+                case Channel::tile: move.x = dispatch_.tile().x, move.y = dispatch_.tile().y; break;
+                case Channel::node_miss:
+                    move.id = pipeline.node_miss().id, move.addr = pipeline.node_miss().addr;
+                    break;
+                case Channel::prim_miss:
+                    move.id = pipeline.prim_miss().id, move.addr = pipeline.prim_miss().addr;
+                    break;
+                case Channel::node_fill:
+                case Channel::surf_fill:
+                case Channel::prim_fill: move.id = fill_id_; break;
+                case Channel::surf_miss:
+                    move.id = pipeline.surf_miss().id, move.addr = pipeline.surf_miss().addr;
+                    break;
+                default: {
+                    move.id = pipeline.ray_on(c);
+                    const Slot& pixel = c == Channel::slot ? pipeline.slot() : pipeline.pixel(move.id);
+                    move.x = pixel.x, move.y = pixel.y;
+                    if (c == Channel::node_req) move.addr = pipeline.node_addr(move.id);
+                    if (c == Channel::surf_req) move.addr = pipeline.surf_addr(move.id);
+                    if (c == Channel::prim_req) move.addr = pipeline.prim_addr(move.id);
+                }
             }
             observe(move);
         }
     }
-    if (fires(Channel::l2_req)) observe(Move{0, Channel::l2_req, client_request_.id, client_request_.addr, 0, 0});
+    if (fires(Channel::l2_req))
+        observe(Move{0, Channel::l2_req, client_request_.id, client_request_.addr, 0, 0});
     if (fires(Channel::l2_rsp)) observe(Move{0, Channel::l2_rsp, l2_->answer(), 0, 0, 0});
     if (fires(Channel::mem_req)) observe(Move{0, Channel::mem_req, asked().id, asked().addr, 0, 0});
-    if (fires(Channel::mem_rsp)) observe(Move{0, Channel::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
+    if (fires(Channel::mem_rsp))
+        observe(Move{0, Channel::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -5,25 +5,40 @@
 namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
-    : shading_(config.shading != 0), sched_(config), raygen_(config.raygen_latency(), config.raygen_queue), trav_(config), node_cache_(node_cache_shape(config)),
-      box_(config.box_latency(), config.box_queue), list_(config), prim_cache_(prim_cache_shape(config)),
-      tri_(config.tri_latency(), config.tri_queue), surf_cache_(surf_cache_shape(config)), shade_(config), sink_(traffic, number), rays_(std::size_t(config.contexts)) {}
+    : shading_(config.shading != 0),
+      sched_(config),
+      raygen_(config.raygen_latency(), config.raygen_queue),
+      trav_(config),
+      node_cache_(node_cache_shape(config)),
+      box_(config.box_latency(), config.box_queue),
+      list_(config),
+      prim_cache_(prim_cache_shape(config)),
+      tri_(config.tri_latency(), config.tri_queue),
+      surf_cache_(surf_cache_shape(config)),
+      shade_(config),
+      sink_(traffic, number),
+      rays_(std::size_t(config.contexts)) {}
 
 void Pipeline::settle(std::uint64_t now) { moves_ = moving(now); }
 void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) { clock(moves_, now, shared); }
 
-void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared, const std::array<int, pipeline_units>& order) {
+void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
+                              const std::array<int, pipeline_units>& order) {
     for (const int unit : order) switch (Unit(unit)) {
-        case Unit::sched: clock_sched(moves_, shared.tile); break;
-        case Unit::raygen: clock_raygen(moves_, now); break;
-        case Unit::trav: clock_trav(moves_); break;
-        case Unit::node_cache: clock_node_cache(moves_, now, shared); break;
-        case Unit::box: clock_box(moves_, now); break;
-        case Unit::list: clock_list(moves_); break;
-        case Unit::prim_cache: clock_prim_cache(moves_, now, shared); break;
-        case Unit::tri: clock_tri(moves_, now); break;
-        case Unit::surf_cache: if (shading_) clock_surf_cache(moves_, now, shared); break;
-        default: if (shading_) clock_shade(moves_, now); break;
+            case Unit::sched: clock_sched(moves_, shared.tile); break;
+            case Unit::raygen: clock_raygen(moves_, now); break;
+            case Unit::trav: clock_trav(moves_); break;
+            case Unit::node_cache: clock_node_cache(moves_, now, shared); break;
+            case Unit::box: clock_box(moves_, now); break;
+            case Unit::list: clock_list(moves_); break;
+            case Unit::prim_cache: clock_prim_cache(moves_, now, shared); break;
+            case Unit::tri: clock_tri(moves_, now); break;
+            case Unit::surf_cache:
+                if (shading_) clock_surf_cache(moves_, now, shared);
+                break;
+            default:
+                if (shading_) clock_shade(moves_, now);
+                break;
         }
     account_caches();
 }
@@ -33,7 +48,8 @@ void Pipeline::moving_shaded(Moves& m, std::uint64_t now) {
     m.slot = m.slot && slot;
     if ((m.spawn = !slot && shade_.spawn_valid() && raygen_.ready())) m.spawned = shade_.spawn_ray();
     if ((m.closest = trav_.done_valid())) m.closed = trav_.done_ray();
-    if ((m.surf_req = shade_.surf_valid() && surf_cache_.ready())) m.surf_out = {shade_.surf_ray(), surf_addr(shade_.surf_ray())};
+    if ((m.surf_req = shade_.surf_valid() && surf_cache_.ready()))
+        m.surf_out = {shade_.surf_ray(), surf_addr(shade_.surf_ray())};
     if ((m.surf_rsp = surf_cache_.valid(now) && shade_.ready())) m.surf_in = surf_cache_.answer();
     if ((m.hit = shade_.pixel_valid() && sink_.ready())) m.ended = shade_.pixel_ray();
     // Codes of accounts.hpp.
@@ -42,7 +58,8 @@ void Pipeline::moving_shaded(Moves& m, std::uint64_t now) {
 }
 
 void Pipeline::clock_surf_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
-    surf_deed_ = surf_cache_.clock(now, m.surf_req ? &m.surf_out : nullptr, m.surf_rsp, shared.surf_fill, shared.surf_miss);
+    surf_deed_ = surf_cache_.clock(now, m.surf_req ? &m.surf_out : nullptr, m.surf_rsp, shared.surf_fill,
+                                   shared.surf_miss);
     last_shades_ = std::uint32_t(surf_deed_) | shade_code_ << 3;
     ++shades_[last_shades_];
 }
@@ -65,59 +82,68 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
         place.head = place.at[1];
         surface = *place.at & Trace::surface_flag;
     }
-    shade_.clock(now, m.closest ? &m.closed : nullptr, surface, m.surf_rsp ? &m.surf_in : nullptr, m.surf_req, m.spawn, m.hit,
-                 [this](std::uint32_t ray) { return turn_of(ray); });
+    shade_.clock(now, m.closest ? &m.closed : nullptr, surface, m.surf_rsp ? &m.surf_in : nullptr, m.surf_req,
+                 m.spawn, m.hit, [this](std::uint32_t ray) { return turn_of(ray); });
 }
 
 namespace {
 std::uint32_t at(bool on, Channel c) { return std::uint32_t(on) << index(c); }
-} // namespace
+}   // namespace
 
 std::uint32_t Pipeline::valid_mask(const SharedMoves& shared, std::uint64_t now) const {
-    return at(sched_.slot_valid(), Channel::slot) | at(raygen_.valid(now), Channel::ray) | at(trav_.node_valid(), Channel::node_req)
-        | at(node_cache_.miss_valid(), Channel::node_miss) | at(node_cache_.valid(now), Channel::box_req) | at(box_.valid(now), Channel::box_rsp)
-        | at(list_.prim_valid(), Channel::prim_req) | at(prim_cache_.miss_valid(), Channel::prim_miss)
-        | at(prim_cache_.valid(now), Channel::tri_req) | at(tri_.valid(now), Channel::tri_rsp) | at(list_.step_valid(), Channel::step)
-        | at(shading_ ? shade_.pixel_valid() : trav_.done_valid(), Channel::hit) | at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill)
-        | at(shared.prim_fill, Channel::prim_fill) | (shading_ ? shaded_valid(shared, now) : 0);
+    return at(sched_.slot_valid(), Channel::slot) | at(raygen_.valid(now), Channel::ray) |
+           at(trav_.node_valid(), Channel::node_req) | at(node_cache_.miss_valid(), Channel::node_miss) |
+           at(node_cache_.valid(now), Channel::box_req) | at(box_.valid(now), Channel::box_rsp) |
+           at(list_.prim_valid(), Channel::prim_req) | at(prim_cache_.miss_valid(), Channel::prim_miss) |
+           at(prim_cache_.valid(now), Channel::tri_req) | at(tri_.valid(now), Channel::tri_rsp) |
+           at(list_.step_valid(), Channel::step) |
+           at(shading_ ? shade_.pixel_valid() : trav_.done_valid(), Channel::hit) |
+           at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) |
+           at(shared.prim_fill, Channel::prim_fill) | (shading_ ? shaded_valid(shared, now) : 0);
 }
 
 std::uint32_t Pipeline::shaded_valid(const SharedMoves& shared, std::uint64_t now) const {
-    return at(trav_.done_valid(), Channel::closest) | at(shade_.surf_valid(), Channel::surf_req) | at(surf_cache_.miss_valid(), Channel::surf_miss)
-        | at(shared.surf_fill, Channel::surf_fill) | at(surf_cache_.valid(now), Channel::surf_rsp) | at(shade_.spawn_valid(), Channel::spawn);
+    return at(trav_.done_valid(), Channel::closest) | at(shade_.surf_valid(), Channel::surf_req) |
+           at(surf_cache_.miss_valid(), Channel::surf_miss) | at(shared.surf_fill, Channel::surf_fill) |
+           at(surf_cache_.valid(now), Channel::surf_rsp) | at(shade_.spawn_valid(), Channel::spawn);
 }
 
 std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
     const Moves& m = moves_;
-    return at(m.slot, Channel::slot) | at(m.ray, Channel::ray) | at(m.node_req, Channel::node_req) | at(m.box_req, Channel::box_req)
-        | at(m.box_rsp, Channel::box_rsp) | at(m.prim_req, Channel::prim_req) | at(m.tri_req, Channel::tri_req) | at(m.tri_rsp, Channel::tri_rsp)
-        | at(m.step, Channel::step) | at(m.hit, Channel::hit) | at(shared.node_miss, Channel::node_miss) | at(shared.prim_miss, Channel::prim_miss)
-        | at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) | at(shared.prim_fill, Channel::prim_fill)
-        | at(m.closest, Channel::closest) | at(m.surf_req, Channel::surf_req) | at(shared.surf_miss, Channel::surf_miss)
-        | at(shared.surf_fill, Channel::surf_fill) | at(m.surf_rsp, Channel::surf_rsp) | at(m.spawn, Channel::spawn);
+    return at(m.slot, Channel::slot) | at(m.ray, Channel::ray) | at(m.node_req, Channel::node_req) |
+           at(m.box_req, Channel::box_req) | at(m.box_rsp, Channel::box_rsp) |
+           at(m.prim_req, Channel::prim_req) | at(m.tri_req, Channel::tri_req) |
+           at(m.tri_rsp, Channel::tri_rsp) | at(m.step, Channel::step) | at(m.hit, Channel::hit) |
+           at(shared.node_miss, Channel::node_miss) | at(shared.prim_miss, Channel::prim_miss) |
+           at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) |
+           at(shared.prim_fill, Channel::prim_fill) | at(m.closest, Channel::closest) |
+           at(m.surf_req, Channel::surf_req) | at(shared.surf_miss, Channel::surf_miss) |
+           at(shared.surf_fill, Channel::surf_fill) | at(m.surf_rsp, Channel::surf_rsp) |
+           at(m.spawn, Channel::spawn);
 }
 
 std::uint64_t Pipeline::wakes() const {
-    const std::uint64_t wakes = std::min({raygen_.due(), box_.due(), tri_.due(), node_cache_.due(), prim_cache_.due()});
+    const std::uint64_t wakes =
+        std::min({raygen_.due(), box_.due(), tri_.due(), node_cache_.due(), prim_cache_.due()});
     return shading_ ? std::min({wakes, shade_.due(), surf_cache_.due()}) : wakes;
 }
 
 std::uint32_t Pipeline::ray_on(Channel c) const {
     switch (c) {
-    case Channel::slot: return moves_.given.ray;
-    case Channel::ray: return moves_.started;
-    case Channel::node_req: return moves_.node_out.id;
-    case Channel::box_req: return moves_.node_in;
-    case Channel::box_rsp: return moves_.boxed;
-    case Channel::prim_req: return moves_.prim_out.id;
-    case Channel::tri_req: return moves_.prim_in;
-    case Channel::tri_rsp: return moves_.tested;
-    case Channel::step: return moves_.stepped;
-    case Channel::closest: return moves_.closed;
-    case Channel::surf_req: return moves_.surf_out.id;
-    case Channel::surf_rsp: return moves_.surf_in;
-    case Channel::spawn: return moves_.spawned;
-    default: return moves_.ended;
+        case Channel::slot: return moves_.given.ray;
+        case Channel::ray: return moves_.started;
+        case Channel::node_req: return moves_.node_out.id;
+        case Channel::box_req: return moves_.node_in;
+        case Channel::box_rsp: return moves_.boxed;
+        case Channel::prim_req: return moves_.prim_out.id;
+        case Channel::tri_req: return moves_.prim_in;
+        case Channel::tri_rsp: return moves_.tested;
+        case Channel::step: return moves_.stepped;
+        case Channel::closest: return moves_.closed;
+        case Channel::surf_req: return moves_.surf_out.id;
+        case Channel::surf_rsp: return moves_.surf_in;
+        case Channel::spawn: return moves_.spawned;
+        default: return moves_.ended;
     }
 }
 
@@ -126,15 +152,21 @@ std::string Pipeline::where(std::uint32_t ray) const {
     if (const char* place = trav_.where(ray)) return place;
     if (const char* place = list_.where(ray)) return place;
     if (const char* place = shading_ ? shade_.where(ray) : nullptr) return place;
-    if (std::string place = shading_ ? surf_cache_.where(ray) : ""; !place.empty()) return "surf_cache: " + place;
+    if (std::string place = shading_ ? surf_cache_.where(ray) : ""; !place.empty())
+        return "surf_cache: " + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
-    return raygen_.contains(RayNumber(ray)) ? "raygen" : box_.contains(RayNumber(ray)) ? "box" : tri_.contains(RayNumber(ray)) ? "tri" : "nowhere";
+    return raygen_.contains(RayNumber(ray)) ? "raygen"
+           : box_.contains(RayNumber(ray))  ? "box"
+           : tri_.contains(RayNumber(ray))  ? "tri"
+                                            : "nowhere";
 }
 
 Accounts Pipeline::accounts() const {
     Accounts sums;
-    const auto add = [&](Unit unit, std::uint32_t code, std::uint64_t cycles) { sums.units[index(unit)][code] += cycles; };
+    const auto add = [&](Unit unit, std::uint32_t code, std::uint64_t cycles) {
+        sums.units[index(unit)][code] += cycles;
+    };
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
         if (units_[i] == 0) continue;
         add(Unit::sched, i & 3, units_[i]);
@@ -155,4 +187,4 @@ Accounts Pipeline::accounts() const {
     return sums;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

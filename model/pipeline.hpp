@@ -13,17 +13,19 @@
 
 namespace rayclock {
 
-/// What a pipeline gets from what all share, in one cycle: a tile, the ids of words that memory sends to its caches (null if
-/// none), and whether the caches' own requests are accepted.
+/// What a pipeline gets from what all share, in one cycle: a tile, the ids of words that memory sends to its
+/// caches (null if none), and whether the caches' own requests are accepted.
 struct SharedMoves {
     const Tile* tile = nullptr;
     const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_fill = nullptr;
     bool node_miss = false, prim_miss = false, surf_miss = false;
-    bool any() const { return tile || node_fill || prim_fill || surf_fill || node_miss || prim_miss || surf_miss; }
+    bool any() const {
+        return tile || node_fill || prim_fill || surf_fill || node_miss || prim_miss || surf_miss;
+    }
 };
 
-/// One pipeline, cycle by cycle: *when* its rays, whose doings are in a trace, move from unit to unit. Mirror of
-/// rtl/rc_pipeline.sv.
+/// One pipeline, cycle by cycle: *when* its rays, whose doings are in a trace, move from unit to unit. Mirror
+/// of rtl/rc_pipeline.sv.
 class Pipeline {
 public:
     Pipeline(const Config& config, Traffic traffic, int number);
@@ -38,8 +40,10 @@ public:
     /// The two halves, for those who want to see the links in between.
     void settle(std::uint64_t now);
     void clock(std::uint64_t now, const SharedMoves& shared);
-    /// The clock edge with the units in the given order (a permutation of 0..pipeline_units - 1), for the test that it does not matter.
-    void clock_in_order(std::uint64_t now, const SharedMoves& shared, const std::array<int, pipeline_units>& order);
+    /// The clock edge with the units in the given order (a permutation of 0..pipeline_units - 1), for the
+    /// test that it does not matter.
+    void clock_in_order(std::uint64_t now, const SharedMoves& shared,
+                        const std::array<int, pipeline_units>& order);
 
     // ---- What is on the links, between settle() and clock().
 
@@ -76,10 +80,12 @@ public:
 private:
     /// Where a context's ray is in the trace.
     struct Place {
-        const std::uint32_t* at = nullptr;   ///< word of the visit, or of the triangle under way; the first after a ray
-        std::uint32_t head = 0;              ///< the visit's word; turns count down. After a ray the passes left
+        const std::uint32_t* at =
+            nullptr;              ///< word of the visit, or of the triangle under way; the first after a ray
+        std::uint32_t head = 0;   ///< the visit's word; turns count down. After a ray the passes left
     };
-    /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the caches.
+    /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the
+    /// caches.
     struct Moves {
         bool slot, ray, node_req, box_req, box_rsp, prim_req, tri_req, tri_rsp, step, hit;
         bool closest, surf_req, surf_rsp, spawn;   // of a chip that shades
@@ -87,7 +93,8 @@ private:
         Cache::Request node_out, prim_out, surf_out;
         std::uint32_t started, node_in, boxed, prim_in, tested, stepped, ended, closed, surf_in, spawned;
         bool any() const {
-            return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit | closest | surf_req | surf_rsp | spawn;
+            return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit |
+                   closest | surf_req | surf_rsp | spawn;
         }
     };
     Moves moving(std::uint64_t now);
@@ -161,8 +168,10 @@ private:
     if ((m.tri_req = prim_cache_.valid(now) && tri_.ready())) m.prim_in = prim_cache_.answer();
     if ((m.tri_rsp = tri_.valid(now))) m.tested = tri_.front();
     if ((m.step = list_.step_valid() && trav_.step_ready())) m.stepped = list_.step_ray();
-    if (shading_) [[unlikely]] moving_shaded(m, now);
-    else if ((m.hit = trav_.done_valid() && sink_.ready())) m.ended = trav_.done_ray();
+    if (shading_) [[unlikely]]
+        moving_shaded(m, now);
+    else if ((m.hit = trav_.done_valid() && sink_.ready()))
+        m.ended = trav_.done_ray();
     account_units(m, now);
     return m;
 }
@@ -171,7 +180,10 @@ inline void Pipeline::account_units(const Moves& m, std::uint64_t now) {
     // Codes of accounts.hpp: 0 where a link moves; a refused offer and an idle link have their own.
     const std::uint32_t sched = m.slot ? 0 : sched_.slot_valid() ? 3 : sched_.pixel_valid() ? 1 : 2;
     const std::uint32_t raygen = m.ray ? 0 : raygen_.valid(now) ? 2 : 1;
-    const std::uint32_t trav = m.step ? 0 : list_.step_valid() ? 2 : trav_.step_ready();   // a ray that goes round is work, if no step waits
+    const std::uint32_t trav = m.step ? 0
+                               : list_.step_valid()
+                                   ? 2
+                                   : trav_.step_ready();   // a ray that goes round is work, if no step waits
     const std::uint32_t box = m.box_req ? 0 : node_cache_.valid(now) ? 3 : node_cache_.waits() ? 1 : 2;
     const std::uint32_t list = !(m.box_rsp | m.tri_rsp);
     const std::uint32_t tri = m.tri_req ? 0 : prim_cache_.valid(now) ? 3 : prim_cache_.waits() ? 1 : 2;
@@ -225,12 +237,13 @@ inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
 }
 
 inline void Pipeline::clock_trav(const Moves& m) {
-    trav_.clock(m.ray ? &m.started : nullptr, m.step ? &m.stepped : nullptr, m.node_req, shading_ ? m.closest : m.hit,
-                [this](std::uint32_t ray) { return decide(ray); });
+    trav_.clock(m.ray ? &m.started : nullptr, m.step ? &m.stepped : nullptr, m.node_req,
+                shading_ ? m.closest : m.hit, [this](std::uint32_t ray) { return decide(ray); });
 }
 
 inline void Pipeline::clock_node_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
-    node_deed_ = node_cache_.clock(now, m.node_req ? &m.node_out : nullptr, m.box_req, shared.node_fill, shared.node_miss);
+    node_deed_ = node_cache_.clock(now, m.node_req ? &m.node_out : nullptr, m.box_req, shared.node_fill,
+                                   shared.node_miss);
 }
 
 inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
@@ -239,12 +252,13 @@ inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
 }
 
 inline void Pipeline::clock_list(const Moves& m) {
-    list_.clock(m.box_rsp ? &m.boxed : nullptr, m.box_rsp && has_tests(m.boxed), m.tri_rsp ? &m.tested : nullptr,
-                m.tri_rsp && has_more(m.tested), m.prim_req, m.step);
+    list_.clock(m.box_rsp ? &m.boxed : nullptr, m.box_rsp && has_tests(m.boxed),
+                m.tri_rsp ? &m.tested : nullptr, m.tri_rsp && has_more(m.tested), m.prim_req, m.step);
 }
 
 inline void Pipeline::clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
-    prim_deed_ = prim_cache_.clock(now, m.prim_req ? &m.prim_out : nullptr, m.tri_req, shared.prim_fill, shared.prim_miss);
+    prim_deed_ = prim_cache_.clock(now, m.prim_req ? &m.prim_out : nullptr, m.tri_req, shared.prim_fill,
+                                   shared.prim_miss);
 }
 
 inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
@@ -252,7 +266,8 @@ inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     if (m.tri_req) tri_.admit(now) = RayNumber(m.prim_in);
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
+[[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
+                                                   const SharedMoves& shared) {
     const bool turning = !trav_.idle() || sched_.passing();
     clock_sched(m, shared.tile);
     clock_raygen(m, now);
@@ -263,7 +278,8 @@ inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     clock_prim_cache(m, now, shared);
     clock_tri(m, now);
     account_caches();
-    asleep_ = node_deed_ > CacheDeed::drain && prim_deed_ > CacheDeed::drain && !turning && !m.any() && !shared.any();
+    asleep_ = node_deed_ > CacheDeed::drain && prim_deed_ > CacheDeed::drain && !turning && !m.any() &&
+              !shared.any();
     if (shading_) [[unlikely]] {
         asleep_ = asleep_ && !shade_.answers(now) && !shade_.offers(false);
         clock_surf_cache(m, now, shared);
@@ -278,4 +294,4 @@ inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
     return moves.hit;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -11,10 +11,10 @@ std::string where_rays_are(const Machine& machine) {
             const std::string place = machine.where(p, ray);
             if (place.empty()) continue;
             const Slot& pixel = machine.pixel(p, ray);
-            text += "  pipeline " + std::to_string(p) + " ray " + std::to_string(ray) + " pixel (" + std::to_string(pixel.x) + ", " +
-                std::to_string(pixel.y) + "): " + place + "\n";
+            text += "  pipeline " + std::to_string(p) + " ray " + std::to_string(ray) + " pixel (" +
+                    std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + "): " + place + "\n";
         }
     return text.empty() ? "  no ray is under way\n" : text;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -8,4 +8,4 @@ class Machine;
 /// Where every ray of a machine that no longer moves is: a line each, for the watchdog.
 std::string where_rays_are(const Machine& machine);
 
-} // namespace rayclock
+}   // namespace rayclock

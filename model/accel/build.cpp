@@ -19,12 +19,13 @@ struct Item {
     std::uint32_t index;
 };
 
-/// Best split of a range so far. `cost` is the SAH's sum of area times count; `most` the balance, to break ties.
+/// Best split of a range so far. `cost` is the SAH's sum of area times count; `most` the balance, to break
+/// ties.
 struct Split {
     double cost = std::numeric_limits<double>::infinity();
     std::size_t axis = 0;
-    std::size_t at = 0;      ///< bin, or number of items on the left
-    std::size_t most = 0;    ///< items of the larger side
+    std::size_t at = 0;     ///< bin, or number of items on the left
+    std::size_t most = 0;   ///< items of the larger side
 
     void consider(const Split& other) {
         if (other.cost < cost || (other.cost == cost && other.most < most)) *this = other;
@@ -41,7 +42,8 @@ struct Binning {
     std::int32_t lo;
     double scale;
     Binning(const LatticeBox& centres, std::size_t axis)
-        : lo(centres.lo[axis]), scale(double(bin_count) / std::max(double(bin_count), double(centres.hi[axis] - lo) + 1)) {}
+        : lo(centres.lo[axis]),
+          scale(double(bin_count) / std::max(double(bin_count), double(centres.hi[axis] - lo) + 1)) {}
     std::size_t operator()(std::int32_t centre) const { return std::size_t(double(centre - lo) * scale); }
 };
 
@@ -49,7 +51,8 @@ class Builder {
 public:
     Builder(std::vector<Item>& items, std::vector<BinaryNode>& nodes) : items_(items), nodes_(nodes) {}
 
-    /// The subtree over n items owns the 2n - 1 places from `at`, so that both halves may be built at the same time.
+    /// The subtree over n items owns the 2n - 1 places from `at`, so that both halves may be built at the
+    /// same time.
     void build(std::size_t at, std::size_t first, std::size_t count, int depth) {
         const std::span<Item> part = std::span{items_}.subspan(first, count);
         BinaryNode& node = nodes_[at];
@@ -82,7 +85,8 @@ private:
     }
 
     static bool before(const Item& a, const Item& b, std::size_t axis) {
-        return a.box.centre(axis) != b.box.centre(axis) ? a.box.centre(axis) < b.box.centre(axis) : a.index < b.index;
+        return a.box.centre(axis) != b.box.centre(axis) ? a.box.centre(axis) < b.box.centre(axis)
+                                                        : a.index < b.index;
     }
 
     static std::size_t halve(std::span<Item> part, const LatticeBox& centres) {
@@ -156,11 +160,13 @@ private:
         return best.at;
     }
 
-    static void sort(std::span<const Item> part, std::size_t axis, std::array<std::uint8_t, sweep_below>& order) {
+    static void sort(std::span<const Item> part, std::size_t axis,
+                     std::array<std::uint8_t, sweep_below>& order) {
         // Centre and index decide; the place in the range rides along.
         std::array<std::pair<std::uint64_t, std::uint8_t>, sweep_below> keys;
         for (std::size_t i = 0; i < part.size(); ++i)
-            keys[i] = {std::uint64_t(part[i].box.centre(axis) + (1 << 24)) << 32 | part[i].index, std::uint8_t(i)};
+            keys[i] = {std::uint64_t(part[i].box.centre(axis) + (1 << 24)) << 32 | part[i].index,
+                       std::uint8_t(i)};
         std::sort(keys.begin(), keys.begin() + std::ptrdiff_t(part.size()));
         for (std::size_t i = 0; i < part.size(); ++i) order[i] = keys[i].second;
     }
@@ -169,7 +175,7 @@ private:
     std::vector<BinaryNode>& nodes_;
 };
 
-} // namespace
+}   // namespace
 
 BinaryTree build_tree(const std::vector<LatticeBox>& boxes) {
     std::vector<Item> items(boxes.size());
@@ -198,4 +204,4 @@ std::vector<std::uint32_t> top_down(const BinaryTree& tree, std::vector<std::siz
     return order;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

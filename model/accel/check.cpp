@@ -13,10 +13,15 @@ constexpr std::size_t most_complaints = 20;
 class Checker {
 public:
     Checker(const MemoryImage& image, const Config& config)
-        : image_(image), config_(config), used_(2 * std::size_t(image.lines())), lowest_(1 << (config.coord_bits - 1)), margin_(config.is_sheared()) {}
+        : image_(image),
+          config_(config),
+          used_(2 * std::size_t(image.lines())),
+          lowest_(1 << (config.coord_bits - 1)),
+          margin_(config.is_sheared()) {}
 
     std::vector<std::string> run(const Scene* scene) {
-        if (image_.words.empty() || image_.words.size() % words_per_line != 0) return {"the image is not made of whole lines"};
+        if (image_.words.empty() || image_.words.size() % words_per_line != 0)
+            return {"the image is not made of whole lines"};
         claim(0, 2, 0);
         nodes_.push_back({});
         for (std::size_t i = 0; i < nodes_.size() && !full(); ++i) read(i);
@@ -33,7 +38,7 @@ private:
         std::uint32_t line = 0, parent = 0, child = 0;   ///< child: which of its parent's
         int depth = 1, need = 0;
         Node node{};
-        std::array<LatticeBox, max_width> real{};        ///< of each child
+        std::array<LatticeBox, max_width> real{};   ///< of each child
     };
 
     bool full() const { return complaints_.size() >= most_complaints; }
@@ -48,16 +53,19 @@ private:
                 used_[i] = true;
                 continue;
             }
-            complain(owner, "its block reaches half line " + std::to_string(i) + (i < used_.size() ? ", which is taken" : ", beyond the end"));
+            complain(owner, "its block reaches half line " + std::to_string(i) +
+                                (i < used_.size() ? ", which is taken" : ", beyond the end"));
             return false;
         }
         return true;
     }
 
-    template <class P> void whole(const P& payload, const std::uint32_t* at, std::size_t words, std::uint32_t line) {
+    template <class P>
+    void whole(const P& payload, const std::uint32_t* at, std::size_t words, std::uint32_t line) {
         Words packed = pack(payload, config_);
         packed.resize(words, 0);
-        if (!std::equal(packed.begin(), packed.end(), at)) complain(line, "bits beyond a payload are not zero");
+        if (!std::equal(packed.begin(), packed.end(), at))
+            complain(line, "bits beyond a payload are not zero");
     }
 
     void read(std::size_t index) {
@@ -71,8 +79,10 @@ private:
         for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i) {
             const std::uint32_t kind = node.kind[i];
             const std::uint32_t before = i == 0 ? 1 : node.kind[i - 1];
-            if ((kind == 1 && before != 1) || (kind > 1 && before == 0)) complain(line, "kinds are out of order");
-            if (kind > 1 + std::uint32_t(config_.leaf_size)) complain(line, "a leaf is larger than leaf_size");
+            if ((kind == 1 && before != 1) || (kind > 1 && before == 0))
+                complain(line, "kinds are out of order");
+            if (kind > 1 + std::uint32_t(config_.leaf_size))
+                complain(line, "a leaf is larger than leaf_size");
             if (kind == 0) empty(node, i, line);
             inner += kind == 1;
             triangles += kind > 1 ? kind - 1 : 0;
@@ -88,7 +98,8 @@ private:
 
     void empty(const Node& node, std::size_t i, std::uint32_t line) {
         for (std::size_t k = 0; k < 3; ++k)
-            if (node.lo[3 * i + k] != 0 || node.hi[3 * i + k] != 0) complain(line, "an empty child has a box");
+            if (node.lo[3 * i + k] != 0 || node.hi[3 * i + k] != 0)
+                complain(line, "an empty child has a box");
     }
 
     void unused(std::uint32_t half_line, std::uint32_t line) {
@@ -110,7 +121,8 @@ private:
                         if (x == -lowest_) complain(at.line, "a triangle lies outside the symmetric lattice");
                 }
                 if (!triangles_.emplace(triangle.prim, triangle).second)
-                    complain(at.line, "triangle " + std::to_string(triangle.prim) + " is there more than once");
+                    complain(at.line,
+                             "triangle " + std::to_string(triangle.prim) + " is there more than once");
             }
     }
 
@@ -126,7 +138,8 @@ private:
             for (std::size_t k = 0; k < 3; ++k)
                 if (dequantised(at.node, at.node.lo[3 * i + k], k) > at.real[i].lo[k] ||
                     dequantised(at.node, at.node.hi[3 * i + k], k) < at.real[i].hi[k])
-                    complain(at.line, "child " + std::to_string(i) + " reaches out of its box along axis " + std::to_string(k));
+                    complain(at.line, "child " + std::to_string(i) + " reaches out of its box along axis " +
+                                          std::to_string(k));
         }
         at.need += inner >= 2;
         if (index == 0) return;
@@ -146,7 +159,8 @@ private:
         for (const Visit& at : nodes_) depth = std::max(depth, at.depth);
         const auto expect = [&](const char* what, std::uint64_t said, std::uint64_t found) {
             if (said != found)
-                complain(0, std::string("the report says ") + what + " " + std::to_string(said) + ", the image " + std::to_string(found));
+                complain(0, std::string("the report says ") + what + " " + std::to_string(said) +
+                                ", the image " + std::to_string(found));
         };
         expect("nodes", r.nodes, nodes_.size());
         expect("leaves", r.leaves, leaves_);
@@ -158,19 +172,23 @@ private:
 
     void compare(const Scene& scene) {
         for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-            const auto corner = [&](std::size_t k) { return image_.lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]); };
+            const auto corner = [&](std::size_t k) {
+                return image_.lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]);
+            };
             const Vec3i a = corner(0), b = corner(1), c = corner(2);
             const auto found = triangles_.find(std::uint32_t(i));
             const bool there = found != triangles_.end();
             const bool useless = config_.is_sheared() ? a == b || b == c || c == a : flat(a, b, c);
-            if (there == useless) complain(0, "triangle " + std::to_string(i) + (there ? " has no area" : " is missing"));
+            if (there == useless)
+                complain(0, "triangle " + std::to_string(i) + (there ? " has no area" : " is missing"));
             else if (there && (found->second.a != a || found->second.b != b || found->second.c != c))
                 complain(0, "triangle " + std::to_string(i) + " has other corners than the scene");
         }
         if (image_.report.triangles != scene.triangles.size()) complain(0, "the report is of another scene");
     }
 
-    /// Collinear: Lagrange's identity |u|^2 |v|^2 = (u . v)^2, another road than the compiler's cross product.
+    /// Collinear: Lagrange's identity |u|^2 |v|^2 = (u . v)^2, another road than the compiler's cross
+    /// product.
     static bool flat(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
         __extension__ using Wide = __int128;
         Wide uu = 0, vv = 0, uv = 0;
@@ -185,7 +203,7 @@ private:
 
     const MemoryImage& image_;
     const Config& config_;
-    std::vector<bool> used_;   // half lines
+    std::vector<bool> used_;         // half lines
     std::int32_t lowest_, margin_;   // margin_: what a triangle's box is larger
     std::vector<Visit> nodes_;
     std::unordered_map<std::uint32_t, PrimData> triangles_;
@@ -193,10 +211,10 @@ private:
     std::vector<std::string> complaints_;
 };
 
-} // namespace
+}   // namespace
 
 std::vector<std::string> check_image(const MemoryImage& image, const Config& config, const Scene* scene) {
     return Checker{image, config}.run(scene);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

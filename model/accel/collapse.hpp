@@ -1,8 +1,9 @@
 #pragma once
 // From the binary tree to wide nodes: which subtrees become children of a node, which of them leaves.
 //
-// SAH-optimal by dynamic programming (Ylitie, Karras, Laine 2017, "Efficient incoherent ray traversal on GPUs through
-// compressed wide BVHs", section 3.1): cost(n, i) is the least cost of the subtree n as at most i children of one node.
+// SAH-optimal by dynamic programming (Ylitie, Karras, Laine 2017, "Efficient incoherent ray traversal on GPUs
+// through compressed wide BVHs", section 3.1): cost(n, i) is the least cost of the subtree n as at most i
+// children of one node.
 #include <cstdint>
 #include <vector>
 
@@ -36,7 +37,7 @@ private:
     std::vector<std::uint8_t> counts_;   // triangles, at most leaf_size + 1
     /// [i]: how many of i children the left side gets; 0: one child fewer costs no more.
     std::vector<std::array<std::uint8_t, max_width + 1>> left_;
-    std::vector<std::uint8_t> leaf_;     // as one child: a leaf
+    std::vector<std::uint8_t> leaf_;   // as one child: a leaf
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -17,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Without an area on the lattice no ray is taken; exact, as the cross product has at most 2 (N + 1) + 1 bits.
+/// Without an area on the lattice no ray is taken; exact, as the cross product has at most 2 (N + 1) + 1
+/// bits.
 bool has_area(const PrimData& t) {
     const Vec3l u = minus(t.b, t.a), v = minus(t.c, t.a);
     return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
@@ -26,7 +27,8 @@ bool has_area(const PrimData& t) {
 /// The primitives that count on the lattice, in the scene's order.
 std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice, const Config& config) {
     std::vector<PrimData> all(primitive_count(scene));
-    tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) { all[i] = snap_primitive(scene, lattice, i); });
+    tbb::parallel_for(std::size_t(0), all.size(),
+                      [&](std::size_t i) { all[i] = snap_primitive(scene, lattice, i); });
     std::erase_if(all, [&](const PrimData& t) { return !counts(t, config); });
     return all;
 }
@@ -39,12 +41,14 @@ LatticeBox box_of(const PrimData& prim, int coord_bits) {
     auto radius = std::int32_t(std::sqrt(double(square)));
     while (std::uint64_t(radius) * std::uint64_t(radius) < square) ++radius;
     LatticeBox box;
-    for (std::size_t k = 0; k < 3; ++k) box.lo[k] = std::max(prim.a[k] - radius, -most), box.hi[k] = std::min(prim.a[k] + radius, most);
+    for (std::size_t k = 0; k < 3; ++k)
+        box.lo[k] = std::max(prim.a[k] - radius, -most), box.hi[k] = std::min(prim.a[k] + radius, most);
     return box;
 }
 
-/// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger. Lattice::snap leaves out
-/// the least coordinate, so their lower corners still fit N bits; upper planes are relative to those.
+/// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger.
+/// Lattice::snap leaves out the least coordinate, so their lower corners still fit N bits; upper planes are
+/// relative to those.
 std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const Config& config) {
     std::vector<LatticeBox> boxes(triangles.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -62,36 +66,45 @@ std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& triangles, const C
     return boxes;
 }
 
-void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config, const std::string& name) {
+void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config,
+                const std::string& name) {
     const std::size_t all = primitive_count(scene);
     if (kept.empty())
-        throw UserError(name + ": all " + std::to_string(all) + (all == scene.triangles.size() ? " triangles" : " primitives") + " vanish on a lattice of " +
-                        std::to_string(config.coord_bits) + " bits; a larger coord_bits or an eye closer to the scene would help");
+        throw UserError(name + ": all " + std::to_string(all) +
+                        (all == scene.triangles.size() ? " triangles" : " primitives") +
+                        " vanish on a lattice of " + std::to_string(config.coord_bits) +
+                        " bits; a larger coord_bits or an eye closer to the scene would help");
     check_lines(kept.size() / 2, config, name);   // before the long work: two triangles a line at best
     const auto need = int(std::bit_width(all - 1));
     if (need > config.prim_bits)
-        throw UserError(name + ": " + std::to_string(all) + (all == scene.triangles.size() ? " triangles" : " primitives") + " need numbers of " + std::to_string(need) + " bits, and prim_bits is " +
-                        std::to_string(config.prim_bits) + ": --set prim_bits=" + std::to_string(need));
+        throw UserError(name + ": " + std::to_string(all) +
+                        (all == scene.triangles.size() ? " triangles" : " primitives") + " need numbers of " +
+                        std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits) +
+                        ": --set prim_bits=" + std::to_string(need));
 }
 
 void check_stack(int need, const Config& config, const std::string& name) {
     if (need <= config.stack_depth) return;
-    const std::string begin = name + ": a ray may have to keep " + std::to_string(need) + " groups of siblings, and ";
+    const std::string begin =
+        name + ": a ray may have to keep " + std::to_string(need) + " groups of siblings, and ";
     const auto depth = int(std::bit_ceil(unsigned(need)));
     for (const Parameter& p : parameters())
         if (p.member == &Config::stack_depth && depth > p.hi)
-            throw UserError(begin + "no stack_depth above " + std::to_string(p.hi) + " exists; wider nodes (--set node_width=8) need fewer");
-    throw UserError(begin + "stack_depth is " + std::to_string(config.stack_depth) + ": --set stack_depth=" + std::to_string(depth));
+            throw UserError(begin + "no stack_depth above " + std::to_string(p.hi) +
+                            " exists; wider nodes (--set node_width=8) need fewer");
+    throw UserError(begin + "stack_depth is " + std::to_string(config.stack_depth) +
+                    ": --set stack_depth=" + std::to_string(depth));
 }
 
-} // namespace
+}   // namespace
 
 bool counts(const PrimData& t, const Config& config) {
     if (PrimKind(t.kind) == PrimKind::sphere) return radius_squared(t, config.coord_bits) > 0;
     return config.is_sheared() ? t.a != t.b && t.b != t.c && t.c != t.a : has_area(t);
 }
 
-MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config, const std::string& name, const Progress& progress) {
+MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Config& config,
+                              const std::string& name, const Progress& progress) {
     const auto tell = [&](std::uint64_t stage) {
         if (progress) progress("compiling " + name, stage, 4);
     };
@@ -108,12 +121,14 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     return image;
 }
 
-MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Config& config, const Progress& progress) {
+MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Config& config,
+                          const Progress& progress) {
     const Clock::time_point start = Clock::now();
     const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
-    const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0, config.planes ? room_around_planes(config) : 1);
+    const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0,
+                                        config.planes ? room_around_planes(config) : 1);
     const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;
     const Scene& scene = moved ? *moved : given;
     const std::vector<PrimData> triangles = snap_primitives(scene, lattice, config);
@@ -128,4 +143,4 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     return image;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

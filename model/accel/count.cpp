@@ -13,7 +13,12 @@ namespace {
 class Walk {
 public:
     Walk(const MemoryImage& image, const Config& config, const Ray& ray, WorkCount& count)
-        : image_(image), config_(config), ray_(ray), count_(count), test_(tri_test_of(config)), t_best_((1u << config.t_bits()) - 1) {
+        : image_(image),
+          config_(config),
+          ray_(ray),
+          count_(count),
+          test_(tri_test_of(config)),
+          t_best_((1u << config.t_bits()) - 1) {
         box_ray_ = {ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len};
     }
 
@@ -26,7 +31,8 @@ public:
                 continue;
             }
             const std::uint32_t line = group.boxes.base + group.boxes.offset[group.next++] / 2;
-            if (group.next == group.boxes.inner) stack_.pop_back();   // the last sibling leaves nothing to keep
+            if (group.next == group.boxes.inner)
+                stack_.pop_back();   // the last sibling leaves nothing to keep
             count_.stack = std::max(count_.stack, stack_.size());
             visit(line);
         }
@@ -69,7 +75,7 @@ private:
     std::uint32_t t_best_;
 };
 
-} // namespace
+}   // namespace
 
 WorkCount count_work(const MemoryImage& image, const Frame& frame, const Config& config, int step) {
     WorkCount count;
@@ -82,4 +88,4 @@ WorkCount count_work(const MemoryImage& image, const Frame& frame, const Config&
     return count;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

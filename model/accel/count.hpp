@@ -1,5 +1,6 @@
 #pragma once
-// How much work a frame is, without a clock: the machine's walk through the tree, ray by ray, by the same pure functions.
+// How much work a frame is, without a clock: the machine's walk through the tree, ray by ray, by the same
+// pure functions.
 #include <cstdint>
 
 #include "model/accel/memory_image.hpp"
@@ -13,8 +14,8 @@ struct WorkCount {
     std::size_t stack = 0;         ///< most sibling groups that a ray kept
 };
 
-/// Every `step`-th pixel across and down, from pixel (step / 2, step / 2) on. A node's leaves come before its inner
-/// children, nearest first, as model/list and model/trav have it.
+/// Every `step`-th pixel across and down, from pixel (step / 2, step / 2) on. A node's leaves come before its
+/// inner children, nearest first, as model/list and model/trav have it.
 WorkCount count_work(const MemoryImage& image, const Frame& frame, const Config& config, int step = 1);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -10,7 +10,8 @@ PrimData read_triangle(const MemoryImage& image, std::uint32_t half_line, const 
     return unpack<PrimData>(image.half_line(half_line), config);
 }
 
-void for_each_triangle(const MemoryImage& image, const Config& config, const std::function<void(const PrimData&)>& f) {
+void for_each_triangle(const MemoryImage& image, const Config& config,
+                       const std::function<void(const PrimData&)>& f) {
     std::vector<std::uint32_t> pending{0};
     while (!pending.empty()) {
         const Node node = read_node(image, pending.back(), config);
@@ -20,9 +21,10 @@ void for_each_triangle(const MemoryImage& image, const Config& config, const std
             inner += node.kind[i] == 1;
             triangles += node.kind[i] > 1 ? node.kind[i] - 1 : 0;
         }
-        for (std::uint32_t i = 0; i < triangles; ++i) f(read_triangle(image, 2 * (node.base + inner) + i, config));
+        for (std::uint32_t i = 0; i < triangles; ++i)
+            f(read_triangle(image, 2 * (node.base + inner) + i, config));
         for (std::uint32_t i = inner; i-- > 0;) pending.push_back(node.base + i);
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

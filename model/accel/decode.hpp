@@ -1,8 +1,8 @@
 #pragma once
 // A memory image read back: for tests, for exact checkers, for whoever wants to see what the chip sees.
 //
-// Nothing here is taken on trust: a damaged image gives complaints, not undefined behaviour. (for_each_triangle, however,
-// asks for an image that check_image finds sound.)
+// Nothing here is taken on trust: a damaged image gives complaints, not undefined behaviour.
+// (for_each_triangle, however, asks for an image that check_image finds sound.)
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,13 +15,14 @@ Node read_node(const MemoryImage& image, std::uint32_t line, const Config& confi
 PrimData read_triangle(const MemoryImage& image, std::uint32_t half_line, const Config& config);
 
 /// Every triangle, in depth-first order of the tree.
-void for_each_triangle(const MemoryImage& image, const Config& config, const std::function<void(const PrimData&)>& f);
+void for_each_triangle(const MemoryImage& image, const Config& config,
+                       const std::function<void(const PrimData&)>& f);
 
-/// What is wrong with an image, one sentence each; empty if nothing is. Every child's dequantised box holds all triangles
-/// below it; every line is reached once, blocks do not overlap, and what nothing uses is zero; kinds are in order; the
-/// report's figures are true. With the scene: its triangles, snapped, are there exactly once, but for those without area
-/// (sheared: with two equal corners).
-/// Stops after 20 complaints.
-std::vector<std::string> check_image(const MemoryImage& image, const Config& config, const Scene* scene = nullptr);
+/// What is wrong with an image, one sentence each; empty if nothing is. Every child's dequantised box holds
+/// all triangles below it; every line is reached once, blocks do not overlap, and what nothing uses is zero;
+/// kinds are in order; the report's figures are true. With the scene: its triangles, snapped, are there
+/// exactly once, but for those without area (sheared: with two equal corners). Stops after 20 complaints.
+std::vector<std::string> check_image(const MemoryImage& image, const Config& config,
+                                     const Scene* scene = nullptr);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -9,9 +9,14 @@ namespace {
 
 class Emitter {
 public:
-    Emitter(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config, const std::string& name,
-            MemoryImage& image)
-        : tree_(tree), triangles_(triangles), config_(config), collapse_(tree, config), name_(name), image_(image) {}
+    Emitter(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
+            const std::string& name, MemoryImage& image)
+        : tree_(tree),
+          triangles_(triangles),
+          config_(config),
+          collapse_(tree, config),
+          name_(name),
+          image_(image) {}
 
     void run() {
         image_.words.assign(words_per_line, 0);
@@ -37,7 +42,8 @@ private:
 
     void emit(const Pending& at) {
         collapse_.children(at.node, found_);
-        const auto leaves = std::stable_partition(found_.begin(), found_.end(), [](const WideChild& c) { return !c.leaf; });
+        const auto leaves =
+            std::stable_partition(found_.begin(), found_.end(), [](const WideChild& c) { return !c.leaf; });
         const auto inner = std::uint32_t(leaves - found_.begin());
         children_.clear();
         content_.clear();
@@ -50,14 +56,17 @@ private:
         const std::size_t lines = base + inner + (content_.size() + 1) / 2;
         check_lines(lines, config_, name_);
         image_.words.resize(lines * words_per_line, 0);
-        write_payload(encode_node(children_, std::uint32_t(base), config_), config_, &image_.words[at.line * words_per_line], scratch_);
+        write_payload(encode_node(children_, std::uint32_t(base), config_), config_,
+                      &image_.words[at.line * words_per_line], scratch_);
         for (std::size_t i = 0; i < content_.size(); ++i)
-            write_payload(triangles_[content_[i]], config_, &image_.words[(2 * (base + inner) + i) * words_per_half], scratch_);
+            write_payload(triangles_[content_[i]], config_,
+                          &image_.words[(2 * (base + inner) + i) * words_per_half], scratch_);
 
         const auto id = std::uint32_t(written_.size());
         written_.push_back({at.parent, inner, id == 0 ? 1 : written_[at.parent].depth + 1});
         image_.report.leaves += found_.size() - inner;
-        for (std::uint32_t i = inner; i-- > 0;) pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
+        for (std::uint32_t i = inner; i-- > 0;)
+            pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
     }
 
     void account() {
@@ -86,12 +95,15 @@ private:
     Words scratch_;
 };
 
-} // namespace
+}   // namespace
 
 void check_lines(std::uint64_t lines, const Config& config, const std::string& name) {
     if (lines <= std::uint64_t(1) << config.addr_bits) return;
-    throw UserError(name + ": the memory image needs more than 2^" + std::to_string(config.addr_bits) + " lines of 64 bytes, all that the machine can address; " +
-                    (config.addr_bits < max_addr_bits ? "--set addr_bits=" + std::to_string(max_addr_bits) + " is the most there is" : "a smaller scene is needed"));
+    throw UserError(name + ": the memory image needs more than 2^" + std::to_string(config.addr_bits) +
+                    " lines of 64 bytes, all that the machine can address; " +
+                    (config.addr_bits < max_addr_bits
+                         ? "--set addr_bits=" + std::to_string(max_addr_bits) + " is the most there is"
+                         : "a smaller scene is needed"));
 }
 
 void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
@@ -99,4 +111,4 @@ void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, 
     Emitter{tree, triangles, config, name, image}.run();
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,8 +1,8 @@
 #pragma once
 // Layout: the collapsed tree as memory lines.
 //
-// Blocks lie depth-first, a block being all that a node's base points at: one line per inner child, then the leaves'
-// triangles in half lines, padded to a line. A subtree is contiguous but for its root's line.
+// Blocks lie depth-first, a block being all that a node's base points at: one line per inner child, then the
+// leaves' triangles in half lines, padded to a line. A subtree is contiguous but for its root's line.
 #include <vector>
 
 #include "model/accel/collapse.hpp"
@@ -10,12 +10,12 @@
 
 namespace rayclock {
 
-/// Writes words and the report's nodes, leaves, depth, stack_need and bytes. `triangles` in the order of the boxes that
-/// the tree was built over. Throws UserError beyond 2^addr_bits lines; `name` begins the sentence.
+/// Writes words and the report's nodes, leaves, depth, stack_need and bytes. `triangles` in the order of the
+/// boxes that the tree was built over. Throws UserError beyond 2^addr_bits lines; `name` begins the sentence.
 void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
 
 /// Throws UserError if `lines` memory lines cannot be addressed.
 void check_lines(std::uint64_t lines, const Config& config, const std::string& name);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -4,9 +4,11 @@ namespace rayclock {
 
 namespace {
 
-std::uint32_t ceil_shift(std::uint32_t value, std::uint32_t shift) { return (value + (1u << shift) - 1) >> shift; }
+std::uint32_t ceil_shift(std::uint32_t value, std::uint32_t shift) {
+    return (value + (1u << shift) - 1) >> shift;
+}
 
-} // namespace
+}   // namespace
 
 Node encode_node(std::span<const NodeChild> children, std::uint32_t base, const Config& config) {
     LatticeBox all;
@@ -15,7 +17,8 @@ Node encode_node(std::span<const NodeChild> children, std::uint32_t base, const 
     node.org = all.lo;
     node.base = base;
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t extent = std::uint32_t(all.hi[k] - all.lo[k]), steps = (1u << config.box_bits) - 1;
+        const std::uint32_t extent = std::uint32_t(all.hi[k] - all.lo[k]),
+                            steps = (1u << config.box_bits) - 1;
         while (ceil_shift(extent, node.exp[k]) > steps) ++node.exp[k];
     }
     for (std::size_t i = 0; i < children.size(); ++i) {
@@ -28,4 +31,4 @@ Node encode_node(std::span<const NodeChild> children, std::uint32_t base, const 
     return node;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

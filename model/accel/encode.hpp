@@ -7,7 +7,8 @@
 
 namespace rayclock {
 
-constexpr std::size_t words_per_line = std::size_t(line_bits / 32), words_per_half = std::size_t(half_line_bits / 32);
+constexpr std::size_t words_per_line = std::size_t(line_bits / 32),
+                      words_per_half = std::size_t(half_line_bits / 32);
 
 /// Children of a node to be, inner ones first: real boxes, and how many triangles (0: an inner child).
 struct NodeChild {
@@ -15,12 +16,13 @@ struct NodeChild {
     std::uint32_t triangles = 0;
 };
 
-/// Quantises outward: org the minimum corner of all boxes, per axis the finest exponent that reaches the maximum corner,
-/// lo rounded down and hi up. So a dequantised box holds the real one.
+/// Quantises outward: org the minimum corner of all boxes, per axis the finest exponent that reaches the
+/// maximum corner, lo rounded down and hi up. So a dequantised box holds the real one.
 Node encode_node(std::span<const NodeChild> children, std::uint32_t base, const Config& config);
 
 /// Writes a payload right-aligned into memory that is zero; `scratch` only saves an allocation.
-template <class P> void write_payload(const P& payload, const Config& config, std::uint32_t* at, Words& scratch) {
+template <class P>
+void write_payload(const P& payload, const Config& config, std::uint32_t* at, Words& scratch) {
     pack(payload, config, scratch);
     std::copy(scratch.begin(), scratch.end(), at);
 }
@@ -30,4 +32,4 @@ inline std::int64_t dequantised(const Node& node, std::uint32_t k, std::size_t a
     return node.org[axis] + (std::int64_t(k) << node.exp[axis]);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,5 @@
-// Reinsertion: the best moves are searched in parallel on a tree that stands still, then made one by one, those of most
-// gain first, and unmade where an earlier move has turned the gain into a loss.
+// Reinsertion: the best moves are searched in parallel on a tree that stands still, then made one by one,
+// those of most gain first, and unmade where an earlier move has turned the gain into a loss.
 #include <tbb/parallel_for.h>
 
 #include "model/accel/tree.hpp"
@@ -48,8 +48,9 @@ private:
             for (std::size_t i = range.begin(); i < range.end(); ++i) moves[i] = search(nodes[i], pending);
         });
         std::erase_if(moves, [](const Move& m) { return m.to == no_node; });
-        std::sort(moves.begin(), moves.end(),
-                  [](const Move& a, const Move& b) { return a.gain != b.gain ? a.gain > b.gain : a.node < b.node; });
+        std::sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) {
+            return a.gain != b.gain ? a.gain > b.gain : a.node < b.node;
+        });
         bool better = false;
         for (const Move& move : moves) better = attempt(move) || better;
         return better;
@@ -67,8 +68,8 @@ private:
         return nodes;
     }
 
-    /// Climbs from the node and looks down the other side of each ancestor. `saved`: the area that goes with the parent,
-    /// and that the ancestors below the one in hand lose.
+    /// Climbs from the node and looks down the other side of each ancestor. `saved`: the area that goes with
+    /// the parent, and that the ancestors below the one in hand lose.
     Move search(std::uint32_t node, Pending& pending) const {
         Move best{0, node, no_node};
         std::uint32_t pivot = parents_[node];
@@ -102,7 +103,8 @@ private:
 
     /// Makes a move unless moves before it have made it impossible or bad.
     bool attempt(const Move& move) {
-        if (move.node == tree_.root || move.to == parents_[move.node] || move.to == sibling(move.node)) return false;
+        if (move.node == tree_.root || move.to == parents_[move.node] || move.to == sibling(move.node))
+            return false;
         for (std::uint32_t i = move.to; i != no_node; i = parents_[i])
             if (i == move.node) return false;   // below the node itself by now
         const std::uint32_t home = sibling(move.node);
@@ -128,8 +130,10 @@ private:
 
     void replace(std::uint32_t parent, std::uint32_t child, std::uint32_t by) {
         parents_[by] = parent;
-        if (parent == no_node) tree_.root = by;
-        else (at(parent).left == child ? at(parent).left : at(parent).right) = by;
+        if (parent == no_node)
+            tree_.root = by;
+        else
+            (at(parent).left == child ? at(parent).left : at(parent).right) = by;
     }
 
     double refit(std::uint32_t i) {
@@ -147,8 +151,8 @@ private:
     std::vector<std::uint32_t> parents_;
 };
 
-} // namespace
+}   // namespace
 
 void optimise_tree(BinaryTree& tree) { Optimiser{tree}.run(); }
 
-} // namespace rayclock
+}   // namespace rayclock

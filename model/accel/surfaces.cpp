@@ -21,13 +21,18 @@ std::uint32_t fixed(double value, int frac_bits, std::uint32_t most) {
 }
 std::uint32_t share_of(double value) { return fixed(value, share_bits, 1u << share_bits); }
 /// Weight of a reflected or refracted ray: what is above 0 stays above 0, so that its ray is sent.
-std::uint32_t weight_of(double value) { return std::max(fixed(value, unit_bits, 1u << unit_bits), std::uint32_t(value > 0)); }
-std::array<std::uint32_t, 3> shares_of(const glm::dvec3& v) { return {share_of(v.x), share_of(v.y), share_of(v.z)}; }
+std::uint32_t weight_of(double value) {
+    return std::max(fixed(value, unit_bits, 1u << unit_bits), std::uint32_t(value > 0));
+}
+std::array<std::uint32_t, 3> shares_of(const glm::dvec3& v) {
+    return {share_of(v.x), share_of(v.y), share_of(v.z)};
+}
 
 std::uint32_t material_of(const Scene& scene, std::size_t i) {
     if (i < scene.triangles.size()) return scene.triangles[i].material;
     i -= scene.triangles.size();
-    return i < scene.spheres.size() ? scene.spheres[i].material : scene.planes[i - scene.spheres.size()].material;
+    return i < scene.spheres.size() ? scene.spheres[i].material
+                                    : scene.planes[i - scene.spheres.size()].material;
 }
 
 void set_material(const Material& m, Surface& s) {
@@ -36,7 +41,8 @@ void set_material(const Material& m, Surface& s) {
     s.ambient = share_of(m.ambient), s.diffuse = share_of(m.diffuse), s.highlight = share_of(m.highlight);
     s.mirror = weight_of(m.mirror), s.transmit = weight_of(m.transmit);
     // Rounded together, so that their sum, which a total reflection has, errs by no more than each of them.
-    if (m.mirror > 0 && m.transmit > 0 && m.mirror + m.transmit <= 1) s.transmit = std::max(weight_of(m.mirror + m.transmit) - s.mirror, 1u);
+    if (m.mirror > 0 && m.transmit > 0 && m.mirror + m.transmit <= 1)
+        s.transmit = std::max(weight_of(m.mirror + m.transmit) - s.mirror, 1u);
     s.shine = fixed(m.shine, shine_frac, (1u << shine_bits) - 1);
     const double index = m.index > 0 ? m.index : 1, r = (index - 1) / (index + 1);
     s.r0 = weight_of(r * r);
@@ -55,18 +61,22 @@ void set_normals(const Scene& scene, std::size_t i, Surface& s) {
     const double turn = glm::dot(sum, flat) < 0 ? -1 : 1, most = (1 << (corner_bits - 1)) - 1;
     for (std::size_t corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k)
-            s.normal[3 * corner + std::size_t(k)] = std::int32_t(std::round(std::clamp(turn * scene.normals[vertex[corner]][k], -1.0, 1.0) * most));
+            s.normal[3 * corner + std::size_t(k)] = std::int32_t(
+                std::round(std::clamp(turn * scene.normals[vertex[corner]][k], -1.0, 1.0) * most));
     s.smooth = 1;
 }
 
-/// How many low bits the components of a triangle's edges have that are zero, at most most_fine; all of them must have some.
+/// How many low bits the components of a triangle's edges have that are zero, at most most_fine; all of them
+/// must have some.
 std::uint32_t fine_of(const PrimData& t, const Config& config) {
     std::uint32_t bits = 1u << std::clamp(config.bary_bits - config.origin_bits, 0, most_fine);
-    for (std::size_t k = 0; k < 3; ++k) bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+        bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
     return std::uint32_t(std::countr_zero(bits));
 }
 
-/// For each vertex the number of low bits to be cleared: 2^-14 of the shortest edge of all triangles that it belongs to.
+/// For each vertex the number of low bits to be cleared: 2^-14 of the shortest edge of all triangles that it
+/// belongs to.
 std::vector<std::uint8_t> coarseness(const Scene& scene, const Lattice& lattice) {
     std::vector<std::uint8_t> coarse(scene.vertices.size(), most_fine);
     std::vector<bool> used(scene.vertices.size());
@@ -91,13 +101,14 @@ bool is_clear(const Scene& scene, const glm::dvec3& point) {
     });
 }
 
-} // namespace
+}   // namespace
 
 std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice) {
     const std::vector<std::uint8_t> coarse = coarseness(scene, lattice);
     const auto first = std::find_if(coarse.begin(), coarse.end(), [](std::uint8_t bits) { return bits > 0; });
     if (first == coarse.end()) return std::nullopt;
-    const Vec3i start = lattice.snap(scene.vertices[std::size_t(first - coarse.begin())]);   // where the multiples are counted from
+    const Vec3i start = lattice.snap(
+        scene.vertices[std::size_t(first - coarse.begin())]);   // where the multiples are counted from
     const std::int32_t most = (1 << (lattice.coord_bits - 1)) - 1;
     Scene moved = scene;
     for (std::size_t v = 0; v < coarse.size(); ++v) {
@@ -118,7 +129,9 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
     PrimData prim;
     prim.prim = std::uint32_t(i);
     if (i < scene.triangles.size()) {
-        const auto corner = [&](std::size_t k) { return lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]); };
+        const auto corner = [&](std::size_t k) {
+            return lattice.snap(scene.vertices[scene.triangles[i].vertex[k]]);
+        };
         prim.a = corner(0), prim.b = corner(1), prim.c = corner(2);
         return prim;
     }
@@ -129,7 +142,9 @@ PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t 
         prim.a = lattice.snap(sphere.centre);
         const double radius = sphere.radius / lattice.pitch.x;
         const auto square = std::uint64_t(std::min(std::round(radius * radius), std::ldexp(1.0, 2 * n) - 1));
-        const auto field = [n](std::uint64_t bits) { return std::int32_t(std::int64_t(bits << (64 - n)) >> (64 - n)); };
+        const auto field = [n](std::uint64_t bits) {
+            return std::int32_t(std::int64_t(bits << (64 - n)) >> (64 - n));
+        };
         prim.b = {field(square), field(square >> n), 0};
         return prim;
     }
@@ -171,7 +186,8 @@ void write_surfaces(const Scene& scene, const Config& config, const std::string&
     image.words.resize((first + count) * words_per_line, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         Words scratch;
-        write_payload(surface_of(scene, image.lattice, config, i), config, &image.words[(first + i) * words_per_line], scratch);
+        write_payload(surface_of(scene, image.lattice, config, i), config,
+                      &image.words[(first + i) * words_per_line], scratch);
     });
     image.report.bytes = image.words.size() * sizeof(std::uint32_t);
 }
@@ -181,26 +197,36 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
     config.spheres = !scene.spheres.empty();
     config.planes = !scene.planes.empty();
     config.smooth = !scene.normals.empty();
-    config.refraction = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.transmit > 0; });
+    config.refraction = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                    [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;
-    if (config.spheres) config.tri_queue = std::max(config.tri_queue, 64);   // tri is 34 stages long then, and its door must not shut
+    if (config.spheres)
+        config.tri_queue =
+            std::max(config.tri_queue, 64);   // tri is 34 stages long then, and its door must not shut
     // Rounded up: scenes that differ by a light share their RTL.
     config.lights = std::clamp(int(std::bit_ceil(scene.lights.size())), 4, max_lights);
     config.bounces = std::max(config.bounces, settings.depth);
     // What check_config() asks of it.
-    config.origin_bits = std::max(2, std::min({config.origin_bits, 30 - config.coord_bits, config.bary_bits, config.dir_bits + config.t_frac_bits - 2}));
+    config.origin_bits = std::max(2, std::min({config.origin_bits, 30 - config.coord_bits, config.bary_bits,
+                                               config.dir_bits + config.t_frac_bits - 2}));
     return config;
 }
 
-ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image, const Config& config) {
+ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const MemoryImage& image,
+                            const Config& config) {
     const std::string name = scene.name.empty() ? "the scene" : scene.name;
     const auto refuse = [&](const std::string& what, int there, const char* key, int value) {
-        throw UserError(name + ": " + what + ", and the configuration has " + std::to_string(there) + ": --set " + key + "=" + std::to_string(value));
+        throw UserError(name + ": " + what + ", and the configuration has " + std::to_string(there) +
+                        ": --set " + key + "=" + std::to_string(value));
     };
     const int lights = int(scene.lights.size()), samples = settings.aa * settings.aa;
-    if (lights > config.lights) refuse("it has " + std::to_string(lights) + " lights", config.lights, "lights", lights);
-    if (config.refraction && settings.depth > config.bounces) refuse("depth " + std::to_string(settings.depth) + " was asked for", config.bounces, "bounces", settings.depth);
-    if ((samples > 1 || settings.jitter) && !config.supersampling) refuse(std::to_string(samples) + " samples a pixel were asked for", 1, "supersampling", 1);
+    if (lights > config.lights)
+        refuse("it has " + std::to_string(lights) + " lights", config.lights, "lights", lights);
+    if (config.refraction && settings.depth > config.bounces)
+        refuse("depth " + std::to_string(settings.depth) + " was asked for", config.bounces, "bounces",
+               settings.depth);
+    if ((samples > 1 || settings.jitter) && !config.supersampling)
+        refuse(std::to_string(samples) + " samples a pixel were asked for", 1, "supersampling", 1);
     const double one = 1 << unit_bits;
     ShadeFrame frame;
     frame.surfaces = image.surfaces;
@@ -213,21 +239,25 @@ ShadeFrame make_shade_frame(const Scene& scene, const Whitted& settings, const M
     frame.share = std::uint32_t(std::round(one / samples));
     frame.first_share = std::uint32_t(std::round(one / std::min(int(first_samples), samples)));
     frame.seed = settings.seed;
-    frame.background = {fixed(scene.background.x, unit_bits, 1u << unit_bits), fixed(scene.background.y, unit_bits, 1u << unit_bits),
+    frame.background = {fixed(scene.background.x, unit_bits, 1u << unit_bits),
+                        fixed(scene.background.y, unit_bits, 1u << unit_bits),
                         fixed(scene.background.z, unit_bits, 1u << unit_bits)};
     frame.lights = std::uint32_t(lights);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const glm::dvec3 at = (scene.lights[i].position - image.lattice.centre) / image.lattice.pitch;
-        const double within = double((1 << (config.coord_bits - 1)) - 1), most = double((1 << (config.light_bits() - 1)) - 1);
-        const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}), nearer = size > most ? most / size : 1;
+        const double within = double((1 << (config.coord_bits - 1)) - 1),
+                     most = double((1 << (config.light_bits() - 1)) - 1);
+        const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
+                     nearer = size > most ? most / size : 1;
         frame.near[i] = std::round(size) <= within;
         frame.clear[i] = is_clear(scene, scene.lights[i].position);
         for (std::size_t k = 0; k < 3; ++k) {
             frame.place[3 * i + k] = std::int32_t(std::round(at[int(k)] * nearer));
-            frame.colour[3 * i + k] = fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);
+            frame.colour[3 * i + k] =
+                fixed(scene.lights[i].colour[int(k)], share_bits, (1u << strength_bits) - 1);
         }
     }
     return frame;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

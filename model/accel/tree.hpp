@@ -1,9 +1,10 @@
 #pragma once
-// The binary tree over the lattice boxes of a scene's triangles: what the builder makes, the optimiser improves and the
-// collapse reads.
+// The binary tree over the lattice boxes of a scene's triangles: what the builder makes, the optimiser
+// improves and the collapse reads.
 //
-// All decisions are integer or double arithmetic that does not depend on the order of the work: the same tree for every
-// number of threads. Leaves hold one triangle each; larger leaves are formed by the collapse (collapse.hpp).
+// All decisions are integer or double arithmetic that does not depend on the order of the work: the same tree
+// for every number of threads. Leaves hold one triangle each; larger leaves are formed by the collapse
+// (collapse.hpp).
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -53,16 +54,17 @@ struct BinaryTree {
     std::uint32_t root = 0;
 };
 
-/// Top-down SAH build (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies"): binned for large
-/// ranges, every position for small ones; the object median where all centres coincide and below a depth that no
-/// reasonable scene reaches. `boxes` must not be empty.
+/// Top-down SAH build (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies"): binned
+/// for large ranges, every position for small ones; the object median where all centres coincide and below a
+/// depth that no reasonable scene reaches. `boxes` must not be empty.
 BinaryTree build_tree(const std::vector<LatticeBox>& boxes);
 
-/// Moves subtrees to where they add least area (Bittner, Hapala, Havran 2013; batches as in Meister and Bittner 2018,
-/// "Parallel reinsertion for bounding volume hierarchy optimization").
+/// Moves subtrees to where they add least area (Bittner, Hapala, Havran 2013; batches as in Meister and
+/// Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization").
 void optimise_tree(BinaryTree& tree);
 
-/// Every node once, parents before children, level by level; `levels` (if given) gets where each level begins, and the end.
+/// Every node once, parents before children, level by level; `levels` (if given) gets where each level
+/// begins, and the end.
 std::vector<std::uint32_t> top_down(const BinaryTree& tree, std::vector<std::size_t>* levels = nullptr);
 
-} // namespace rayclock
+}   // namespace rayclock

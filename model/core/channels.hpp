@@ -10,15 +10,39 @@ namespace rayclock {
 
 /// Links of one pipeline; then those that all pipelines share.
 enum class Channel : std::uint8_t {
-    tile, slot, ray, node_req, node_miss, node_fill, box_req, box_rsp, prim_req, prim_miss, prim_fill, tri_req, tri_rsp, step, hit,
-    closest, surf_req, surf_miss, surf_fill, surf_rsp, spawn,   // of a chip that shades
-    l2_req, l2_rsp, mem_req, mem_rsp,
+    tile,
+    slot,
+    ray,
+    node_req,
+    node_miss,
+    node_fill,
+    box_req,
+    box_rsp,
+    prim_req,
+    prim_miss,
+    prim_fill,
+    tri_req,
+    tri_rsp,
+    step,
+    hit,
+    closest,
+    surf_req,
+    surf_miss,
+    surf_fill,
+    surf_rsp,
+    spawn,   // of a chip that shades
+    l2_req,
+    l2_rsp,
+    mem_req,
+    mem_rsp,
 };
-constexpr std::size_t pipeline_channels = 21, channel_count = 25, plain_channels = 15;   // plain: of a pipeline that does not shade
+constexpr std::size_t pipeline_channels = 21, channel_count = 25,
+                      plain_channels = 15;   // plain: of a pipeline that does not shade
 
 /// Payload of each channel, by its number.
-using ChannelPayloads = std::tuple<Tile, Slot, Ray, NodeReq, NodeMiss, NodeFill, BoxReq, BoxRsp, PrimReq, PrimMiss, PrimFill, TriReq, TriRsp,
-                                   Step, HitOut, Closest, SurfReq, SurfMiss, SurfFill, SurfRsp, Spawn, L2Req, L2Rsp, MemReq, MemRsp>;
+using ChannelPayloads = std::tuple<Tile, Slot, Ray, NodeReq, NodeMiss, NodeFill, BoxReq, BoxRsp, PrimReq,
+                                   PrimMiss, PrimFill, TriReq, TriRsp, Step, HitOut, Closest, SurfReq,
+                                   SurfMiss, SurfFill, SurfRsp, Spawn, L2Req, L2Rsp, MemReq, MemRsp>;
 
 struct ChannelInfo {
     const char* name;
@@ -56,4 +80,4 @@ constexpr std::array<ChannelInfo, channel_count> channels{{
 constexpr std::size_t index(Channel c) { return std::size_t(c); }
 constexpr std::uint32_t bit(Channel c) { return 1u << index(c); }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -13,10 +13,12 @@ int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
 int Config::edge_bits() const {
     if (is_sheared()) return 2 * coord_bits + 3;
     const int plain = 2 * coord_bits + dir_bits + 2;
-    return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3) : plain;   // bounce; shadow ray: docs/origins.md
+    return shading ? std::max(plain + origin_bits, 3 * coord_bits + origin_bits + 3)
+                   : plain;   // bounce; shadow ray: docs/origins.md
 }
 int Config::tri_ray_bits() const {
-    return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) + (planes ? 1 : 0) + (spheres ? prim_bits + 1 : 0);
+    return 3 * origin_width() + 3 * ray_dir_bits() + (is_sheared() ? 3 : 0) + (shading ? 2 : 0) +
+           (planes ? 1 : 0) + (spheres ? prim_bits + 1 : 0);
 }
 int Config::ray_bits() const { return index_bits(contexts); }
 int Config::group_bits() const { return index_bits(node_width + 1); }
@@ -24,7 +26,9 @@ int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
 // Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/trav/rc_box.sv, rtl/isect/rc_tri.sv.
-int Config::raygen_latency() const { return 4 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0); }
+int Config::raygen_latency() const {
+    return 4 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0);
+}
 int Config::box_latency() const { return 6; }
 int Config::tri_latency() const {
     const int triangle = (is_sheared() ? 8 : 6) + (std::max(t_bits(), uv_bits() - 1) + 1) / 2;
@@ -35,15 +39,20 @@ int Config::approach_shift() const { return std::max(0, origin_width() - dir_bit
 int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 
 namespace {
-int miss_bits(int mshrs, int line) { return index_bits(mshrs) + (line > line_bytes ? index_bits(line / line_bytes) : 0); }
-} // namespace
+int miss_bits(int mshrs, int line) {
+    return index_bits(mshrs) + (line > line_bytes ? index_bits(line / line_bytes) : 0);
+}
+}   // namespace
 int Config::node_miss_bits() const { return miss_bits(node_mshrs, node_line); }
 int Config::prim_miss_bits() const { return miss_bits(prim_mshrs, prim_line); }
 int Config::surf_miss_bits() const { return shading ? miss_bits(surf_mshrs, surf_line) : 1; }
 int Config::l2_miss_bits() const { return miss_bits(l2_mshrs, l2_line); }
 int Config::least_addr_bits() const {
-    const auto beside_tag = [](int sets, int line) { return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2; };
-    const int own = std::max({beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line), shading ? beside_tag(surf_sets, surf_line) : 0});
+    const auto beside_tag = [](int sets, int line) {
+        return int(std::bit_width(unsigned(sets)) + std::bit_width(unsigned(line / line_bytes))) - 2;
+    };
+    const int own = std::max({beside_tag(node_sets, node_line), beside_tag(prim_sets, prim_line),
+                              shading ? beside_tag(surf_sets, surf_line) : 0});
     return 1 + (l2_sets > 0 ? std::max(own, beside_tag(l2_sets, l2_line)) : own);
 }
 int Config::client_bits() const { return index_bits(clients() * pipelines); }
@@ -82,7 +91,8 @@ const std::vector<Parameter>& parameters() {
         {"box_bits", &Config::box_bits, 4, 8, false, "bits of a child box plane"},
         {"bary_bits", &Config::bary_bits, 4, 24, false, "fraction bits of u and v"},
         {"primitive_test", &Config::primitive_test, 0, int(primitive_test_names().size()) - 1, false,
-         "ray-triangle test: exact, sheared; in software only: unit24, moller, woop, truncated", &primitive_test_names()},
+         "ray-triangle test: exact, sheared; in software only: unit24, moller, woop, truncated",
+         &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most triangles in a leaf"},
@@ -106,7 +116,8 @@ const std::vector<Parameter>& parameters() {
         {"l2_line", &Config::l2_line, 64, 256, true, "bytes a line"},
         {"l2_mshrs", &Config::l2_mshrs, 1, 64, true, "lines on their way"},
         {"cache_queue", &Config::cache_queue, 2, 256, true, "answers a cache may hold"},
-        {"shading", &Config::shading, 0, 1, false, "1: the chip makes finished colours, with shadow rays and bounces"},
+        {"shading", &Config::shading, 0, 1, false,
+         "1: the chip makes finished colours, with shadow rays and bounces"},
         {"spheres", &Config::spheres, 0, 1, false, "1: tri can test spheres"},
         {"planes", &Config::planes, 0, 1, false, "1: tri can test infinite planes, and shade knows checkers"},
         {"smooth", &Config::smooth, 0, 1, false, "1: normals between those of a triangle's corners"},
@@ -119,10 +130,12 @@ const std::vector<Parameter>& parameters() {
         {"surf_ways", &Config::surf_ways, 1, 8, true, "ways"},
         {"surf_line", &Config::surf_line, 64, 256, true, "bytes a line"},
         {"surf_mshrs", &Config::surf_mshrs, 1, 64, true, "lines on their way"},
-        {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false, "memory: ideal, sdr, ddr3 or rpu", &dram_names()},
+        {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false, "memory: ideal, sdr, ddr3 or rpu",
+         &dram_names()},
         {"mem_latency", &Config::mem_latency, 1, 10000, false, "ideal memory: cycles from request to answer"},
         {"mem_interval", &Config::mem_interval, 1, 1000, false, "ideal memory: cycles between requests"},
-        {"addr_bits", &Config::addr_bits, 8, max_addr_bits, false, "bits of a memory address, in lines of 64 bytes"},
+        {"addr_bits", &Config::addr_bits, 8, max_addr_bits, false,
+         "bits of a memory address, in lines of 64 bytes"},
         {"prim_bits", &Config::prim_bits, 1, max_prim_bits, false, "bits of a primitive number"},
         {"pixel_bits", &Config::pixel_bits, 7, max_pixel_bits, false, "bits of a pixel coordinate"},
     };
@@ -139,14 +152,14 @@ void set_cache(int& sets, int& ways, int& mshrs, int new_sets, int new_ways, int
     mshrs = new_mshrs;
 }
 
-/// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats have no like here;
-/// 18 bits of lattice are kept.
+/// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats
+/// have no like here; 18 bits of lattice are kept.
 void make_binary(Config& c) {
     c.node_width = 2;
     c.stack_depth = 64;
 }
 
-} // namespace
+}   // namespace
 
 const std::vector<std::string>& config_names() {
     static const std::vector<std::string> names{"default", "small", "wide", "saarcor", "rpu"};
@@ -191,12 +204,15 @@ Config named_config(const std::string& name) {
     throw UserError("no configuration is called " + shown(name) + did_you_mean(name, config_names()));
 }
 
-void set_parameter(Config& config, const std::string& key, const std::string& value, const std::string& where) {
+void set_parameter(Config& config, const std::string& key, const std::string& value,
+                   const std::string& where) {
     for (const Parameter& p : parameters()) {
         if (key != p.key) continue;
         if (p.names) {
             const auto at = std::find(p.names->begin(), p.names->end(), value);
-            if (at == p.names->end()) throw UserError(where + ": no " + key + " is called " + shown(value) + did_you_mean(value, *p.names));
+            if (at == p.names->end())
+                throw UserError(where + ": no " + key + " is called " + shown(value) +
+                                did_you_mean(value, *p.names));
             config.*p.member = int(at - p.names->begin());
             return;
         }
@@ -217,43 +233,61 @@ void check_config(const Config& c, const std::string& where) {
         const int value = c.*p.member;
         const std::string key = p.key;
         if (key.ends_with("_line") && value < line_bytes)
-            throw UserError(where + ": " + key + " must be at least 64 bytes, since a node of the tree takes 64, not " + std::to_string(value));
+            throw UserError(where + ": " + key +
+                            " must be at least 64 bytes, since a node of the tree takes 64, not " +
+                            std::to_string(value));
         if (value < p.lo || value > p.hi)
-            throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." + std::to_string(p.hi) +
-                            ", not " + std::to_string(value));
+            throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." +
+                            std::to_string(p.hi) + ", not " + std::to_string(value));
         if (p.power_of_two && (value & (value - 1)) != 0)
             throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
     }
     const auto refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
     if (2 * c.coord_bits + c.dir_bits > 62)
-        refuse("2 * coord_bits + dir_bits must not exceed 62 (an edge function is one 64-bit integer), and is " +
-               std::to_string(2 * c.coord_bits + c.dir_bits));
+        refuse(
+            "2 * coord_bits + dir_bits must not exceed 62 (an edge function is one 64-bit integer), and is " +
+            std::to_string(2 * c.coord_bits + c.dir_bits));
     // The widest shift of rc_box: N + R + 3 bits moved left by at most F + M - 1 - R + (N - box_bits + 1).
-    const int widest = c.coord_bits + c.recip_bits + 3 + c.t_frac_bits + c.dir_bits - 1 - c.recip_bits + c.coord_bits - c.box_bits + 1;
-    if (widest > 63) refuse("coord_bits, dir_bits and t_frac_bits together need " + std::to_string(widest) + " bits in box, more than 63");
+    const int widest = c.coord_bits + c.recip_bits + 3 + c.t_frac_bits + c.dir_bits - 1 - c.recip_bits +
+                       c.coord_bits - c.box_bits + 1;
+    if (widest > 63)
+        refuse("coord_bits, dir_bits and t_frac_bits together need " + std::to_string(widest) +
+               " bits in box, more than 63");
     if (c.addr_bits < c.least_addr_bits())
-        refuse("addr_bits must be at least " + std::to_string(c.least_addr_bits()) + " for the sets and lines of the caches, not " + std::to_string(c.addr_bits));
+        refuse("addr_bits must be at least " + std::to_string(c.least_addr_bits()) +
+               " for the sets and lines of the caches, not " + std::to_string(c.addr_bits));
     if (c.is_sheared() && c.dir_bits < c.coord_bits + 2)
-        refuse("primitive_test=sheared needs dir_bits of at least coord_bits + 2, " + std::to_string(c.coord_bits + 2) +
-               " (then no sheared corner is off by more than a lattice step), and dir_bits is " + std::to_string(c.dir_bits));
-    const std::pair<const char*, int> units[] = {
-        {"spheres", c.spheres}, {"planes", c.planes}, {"smooth", c.smooth}, {"refraction", c.refraction}, {"supersampling", c.supersampling}};
+        refuse("primitive_test=sheared needs dir_bits of at least coord_bits + 2, " +
+               std::to_string(c.coord_bits + 2) +
+               " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
+               std::to_string(c.dir_bits));
+    const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
+                                                 {"planes", c.planes},
+                                                 {"smooth", c.smooth},
+                                                 {"refraction", c.refraction},
+                                                 {"supersampling", c.supersampling}};
     for (const auto& [key, is_there] : units)
         if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
-    if (c.shading && c.test() != PrimitiveTest::exact) refuse("shading=1 needs primitive_test=exact: secondary rays are decided exactly");
+    if (c.shading && c.test() != PrimitiveTest::exact)
+        refuse("shading=1 needs primitive_test=exact: secondary rays are decided exactly");
     if (c.shading && (c.ray_dir_bits() > 31 || c.ray_dir_bits() < c.dir_bits))
-        refuse("shadow rays need coord_bits + origin_bits + 1 bits of direction, at least dir_bits and at most 31, and that is " +
-               std::to_string(c.ray_dir_bits()) + ": --set origin_bits=" + std::to_string(std::clamp(30 - c.coord_bits, 2, 12)));
+        refuse(
+            "shadow rays need coord_bits + origin_bits + 1 bits of direction, at least dir_bits and at most "
+            "31, and that is " +
+            std::to_string(c.ray_dir_bits()) +
+            ": --set origin_bits=" + std::to_string(std::clamp(30 - c.coord_bits, 2, 12)));
     if (c.shading && c.origin_bits > c.bary_bits)
-        refuse("a secondary ray's origin is made from u and v: origin_bits must not exceed bary_bits, " + std::to_string(c.bary_bits) + ", and is " +
-               std::to_string(c.origin_bits));
+        refuse("a secondary ray's origin is made from u and v: origin_bits must not exceed bary_bits, " +
+               std::to_string(c.bary_bits) + ", and is " + std::to_string(c.origin_bits));
     if (c.uv_bits() > 32)
-        refuse("planes=1 needs bary_bits + " + std::to_string(plane_bits + 1) + " bits for u and v, at most 32, and bary_bits is " + std::to_string(c.bary_bits));
-    if (c.shading && c.dir_bits + c.t_frac_bits <= c.origin_bits + 1) refuse("shading=1 needs dir_bits + t_frac_bits above origin_bits + 1");
+        refuse("planes=1 needs bary_bits + " + std::to_string(plane_bits + 1) +
+               " bits for u and v, at most 32, and bary_bits is " + std::to_string(c.bary_bits));
+    if (c.shading && c.dir_bits + c.t_frac_bits <= c.origin_bits + 1)
+        refuse("shading=1 needs dir_bits + t_frac_bits above origin_bits + 1");
     if (c.planes && c.dir_bits > c.origin_width())
-        refuse("planes=1 needs dir_bits of at most coord_bits + origin_bits, " + std::to_string(c.origin_width()) + ", and dir_bits is " +
-               std::to_string(c.dir_bits));
+        refuse("planes=1 needs dir_bits of at most coord_bits + origin_bits, " +
+               std::to_string(c.origin_width()) + ", and dir_bits is " + std::to_string(c.dir_bits));
     if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -7,35 +7,38 @@ namespace rayclock {
 /// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
-constexpr int guard_bits = 14;      ///< fraction bits of the camera's pixel steps, dropped by one rounding
-constexpr int most_shift = 15;       ///< bits by which a short camera direction is moved up at most
-constexpr int max_addr_bits = 24;   ///< of Config::addr_bits
-constexpr int max_pixel_bits = 14;  ///< of Config::pixel_bits
-constexpr int exp_bits = 5;         ///< box exponent, and bit length of a direction component
-constexpr int max_prim_bits = 32;   ///< of Config::prim_bits
-constexpr int offset_bits = 6;      ///< child within its block, in steps of 32 bytes
-constexpr int count_bits = 3;       ///< triangles of a leaf, 1..6; 0 for an inner node
-constexpr int line_bits = 512;      ///< a memory line, one node
-constexpr int half_line_bits = 256; ///< one triangle
-constexpr int line_bytes = 64;      ///< what memory gives in one answer
-constexpr int unit_bits = 16;       ///< fraction bits of colours, of weights and of unit vectors' components
-constexpr int share_bits = 12;      ///< fraction bits of a material's colours and of the weights of its local light
-constexpr int corner_bits = 11;     ///< signed components of a corner's normal
-constexpr int shine_frac = 4;       ///< fraction bits of Phong's exponent, which has shine_bits
+constexpr int guard_bits = 14;        ///< fraction bits of the camera's pixel steps, dropped by one rounding
+constexpr int most_shift = 15;        ///< bits by which a short camera direction is moved up at most
+constexpr int max_addr_bits = 24;     ///< of Config::addr_bits
+constexpr int max_pixel_bits = 14;    ///< of Config::pixel_bits
+constexpr int exp_bits = 5;           ///< box exponent, and bit length of a direction component
+constexpr int max_prim_bits = 32;     ///< of Config::prim_bits
+constexpr int offset_bits = 6;        ///< child within its block, in steps of 32 bytes
+constexpr int count_bits = 3;         ///< triangles of a leaf, 1..6; 0 for an inner node
+constexpr int line_bits = 512;        ///< a memory line, one node
+constexpr int half_line_bits = 256;   ///< one triangle
+constexpr int line_bytes = 64;        ///< what memory gives in one answer
+constexpr int unit_bits = 16;   ///< fraction bits of colours, of weights and of unit vectors' components
+constexpr int share_bits =
+    12;   ///< fraction bits of a material's colours and of the weights of its local light
+constexpr int corner_bits = 11;   ///< signed components of a corner's normal
+constexpr int shine_frac = 4;     ///< fraction bits of Phong's exponent, which has shine_bits
 constexpr int shine_bits = 14;
-constexpr int index_frac = 12;      ///< fraction bits of a ratio of refractive indices, which has ratio_bits
+constexpr int index_frac = 12;   ///< fraction bits of a ratio of refractive indices, which has ratio_bits
 constexpr int ratio_bits = 16;
 constexpr int root_bits = 28;       ///< of a square root in the sphere test
 constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fraction
-constexpr int light_reach = 8;      ///< a light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches
-constexpr int plane_bits = 12;      ///< whole bits of a plane's u and v
-constexpr int approach_steps = 12;  ///< in which a ray from far away finds the lattice: model/shade/approach.hpp
-constexpr int max_lights = 64;     ///< of Config::lights
-constexpr int most_fine = 4;        ///< of Surface::fine
-constexpr int sample_bits = 6;      ///< a pixel's sample, 0..63
-constexpr int depth_bits = 4;       ///< bounces of a camera ray, 0..15
-constexpr int unit_stages = 8;      ///< latency of rtl/fixed/rc_unit.sv,
-constexpr int power_stages = 7;     ///< and of rc_power.sv
+constexpr int light_reach =
+    8;   ///< a light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches
+constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
+constexpr int approach_steps =
+    12;                          ///< in which a ray from far away finds the lattice: model/shade/approach.hpp
+constexpr int max_lights = 64;   ///< of Config::lights
+constexpr int most_fine = 4;     ///< of Surface::fine
+constexpr int sample_bits = 6;   ///< a pixel's sample, 0..63
+constexpr int depth_bits = 4;    ///< bounces of a camera ray, 0..15
+constexpr int unit_stages = 8;   ///< latency of rtl/fixed/rc_unit.sv,
+constexpr int power_stages = 7;   ///< and of rc_power.sv
 
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
 /// One C++ binary serves all of them; for the RTL they become the constants of rc_pkg.sv.
@@ -43,14 +46,15 @@ struct Config {
     std::string name = "default";
 
     // Format: widths in bits.
-    int coord_bits = 18;     ///< N: signed lattice coordinate
-    int dir_bits = 20;       ///< M: signed direction component; 2N + M <= 62
-    int t_frac_bits = 4;     ///< F: fraction bits of a distance t (see t_bits())
-    int recip_bits = 16;     ///< R: precision of a reciprocal direction component
-    int box_bits = 8;        ///< bits of a child box plane relative to its node
-    int bary_bits = 16;      ///< fraction bits of the barycentric u and v of a hit
-    int primitive_test = 0;  ///< how a ray meets a triangle, see primitive_test_names()
-    int origin_bits = 12;    ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with `shading` only
+    int coord_bits = 18;      ///< N: signed lattice coordinate
+    int dir_bits = 20;        ///< M: signed direction component; 2N + M <= 62
+    int t_frac_bits = 4;      ///< F: fraction bits of a distance t (see t_bits())
+    int recip_bits = 16;      ///< R: precision of a reciprocal direction component
+    int box_bits = 8;         ///< bits of a child box plane relative to its node
+    int bary_bits = 16;       ///< fraction bits of the barycentric u and v of a hit
+    int primitive_test = 0;   ///< how a ray meets a triangle, see primitive_test_names()
+    int origin_bits =
+        12;   ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with `shading` only
 
     // Shape: counts, depths, latencies.
     int node_width = 8;      ///< W: children of a node, 2, 4 or 8
@@ -61,20 +65,21 @@ struct Config {
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
     int pipelines = 1;       ///< P: pipelines of one machine
-    int tile_bits = 4;       ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by row
-    int node_sets = 64;      ///< node cache of a pipeline: sets,
-    int node_ways = 4;       ///< ways,
-    int node_line = 64;      ///< bytes a line,
-    int node_mshrs = 8;      ///< lines that may be on their way
-    int prim_sets = 64;      ///< primitive cache of a pipeline, the same
+    int tile_bits =
+        4;   ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by row
+    int node_sets = 64;   ///< node cache of a pipeline: sets,
+    int node_ways = 4;    ///< ways,
+    int node_line = 64;   ///< bytes a line,
+    int node_mshrs = 8;   ///< lines that may be on their way
+    int prim_sets = 64;   ///< primitive cache of a pipeline, the same
     int prim_ways = 4;
     int prim_line = 64;
     int prim_mshrs = 8;
-    int l2_sets = 0;         ///< cache that all pipelines share, the same; 0: there is none
+    int l2_sets = 0;   ///< cache that all pipelines share, the same; 0: there is none
     int l2_ways = 4;
     int l2_line = 64;
     int l2_mshrs = 16;
-    int cache_queue = 4;     ///< answers a cache may hold, a power of two
+    int cache_queue = 4;   ///< answers a cache may hold, a power of two
 
     // Shape: units that are there only if a scene needs them; all but the first need `shading`.
     int shading = 0;         ///< 1: the chip makes finished colours, with shadow rays and bounces
@@ -92,51 +97,68 @@ struct Config {
     int surf_mshrs = 8;
 
     // Beside the chip.
-    int dram = 2;            ///< memory, see dram_names()
-    int mem_latency = 8;     ///< cycles from a request to its answer, if the memory is `ideal`
-    int mem_interval = 1;    ///< cycles between two requests, if the memory is `ideal`
+    int dram = 2;           ///< memory, see dram_names()
+    int mem_latency = 8;    ///< cycles from a request to its answer, if the memory is `ideal`
+    int mem_interval = 1;   ///< cycles between two requests, if the memory is `ideal`
 
     // What the widest scene and picture need; checked when a scene is compiled and a frame made.
-    int addr_bits = 24;      ///< memory address in lines of 64 bytes
-    int prim_bits = 32;      ///< primitive number
-    int pixel_bits = 14;     ///< pixel coordinate
+    int addr_bits = 24;    ///< memory address in lines of 64 bytes
+    int prim_bits = 32;    ///< primitive number
+    int pixel_bits = 14;   ///< pixel coordinate
 
     // Derived.
-    int t_bits() const { return coord_bits + 2 + t_frac_bits; }      ///< distance, saturating, all ones: beyond
+    int t_bits() const { return coord_bits + 2 + t_frac_bits; }   ///< distance, saturating, all ones: beyond
     PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
-    int edge_bits() const;                                           ///< signed edge function and determinant of a hit
-    int num_bits() const { return 3 * coord_bits + 2 + is_sheared() + origin_frac(); }   ///< signed numerator of t
-    int tri_ray_bits() const;                                        ///< a ray in list, see TriReq
-    int origin_frac() const { return shading ? origin_bits : 0; }    ///< fraction bits of a ray's origin
-    int origin_width() const { return coord_bits + origin_frac(); }  ///< its bits, signed
-    int point_width() const { return origin_width() + (planes ? light_reach : 0); }   ///< of a point that shade knows
-    int approach_shift() const;                                      ///< the last step is 2^this directions long
-    int ray_dir_bits() const { return shading ? coord_bits + origin_bits + 1 : dir_bits; }   ///< M, or what a shadow ray needs
-    bool has_kinds() const { return spheres || planes; }             ///< of primitives
-    int light_bits() const { return coord_bits + light_reach; }      ///< signed coordinate of a light, in lattice steps
-    int normal_bits() const { return 2 * coord_bits + 3 > ray_dir_bits() || !shading ? 2 * coord_bits + 3 : ray_dir_bits(); }   ///< of a surface's normal, not unit: a triangle's, a sphere's
-    int uv_bits() const { return bary_bits + 1 + (planes ? plane_bits : 0); }   ///< u and v of a hit; signed if there are planes
-    int slope_frac_bits() const { return dir_bits - 2; }             ///< S: of a sheared ray's slopes, which have dir_bits bits
-    int guard_dir_bits() const;                                      ///< camera vectors: direction and guard bits
-    int ray_bits() const;                                            ///< index of a context
-    int group_bits() const;                                          ///< count 0..W
-    int slot_bits() const;                                           ///< index 0..W-1
-    int stack_bits() const;                                          ///< count 0..stack_depth
+    int edge_bits() const;   ///< signed edge function and determinant of a hit
+    int num_bits() const {
+        return 3 * coord_bits + 2 + is_sheared() + origin_frac();
+    }                                                                 ///< signed numerator of t
+    int tri_ray_bits() const;                                         ///< a ray in list, see TriReq
+    int origin_frac() const { return shading ? origin_bits : 0; }     ///< fraction bits of a ray's origin
+    int origin_width() const { return coord_bits + origin_frac(); }   ///< its bits, signed
+    int point_width() const {
+        return origin_width() + (planes ? light_reach : 0);
+    }                             ///< of a point that shade knows
+    int approach_shift() const;   ///< the last step is 2^this directions long
+    int ray_dir_bits() const {
+        return shading ? coord_bits + origin_bits + 1 : dir_bits;
+    }                                                      ///< M, or what a shadow ray needs
+    bool has_kinds() const { return spheres || planes; }   ///< of primitives
+    int light_bits() const {
+        return coord_bits + light_reach;
+    }   ///< signed coordinate of a light, in lattice steps
+    int normal_bits() const {
+        return 2 * coord_bits + 3 > ray_dir_bits() || !shading ? 2 * coord_bits + 3 : ray_dir_bits();
+    }   ///< of a surface's normal, not unit: a triangle's, a sphere's
+    int uv_bits() const {
+        return bary_bits + 1 + (planes ? plane_bits : 0);
+    }   ///< u and v of a hit; signed if there are planes
+    int slope_frac_bits() const {
+        return dir_bits - 2;
+    }                             ///< S: of a sheared ray's slopes, which have dir_bits bits
+    int guard_dir_bits() const;   ///< camera vectors: direction and guard bits
+    int ray_bits() const;         ///< index of a context
+    int group_bits() const;       ///< count 0..W
+    int slot_bits() const;        ///< index 0..W-1
+    int stack_bits() const;       ///< count 0..stack_depth
     int raygen_latency() const;
     int box_latency() const;
     int tri_latency() const;
     int shade_latency() const;
-    int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way, word in it
+    int node_miss_bits()
+        const;   ///< what tells the node cache's requests to memory apart: line on its way, word in it
     int prim_miss_bits() const;
     int surf_miss_bits() const;
     int l2_miss_bits() const;
-    int least_addr_bits() const;  ///< a tag of one bit in every cache
-    int clients() const { return shading ? 4 : 2; }   ///< of memory, in a pipeline: nodes, primitives, surfaces; the last is never there
-    int client_bits() const;      ///< index of a cache among all of the pipelines', clients() p + 0, 1, 2
-    int client_id_bits() const;   ///< a cache's request, told apart from all other caches'
-    int tile_coord_bits() const;  ///< a tile's coordinate, in tiles
-    int mem_id_bits() const;      ///< a request at the memory port
+    int least_addr_bits() const;   ///< a tag of one bit in every cache
+    int clients() const {
+        return shading ? 4 : 2;
+    }   ///< of memory, in a pipeline: nodes, primitives, surfaces; the last is never there
+    int client_bits() const;       ///< index of a cache among all of the pipelines', clients() p + 0, 1, 2
+    int client_id_bits() const;    ///< a cache's request, told apart from all other caches'
+    int tile_coord_bits() const;   ///< a tile's coordinate, in tiles
+    int mem_id_bits() const;       ///< a request at the memory port
 };
 
 /// One parameter as files, `--set` and reports know it.
@@ -167,7 +189,8 @@ const std::vector<std::string>& config_names();
 Config named_config(const std::string& name);
 
 /// Applies one `key=value`; throws UserError naming an unknown key (with the nearest) or a bad value.
-void set_parameter(Config& config, const std::string& key, const std::string& value, const std::string& where);
+void set_parameter(Config& config, const std::string& key, const std::string& value,
+                   const std::string& where);
 
 /// Throws UserError unless every parameter and every combination is legal.
 void check_config(const Config& config, const std::string& where);
@@ -179,4 +202,4 @@ constexpr int index_bits(int n) {
     return bits > 0 ? bits : 1;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

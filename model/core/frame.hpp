@@ -10,29 +10,32 @@ namespace rayclock {
 using Vec3i = std::array<std::int32_t, 3>;
 using Vec3l = std::array<std::int64_t, 3>;
 
-/// Where a ray comes from: a camera ray from the eye, a bounce (reflected or refracted) from a point of a surface, a shadow
-/// ray from the light to such a point, which it would reach at t = 2^-B (docs/origins.md). A light beyond the lattice is asked
-/// for by a ray away from that point and without end: a bounce but that, as for a shadow ray, any hit will do.
+/// Where a ray comes from: a camera ray from the eye, a bounce (reflected or refracted) from a point of a
+/// surface, a shadow ray from the light to such a point, which it would reach at t = 2^-B (docs/origins.md).
+/// A light beyond the lattice is asked for by a ray away from that point and without end: a bounce but that,
+/// as for a shadow ray, any hit will do.
 enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
 constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(RayKind::shadow); }
 
 /// Registers that the host sets for a frame, if the chip shades.
 struct ShadeFrame {
-    std::uint32_t surfaces = 0;         ///< line of primitive 0's surface
-    std::uint32_t depth = 0;            ///< most bounces
-    std::uint32_t threshold = 0;        ///< least weight of a ray, rounded down to unit_bits + 1 bits of fraction; see weighs_enough()
-    std::uint32_t side = 1;             ///< a pixel has side * side samples
-    std::uint32_t stride = 1;           ///< from sample to sample through the cells
+    std::uint32_t surfaces = 0;   ///< line of primitive 0's surface
+    std::uint32_t depth = 0;      ///< most bounces
+    std::uint32_t threshold =
+        0;   ///< least weight of a ray, rounded down to unit_bits + 1 bits of fraction; see weighs_enough()
+    std::uint32_t side = 1;     ///< a pixel has side * side samples
+    std::uint32_t stride = 1;   ///< from sample to sample through the cells
     std::uint32_t jitter = 0;
-    std::uint32_t contrast = 0;         ///< unit_bits of fraction; 0: all samples
-    std::uint32_t share = 0, first_share = 0;   ///< round(2^unit_bits / samples): of all of them; of the first
+    std::uint32_t contrast = 0;   ///< unit_bits of fraction; 0: all samples
+    std::uint32_t share = 0,
+                  first_share = 0;   ///< round(2^unit_bits / samples): of all of them; of the first
     std::uint32_t seed = 0;
-    std::array<std::uint32_t, 3> background{};          ///< unit_bits of fraction
+    std::array<std::uint32_t, 3> background{};   ///< unit_bits of fraction
     std::uint32_t lights = 0;
-    std::array<std::uint32_t, max_lights> near{};      ///< the light lies within the lattice
-    std::array<std::uint32_t, max_lights> clear{};     ///< no plane stands between it and the eye
-    std::array<std::int32_t, 3 * max_lights> place{};  ///< [3 * light + axis], lattice points
-    std::array<std::uint32_t, 3 * max_lights> colour{};///< share_bits of fraction
+    std::array<std::uint32_t, max_lights> near{};         ///< the light lies within the lattice
+    std::array<std::uint32_t, max_lights> clear{};        ///< no plane stands between it and the eye
+    std::array<std::int32_t, 3 * max_lights> place{};     ///< [3 * light + axis], lattice points
+    std::array<std::uint32_t, 3 * max_lights> colour{};   ///< share_bits of fraction
     template <class V> void fields(V& v, const Config& c) {
         v("surfaces", surfaces, c.addr_bits);
         v("depth", depth, depth_bits);
@@ -53,23 +56,26 @@ struct ShadeFrame {
     }
 };
 
-/// Registers that the host sets for a frame. They give a camera ray its direction d, in three steps, of which only the last rounds.
+/// Registers that the host sets for a frame. They give a camera ray its direction d, in three steps, of which
+/// only the last rounds.
 ///
-/// Its point (px, py) is the pixel's number with f fraction bits: f = 0 and px = x, py = y; if the chip has supersampling, f = 8
-/// and px = 256 x + offset (sample_offset()). With g = guard_bits + f and M dir_bits:
-///   V_k = 2^f corner_k + px right_k + py down_k, on every axis k; the host sees to it that -2^(M-1+g) <= V_k < 2^(M-1+g)
-///   s   = the largest of 0..most_shift for which -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes
-///   d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1): to nearest, halves up, but never 2^(M-1), which M bits cannot hold
+/// Its point (px, py) is the pixel's number with f fraction bits: f = 0 and px = x, py = y; if the chip has
+/// supersampling, f = 8 and px = 256 x + offset (sample_offset()). With g = guard_bits + f and M dir_bits:
+///   V_k = 2^f corner_k + px right_k + py down_k, on every axis k; the host sees to it that -2^(M-1+g) <= V_k
+///   < 2^(M-1+g) s   = the largest of 0..most_shift for which -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three
+///   axes d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1): to nearest, halves up, but never 2^(M-1),
+///   which M bits cannot hold
 ///
-/// So every ray has all the bits that M allows, and an integer direction: d is only longer by a power of two than it would be
-/// without s. The host also sees to it that max |V_k| >= 2^(M-2+g-most_shift) at every point, and then max |d_k| >= 2^(M-2).
-/// Hence t of a hit inside the lattice never saturates: on the axis of the largest component the ray goes on by
-/// |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F) (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of what t holds.
+/// So every ray has all the bits that M allows, and an integer direction: d is only longer by a power of two
+/// than it would be without s. The host also sees to it that max |V_k| >= 2^(M-2+g-most_shift) at every
+/// point, and then max |d_k| >= 2^(M-2). Hence t of a hit inside the lattice never saturates: on the axis of
+/// the largest component the ray goes on by |d_k| num / den <= 2^N - 1 lattice steps, so t <= ceil(2^(M-1+F)
+/// (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of what t holds.
 struct Frame {
     std::uint32_t width = 0, height = 0;
-    std::uint32_t root = 0;          ///< line of the root node
-    Vec3i eye{};                     ///< lattice point
-    Vec3l corner{}, right{}, down{}; ///< M + guard_bits bits, signed
+    std::uint32_t root = 0;            ///< line of the root node
+    Vec3i eye{};                       ///< lattice point
+    Vec3l corner{}, right{}, down{};   ///< M + guard_bits bits, signed
     ShadeFrame shade;
     template <class V> void fields(V& v, const Config& c) {
         v("width", width, c.pixel_bits + 1);
@@ -83,4 +89,4 @@ struct Frame {
     }
 };
 
-} // namespace rayclock
+}   // namespace rayclock

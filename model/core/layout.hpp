@@ -1,10 +1,10 @@
 #pragma once
 // Packing of payloads, from the one description each payload gives of itself.
 //
-// A payload has `template <class V> void fields(V& v, const Config& c)` that names every member with its width:
-// v("t_near", t_near, c.t_bits()). The first field is the most significant; element 0 of an array lies at the
-// bottom of its field, so that SystemVerilog's x[i*Width +: Width] is element i. Words are in Verilator's order:
-// bits 31..0 in word 0. The generated SystemVerilog structs come from the same calls.
+// A payload has `template <class V> void fields(V& v, const Config& c)` that names every member with its
+// width: v("t_near", t_near, c.t_bits()). The first field is the most significant; element 0 of an array lies
+// at the bottom of its field, so that SystemVerilog's x[i*Width +: Width] is element i. Words are in
+// Verilator's order: bits 31..0 in word 0. The generated SystemVerilog structs come from the same calls.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -18,15 +18,22 @@ namespace rayclock {
 
 using Words = std::vector<std::uint32_t>;
 
-template <class T> struct ArrayTraits { using Element = T; static constexpr int size = 1; };
-template <class T, std::size_t n> struct ArrayTraits<std::array<T, n>> { using Element = T; static constexpr int size = int(n); };
+template <class T> struct ArrayTraits {
+    using Element = T;
+    static constexpr int size = 1;
+};
+template <class T, std::size_t n> struct ArrayTraits<std::array<T, n>> {
+    using Element = T;
+    static constexpr int size = int(n);
+};
 
 /// Number of bits of a payload.
 class WidthVisitor {
 public:
     int bits = 0;
     template <class T> void operator()(const char*, const T&, int width) { bits += width; }
-    template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>&, int width, int count) {
+    template <class T, std::size_t n>
+    void operator()(const char*, const std::array<T, n>&, int width, int count) {
         assert(count <= int(n));
         (void)n;
         bits += width * count;
@@ -45,7 +52,8 @@ public:
             put(std::uint64_t(value), width);
         }
     }
-    template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>& value, int width, int count) {
+    template <class T, std::size_t n>
+    void operator()(const char*, const std::array<T, n>& value, int width, int count) {
         for (int i = count; i-- > 0;) put(std::uint64_t(value[std::size_t(i)]), width);
     }
 
@@ -69,12 +77,14 @@ public:
     template <class T> void operator()(const char*, T& value, int width) {
         if constexpr (sizeof(T) > 8) {
             const T high = width > 64 ? T(get<std::int64_t>(width - 64)) : 0;
-            value = width > 64 ? high * (T(1) << 64) + T(get<std::uint64_t>(64)) : T(get<std::int64_t>(width));
+            value =
+                width > 64 ? high * (T(1) << 64) + T(get<std::uint64_t>(64)) : T(get<std::int64_t>(width));
         } else {
             value = get<T>(width);
         }
     }
-    template <class T, std::size_t n> void operator()(const char*, std::array<T, n>& value, int width, int count) {
+    template <class T, std::size_t n>
+    void operator()(const char*, std::array<T, n>& value, int width, int count) {
         for (int i = count; i-- > 0;) value[std::size_t(i)] = get<T>(width);
     }
 
@@ -86,8 +96,10 @@ private:
         std::uint64_t value = words_[word] >> shift;
         for (int done = 32 - shift; done < width; done += 32) value |= std::uint64_t(words_[++word]) << done;
         value <<= 64 - width;
-        if constexpr (std::is_signed_v<T>) return T(std::int64_t(value) >> (64 - width));
-        else return T(value >> (64 - width));
+        if constexpr (std::is_signed_v<T>)
+            return T(std::int64_t(value) >> (64 - width));
+        else
+            return T(value >> (64 - width));
     }
     const std::uint32_t* words_;
     int at_;
@@ -117,4 +129,4 @@ template <class P> P unpack(const std::uint32_t* words, const Config& config) {
     return payload;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -25,8 +25,9 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// "; did you mean 'x'?" for the nearest known word, or nothing if none is near. Nobody mistypes a word of more than 40 letters
-/// for another, and comparing those would take a time that grows with the square of their length.
+/// "; did you mean 'x'?" for the nearest known word, or nothing if none is near. Nobody mistypes a word of
+/// more than 40 letters for another, and comparing those would take a time that grows with the square of
+/// their length.
 template <class Words> std::string did_you_mean(std::string_view word, const Words& known) {
     constexpr std::size_t longest = 40;
     if (word.size() > longest) return {};
@@ -42,4 +43,4 @@ template <class Words> std::string did_you_mean(std::string_view word, const Wor
     return best.empty() ? std::string{} : "; did you mean " + shown(best) + "?";
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -2,7 +2,8 @@
 // Every payload of the machine, described once: C++ members, widths, and through them rc_pkg.sv.
 //
 // Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp).
-// A distance t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point - o) / d.
+// A distance t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point
+// - o) / d.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -35,15 +36,16 @@ struct Slot {
     }
 };
 
-/// shade -> raygen: the next ray of a context. A camera ray is made from its pixel and sample, and has neither o nor d.
+/// shade -> raygen: the next ray of a context. A camera ray is made from its pixel and sample, and has
+/// neither o nor d.
 struct Spawn {
     std::uint32_t ray = 0;
-    std::uint32_t kind = 0;                 ///< RayKind
+    std::uint32_t kind = 0;   ///< RayKind
     std::uint32_t x = 0, y = 0, sample = 0;
-    std::uint32_t finite = 0;               ///< as in Ray
-    std::uint32_t self = 0, inside = 0;     ///< as in Ray
-    Vec3i o{};                              ///< N + B bits, B of them fraction
-    Vec3i d{};                              ///< N + B + 1 bits
+    std::uint32_t finite = 0;             ///< as in Ray
+    std::uint32_t self = 0, inside = 0;   ///< as in Ray
+    Vec3i o{};                            ///< N + B bits, B of them fraction
+    Vec3i d{};                            ///< N + B + 1 bits
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("kind", kind, 2);
@@ -60,10 +62,10 @@ struct Spawn {
 
 /// A direction as the sheared test uses it (model/isect/sheared.hpp). In no payload of the other tests.
 struct Shear {
-    std::uint32_t axis = 0;             ///< z: of the largest |d|
-    std::uint32_t neg = 0;              ///< d_z < 0
-    std::uint32_t size = 0;             ///< |d_z|, M bits: 2^(M-1) is possible
-    std::array<std::int32_t, 2> slope{};///< d_x / d_z, d_y / d_z, with M - 2 fraction bits
+    std::uint32_t axis = 0;                ///< z: of the largest |d|
+    std::uint32_t neg = 0;                 ///< d_z < 0
+    std::uint32_t size = 0;                ///< |d_z|, M bits: 2^(M-1) is possible
+    std::array<std::int32_t, 2> slope{};   ///< d_x / d_z, d_y / d_z, with M - 2 fraction bits
     template <class V> void fields(V& v, const Config& c) {
         v("axis", axis, 2);
         v("neg", neg, 1);
@@ -73,9 +75,10 @@ struct Shear {
 };
 
 /// raygen -> trav, list: a ray with its reciprocal direction.
-/// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0, recip 1.
-/// If the chip shades, o has B fraction bits, all zero but for a bounce; d has ray_dir_bits, which only a shadow ray fills, and
-/// len counts as if those of the others were as long: it is ray_dir_bits - M more than |d|'s bit length (but 0 for d = 0).
+/// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0,
+/// recip 1. If the chip shades, o has B fraction bits, all zero but for a bounce; d has ray_dir_bits, which
+/// only a shadow ray fills, and len counts as if those of the others were as long: it is ray_dir_bits - M
+/// more than |d|'s bit length (but 0 for d = 0).
 struct Ray {
     std::uint32_t ray = 0;
     Vec3i o{};                              ///< origin, lattice point, N bits
@@ -84,8 +87,9 @@ struct Ray {
     std::array<std::uint32_t, 3> len{};     ///< 0..M
     Shear shear;                            ///< for the sheared test
     std::uint32_t kind = 0;                 ///< RayKind
-    std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at; whether on a sphere's inside
-    std::uint32_t finite = 0;               ///< of a ray to or from a light: asks only what has an end, and no plane
+    std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at;
+                                            ///< whether on a sphere's inside
+    std::uint32_t finite = 0;   ///< of a ray to or from a light: asks only what has an end, and no plane
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
@@ -100,9 +104,10 @@ struct Ray {
     }
 };
 
-/// A node as it lies in a memory line of 64 bytes (right-aligned): child boxes quantised relative to `org`, plane
-/// k is org + (k << exp). kind: 0 empty, 1 inner node, 1 + n a leaf of n triangles. Inner children come first.
-/// Block of children at line `base`: one line per inner child in slot order, then the leaves' triangles, 32 bytes each.
+/// A node as it lies in a memory line of 64 bytes (right-aligned): child boxes quantised relative to `org`,
+/// plane k is org + (k << exp). kind: 0 empty, 1 inner node, 1 + n a leaf of n triangles. Inner children come
+/// first. Block of children at line `base`: one line per inner child in slot order, then the leaves'
+/// triangles, 32 bytes each.
 struct Node {
     Vec3i org{};
     std::array<std::uint32_t, 3> exp{};
@@ -121,9 +126,10 @@ struct Node {
 
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
-/// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b, c on the lattice.
-/// Plane: the same without edges; b - a and c - a are sides of its checkers' squares, halved or doubled: model/accel/plane.hpp. Sphere: a is its centre, b[0] and
-/// b[1] the lower and the upper N bits of the square of its radius in lattice steps (radius_squared()).
+/// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,
+/// c on the lattice. Plane: the same without edges; b - a and c - a are sides of its checkers' squares,
+/// halved or doubled: model/accel/plane.hpp. Sphere: a is its centre, b[0] and b[1] the lower and the upper N
+/// bits of the square of its radius in lattice steps (radius_squared()).
 struct PrimData {
     Vec3i a{}, b{}, c{};
     std::uint32_t prim = 0;
@@ -145,19 +151,21 @@ inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
 /// What shade must know about a primitive: a line of memory (right-aligned), line Frame::surfaces + number.
 struct Surface {
     std::uint32_t kind = 0, smooth = 0, checkered = 0, schlick = 0;
-    /// Of a triangle: all components of its edges are multiples of 2^fine, so that points of B fraction bits lie 2^-(B + fine) of
-    /// an edge apart on it.
+    /// Of a triangle: all components of its edges are multiples of 2^fine, so that points of B fraction bits
+    /// lie 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
-    Vec3i a{}, b{}, c{};                          ///< as in PrimData
-    std::array<std::int32_t, 9> normal{};         ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth.
-    /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells whether a square is the second
-    /// of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0.
-    std::array<std::uint32_t, 3> colour{}, other{};   ///< share_bits of fraction
+    Vec3i a{}, b{}, c{};   ///< as in PrimData
+    std::array<std::int32_t, 9>
+        normal{};   ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth.
+    /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells
+    /// whether a square is the second of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0.
+    std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits of fraction
     std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits of fraction
-    std::uint32_t mirror = 0, transmit = 0;       ///< unit_bits of fraction; 0 only if the material's is 0
-    std::uint32_t r0 = 0;                         ///< Schlick's reflectance at normal incidence, unit_bits of fraction
-    std::uint32_t shine = 0;                      ///< Phong's exponent, shine_frac of fraction
-    std::uint32_t enter = 0, leave = 0;           ///< ratio of refractive indices outside / inside, inside / outside; index_frac
+    std::uint32_t mirror = 0, transmit = 0;   ///< unit_bits of fraction; 0 only if the material's is 0
+    std::uint32_t r0 = 0;      ///< Schlick's reflectance at normal incidence, unit_bits of fraction
+    std::uint32_t shine = 0;   ///< Phong's exponent, shine_frac of fraction
+    std::uint32_t enter = 0,
+                  leave = 0;   ///< ratio of refractive indices outside / inside, inside / outside; index_frac
     template <class V> void fields(V& v, const Config& c_) {
         v("kind", kind, 2);
         v("smooth", smooth, 1);
@@ -243,7 +251,8 @@ struct SurfRsp {
 /// What memory gives in one answer: 64 bytes.
 using Line = std::array<std::uint32_t, 16>;
 
-/// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see model/mem/cache.hpp.
+/// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see
+/// model/mem/cache.hpp.
 template <int (Config::*id_bits)() const> struct LineReq {
     std::uint32_t id = 0, addr = 0;
     template <class V> void fields(V& v, const Config& c) {
@@ -268,13 +277,13 @@ using SurfMiss = LineReq<&Config::surf_miss_bits>;
 using SurfFill = LineRsp<&Config::surf_miss_bits>;
 using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
 using L2Rsp = LineRsp<&Config::client_id_bits>;
-using MemReq = LineReq<&Config::mem_id_bits>;     ///< chip -> DRAM
+using MemReq = LineReq<&Config::mem_id_bits>;   ///< chip -> DRAM
 using MemRsp = LineRsp<&Config::mem_id_bits>;
 
 /// trav -> box: the ray and the node that came from memory.
 struct BoxReq {
     std::uint32_t ray = 0;
-    Vec3i o{};           ///< with B fraction bits if the chip shades
+    Vec3i o{};   ///< with B fraction bits if the chip shades
     std::array<std::uint32_t, 3> neg{}, recip{}, len{};
     Node node;
     template <class V> void fields(V& v, const Config& c) {
@@ -287,14 +296,14 @@ struct BoxReq {
     }
 };
 
-/// box -> list: the children that the ray's line meets in front of its origin. Inner children first, then leaves, each
-/// sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner children.
+/// box -> list: the children that the ray's line meets in front of its origin. Inner children first, then
+/// leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner children.
 struct BoxRsp {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;
-    std::uint32_t inner = 0, leaves = 0;                 ///< how many of each
-    std::array<std::uint32_t, max_width> t_near{};       ///< rounded down
-    std::array<std::uint32_t, max_width> offset{};       ///< from base, in half lines
+    std::uint32_t inner = 0, leaves = 0;             ///< how many of each
+    std::array<std::uint32_t, max_width> t_near{};   ///< rounded down
+    std::array<std::uint32_t, max_width> offset{};   ///< from base, in half lines
     std::array<std::uint32_t, max_width> count{};
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -309,8 +318,8 @@ struct BoxRsp {
 
 __extension__ using Wide = __int128;
 
-/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|). Of a sphere, t rounded up is num and
-/// 2^(M-1+F) det.
+/// The closest hit so far, as tri compares it: t = num / det exactly (sheared: t |d_z|). Of a sphere, t
+/// rounded up is num and 2^(M-1+F) det.
 struct Best {
     std::uint32_t found = 0;
     Wide num = 0, det = 0;
@@ -323,13 +332,14 @@ struct Best {
     }
 };
 
-/// list -> tri: ray, triangle and the hit to beat. What tri needs of a ray, tri_ray_bits, follows the number as it does in Ray.
+/// list -> tri: ray, triangle and the hit to beat. What tri needs of a ray, tri_ray_bits, follows the number
+/// as it does in Ray.
 struct TriReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};
     PrimData triangle;
     Best best;
-    Shear shear{};   ///< takes the place of d for the sheared test
+    Shear shear{};                                              ///< takes the place of d for the sheared test
     std::uint32_t kind = 0, self = 0, inside = 0, finite = 0;   ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -345,17 +355,19 @@ struct TriReq {
     }
 };
 
-/// tri -> list: whether this primitive is the closest so far, and if so where. All zero otherwise. Of a shadow ray `closer` says
-/// that the way is blocked, and the rest is zero.
+/// tri -> list: whether this primitive is the closest so far, and if so where. All zero otherwise. Of a
+/// shadow ray `closer` says that the way is blocked, and the rest is zero.
 struct TriRsp {
     std::uint32_t ray = 0;
     std::uint32_t closer = 0;
-    Wide num = 0, det = 0;    ///< as in Best; det > 0
+    Wide num = 0, det = 0;   ///< as in Best; det > 0
     std::uint32_t prim = 0;
-    std::uint32_t t = 0;             ///< ceil(2^(M-1+F) t), saturated
-    std::uint32_t u = 0, v = 0;      ///< floor(2^bary_bits u / det), weight of b and of c; 2^bary_bits is possible. Of a plane two's
-                                     ///< complement of uv_bits, saturated; of a sphere 0
-    std::uint32_t back = 0;   ///< if the chip shades: seen from the side to which (b - a) x (c - a) does not point, or from inside
+    std::uint32_t t = 0;   ///< ceil(2^(M-1+F) t), saturated
+    std::uint32_t u = 0,
+                  v = 0;   ///< floor(2^bary_bits u / det), weight of b and of c; 2^bary_bits is possible. Of
+                           ///< a plane two's complement of uv_bits, saturated; of a sphere 0
+    std::uint32_t back = 0;   ///< if the chip shades: seen from the side to which (b - a) x (c - a) does not
+                              ///< point, or from inside
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("closer", closer, 1);
@@ -376,7 +388,7 @@ struct Step {
     std::uint32_t base = 0;
     std::uint32_t inner = 0;
     std::array<std::uint32_t, max_width> t_near{};
-    std::array<std::uint32_t, max_width> slot{};     ///< line from base
+    std::array<std::uint32_t, max_width> slot{};   ///< line from base
     std::uint32_t stop = 0;   ///< if the chip shades: a shadow ray is blocked, nothing else matters
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
@@ -395,12 +407,13 @@ struct Done {
     template <class V> void fields(V& v, const Config& c) { v("ray", ray, c.ray_bits()); }
 };
 
-/// list -> sched, or shade: the closest hit of a finished ray; for a shadow ray whether it was blocked, and zeros.
+/// list -> sched, or shade: the closest hit of a finished ray; for a shadow ray whether it was blocked, and
+/// zeros.
 struct Closest {
     std::uint32_t ray = 0;
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
-    std::uint32_t back = 0;   ///< if the chip shades, as in TriRsp
+    std::uint32_t back = 0;                        ///< if the chip shades, as in TriRsp
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
         v_("found", found, 1);
@@ -435,4 +448,4 @@ struct HitOut {
     }
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -9,4 +9,4 @@ namespace rayclock {
 /// at a time, possibly often; whoever draws it decides how often to draw.
 using Progress = std::function<void(std::string_view what, std::uint64_t done, std::uint64_t total)>;
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -11,7 +11,10 @@ std::size_t letter(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
     if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-    const std::size_t size = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+    const std::size_t size = first >= 0xc2 && first < 0xe0   ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
     if (size == 0 || text.size() < size) return 0;
     unsigned code = first & (0xffu >> (size + 1));
     for (std::size_t i = 1; i < size; ++i) {
@@ -19,8 +22,9 @@ std::size_t letter(std::string_view text) {
         code = code << 6 | (byte(i) & 0x3f);
     }
     const bool is_overlong = code < (size == 2 ? 0x80u : size == 3 ? 0x800u : 0x10000u);
-    const bool is_control = code < 0xa0 || (code >= 0x200e && code <= 0x200f) || (code >= 0x2028 && code <= 0x202e) ||
-                            (code >= 0x2066 && code <= 0x2069) || (code >= 0xd800 && code < 0xe000) || code == 0xfeff;
+    const bool is_control = code < 0xa0 || (code >= 0x200e && code <= 0x200f) ||
+                            (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) ||
+                            (code >= 0xd800 && code < 0xe000) || code == 0xfeff;
     return is_overlong || is_control || code > 0x10ffff ? 0 : size;
 }
 
@@ -48,7 +52,7 @@ std::size_t boundary(std::string_view text, std::size_t at) {
     return start;
 }
 
-} // namespace
+}   // namespace
 
 std::string printable(std::string_view text, std::size_t most) {
     std::string out;
@@ -66,15 +70,18 @@ std::string printable(std::string_view text, std::size_t most) {
         out.resize(before);
         break;
     }
-    // The end is known only when its letters are: from the first of them after which there is no more than it may have.
+    // The end is known only when its letters are: from the first of them after which there is no more than it
+    // may have.
     std::string end;
     std::vector<std::size_t> starts;
-    for (std::string_view rest = text.substr(boundary(text, text.size() - std::min(last, text.size()))); !rest.empty();) {
+    for (std::string_view rest = text.substr(boundary(text, text.size() - std::min(last, text.size())));
+         !rest.empty();) {
         starts.push_back(end.size());
         rest.remove_prefix(escape_first(end, rest));
     }
     starts.push_back(end.size());
-    const auto start = std::find_if(starts.begin(), starts.end(), [&](std::size_t at) { return end.size() - at <= last; });
+    const auto start =
+        std::find_if(starts.begin(), starts.end(), [&](std::size_t at) { return end.size() - at <= last; });
     return (out += gap) += end.substr(*start);
 }
 
@@ -85,4 +92,4 @@ std::string shown(std::string_view word) {
     return text + (word.size() > longest ? "...'" : "'");
 }
 
-} // namespace rayclock
+}   // namespace rayclock

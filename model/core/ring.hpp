@@ -10,12 +10,13 @@
 
 namespace rayclock {
 
-/// First-in first-out queue of fixed capacity; storage is a power of two and never moves. `most`, if given, is the largest
-/// capacity: the storage then lies in the queue itself, which is faster.
-/// What goes in during a cycle is seen in the next: callers take before they put. Mirror of rtl/prim/rc_fifo.sv.
+/// First-in first-out queue of fixed capacity; storage is a power of two and never moves. `most`, if given,
+/// is the largest capacity: the storage then lies in the queue itself, which is faster. What goes in during a
+/// cycle is seen in the next: callers take before they put. Mirror of rtl/prim/rc_fifo.sv.
 template <class Item, std::size_t most = 0> class Ring {
 public:
-    explicit Ring(int capacity) : mask_((std::uint32_t(1) << index_bits(capacity)) - 1), capacity_(std::uint32_t(capacity)) {
+    explicit Ring(int capacity)
+        : mask_((std::uint32_t(1) << index_bits(capacity)) - 1), capacity_(std::uint32_t(capacity)) {
         if constexpr (most == 0) items_.resize(std::size_t(mask_) + 1);
         assert(mask_ < items_.size());
     }
@@ -23,8 +24,14 @@ public:
     bool full() const { return size() == capacity_; }
     std::uint32_t size() const { return tail_ - head_; }
     const Item& front() const { return items_[head_ & mask_]; }
-    void pop() { assert(!empty()); ++head_; }
-    Item& push() { assert(!full()); return items_[tail_++ & mask_]; }
+    void pop() {
+        assert(!empty());
+        ++head_;
+    }
+    Item& push() {
+        assert(!full());
+        return items_[tail_++ & mask_];
+    }
     void push(const Item& item) { push() = item; }
     bool contains(const Item& item) const {
         for (std::uint32_t i = head_; i != tail_; ++i)
@@ -59,8 +66,8 @@ private:
     bool held_ = false, held_second_ = false;
 };
 
-/// A stall-free pipeline behind a door: a request admitted in cycle c answers from cycle c + latency + 1 on, in order;
-/// `depth` credits bound the answers in flight. Mirror of rc_door + stages + rc_fifo.
+/// A stall-free pipeline behind a door: a request admitted in cycle c answers from cycle c + latency + 1 on,
+/// in order; `depth` credits bound the answers in flight. Mirror of rc_door + stages + rc_fifo.
 template <class Item, std::size_t most = most_answers> class Pipe {
 public:
     Pipe(int latency, int depth) : latency_(std::uint64_t(latency) + 1), entries_(depth) {}
@@ -96,4 +103,4 @@ private:
     Ring<Entry, most> entries_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -19,4 +19,4 @@ private:
     std::uint64_t state_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -15,7 +15,8 @@ namespace {
 Wide dot(const Vec3l& a, const Vec3l& b) { return Wide(a[0]) * b[0] + Wide(a[1]) * b[1] + Wide(a[2]) * b[2]; }
 Vec3l negative(const Vec3l& a) { return {-a[0], -a[1], -a[2]}; }
 
-/// o - 2^drop a in units of 2^-drop for an origin with `frac` bits of fraction, of which `frac - drop` are zero.
+/// o - 2^drop a in units of 2^-drop for an origin with `frac` bits of fraction, of which `frac - drop` are
+/// zero.
 Vec3l offset(const Vec3i& o, const Vec3i& a, int frac, int drop) {
     Vec3l s;
     for (std::size_t k = 0; k < 3; ++k) s[k] = (o[k] >> (frac - drop)) - a[k] * (std::int64_t(1) << drop);
@@ -24,7 +25,10 @@ Vec3l offset(const Vec3i& o, const Vec3i& a, int frac, int drop) {
 
 /// The edge function is positive, a zero being decided as in tri_test; `flip` turns all signs.
 bool inside(Wide edge, const Vec3l& gradient, bool flip) {
-    const Wide decides = edge != 0 ? edge : gradient[0] != 0 ? gradient[0] : gradient[1] != 0 ? gradient[1] : gradient[2];
+    const Wide decides = edge != 0          ? edge
+                         : gradient[0] != 0 ? gradient[0]
+                         : gradient[1] != 0 ? gradient[1]
+                                            : gradient[2];
     return flip ? decides < 0 : decides > 0;
 }
 
@@ -33,13 +37,14 @@ struct Product {
     WideNatural high;
     std::uint64_t low;
     Product(Wide one, Wide other) {
-        assert(one >= 0 && other >= 0 && one >> 96 == 0 && other >> 96 == 0 && "parts of a hit are positive and below 2^96");
+        assert(one >= 0 && other >= 0 && one >> 96 == 0 && other >> 96 == 0 &&
+               "parts of a hit are positive and below 2^96");
         const auto low_of = [](Wide x) { return std::uint64_t(x); };
         const auto high_of = [](Wide x) { return std::uint64_t(x >> 64); };
         const WideNatural bottom = WideNatural(low_of(one)) * low_of(other);
         low = std::uint64_t(bottom);
-        high = (bottom >> 64) + WideNatural(low_of(one)) * high_of(other) + WideNatural(high_of(one)) * low_of(other) +
-               (WideNatural(high_of(one)) * high_of(other) << 64);
+        high = (bottom >> 64) + WideNatural(low_of(one)) * high_of(other) +
+               WideNatural(high_of(one)) * low_of(other) + (WideNatural(high_of(one)) * high_of(other) << 64);
     }
     bool operator<(const Product& p) const { return high != p.high ? high < p.high : low < p.low; }
 };
@@ -52,16 +57,20 @@ bool goes_before(Wide num, Wide det, std::uint32_t prim, const Best& best) {
     return !(theirs < mine) && prim <= best.prim;
 }
 
-/// min(ceil(num 2^shift / det), largest distance), for num, det > 0 and num 2^shift < 2^127; shift may be negative.
+/// min(ceil(num 2^shift / det), largest distance), for num, det > 0 and num 2^shift < 2^127; shift may be
+/// negative.
 std::uint32_t distance_of(Wide num, int shift, Wide det, const Config& config) {
-    if (shift < 0) det <<= -shift;
-    else num <<= shift;
+    if (shift < 0)
+        det <<= -shift;
+    else
+        num <<= shift;
     const Wide beyond = (Wide(1) << config.t_bits()) - 1;
     if (num > beyond * det) return std::uint32_t(beyond);
     return std::uint32_t((num + det - 1) / det);
 }
 
-/// floor(2^bary_bits edge / det) of 0 <= edge <= det; of a plane any edge, saturated to uv_bits in two's complement.
+/// floor(2^bary_bits edge / det) of 0 <= edge <= det; of a plane any edge, saturated to uv_bits in two's
+/// complement.
 std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
     const Wide most = (Wide(1) << (config.uv_bits() - 1)) - 1, unit = Wide(1) << config.bary_bits;
     const Wide scaled = edge * unit;
@@ -72,7 +81,9 @@ std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
 }
 
 /// Bounces, and rays away to a light: their origin has B fraction bits.
-bool leaves_surface(const Ray& ray) { return RayKind(ray.kind) == RayKind::bounce || RayKind(ray.kind) == RayKind::away; }
+bool leaves_surface(const Ray& ray) {
+    return RayKind(ray.kind) == RayKind::bounce || RayKind(ray.kind) == RayKind::away;
+}
 
 /// Triangles and planes, whatever the ray.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
@@ -80,19 +91,22 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
     const int frac = config.origin_frac(), scale = leaves_surface(ray) ? frac : 0;
     const Vec3l d{ray.d[0], ray.d[1], ray.d[2]};
-    const Vec3l e1 = minus(prim.b, prim.a), e2 = minus(prim.c, prim.a), s = offset(ray.o, prim.a, frac, scale);
+    const Vec3l e1 = minus(prim.b, prim.a), e2 = minus(prim.c, prim.a),
+                s = offset(ray.o, prim.a, frac, scale);
     const Vec3l p1 = cross(d, e1), p2 = cross(d, e2);
     const Wide det = dot(p2, e1);
     if (det == 0) return;
     const bool flip = det < 0;
     const Wide u = dot(p2, s), v = -dot(p1, s), w = det * (Wide(1) << scale) - u - v;
     if (PrimKind(prim.kind) == PrimKind::triangle &&
-        (!inside(u, p2, flip) || !inside(v, negative(p1), flip) || !inside(w, {p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]}, flip)))
+        (!inside(u, p2, flip) || !inside(v, negative(p1), flip) ||
+         !inside(w, {p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]}, flip)))
         return;
 
     const Wide num_raw = dot(cross(e1, e2), s);
     const Wide num = flip ? -num_raw : num_raw, size = (flip ? -det : det) * (Wide(1) << scale);
-    assert(num >> (config.num_bits() - 1) == (num < 0 ? -1 : 0) && size >> (config.edge_bits() - 1) == 0 && "num and det fit their widths");
+    assert(num >> (config.num_bits() - 1) == (num < 0 ? -1 : 0) && size >> (config.edge_bits() - 1) == 0 &&
+           "num and det fit their widths");
     if (num <= 0) return;
     if (shadow) {
         out.closer = num * (Wide(1) << frac) < size;
@@ -113,7 +127,8 @@ void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Con
     out.v = coordinate(flip ? -v : v, size, config);
 }
 
-/// A ray and a sphere: d.s, d.d, s.s less the square of the radius, and the discriminant, s having `scale` bits of fraction.
+/// A ray and a sphere: d.s, d.d, s.s less the square of the radius, and the discriminant, s having `scale`
+/// bits of fraction.
 struct Meeting {
     Wide along, square, power, disc;
 };
@@ -127,7 +142,8 @@ Meeting meeting(const Ray& ray, const PrimData& sphere, int scale, const Config&
     m.disc = m.along * m.along - m.square * m.power;
     [[maybe_unused]] const auto fits = [](Wide x, int bits) { return x >> (bits - 1) == (x < 0 ? -1 : 0); };
     [[maybe_unused]] const SphereWidths w = sphere_widths(n, config.dir_bits, config.origin_frac());
-    assert(fits(m.along, w.along) && m.square >> w.square == 0 && fits(m.power, w.power) && fits(m.disc, w.disc) && "see SphereWidths");
+    assert(fits(m.along, w.along) && m.square >> w.square == 0 && fits(m.power, w.power) &&
+           fits(m.disc, w.disc) && "see SphereWidths");
     return m;
 }
 
@@ -137,12 +153,14 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const bool from_outside = m.power > 0;
     if (sphere.prim == ray.self) return ray.inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
-    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the square of the radius
+    const Wide end =
+        m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the square of the radius
     if (from_outside) return m.along < 0 && m.disc >= 0 && (end < 0 || -m.along * unit < m.square);
     return end > 0 && (m.power < 0 || m.along < 0);
 }
 
-void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const Config& config, TriRsp& out) {
+void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const Config& config,
+                 TriRsp& out) {
     if (RayKind(ray.kind) == RayKind::shadow) {
         out.closer = shades(ray, sphere, config);
         return;
@@ -160,7 +178,8 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
 
     const Root r = root(WideNatural(m.disc));
     const Wide way = -m.along + (far ? Wide(r.whole + r.rest) << r.shift : -(Wide(r.whole) << r.shift));
-    assert(way > 0 && way >> sphere_widths(config.coord_bits, config.dir_bits, scale).num == 0 && "never below the true distance, see SphereWidths");
+    assert(way > 0 && way >> sphere_widths(config.coord_bits, config.dir_bits, scale).num == 0 &&
+           "never below the true distance, see SphereWidths");
     const int units = config.dir_bits - 1 + config.t_frac_bits;
     const std::uint32_t t = distance_of(way, units - scale, m.square, config);
     const Wide det = Wide(1) << units;
@@ -173,7 +192,7 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
     out.t = t;
 }
 
-} // namespace
+}   // namespace
 
 Root root(WideNatural square) {
     Root r;
@@ -181,7 +200,8 @@ Root root(WideNatural square) {
     const int bits = int(high != 0 ? 64 + std::bit_width(high) : std::bit_width(std::uint64_t(square)));
     r.shift = std::max(bits - 2 * root_bits + 1, 0) / 2;
     const auto cut = std::uint64_t(square >> (2 * r.shift));
-    std::uint64_t whole = std::uint64_t(std::sqrt(double(cut)));   // right to within one: cut has 56 bits, a double 53
+    std::uint64_t whole =
+        std::uint64_t(std::sqrt(double(cut)));   // right to within one: cut has 56 bits, a double 53
     while (whole * whole > cut) --whole;
     while ((whole + 1) * (whole + 1) <= cut) ++whole;
     r.whole = std::uint32_t(whole);
@@ -195,11 +215,14 @@ void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Conf
     out.prim = out.t = out.u = out.v = 0;
     const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);
-    const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;   // always, as only camera rays compare with camera rays' hits
-    if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best) return flat_test(ray, prim, best, config, out);
+    const bool short_best =
+        !best.found ||
+        (best.num | best.det) >> 63 == 0;   // always, as only camera rays compare with camera rays' hits
+    if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best)
+        return flat_test(ray, prim, best, config, out);
     Vec3i o;
     for (std::size_t k = 0; k < 3; ++k) o[k] = ray.o[k] >> config.origin_frac();
     tri_test(o, ray.d, prim, best, config, out);   // 64 bits do
 }
 
-} // namespace rayclock
+}   // namespace rayclock

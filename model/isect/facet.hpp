@@ -3,11 +3,12 @@
 
 namespace rayclock {
 
-/// A triangle as seen from one origin, for many directions d: tri_test's det, u and v are linear in d, and num does not
-/// depend on it at all. With e1 = b - a, e2 = c - a, s = o - a:
+/// A triangle as seen from one origin, for many directions d: tri_test's det, u and v are linear in d, and
+/// num does not depend on it at all. With e1 = b - a, e2 = c - a, s = o - a:
 ///   det = d . (e2 x e1), u = d . (e2 x s), v = d . (s x e1), num = (e1 x e2) . s.
 struct Facet {
-    std::array<std::uint64_t, 3> det{}, u{}, v{};   ///< coefficients; signed, modulo 2^64, as the sums may pass it on their way
+    std::array<std::uint64_t, 3> det{}, u{},
+        v{};   ///< coefficients; signed, modulo 2^64, as the sums may pass it on their way
     std::int64_t num = 0;
     std::uint32_t prim = 0;
 };
@@ -22,7 +23,8 @@ inline Facet make_facet(const PrimData& triangle, const Vec3i& o) {
     const auto cross = [](const Vec& a, const Vec& b) {
         return Vec{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     };
-    const Vec e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a), s = minus(o, triangle.a);
+    const Vec e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a),
+              s = minus(o, triangle.a);
     Facet facet{cross(e2, e1), cross(e2, s), cross(s, e1), 0, triangle.prim};
     facet.num = -std::int64_t(facet.det[0] * s[0] + facet.det[1] * s[1] + facet.det[2] * s[2]);
     return facet;
@@ -33,7 +35,8 @@ struct FacetHit {
     std::int64_t det = 0, u = 0, v = 0, num = 0;
     /// An edge function is zero: tri_test must decide.
     bool on_edge() const { return u == 0 || v == 0 || det - u - v == 0; }
-    /// If not: the ray's line crosses the triangle, and not behind the origin. (For det = 0 the three have not all one sign.)
+    /// If not: the ray's line crosses the triangle, and not behind the origin. (For det = 0 the three have
+    /// not all one sign.)
     bool ahead() const { return ((u ^ det) | (v ^ det) | ((det - u - v) ^ det) | (num ^ det)) >= 0; }
 };
 inline FacetHit test_facet(const Facet& f, const Vec3i& direction) {
@@ -45,4 +48,4 @@ inline FacetHit test_facet(const Facet& f, const Vec3i& direction) {
     return {dot(f.det), dot(f.u), dot(f.v), f.num};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -16,7 +16,10 @@ int sign(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// The edge function is positive, a zero being decided as in tri_test.
 bool inside(Wide edge, const Vec3l& gradient, bool flip) {
-    const Wide decides = edge != 0 ? edge : gradient[0] != 0 ? gradient[0] : gradient[1] != 0 ? gradient[1] : gradient[2];
+    const Wide decides = edge != 0          ? edge
+                         : gradient[0] != 0 ? gradient[0]
+                         : gradient[1] != 0 ? gradient[1]
+                                            : gradient[2];
     return flip ? decides < 0 : decides > 0;
 }
 
@@ -40,10 +43,11 @@ std::uint64_t magnitude(std::int64_t value) { return std::uint64_t(value < 0 ? -
 std::int64_t round_down(std::int64_t value, int drop) { return value >> drop; }
 std::int64_t round_up(std::int64_t value, int drop) { return -(-value >> drop); }
 
-} // namespace
+}   // namespace
 
 Weights inner_weights(std::uint32_t u, std::uint32_t v, int bary_bits, int frac_bits) {
-    assert(frac_bits >= least_origin_bits && frac_bits <= bary_bits && "a point inside exists, and u and v have its bits");
+    assert(frac_bits >= least_origin_bits && frac_bits <= bary_bits &&
+           "a point inside exists, and u and v have its bits");
     const std::uint32_t one = 1u << frac_bits;
     const int drop = bary_bits - frac_bits;
     const auto rounded = [&](std::uint32_t x) { return drop == 0 ? x : ((x >> (drop - 1)) + 1) >> 1; };
@@ -58,12 +62,17 @@ SurfacePoint surface_point(const PrimData& triangle, const Weights& weights, int
     const Vec3l e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a);
     SurfacePoint point{{}, frac_bits};
     for (std::size_t k = 0; k < 3; ++k)
-        point.at[k] = std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] + weights.v * e2[k];
+        point.at[k] = std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] +
+                      weights.v * e2[k];
     return point;
 }
 
-int side_of_direction(const PrimData& triangle, const Vec3i& d) { return sign(dot(normal(triangle), {d[0], d[1], d[2]})); }
-int side_of_point(const PrimData& triangle, const Vec3i& point) { return sign(dot(normal(triangle), minus(point, triangle.a))); }
+int side_of_direction(const PrimData& triangle, const Vec3i& d) {
+    return sign(dot(normal(triangle), {d[0], d[1], d[2]}));
+}
+int side_of_point(const PrimData& triangle, const Vec3i& point) {
+    return sign(dot(normal(triangle), minus(point, triangle.a)));
+}
 
 Vec3i leaving_direction(const Vec3l& way, const PrimData& triangle, int facing, int dir_bits) {
     const std::uint64_t most = std::max({magnitude(way[0]), magnitude(way[1]), magnitude(way[2])});
@@ -91,7 +100,8 @@ bool nearer(const OriginHit& one, const OriginHit& other) {
     };
     const auto product = [](Wide num, Wide det) {
         __extension__ using Unsigned = unsigned __int128;
-        assert(num >= 0 && det > 0 && det >> 64 == 0 && "a hit's parts are positive, det fits 2N + M + 2 bits");
+        assert(num >= 0 && det > 0 && det >> 64 == 0 &&
+               "a hit's parts are positive, det fits 2N + M + 2 bits");
         const Unsigned low = Unsigned(std::uint64_t(num)) * std::uint64_t(det);
         return Product{(num >> 64) * det + Wide(low >> 64), std::uint64_t(low)};
     };
@@ -113,11 +123,12 @@ bool shadow_test(const Vec3i& light, const Vec3l& d, int frac_bits, const PrimDa
 BoxOrigin box_origin(const SurfacePoint& o, const Vec3i& d) {
     BoxOrigin box;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto below = std::int32_t(round_down(o.at[k], o.frac_bits)), above = std::int32_t(round_up(o.at[k], o.frac_bits));
+        const auto below = std::int32_t(round_down(o.at[k], o.frac_bits)),
+                   above = std::int32_t(round_up(o.at[k], o.frac_bits));
         box.near[k] = d[k] < 0 ? below : above;
         box.far[k] = d[k] < 0 ? above : below;
     }
     return box;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

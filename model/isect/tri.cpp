@@ -12,21 +12,26 @@ __extension__ using Wide = __int128;
 
 std::int64_t dot(const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// True if the edge function is positive, a zero being decided by the first non-zero component of its gradient;
-/// `flip` turns all signs.
+/// True if the edge function is positive, a zero being decided by the first non-zero component of its
+/// gradient; `flip` turns all signs.
 bool inside(std::int64_t edge, const Vec3l& gradient, bool flip) {
-    const std::int64_t decides = edge != 0 ? edge : gradient[0] != 0 ? gradient[0] : gradient[1] != 0 ? gradient[1] : gradient[2];
+    const std::int64_t decides = edge != 0          ? edge
+                                 : gradient[0] != 0 ? gradient[0]
+                                 : gradient[1] != 0 ? gradient[1]
+                                                    : gradient[2];
     return flip ? decides < 0 : decides > 0;
 }
 
-} // namespace
+}   // namespace
 
-void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out) {
+void tri_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
+              const Config& config, TriRsp& out) {
     out.closer = out.back = 0;
     out.num = out.det = 0;
     out.prim = out.t = out.u = out.v = 0;
 
-    const Vec3l e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a), s = minus(o, triangle.a);
+    const Vec3l e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a),
+                s = minus(o, triangle.a);
     const Vec3l dir{d[0], d[1], d[2]};
     const Vec3l p1 = cross(dir, e1), p2 = cross(dir, e2);
     const std::int64_t det = dot(p2, e1);
@@ -78,4 +83,4 @@ TriRsp tri(const TriReq& req, const Config& config) {
     return rsp;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

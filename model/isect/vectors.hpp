@@ -3,7 +3,8 @@
 
 namespace rayclock {
 
-/// Exact for lattice points: a difference has N + 1 bits, a cross product's component the sum of its factors' and one more.
+/// Exact for lattice points: a difference has N + 1 bits, a cross product's component the sum of its factors'
+/// and one more.
 inline Vec3l minus(const Vec3i& a, const Vec3i& b) {
     return {std::int64_t(a[0]) - b[0], std::int64_t(a[1]) - b[1], std::int64_t(a[2]) - b[2]};
 }
@@ -11,4 +12,4 @@ inline Vec3l cross(const Vec3l& a, const Vec3l& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

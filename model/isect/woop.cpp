@@ -7,7 +7,8 @@
 
 namespace rayclock {
 
-void woop_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best, const Config& config, TriRsp& out) {
+void woop_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
+               const Config& config, TriRsp& out) {
     no_hit(out);
     std::size_t kz = 0;
     for (std::size_t k = 1; k < 3; ++k)
@@ -21,7 +22,8 @@ void woop_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const B
         float x, y, z;
     };
     const auto sheared = [&](const Vec3i& p) {
-        const float x = float(p[kx]) - float(o[kx]), y = float(p[ky]) - float(o[ky]), z = float(p[kz]) - float(o[kz]);
+        const float x = float(p[kx]) - float(o[kx]), y = float(p[ky]) - float(o[ky]),
+                    z = float(p[kz]) - float(o[kz]);
         return Corner{x - sx * z, y - sy * z, z};
     };
     const Corner a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
@@ -38,4 +40,4 @@ void woop_test(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const B
     float_hit(t, u * inverse, v * inverse, triangle, best, config, out);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -40,4 +40,4 @@ Closest Leaves::closest(std::uint32_t ray) const {
     return closest;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

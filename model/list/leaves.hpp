@@ -5,14 +5,15 @@
 
 namespace rayclock {
 
-/// One ray's leaves and best hit: what list does, without when. Of each node that box has tested the leaves' triangles are
-/// asked for one by one, nearest leaf first and none beyond the best hit; then the inner children go to trav. A ray that asks for
-/// a light ends with the first primitive in its way: no other is tested, and trav is told to stop. A shadow ray also ends at
-/// t = 2^-B: 2^(N+F) is its distance to beat.
+/// One ray's leaves and best hit: what list does, without when. Of each node that box has tested the leaves'
+/// triangles are asked for one by one, nearest leaf first and none beyond the best hit; then the inner
+/// children go to trav. A ray that asks for a light ends with the first primitive in its way: no other is
+/// tested, and trav is told to stop. A shadow ray also ends at t = 2^-B: 2^(N+F) is its distance to beat.
 /// Mirror of rtl/list/rc_list.sv.
 class Leaves {
 public:
-    explicit Leaves(const Config& config) : beyond_((1u << config.t_bits()) - 1), surface_(1u << (config.coord_bits + config.t_frac_bits)) {}
+    explicit Leaves(const Config& config)
+        : beyond_((1u << config.t_bits()) - 1), surface_(1u << (config.coord_bits + config.t_frac_bits)) {}
 
     /// A new ray: nothing is hit yet.
     void clear(RayKind kind = RayKind::camera) {
@@ -25,7 +26,9 @@ public:
     /// Tri's answer. True if another triangle is to be tested.
     bool advance(const TriRsp& tri);
 
-    std::uint32_t prim() const { return 2 * group_.base + group_.offset[group_.inner + leaf_] + triangle_; }   ///< half line
+    std::uint32_t prim() const {
+        return 2 * group_.base + group_.offset[group_.inner + leaf_] + triangle_;
+    }   ///< half line
     const BoxRsp& group() const { return group_; }
     BoxRsp& group() { return group_; }
     const Best& best() const { return best_; }
@@ -46,4 +49,4 @@ private:
     Closest found_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

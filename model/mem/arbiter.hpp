@@ -4,8 +4,8 @@
 
 namespace rayclock {
 
-/// Many valid/ready sources on one link, in turn: the first that offers, from the one after the last that was served. An offer
-/// that was not accepted stays. Mirror of rtl/mem/rc_arbiter.sv.
+/// Many valid/ready sources on one link, in turn: the first that offers, from the one after the last that was
+/// served. An offer that was not accepted stays. Mirror of rtl/mem/rc_arbiter.sv.
 class Arbiter {
 public:
     explicit Arbiter(int sources) : mask_(std::uint32_t((std::uint64_t(1) << sources) - 1)) {}
@@ -28,4 +28,4 @@ private:
     int chosen_ = 0;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -9,17 +9,34 @@ CacheShape shape(int sets, int ways, int line, int mshrs, int queue, int id_bits
     return {sets, ways, line / line_bytes, mshrs, queue, 1 << id_bits};
 }
 int log2_of(int n) { return std::countr_zero(unsigned(n)); }
-} // namespace
+}   // namespace
 
-CacheShape node_cache_shape(const Config& c) { return shape(c.node_sets, c.node_ways, c.node_line, c.node_mshrs, c.cache_queue, c.ray_bits()); }
-CacheShape prim_cache_shape(const Config& c) { return shape(c.prim_sets, c.prim_ways, c.prim_line, c.prim_mshrs, c.cache_queue, c.ray_bits()); }
-CacheShape surf_cache_shape(const Config& c) { return shape(c.surf_sets, c.surf_ways, c.surf_line, c.surf_mshrs, c.cache_queue, c.ray_bits()); }
-CacheShape l2_shape(const Config& c) { return shape(c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.cache_queue, c.client_id_bits()); }
+CacheShape node_cache_shape(const Config& c) {
+    return shape(c.node_sets, c.node_ways, c.node_line, c.node_mshrs, c.cache_queue, c.ray_bits());
+}
+CacheShape prim_cache_shape(const Config& c) {
+    return shape(c.prim_sets, c.prim_ways, c.prim_line, c.prim_mshrs, c.cache_queue, c.ray_bits());
+}
+CacheShape surf_cache_shape(const Config& c) {
+    return shape(c.surf_sets, c.surf_ways, c.surf_line, c.surf_mshrs, c.cache_queue, c.ray_bits());
+}
+CacheShape l2_shape(const Config& c) {
+    return shape(c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.cache_queue, c.client_id_bits());
+}
 
 Cache::Cache(const CacheShape& shape)
-    : shape_(shape), word_bits_(log2_of(shape.words)), way_bits_(log2_of(shape.ways)), set_mask_(std::uint32_t(shape.sets - 1)),
-      ways_(std::size_t(shape.sets * shape.ways)), recent_(std::size_t(shape.sets)), last_(std::size_t(shape.sets)), mshrs_(std::size_t(shape.mshrs)),
-      next_(std::size_t(shape.ids)), misses_(shape.mshrs), filled_(shape.mshrs), answers_(1, shape.queue) {
+    : shape_(shape),
+      word_bits_(log2_of(shape.words)),
+      way_bits_(log2_of(shape.ways)),
+      set_mask_(std::uint32_t(shape.sets - 1)),
+      ways_(std::size_t(shape.sets * shape.ways)),
+      recent_(std::size_t(shape.sets)),
+      last_(std::size_t(shape.sets)),
+      mshrs_(std::size_t(shape.mshrs)),
+      next_(std::size_t(shape.ids)),
+      misses_(shape.mshrs),
+      filled_(shape.mshrs),
+      answers_(1, shape.queue) {
     for (std::uint32_t way = 0; way < std::uint32_t(shape.ways); ++way) {
         keep_[way] = 0xff;
         for (std::uint32_t node = way + std::uint32_t(shape.ways); node > 1; node >>= 1) {
@@ -94,4 +111,4 @@ std::string Cache::where(std::uint32_t id) const {
     return answers_.contains(id) ? "answered, not taken" : "";
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -12,10 +12,11 @@ namespace rayclock {
 /// Size of a cache. A word is what memory gives in one answer, 64 bytes.
 struct CacheShape {
     int sets = 64, ways = 4;
-    int words = 1;     ///< of a line
-    int mshrs = 8;     ///< lines that may be on their way
-    int queue = 4;     ///< answers that may wait
-    int ids = 64;      ///< requests are told apart by 0..ids-1; one with the same id is made only after the answer
+    int words = 1;   ///< of a line
+    int mshrs = 8;   ///< lines that may be on their way
+    int queue = 4;   ///< answers that may wait
+    int ids =
+        64;   ///< requests are told apart by 0..ids-1; one with the same id is made only after the answer
 };
 CacheShape node_cache_shape(const Config& config);
 CacheShape prim_cache_shape(const Config& config);
@@ -35,14 +36,16 @@ enum class CacheDeed : std::uint8_t {
 };
 constexpr std::size_t cache_deeds = 8;
 
-/// Non-blocking, set-associative cache: when things happen; what lies in the lines is memory's business. Misses to a line
-/// that is on its way merge, hits pass misses, and any number of requests may wait for one line: a chain through their ids.
+/// Non-blocking, set-associative cache: when things happen; what lies in the lines is memory's business.
+/// Misses to a line that is on its way merge, hits pass misses, and any number of requests may wait for one
+/// line: a chain through their ids.
 ///
-/// A request enters a queue of two. Its head is looked up, one in every cycle: a hit reads the data memory and is answered
-/// 3 cycles after it was accepted; a miss takes a free MSHR and the set's pseudo-least-recently-used way (the lowest way
-/// that is not waiting for a line, if that one is), and asks for the line's words one by one. Words come back in any order.
-/// When the last is there, those who wait are answered first, in the order of their requests, one a cycle, from the cycle
-/// after; a way is not given away before. A look-up that cannot go on stays at the head. Mirror of rtl/mem/rc_cache.sv.
+/// A request enters a queue of two. Its head is looked up, one in every cycle: a hit reads the data memory
+/// and is answered 3 cycles after it was accepted; a miss takes a free MSHR and the set's
+/// pseudo-least-recently-used way (the lowest way that is not waiting for a line, if that one is), and asks
+/// for the line's words one by one. Words come back in any order. When the last is there, those who wait are
+/// answered first, in the order of their requests, one a cycle, from the cycle after; a way is not given away
+/// before. A look-up that cannot go on stays at the head. Mirror of rtl/mem/rc_cache.sv.
 class Cache {
 public:
     struct Request {
@@ -63,12 +66,16 @@ public:
         return {m << word_bits_ | miss_word_, mshrs_[m].line << word_bits_ | miss_word_};
     }
 
-    /// One clock edge at the end of cycle `now`: what came in (null if nothing), and which outputs were taken.
-    CacheDeed clock(std::uint64_t now, const Request* request, bool answer_taken, const std::uint32_t* fill_id, bool miss_taken) {
-        // What is looked up or drained was there at the beginning of the cycle; a place in the answers' queue, too.
+    /// One clock edge at the end of cycle `now`: what came in (null if nothing), and which outputs were
+    /// taken.
+    CacheDeed clock(std::uint64_t now, const Request* request, bool answer_taken,
+                    const std::uint32_t* fill_id, bool miss_taken) {
+        // What is looked up or drained was there at the beginning of the cycle; a place in the answers'
+        // queue, too.
         const bool room = answers_.ready(), draining = !filled_.empty();
         CacheDeed deed = CacheDeed::starved;
-        if (draining || !in_.empty()) deed = !room ? CacheDeed::answers : draining ? drain(now) : look_up(now);
+        if (draining || !in_.empty())
+            deed = !room ? CacheDeed::answers : draining ? drain(now) : look_up(now);
         if (answer_taken) answers_.leave();
         if (miss_taken) next_word();
         if (fill_id) fill(*fill_id);
@@ -98,7 +105,8 @@ private:
     void fill(std::uint32_t id);
     int victim(std::uint32_t set) const;
 
-    // A bit of the tree points to the half that was used longer ago: using a way turns the bits above it away from it.
+    // A bit of the tree points to the half that was used longer ago: using a way turns the bits above it away
+    // from it.
     void touch(std::uint32_t set, std::uint32_t way) {
         recent_[set] = std::uint8_t((recent_[set] & keep_[way]) | turn_[way]);
         last_[set] = std::uint8_t(way);
@@ -113,7 +121,7 @@ private:
     std::array<std::uint8_t, 8> keep_{}, turn_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
-    std::vector<std::uint32_t> next_;    ///< [id]: who waits after it
+    std::vector<std::uint32_t> next_;   ///< [id]: who waits after it
     Ring<Request, 2> in_{2};
     Ring<std::uint32_t, 64> misses_, filled_;
     std::uint32_t miss_word_ = 0;
@@ -139,4 +147,4 @@ inline CacheDeed Cache::look_up(std::uint64_t now) {
     return CacheDeed::hit;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -8,11 +8,18 @@ namespace {
 
 constexpr std::uint64_t giga = 1'000'000'000;   // ps * kHz
 
-} // namespace
+}   // namespace
 
 Dram::Dram(const DramPart& part, int khz, int ids)
-    : part_(part), khz_(std::uint64_t(khz)), tck_(std::uint64_t(part.tck)), trefi_(part.trefi / part.tck), banks_(part),
-      refresh_at_(trefi_), answers_(ids), data_(2 * (part.cl / part.burst_clocks() + 2)), under_way_(std::size_t(ids)) {
+    : part_(part),
+      khz_(std::uint64_t(khz)),
+      tck_(std::uint64_t(part.tck)),
+      trefi_(part.trefi / part.tck),
+      banks_(part),
+      refresh_at_(trefi_),
+      answers_(ids),
+      data_(2 * (part.cl / part.burst_clocks() + 2)),
+      under_way_(std::size_t(ids)) {
     assert(khz >= 1000 && "a cycle of the chip is shorter than the time between refreshes");
     assert(part.banks <= 32 && "a set of banks fits 32 bits");
     queue_.reserve(std::size_t(part.queue));
@@ -20,8 +27,12 @@ Dram::Dram(const DramPart& part, int khz, int ids)
 }
 
 // No product exceeds 64 bits for hours of simulated time.
-std::uint64_t Dram::begin_of(std::uint64_t cycle) const { return cycle * (giga / khz_) + cycle * (giga % khz_) / khz_; }
-std::uint64_t Dram::cycle_from(std::uint64_t ps) const { return ps / giga * khz_ + (ps % giga * khz_ + giga - 1) / giga; }
+std::uint64_t Dram::begin_of(std::uint64_t cycle) const {
+    return cycle * (giga / khz_) + cycle * (giga % khz_) / khz_;
+}
+std::uint64_t Dram::cycle_from(std::uint64_t ps) const {
+    return ps / giga * khz_ + (ps % giga * khz_ + giga - 1) / giga;
+}
 
 void Dram::clock(const Answer* request) {
     const std::uint64_t begin = time_;
@@ -52,7 +63,8 @@ std::uint64_t Dram::quiet_until() const {
     std::uint64_t until = answers_.empty() ? never : answers_.front().cycle;
     if (queue_.empty()) return until;
     // A read that is still to be given comes no earlier than the next event.
-    const std::uint64_t data_ps = std::uint64_t(part_.cl + part_.burst_clocks()) * tck_ + std::uint64_t(part_.answer_ps);
+    const std::uint64_t data_ps =
+        std::uint64_t(part_.cl + part_.burst_clocks()) * tck_ + std::uint64_t(part_.answer_ps);
     until = std::min(until, cycle_from(event_ps_ + data_ps));
     return ready_ ? until : std::min(until, cycle_from(event_ps_));
 }
@@ -74,7 +86,8 @@ void Dram::accept(const Answer& request) {
     under_way_[request.id] = 1;
     Entry entry;
     entry.what = request;
-    const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes), banks = std::uint32_t(part_.banks);
+    const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes),
+                        banks = std::uint32_t(part_.banks);
     entry.bank = int(request.addr / words % banks);
     entry.row = request.addr / words / banks;
     entry.left = part_.bursts();
@@ -104,8 +117,10 @@ void Dram::run() {
 void Dram::plan() {
     choice_ = Choice{};
     if (current_ >= 0) consider(DramCommand::read, queue_[std::size_t(current_)].bank, current_);
-    if (!refreshing_) choose();
-    else if (current_ < 0) consider(banks_.has_open() ? DramCommand::precharge_all : DramCommand::refresh, 0, -1);
+    if (!refreshing_)
+        choose();
+    else if (current_ < 0)
+        consider(banks_.has_open() ? DramCommand::precharge_all : DramCommand::refresh, 0, -1);
     std::int64_t clock = choice_.clock;
     if (arrived_ < queue_.size()) clock = std::min(clock, queue_[arrived_].arrival);
     if (!refreshing_) clock = std::min(clock, refresh_at_);
@@ -118,12 +133,12 @@ void Dram::consider(DramCommand command, int bank, int entry) {
     if (clock < choice_.clock) choice_ = {clock, command, bank, entry};
 }
 
-/// Reads first, each kind by age. All requests of a bank for its open row, or for another, could have their command at the
-/// same time: only the oldest is considered.
+/// Reads first, each kind by age. All requests of a bank for its open row, or for another, could have their
+/// command at the same time: only the oldest is considered.
 void Dram::choose() {
-    std::uint32_t wanted = 0;   // banks whose open row a request waits for
-    std::uint32_t turned = 0;   // banks that a request waits to open or to close,
-    std::array<int, 32> turns;  // and the oldest such request of each, by age
+    std::uint32_t wanted = 0;    // banks whose open row a request waits for
+    std::uint32_t turned = 0;    // banks that a request waits to open or to close,
+    std::array<int, 32> turns;   // and the oldest such request of each, by age
     std::size_t n = 0;
     for (std::size_t i = 0; i < arrived_; ++i) {
         const Entry& e = queue_[i];
@@ -139,8 +154,10 @@ void Dram::choose() {
     }
     for (std::size_t k = 0; k < n; ++k) {
         const int bank = queue_[std::size_t(turns[k])].bank;
-        if (!banks_.is_open(bank)) consider(DramCommand::activate, bank, turns[k]);
-        else if (!(wanted & 1u << bank)) consider(DramCommand::precharge, bank, turns[k]);
+        if (!banks_.is_open(bank))
+            consider(DramCommand::activate, bank, turns[k]);
+        else if (!(wanted & 1u << bank))
+            consider(DramCommand::precharge, bank, turns[k]);
     }
 }
 
@@ -170,13 +187,18 @@ void Dram::read(Entry& entry) {
     const std::uint64_t from = (std::uint64_t(choice_.clock) + std::uint64_t(part_.cl)) * tck_;
     const std::uint64_t until = from + std::uint64_t(part_.burst_clocks()) * tck_;
     statistics_.bus_ps += until - from;
-    if (until > time_) data_.push({from, until});
-    else busy_ = true;   // all of it in the cycle that is ending
+    if (until > time_)
+        data_.push({from, until});
+    else
+        busy_ = true;   // all of it in the cycle that is ending
     if (--entry.left > 0) return;
     ++statistics_.reads;
-    if (entry.kind == Kind::hit) ++statistics_.row_hits;
-    else if (entry.kind == Kind::miss) ++statistics_.row_misses;
-    else ++statistics_.row_conflicts;
+    if (entry.kind == Kind::hit)
+        ++statistics_.row_hits;
+    else if (entry.kind == Kind::miss)
+        ++statistics_.row_misses;
+    else
+        ++statistics_.row_conflicts;
     statistics_.bytes += line_bytes;
     answers_.push({entry.what, cycle_from(until + std::uint64_t(part_.answer_ps))});
     queue_.erase(queue_.begin() + current_);
@@ -193,4 +215,4 @@ DramCause Dram::cause(std::uint64_t begin) {
     return refresh_.from < time_ && refresh_.until > begin ? DramCause::refresh : DramCause::row;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

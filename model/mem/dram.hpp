@@ -9,33 +9,39 @@
 
 namespace rayclock {
 
-/// What the memory did in a cycle of the chip, the first that holds. `row`: a request waits for a row, its turn or the
-/// controller. `refresh`: a request waits while a refresh is due or under way; one that nobody waits for is `starved`.
+/// What the memory did in a cycle of the chip, the first that holds. `row`: a request waits for a row, its
+/// turn or the controller. `refresh`: a request waits while a refresh is due or under way; one that nobody
+/// waits for is `starved`.
 enum class DramCause { busy, refresh, row, starved };
 constexpr int dram_causes = 4;
 
 struct DramStatistics {
-    std::uint64_t reads = 0;       ///< requests whose last read was given; each is one of the next three
-    std::uint64_t row_hits = 0, row_misses = 0, row_conflicts = 0;   ///< row was open; bank was closed; another row was open
+    std::uint64_t reads = 0;   ///< requests whose last read was given; each is one of the next three
+    std::uint64_t row_hits = 0, row_misses = 0,
+                  row_conflicts = 0;   ///< row was open; bank was closed; another row was open
     std::uint64_t refreshes = 0;
-    std::uint64_t bytes = 0;       ///< that requests asked for
-    std::uint64_t bus_ps = 0;      ///< time with data on the bus
+    std::uint64_t bytes = 0;    ///< that requests asked for
+    std::uint64_t bus_ps = 0;   ///< time with data on the bus
     friend bool operator==(const DramStatistics&, const DramStatistics&) = default;
 };
 
-/// A DRAM and its controller, in real time: chip cycle c begins at floor(c * 1e9 / khz) ps. Latency: see DramPart; at most one
-/// request and one answer per chip cycle. The same class lies under the model and under the RTL. It keeps only who asked for
-/// which address; whoever owns it reads the memory image. There are only reads: the chip writes nothing through this port.
+/// A DRAM and its controller, in real time: chip cycle c begins at floor(c * 1e9 / khz) ps. Latency: see
+/// DramPart; at most one request and one answer per chip cycle. The same class lies under the model and under
+/// the RTL. It keeps only who asked for which address; whoever owns it reads the memory image. There are only
+/// reads: the chip writes nothing through this port.
 ///
-/// An address counts words of 64 bytes: row : bank : word of the row, lowest last, so that addresses in sequence stay in a row
-/// and go on in the next bank. Rows never run out: whoever loads the image checks capacity_bytes().
+/// An address counts words of 64 bytes: row : bank : word of the row, lowest last, so that addresses in
+/// sequence stay in a row and go on in the next bank. Rows never run out: whoever loads the image checks
+/// capacity_bytes().
 ///
-/// Rows stay open. Of the commands that could be given first, a read of an open row goes before others, then the oldest
-/// request's (FR-FCFS). A row is not closed while a request for it waits, and a request that has begun its reads finishes them.
-/// No request is overtaken by more than age_cap later ones: when that many have gone before it, all later ones wait for it.
-/// When a refresh is due, requests wait: all banks are precharged as soon as the gates allow, and refreshed.
+/// Rows stay open. Of the commands that could be given first, a read of an open row goes before others, then
+/// the oldest request's (FR-FCFS). A row is not closed while a request for it waits, and a request that has
+/// begun its reads finishes them. No request is overtaken by more than age_cap later ones: when that many
+/// have gone before it, all later ones wait for it. When a refresh is due, requests wait: all banks are
+/// precharged as soon as the gates allow, and refreshed.
 ///
-/// The consumer takes an answer in the cycle it is on offer; ids tell requests apart, each at most once under way.
+/// The consumer takes an answer in the cycle it is on offer; ids tell requests apart, each at most once under
+/// way.
 class Dram {
 public:
     Dram(const DramPart& part, int khz, int ids);
@@ -52,7 +58,8 @@ public:
 
     /// The chip cycle it is in, from 0.
     std::uint64_t now() const { return now_; }
-    /// Until this cycle ready() and valid() stay as they are, unless a request comes in; then they may change.
+    /// Until this cycle ready() and valid() stay as they are, unless a request comes in; then they may
+    /// change.
     std::uint64_t quiet_until() const;
     /// The same as so many clock(nullptr), and not beyond quiet_until().
     void skip(std::uint64_t cycles);
@@ -80,13 +87,13 @@ private:
         std::int64_t arrival = 0;   // first clock of the DRAM at which the controller knows of it
         std::uint32_t row = 0;
         int bank = 0, left = 0, overtaken = 0;   // left: reads still to be given
-        Kind kind = Kind::none;     // of its first command
+        Kind kind = Kind::none;                  // of its first command
     };
     struct Choice {
         std::int64_t clock = std::numeric_limits<std::int64_t>::max();
         DramCommand command = DramCommand::refresh;
         int bank = 0;
-        int entry = -1;             // in queue_, -1: none
+        int entry = -1;   // in queue_, -1: none
     };
     struct Due {
         Answer what;
@@ -96,22 +103,22 @@ private:
         std::uint64_t from = 0, until = 0;   // ps
     };
 
-    std::uint64_t begin_of(std::uint64_t cycle) const;    // ps
-    std::uint64_t cycle_from(std::uint64_t ps) const;     // first that begins at or after
+    std::uint64_t begin_of(std::uint64_t cycle) const;   // ps
+    std::uint64_t cycle_from(std::uint64_t ps) const;    // first that begins at or after
     bool idle() const { return queue_.empty() && data_.empty() && answers_.empty() && !valid_; }
     void accept(const Answer& request);
-    void run();                  // events until time_
-    void plan();                 // next command and next event
+    void run();    // events until time_
+    void plan();   // next command and next event
     void consider(DramCommand command, int bank, int entry);
-    void choose();               // among the requests
+    void choose();   // among the requests
     void issue();
     void read(Entry& entry);
     DramCause cause(std::uint64_t begin);
 
     DramPart part_;
     std::uint64_t khz_, tck_;
-    std::int64_t trefi_;         // clocks, rounded down
-    std::int64_t clock_ = 0;     // of the last event
+    std::int64_t trefi_;       // clocks, rounded down
+    std::int64_t clock_ = 0;   // of the last event
     DramBanks banks_;
     std::vector<Entry> queue_;   // oldest first
     std::size_t arrived_ = 0;    // of them the controller knows
@@ -119,10 +126,10 @@ private:
     std::int64_t refresh_at_;    // when the next one is due
     bool refreshing_ = false;    // due and not given
     Choice choice_;
-    std::uint64_t event_ps_ = 0; // next command, arrival or refresh due
-    Ring<Due> answers_;          // data given or on their way; in order, as the bus is
-    Ring<Data> data_;            // on the bus from now on
-    Data refresh_{};             // the last refresh, from when it was due
+    std::uint64_t event_ps_ = 0;   // next command, arrival or refresh due
+    Ring<Due> answers_;            // data given or on their way; in order, as the bus is
+    Ring<Data> data_;              // on the bus from now on
+    Data refresh_{};               // the last refresh, from when it was due
     std::vector<char> under_way_;
     std::uint64_t now_ = 0, time_ = 0, rest_ = 0;   // time_: begin of now_, rest_ / khz ps more
     bool ready_ = true, valid_ = false, waiting_ = false, busy_ = false;
@@ -133,4 +140,4 @@ private:
     std::vector<Issued>* log_ = nullptr;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

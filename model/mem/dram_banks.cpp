@@ -6,31 +6,34 @@
 namespace rayclock {
 
 DramBanks::DramBanks(const DramPart& part)
-    : tck_(part.tck), trcd_(clocks(part.trcd)), trp_(clocks(part.trp)), tras_(clocks(part.tras)), trc_(clocks(part.trc)),
-      trrd_(clocks(part.trrd)), tfaw_(clocks(part.tfaw)), trtp_(clocks(part.trtp)),
+    : tck_(part.tck),
+      trcd_(clocks(part.trcd)),
+      trp_(clocks(part.trp)),
+      tras_(clocks(part.tras)),
+      trc_(clocks(part.trc)),
+      trrd_(clocks(part.trrd)),
+      tfaw_(clocks(part.tfaw)),
+      trtp_(clocks(part.trtp)),
       // All reads have one latency: a burst apart, their data never meet.
       tccd_(std::max(clocks(part.tccd), Clock(part.burst_clocks()))),
-      trfc_(clocks(part.trfc)), banks_(std::size_t(part.banks)) {}
+      trfc_(clocks(part.trfc)),
+      banks_(std::size_t(part.banks)) {}
 
 DramBanks::Clock DramBanks::earliest(DramCommand command, int bank) const {
     Clock at = command_;
     switch (command) {
-    case DramCommand::activate:
-        at = std::max({at, banks_[std::size_t(bank)].activate, activate_, activates_[oldest_]});
-        break;
-    case DramCommand::read:
-        at = std::max({at, banks_[std::size_t(bank)].read, read_});
-        break;
-    case DramCommand::precharge:
-        at = std::max(at, banks_[std::size_t(bank)].precharge);
-        break;
-    case DramCommand::precharge_all:
-        for (const Bank& b : banks_)
-            if (b.open) at = std::max(at, b.precharge);
-        break;
-    case DramCommand::refresh:   // tRP, tRC and tRFC, as for an activate of every bank
-        for (const Bank& b : banks_) at = std::max(at, b.activate);
-        break;
+        case DramCommand::activate:
+            at = std::max({at, banks_[std::size_t(bank)].activate, activate_, activates_[oldest_]});
+            break;
+        case DramCommand::read: at = std::max({at, banks_[std::size_t(bank)].read, read_}); break;
+        case DramCommand::precharge: at = std::max(at, banks_[std::size_t(bank)].precharge); break;
+        case DramCommand::precharge_all:
+            for (const Bank& b : banks_)
+                if (b.open) at = std::max(at, b.precharge);
+            break;
+        case DramCommand::refresh:   // tRP, tRC and tRFC, as for an activate of every bank
+            for (const Bank& b : banks_) at = std::max(at, b.activate);
+            break;
     }
     return at;
 }
@@ -46,36 +49,36 @@ void DramBanks::issue(DramCommand command, int bank, std::uint32_t row, Clock cl
     command_ = clock + 1;
     Bank& own = banks_[std::size_t(bank)];
     switch (command) {
-    case DramCommand::activate:
-        assert(!own.open && "only a closed bank is activated");
-        own.open = true;
-        own.row = row;
-        ++open_;
-        own.read = clock + trcd_;
-        own.precharge = clock + tras_;
-        own.activate = clock + trc_;
-        activate_ = clock + trrd_;
-        activates_[oldest_] = clock + tfaw_;
-        oldest_ = (oldest_ + 1) % 4;
-        break;
-    case DramCommand::read:
-        assert(own.open && own.row == row && "only an open row is read");
-        own.precharge = std::max(own.precharge, clock + trtp_);
-        read_ = clock + tccd_;
-        break;
-    case DramCommand::precharge:
-        assert(own.open && "only an open bank is precharged");
-        close(own, clock);
-        break;
-    case DramCommand::precharge_all:
-        for (Bank& b : banks_)
-            if (b.open) close(b, clock);
-        break;
-    case DramCommand::refresh:
-        assert(open_ == 0 && "only closed banks are refreshed");
-        for (Bank& b : banks_) b.activate = clock + trfc_;
-        break;
+        case DramCommand::activate:
+            assert(!own.open && "only a closed bank is activated");
+            own.open = true;
+            own.row = row;
+            ++open_;
+            own.read = clock + trcd_;
+            own.precharge = clock + tras_;
+            own.activate = clock + trc_;
+            activate_ = clock + trrd_;
+            activates_[oldest_] = clock + tfaw_;
+            oldest_ = (oldest_ + 1) % 4;
+            break;
+        case DramCommand::read:
+            assert(own.open && own.row == row && "only an open row is read");
+            own.precharge = std::max(own.precharge, clock + trtp_);
+            read_ = clock + tccd_;
+            break;
+        case DramCommand::precharge:
+            assert(own.open && "only an open bank is precharged");
+            close(own, clock);
+            break;
+        case DramCommand::precharge_all:
+            for (Bank& b : banks_)
+                if (b.open) close(b, clock);
+            break;
+        case DramCommand::refresh:
+            assert(open_ == 0 && "only closed banks are refreshed");
+            for (Bank& b : banks_) b.activate = clock + trfc_;
+            break;
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

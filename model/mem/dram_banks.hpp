@@ -9,8 +9,9 @@ namespace rayclock {
 
 enum class DramCommand { activate, read, precharge, precharge_all, refresh };
 
-/// The banks of a DRAM and its buses: which command may come when. Time is counted in clocks of the DRAM; every gate of the
-/// part is a whole number of them, rounded up. One command per clock. It knows no requests: that is Dram.
+/// The banks of a DRAM and its buses: which command may come when. Time is counted in clocks of the DRAM;
+/// every gate of the part is a whole number of them, rounded up. One command per clock. It knows no requests:
+/// that is Dram.
 class DramBanks {
 public:
     using Clock = std::int64_t;
@@ -20,8 +21,9 @@ public:
     bool has_open() const { return open_ > 0; }
     std::uint32_t row(int bank) const { return banks_[std::size_t(bank)].row; }   ///< if it is open
 
-    /// First clock at which the command keeps every gate, given the commands so far. Whether the command makes sense (a read
-    /// of an open row, a refresh of closed banks) is for the caller to know. precharge_all and refresh take no bank.
+    /// First clock at which the command keeps every gate, given the commands so far. Whether the command
+    /// makes sense (a read of an open row, a refresh of closed banks) is for the caller to know.
+    /// precharge_all and refresh take no bank.
     Clock earliest(DramCommand command, int bank) const;
     bool allows(DramCommand command, int bank, Clock clock) const { return clock >= earliest(command, bank); }
 
@@ -40,10 +42,10 @@ private:
     int tck_;
     Clock trcd_, trp_, tras_, trc_, trrd_, tfaw_, trtp_, tccd_, trfc_;
     std::vector<Bank> banks_;
-    int open_ = 0;                               // banks with an open row
+    int open_ = 0;                                  // banks with an open row
     Clock command_ = 0, activate_ = 0, read_ = 0;   // first clock that the shared gates allow
-    std::array<Clock, 4> activates_{};           // the last four, plus tFAW
-    unsigned oldest_ = 0;                        // of those
+    std::array<Clock, 4> activates_{};              // the last four, plus tFAW
+    unsigned oldest_ = 0;                           // of those
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -4,8 +4,8 @@
 
 namespace rayclock {
 
-/// A memory on a board: chips, clock and controller. Times are picoseconds, integers only; a gate that is no multiple of the
-/// clock is rounded up by whoever uses it, as data sheets ask.
+/// A memory on a board: chips, clock and controller. Times are picoseconds, integers only; a gate that is no
+/// multiple of the clock is rounded up by whoever uses it, as data sheets ask.
 struct DramPart {
     std::string name, description;
     std::string source;   ///< where the figures come from
@@ -15,8 +15,8 @@ struct DramPart {
     int transfers = 1;      ///< per clock: 1 single data rate, 2 double
     int burst_length = 8;   ///< transfers that one read command gives
     int banks = 4;
-    int rows = 8192;        ///< of a bank
-    int columns = 1024;     ///< of a row, one transfer each
+    int rows = 8192;      ///< of a bank
+    int columns = 1024;   ///< of a row, one transfer each
 
     // Clock and gates.
     int tck = 0;     ///< clock; commands and data are given on it
@@ -48,11 +48,11 @@ struct DramPart {
 std::int64_t peak_bytes_per_second(const DramPart& part);
 std::int64_t capacity_bytes(const DramPart& part);
 
-/// No request waits longer than this while nothing else moves: it comes as a refresh falls due, every gate of the part stands
-/// in its way once, and all its bursts follow one another.
+/// No request waits longer than this while nothing else moves: it comes as a refresh falls due, every gate of
+/// the part stands in its way once, and all its bursts follow one another.
 std::int64_t longest_pause_ps(const DramPart& part);
 
 /// The memory of that name in dram_names(); `ideal` is none of these. Throws UserError for any other name.
 const DramPart& dram_part(const std::string& name);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -4,18 +4,25 @@ namespace rayclock {
 
 namespace {
 // In the order of DramCause.
-constexpr MemoryDeed deed_of[] = {MemoryDeed::busy, MemoryDeed::refresh, MemoryDeed::latency, MemoryDeed::starved};
-} // namespace
+constexpr MemoryDeed deed_of[] = {MemoryDeed::busy, MemoryDeed::refresh, MemoryDeed::latency,
+                                  MemoryDeed::starved};
+}   // namespace
 
 Memory::Memory(const Config& config, int khz, Traffic traffic)
-    : ideal_(config, 1 << config.mem_id_bits()), traffic_(traffic), rng_(traffic.seed * 16 + 1), disturbed_(!traffic.none()) {
-    if (config.dram > 0) dram_.emplace(dram_part(dram_names()[std::size_t(config.dram)]), khz, 1 << config.mem_id_bits());
+    : ideal_(config, 1 << config.mem_id_bits()),
+      traffic_(traffic),
+      rng_(traffic.seed * 16 + 1),
+      disturbed_(!traffic.none()) {
+    if (config.dram > 0)
+        dram_.emplace(dram_part(dram_names()[std::size_t(config.dram)]), khz, 1 << config.mem_id_bits());
 }
 
 void Memory::work(const Answer* request) {
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
-        if (comes()) late_.push_back({coming(), now_ + std::uint64_t(traffic_.jitter > 0 ? rng_.below(traffic_.jitter + 1) : 0)});
+        if (comes())
+            late_.push_back(
+                {coming(), now_ + std::uint64_t(traffic_.jitter > 0 ? rng_.below(traffic_.jitter + 1) : 0)});
     }
     if (dram_) {
         pay();
@@ -23,7 +30,9 @@ void Memory::work(const Answer* request) {
         dram_->clock(request ? &asked : nullptr);
         sleeping_ = !disturbed_ && dram_->quiet_until() == ~std::uint64_t(0);
     } else {
-        ++ideal_deeds_[std::size_t(ideal_.valid() ? MemoryDeed::busy : ideal_.waits() ? MemoryDeed::latency : MemoryDeed::starved)];
+        ++ideal_deeds_[std::size_t(ideal_.valid()   ? MemoryDeed::busy
+                                   : ideal_.waits() ? MemoryDeed::latency
+                                                    : MemoryDeed::starved)];
         reads_ += request != nullptr;
         ideal_.clock(request);
     }
@@ -58,8 +67,10 @@ void Memory::skip(std::uint64_t cycles) {
 std::array<std::uint64_t, 8> Memory::deeds() const {
     std::array<std::uint64_t, 8> sums{};
     for (std::size_t i = 0; i < memory_deeds; ++i) {
-        if (dram_) sums[std::size_t(deed_of[i])] = dram_->cycles(DramCause(i));
-        else sums[i] = ideal_deeds_[i];
+        if (dram_)
+            sums[std::size_t(deed_of[i])] = dram_->cycles(DramCause(i));
+        else
+            sums[i] = ideal_deeds_[i];
     }
     sums[std::size_t(MemoryDeed::starved)] += owed_;
     return sums;
@@ -71,4 +82,4 @@ MemoryStats Memory::stats() const {
     return {s.reads, s.row_hits, s.row_conflicts, s.refreshes};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -20,17 +20,18 @@ constexpr std::size_t memory_deeds = 4;
 
 /// What the memory has done.
 struct MemoryStats {
-    std::uint64_t reads = 0;                        ///< of 64 bytes
-    std::uint64_t row_hits = 0, row_conflicts = 0;  ///< of these: the row was open; another row was
+    std::uint64_t reads = 0;                         ///< of 64 bytes
+    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these: the row was open; another row was
     std::uint64_t refreshes = 0;
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
-        return {a.reads - b.reads, a.row_hits - b.row_hits, a.row_conflicts - b.row_conflicts, a.refreshes - b.refreshes};
+        return {a.reads - b.reads, a.row_hits - b.row_hits, a.row_conflicts - b.row_conflicts,
+                a.refreshes - b.refreshes};
     }
     friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
 };
 
-/// The memory beside the chip as a configuration names it, with the traffic that a test puts on it. The same class lies under
-/// the model and under the RTL. Answers are always taken; at most one comes in a cycle.
+/// The memory beside the chip as a configuration names it, with the traffic that a test puts on it. The same
+/// class lies under the model and under the RTL. Answers are always taken; at most one comes in a cycle.
 class Memory {
 public:
     Memory(const Config& config, int khz, Traffic traffic);
@@ -43,8 +44,10 @@ public:
     /// One clock edge: the request that was accepted, null if none.
     void clock(const Answer* request) {
         ++now_;
-        if (!request && sleeping_) ++owed_;
-        else work(request);
+        if (!request && sleeping_)
+            ++owed_;
+        else
+            work(request);
     }
     /// Cycles by deed.
     std::array<std::uint64_t, 8> deeds() const;
@@ -52,7 +55,10 @@ public:
     MemoryStats stats() const;
 
     std::uint64_t quiet_until() const {
-        return disturbed_ ? 0 : sleeping_ ? ~std::uint64_t(0) : dram_ ? dram_->quiet_until() : ideal_.quiet_until();
+        return disturbed_  ? 0
+               : sleeping_ ? ~std::uint64_t(0)
+               : dram_     ? dram_->quiet_until()
+                           : ideal_.quiet_until();
     }
     /// The same as so many clock(nullptr), not beyond quiet_until().
     void skip(std::uint64_t cycles);
@@ -63,7 +69,9 @@ private:
         std::uint64_t due = 0;
     };
     bool comes() const { return dram_ ? dram_->valid() : ideal_.valid(); }
-    Answer coming() const { return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer(); }
+    Answer coming() const {
+        return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer();
+    }
     void work(const Answer* request);
     void pay();
     void disturb();
@@ -74,12 +82,13 @@ private:
     Rng rng_;
     bool disturbed_, ready_ = true;
     std::uint64_t now_ = 0;
-    bool sleeping_ = false;        // the DRAM has nothing to do, and is told of the cycles that pass when it has again:
-    std::uint64_t owed_ = 0;       // so many
+    bool sleeping_ =
+        false;   // the DRAM has nothing to do, and is told of the cycles that pass when it has again:
+    std::uint64_t owed_ = 0;   // so many
     std::uint64_t reads_ = 0;
     std::array<std::uint64_t, memory_deeds> ideal_deeds_{};
     std::vector<Late> late_;   // answers that traffic holds back, oldest first
     int offer_ = -1;           // of these, the one on offer
 };
 
-} // namespace rayclock
+}   // namespace rayclock

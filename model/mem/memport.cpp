@@ -3,7 +3,9 @@
 namespace rayclock {
 
 Memport::Memport(const Config& config, int ids)
-    : latency_(std::uint64_t(config.mem_latency)), interval_(std::uint64_t(config.mem_interval)), pending_(ids) {}
+    : latency_(std::uint64_t(config.mem_latency)),
+      interval_(std::uint64_t(config.mem_interval)),
+      pending_(ids) {}
 
 void Memport::clock(const Answer* request) {
     if (valid()) pending_.pop();
@@ -14,4 +16,4 @@ void Memport::clock(const Answer* request) {
     ++now_;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -8,19 +8,19 @@
 
 namespace rayclock {
 
-/// Traffic that tests put on the memory port and on the sinks, on top of their fixed figures. Seeded: two machines that make
-/// the same requests in the same cycles see the same traffic.
+/// Traffic that tests put on the memory port and on the sinks, on top of their fixed figures. Seeded: two
+/// machines that make the same requests in the same cycles see the same traffic.
 struct Traffic {
-    int jitter = 0;           ///< extra cycles of latency, 0..jitter, drawn per answer: they overtake each other
-    int stall_percent = 0;    ///< share of cycles in which no request is accepted
+    int jitter = 0;   ///< extra cycles of latency, 0..jitter, drawn per answer: they overtake each other
+    int stall_percent = 0;   ///< share of cycles in which no request is accepted
     std::uint64_t seed = 1;
     bool none() const { return jitter == 0 && stall_percent == 0; }
 };
 
-/// The ideal memory: a request accepted in cycle c is answered in cycle c + mem_latency, at most one request every
-/// mem_interval cycles, at any clock. It keeps only who asked for which address; whoever owns the port reads the memory
-/// image. Requests are told apart by id, and one with the same id is made only after the answer. Answers are always taken.
-/// The same class lies under the model and under the RTL.
+/// The ideal memory: a request accepted in cycle c is answered in cycle c + mem_latency, at most one request
+/// every mem_interval cycles, at any clock. It keeps only who asked for which address; whoever owns the port
+/// reads the memory image. Requests are told apart by id, and one with the same id is made only after the
+/// answer. Answers are always taken. The same class lies under the model and under the RTL.
 class Memport {
 public:
     Memport(const Config& config, int ids);
@@ -36,8 +36,8 @@ public:
     /// One clock edge: the request that was accepted, null if none. An answer on offer goes.
     void clock(const Answer* request);
 
-    /// The first cycle, in calls of clock(), in which ready() or valid() could change without a request; and the same as
-    /// clock(nullptr) `cycles` times up to there.
+    /// The first cycle, in calls of clock(), in which ready() or valid() could change without a request; and
+    /// the same as clock(nullptr) `cycles` times up to there.
     std::uint64_t quiet_until() const {
         const std::uint64_t answer = pending_.empty() ? ~std::uint64_t(0) : pending_.front().due;
         return now_ < next_free_ && next_free_ < answer ? next_free_ : answer;
@@ -56,7 +56,8 @@ private:
 /// Where hits go: always ready, or not in a share of the cycles. Each sink draws from a stream of its own.
 class Sink {
 public:
-    Sink(Traffic traffic, int number) : stall_percent_(traffic.stall_percent), rng_(traffic.seed * 16 + 3 + std::uint64_t(number)) {}
+    Sink(Traffic traffic, int number)
+        : stall_percent_(traffic.stall_percent), rng_(traffic.seed * 16 + 3 + std::uint64_t(number)) {}
     bool ready() const { return ready_; }
     void clock() { ready_ = stall_percent_ == 0 || rng_.below(100) >= stall_percent_; }
 
@@ -66,4 +67,4 @@ private:
     bool ready_ = true;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

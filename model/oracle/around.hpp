@@ -1,5 +1,6 @@
 #pragma once
-// Triangles near a way between any two points: for ways that begin beside the lattice, where Surface cannot look.
+// Triangles near a way between any two points: for ways that begin beside the lattice, where Surface cannot
+// look.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,14 +14,16 @@ namespace rayclock::oracle {
 
 /// A binary tree of boxes, split at the median.
 ///
-/// No triangle that meets the way is skipped: boxes are a whole lattice step wider on every side than their triangles, and
-/// a way is passed by only if on an axis, or seen along one, it is apart from that box. Coordinates are below 2^21, so
-/// doubles err by less than 2^-30 of a step there, and by less than 2^-30 of the step's share in the comparisons of products.
+/// No triangle that meets the way is skipped: boxes are a whole lattice step wider on every side than their
+/// triangles, and a way is passed by only if on an axis, or seen along one, it is apart from that box.
+/// Coordinates are below 2^21, so doubles err by less than 2^-30 of a step there, and by less than 2^-30 of
+/// the step's share in the comparisons of products.
 class Around {
 public:
     using Point = std::array<double, 3>;
 
-    explicit Around(std::vector<Corners> triangles) : triangles_(std::move(triangles)), order_(triangles_.size()) {
+    explicit Around(std::vector<Corners> triangles)
+        : triangles_(std::move(triangles)), order_(triangles_.size()) {
         std::iota(order_.begin(), order_.end(), 0u);
         nodes_.reserve(2 * triangles_.size() + 1);
         nodes_.resize(1);
@@ -71,7 +74,8 @@ private:
                 if (std::abs(gap[k]) > size[k] + reach[k]) return true;
             }
             const auto beside = [&](std::size_t i, std::size_t j) {
-                return std::abs(gap[i] * half[j] - gap[j] * half[i]) > reach[i] * size[j] + reach[j] * size[i];
+                return std::abs(gap[i] * half[j] - gap[j] * half[i]) >
+                       reach[i] * size[j] + reach[j] * size[i];
             };
             return beside(0, 1) || beside(1, 2) || beside(2, 0);
         }
@@ -81,7 +85,8 @@ private:
         constexpr std::int32_t most = 1 << 21;
         std::array<std::int32_t, 3> lo{most, most, most}, hi{-most, -most, -most};
         for (std::uint32_t i = first; i < first + count; ++i)
-            for (const Vec3i* p : {&triangles_[order_[i]].a, &triangles_[order_[i]].b, &triangles_[order_[i]].c})
+            for (const Vec3i* p :
+                 {&triangles_[order_[i]].a, &triangles_[order_[i]].b, &triangles_[order_[i]].c})
                 for (std::size_t k = 0; k < 3; ++k) {
                     lo[k] = std::min(lo[k], (*p)[k] - 1);
                     hi[k] = std::max(hi[k], (*p)[k] + 1);
@@ -96,9 +101,13 @@ private:
         std::size_t axis = 0;
         for (std::size_t k = 1; k < 3; ++k)
             if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
-        const auto middle = [&](std::uint32_t i) { return std::int64_t(triangles_[i].a[axis]) + triangles_[i].b[axis] + triangles_[i].c[axis]; };
+        const auto middle = [&](std::uint32_t i) {
+            return std::int64_t(triangles_[i].a[axis]) + triangles_[i].b[axis] + triangles_[i].c[axis];
+        };
         const auto begin = order_.begin() + first;
-        std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t i, std::uint32_t j) { return std::pair(middle(i), i) < std::pair(middle(j), j); });
+        std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t i, std::uint32_t j) {
+            return std::pair(middle(i), i) < std::pair(middle(j), j);
+        });
         const auto child = std::uint32_t(nodes_.size());
         nodes_.resize(nodes_.size() + 2);
         nodes_[node].first = child;
@@ -112,4 +121,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

@@ -1,7 +1,8 @@
 #pragma once
-// Exact truth about rays and spheres, and rays and planes, in fractions of any size. Written from the geometry: a sphere is where
-// the distance from its centre has a certain square; what happens on the way is told by that square's value at three points, the
-// way's ends and the point nearest to the centre. No root is taken. Needs Boost; used by tests only.
+// Exact truth about rays and spheres, and rays and planes, in fractions of any size. Written from the
+// geometry: a sphere is where the distance from its centre has a certain square; what happens on the way is
+// told by that square's value at three points, the way's ends and the point nearest to the centre. No root is
+// taken. Needs Boost; used by tests only.
 #include "model/oracle/exact.hpp"
 
 namespace rayclock::oracle {
@@ -35,7 +36,8 @@ struct Ball {
     Rational speed_squared() const { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; }
 };
 
-/// How the ray t > 0 meets the sphere. It goes in at the near point if it comes from outside, out at the far one otherwise.
+/// How the ray t > 0 meets the sphere. It goes in at the near point if it comes from outside, out at the far
+/// one otherwise.
 enum class Meets { no, near, far };
 inline Meets meets(const Ball& ball) {
     if (!ball.moves()) return Meets::no;
@@ -44,7 +46,8 @@ inline Meets meets(const Ball& ball) {
     if (start == 0) return middle > 0 ? Meets::far : Meets::no;
     return Meets::far;
 }
-/// A ray that starts on the sphere as well as its numbers can say, and goes inward: only the far point is meant.
+/// A ray that starts on the sphere as well as its numbers can say, and goes inward: only the far point is
+/// meant.
 inline Meets meets_from_its_surface(const Ball& ball) {
     return meets(ball) == Meets::no ? Meets::no : Meets::far;
 }
@@ -61,13 +64,15 @@ inline bool between(const Ball& ball, const Rational& end) {
     const Rational first = ball.outside(0), last = ball.outside(end), middle = ball.middle();
     if ((first < 0 && last > 0) || (first > 0 && last < 0)) return true;
     const bool inside_way = middle > 0 && middle < end;
-    if (first > 0) return inside_way && ball.outside(middle) <= 0;   // in and out again, the last at `end` at most
-    if (first < 0) return false;                                     // and the last point at most on it
-    return middle > 0 && 2 * middle < end;                           // the other crossing of one that starts on it
+    if (first > 0)
+        return inside_way && ball.outside(middle) <= 0;   // in and out again, the last at `end` at most
+    if (first < 0) return false;                          // and the last point at most on it
+    return middle > 0 && 2 * middle < end;                // the other crossing of one that starts on it
 }
 
 /// Where a line meets a plane a + u (b - a) + v (c - a), t > 0.
-inline std::optional<Crossing> plane_crossing(const Place3& o, const Place3& d, const Place3& a, const Place3& b, const Place3& c) {
+inline std::optional<Crossing> plane_crossing(const Place3& o, const Place3& d, const Place3& a,
+                                              const Place3& b, const Place3& c) {
     Equations e;
     for (std::size_t k = 0; k < 3; ++k) {
         e.left[k] = {Rational(-d[k]), Rational(b[k] - a[k]), Rational(c[k] - a[k])};
@@ -79,4 +84,4 @@ inline std::optional<Crossing> plane_crossing(const Place3& o, const Place3& d, 
     return Crossing{(*solved)[0][0], (*solved)[1][0], (*solved)[2][0], abs(volume)};
 }
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

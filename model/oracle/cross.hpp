@@ -1,11 +1,11 @@
 #pragma once
-// Ray against triangle in whole numbers of any width, written from the geometry: on which side of each edge the ray passes, by
-// signed volumes. Shares no formula with the units it judges.
+// Ray against triangle in whole numbers of any width, written from the geometry: on which side of each edge
+// the ray passes, by signed volumes. Shares no formula with the units it judges.
 //
-// Two kinds of number: Short for coordinates, differences and products of two of them, Int for volumes. With N-bit coordinates
-// and M-bit directions, differences have N + 1 bits, cross products of two are below 2^(2N + 3), volumes with a direction below
-// 2^(2N + M + 4) and of three differences below 2^(3N + 5). 64 and 128 bits do for N = 20, M = 24; 256 bits that notice overflow
-// judge them (tests/system).
+// Two kinds of number: Short for coordinates, differences and products of two of them, Int for volumes. With
+// N-bit coordinates and M-bit directions, differences have N + 1 bits, cross products of two are below 2^(2N
+// + 3), volumes with a direction below 2^(2N + M + 4) and of three differences below 2^(3N + 5). 64 and 128
+// bits do for N = 20, M = 24; 256 bits that notice overflow judge them (tests/system).
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -21,9 +21,13 @@ struct Corners {
 
 template <class Number> using Triple = std::array<Number, 3>;
 
-template <class Number> Triple<Number> triple(const Vec3i& v) { return {Number(v[0]), Number(v[1]), Number(v[2])}; }
+template <class Number> Triple<Number> triple(const Vec3i& v) {
+    return {Number(v[0]), Number(v[1]), Number(v[2])};
+}
 /// From b to a.
-template <class Number> Triple<Number> way(const Triple<Number>& b, const Triple<Number>& a) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+template <class Number> Triple<Number> way(const Triple<Number>& b, const Triple<Number>& a) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 /// Area of the parallelogram over two vectors, as a vector.
 template <class Short> Triple<Short> area(const Triple<Short>& a, const Triple<Short>& b) {
@@ -34,13 +38,17 @@ template <class Int, class Short> Int volume(const Triple<Short>& a, const Tripl
     return Int(a[0]) * Int(bc[0]) + Int(a[1]) * Int(bc[1]) + Int(a[2]) * Int(bc[2]);
 }
 
-template <class Int> Int volume(const Triple<Int>& a, const Triple<Int>& b, const Triple<Int>& c) { return volume<Int>(a, area(b, c)); }
+template <class Int> Int volume(const Triple<Int>& a, const Triple<Int>& b, const Triple<Int>& c) {
+    return volume<Int>(a, area(b, c));
+}
 
-/// On which side of the directed edge p -> q the line along d through the origin passes, if the origin is moved by
-/// (e, e^2, e^3), e -> 0+: the sign of volume(d, p - o', q - o'), given its value without the move. p and q are relative to the
-/// origin. Its coefficient of o'[k] is -volume(d, axis k, q) - volume(d, p, axis k), and terms of two moves vanish, since both
-/// would stand in equal rows. 0 only if d is parallel to the edge.
-template <class Int, class Short> int side(const Int& value, const Triple<Short>& d, const Triple<Short>& p, const Triple<Short>& q) {
+/// On which side of the directed edge p -> q the line along d through the origin passes, if the origin is
+/// moved by (e, e^2, e^3), e -> 0+: the sign of volume(d, p - o', q - o'), given its value without the move.
+/// p and q are relative to the origin. Its coefficient of o'[k] is -volume(d, axis k, q) - volume(d, p, axis
+/// k), and terms of two moves vanish, since both would stand in equal rows. 0 only if d is parallel to the
+/// edge.
+template <class Int, class Short>
+int side(const Int& value, const Triple<Short>& d, const Triple<Short>& p, const Triple<Short>& q) {
     if (value != 0) return value > 0 ? 1 : -1;
     for (std::size_t k = 0; k < 3; ++k) {
         Triple<Short> axis{Short(0), Short(0), Short(0)};
@@ -51,8 +59,9 @@ template <class Int, class Short> int side(const Int& value, const Triple<Short>
     return 0;
 }
 
-/// Where a ray crosses a triangle: at o + d num / den. The sense is 1 if the ray passes from the side to which the normal
-/// (b - a) x (c - a) points to the other, that is, enters a body whose normals point outwards; -1 if it leaves.
+/// Where a ray crosses a triangle: at o + d num / den. The sense is 1 if the ray passes from the side to
+/// which the normal (b - a) x (c - a) points to the other, that is, enters a body whose normals point
+/// outwards; -1 if it leaves.
 template <class Int> struct Passage {
     Int num, den;   ///< den > 0
     int sense;
@@ -60,21 +69,26 @@ template <class Int> struct Passage {
 
 /// The crossing at t > 0, or nothing. A triangle seen edge-on is not crossed.
 ///
-/// With a, b, c relative to the origin, n = b x c + c x a + a x b is the triangle's normal and n . a = volume(a, b, c), so that
-/// n . (t d - a) = 0 gives t = volume(a, b, c) / (volume(d, b, c) + volume(d, c, a) + volume(d, a, b)).
-template <class Int, class Short = Int> std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
+/// With a, b, c relative to the origin, n = b x c + c x a + a x b is the triangle's normal and n . a =
+/// volume(a, b, c), so that n . (t d - a) = 0 gives t = volume(a, b, c) / (volume(d, b, c) + volume(d, c, a)
+/// + volume(d, a, b)).
+template <class Int, class Short = Int>
+std::optional<Passage<Int>> cross(const Vec3i& origin, const Vec3i& direction, const Corners& t) {
     const Triple<Short> o = triple<Short>(origin), d = triple<Short>(direction);
-    const Triple<Short> a = way(o, triple<Short>(t.a)), b = way(o, triple<Short>(t.b)), c = way(o, triple<Short>(t.c));
+    const Triple<Short> a = way(o, triple<Short>(t.a)), b = way(o, triple<Short>(t.b)),
+                        c = way(o, triple<Short>(t.c));
     const Triple<Short> bc = area(b, c), ca = area(c, a);
     const Int along_bc = volume<Int>(d, bc), along_ca = volume<Int>(d, ca);
-    if ((along_bc > 0 && along_ca < 0) || (along_bc < 0 && along_ca > 0)) return std::nullopt;   // most end here
+    if ((along_bc > 0 && along_ca < 0) || (along_bc < 0 && along_ca > 0))
+        return std::nullopt;   // most end here
     const Int along_ab = volume<Int>(d, area(a, b));
     const int first = side(along_bc, d, b, c);
-    if (first == 0 || side(along_ca, d, c, a) != first || side(along_ab, d, a, b) != first) return std::nullopt;
+    if (first == 0 || side(along_ca, d, c, a) != first || side(along_ab, d, a, b) != first)
+        return std::nullopt;
     const Int size = along_bc + along_ca + along_ab, height = volume<Int>(a, bc);
     if (size == 0 || height == 0 || (height > 0) != (size > 0)) return std::nullopt;
     if (size < 0) return Passage<Int>{-height, -size, 1};
     return Passage<Int>{height, size, -1};
 }
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

@@ -1,6 +1,7 @@
 #pragma once
-// Exact truth for the arithmetic units, in integers and fractions of any size. Written from the geometry; shares no formula
-// with the units it judges, and knows nothing of their roundings but what they promise. Needs Boost; used by tests only.
+// Exact truth for the arithmetic units, in integers and fractions of any size. Written from the geometry;
+// shares no formula with the units it judges, and knows nothing of their roundings but what they promise.
+// Needs Boost; used by tests only.
 #include <array>
 #include <optional>
 
@@ -44,7 +45,8 @@ struct Equations {
     std::array<Moving, 3> right;
 };
 
-/// Solves by elimination (Gauss and Jordan); nothing if the left side is singular. `determinant` receives that of the left.
+/// Solves by elimination (Gauss and Jordan); nothing if the left side is singular. `determinant` receives
+/// that of the left.
 inline std::optional<std::array<Moving, 3>> solve(Equations e, Rational& determinant) {
     determinant = 1;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -73,15 +75,17 @@ inline std::optional<std::array<Moving, 3>> solve(Equations e, Rational& determi
     return e.right;
 }
 
-/// Where a ray meets a triangle: o + t d = (1 - u - v) a + u b + v c. `volume` is six times that of (d, b - a, c - a).
+/// Where a ray meets a triangle: o + t d = (1 - u - v) a + u b + v c. `volume` is six times that of (d, b -
+/// a, c - a).
 struct Crossing {
     Rational t, u, v, volume;
 };
 
-/// The crossing of a ray with a triangle, t > 0. Whether it passes inside is decided for the origin o + (eps, eps^2, eps^3),
-/// eps -> 0+, so a ray through an edge or a corner belongs to one side; everything else is said of the origin as it stands.
-/// A triangle seen edge-on is not crossed.
-inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Point& a, const Point& b, const Point& c) {
+/// The crossing of a ray with a triangle, t > 0. Whether it passes inside is decided for the origin o + (eps,
+/// eps^2, eps^3), eps -> 0+, so a ray through an edge or a corner belongs to one side; everything else is
+/// said of the origin as it stands. A triangle seen edge-on is not crossed.
+inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Point& a, const Point& b,
+                                        const Point& c) {
     Equations e;
     for (std::size_t k = 0; k < 3; ++k) {
         e.left[k] = {Rational(-d[k]), Rational(b[k] - a[k]), Rational(c[k] - a[k])};
@@ -97,9 +101,10 @@ inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Po
     return Crossing{t[0], u[0], v[0], abs(volume)};
 }
 
-/// Whether a hit at t of primitive `prim` goes before one at other_t of other_prim: nearer, or as near and of lower or the
-/// same number.
-inline bool goes_before(const Rational& t, std::uint32_t prim, const Rational& other_t, std::uint32_t other_prim) {
+/// Whether a hit at t of primitive `prim` goes before one at other_t of other_prim: nearer, or as near and of
+/// lower or the same number.
+inline bool goes_before(const Rational& t, std::uint32_t prim, const Rational& other_t,
+                        std::uint32_t other_prim) {
     return t < other_t || (t == other_t && prim <= other_prim);
 }
 
@@ -116,7 +121,8 @@ struct Interval {
     std::optional<Rational> leave;
 };
 
-/// What box may err: its reciprocals have `precision` bits, and distances beyond `most` are all the same to it.
+/// What box may err: its reciprocals have `precision` bits, and distances beyond `most` are all the same to
+/// it.
 struct Licence {
     int precision = 0;
     Rational most;
@@ -125,14 +131,15 @@ struct Licence {
 
 /// The part with t >= 0 of the ray o + d t / unit that lies in the box (faces belong to it), or nothing.
 ///
-/// A licence grants what the box test may err. With R-bit reciprocals, a reciprocal of the direction that is cut to an R-bit
-/// mantissa is low by less than 2^(1-R) of its value, and one unit added to it makes it high by as much; the product with
-/// the distance to the node's corner is rounded to a multiple of what one plane step gives with a reciprocal of 1, which is
-/// again 2^(1-R) of the true time for a plane step; and t is rounded to an integer at last. So either end of each axis'
-/// interval may lie outwards by
+/// A licence grants what the box test may err. With R-bit reciprocals, a reciprocal of the direction that is
+/// cut to an R-bit mantissa is low by less than 2^(1-R) of its value, and one unit added to it makes it high
+/// by as much; the product with the distance to the node's corner is rounded to a multiple of what one plane
+/// step gives with a reciprocal of 1, which is again 2^(1-R) of the true time for a plane step; and t is
+/// rounded to an integer at last. So either end of each axis' interval may lie outwards by
 ///     2^(1-R) (|t| + t_step) + 1,    t_step: what the ray needs for one plane step of the axis.
 /// A drift of the origin is further time on top, longer by the reciprocal's error.
-/// If a component of d is zero, o is compared on the grid of planes: less than one step outside may count as inside.
+/// If a component of d is zero, o is compared on the grid of planes: less than one step outside may count as
+/// inside.
 inline std::optional<Interval> interval(const Point& o, const Point& d, const Box& box, const Rational& unit,
                                         const Licence* licence = nullptr) {
     Interval in{0, std::nullopt};
@@ -146,7 +153,8 @@ inline std::optional<Interval> interval(const Point& o, const Point& d, const Bo
         const auto slack = [&](const Rational& t) {
             if (!licence) return Rational(0);
             const Rational drift = time(licence->drift);
-            return Rational(power_of_two(1 - licence->precision) * (abs(t) + time(box.step[k]) + drift) + 1 + drift);
+            return Rational(power_of_two(1 - licence->precision) * (abs(t) + time(box.step[k]) + drift) + 1 +
+                            drift);
         };
         const Rational enter = d[k] > 0 ? time(box.lo[k] - o[k]) : time(o[k] - box.hi[k]);
         const Rational leave = d[k] > 0 ? time(box.hi[k] - o[k]) : time(o[k] - box.lo[k]);
@@ -179,8 +187,9 @@ inline Rational scaled_reciprocal(const Int& d, int precision) {
 /// The integer nearest to q, halves up.
 inline Int nearest(const Rational& q) { return floor(q + Rational(1, 2)); }
 
-/// What raygen makes of a direction that the camera's registers give (model/core/frame.hpp): times the largest power of two up to
-/// 2^most_doubled for which all components lie within -2^(bits-1) <= d < 2^(bits-1), and then the nearest integers that do.
+/// What raygen makes of a direction that the camera's registers give (model/core/frame.hpp): times the
+/// largest power of two up to 2^most_doubled for which all components lie within -2^(bits-1) <= d <
+/// 2^(bits-1), and then the nearest integers that do.
 inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int most_doubled) {
     const Int end = Int(1) << (bits - 1);
     const auto fits_twice = [&](const Rational& q) { return -end <= 2 * q && 2 * q < end; };
@@ -192,6 +201,8 @@ inline std::array<Int, 3> filled(std::array<Rational, 3> d, int bits, int most_d
 }
 
 /// The largest component's size.
-inline Int longest(const std::array<Int, 3>& d) { return std::max<Int>(abs(d[0]), std::max<Int>(abs(d[1]), abs(d[2]))); }
+inline Int longest(const std::array<Int, 3>& d) {
+    return std::max<Int>(abs(d[0]), std::max<Int>(abs(d[1]), abs(d[2])));
+}
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

@@ -70,7 +70,8 @@ struct ByMachine {
 
     void children(const WideNode& node, std::uint32_t, std::vector<Taken<Time>>& out) {
         BoxRsp rsp;
-        box_children({ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len}, node, config, rsp);
+        box_children({ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len}, node, config,
+                     rsp);
         std::uint32_t mask = 0;
         for (std::uint32_t i = 0; i < rsp.inner + rsp.leaves; ++i) {
             std::uint32_t child = 0;
@@ -81,14 +82,16 @@ struct ByMachine {
         judge(node, out, mask);
     }
 
-    /// Against exact arithmetic, child by child. With unit = 2^(M-1+F) a t_near is late if t_near / unit > enter.
+    /// Against exact arithmetic, child by child. With unit = 2^(M-1+F) a t_near is late if t_near / unit >
+    /// enter.
     void judge(const WideNode& node, const std::vector<Taken<Time>>& taken, std::uint32_t mask) {
         count.boxes += node.children;
         for (const Taken<Time>& t : taken) {
             const auto [lo, hi] = quantised(node, t.child);
             const auto enter = oracle::overlap(wide(ray.o), wide(ray.d), lo, hi);
             count.boxes_extra += !enter;
-            const Fraction said{std::int64_t(t.near), std::int64_t(1) << (config.dir_bits - 1 + config.t_frac_bits)};
+            const Fraction said{std::int64_t(t.near), std::int64_t(1)
+                                                          << (config.dir_bits - 1 + config.t_frac_bits)};
             count.t_late += enter && oracle::less(*enter, said);
         }
         for (std::uint32_t i = 0; i < node.children; ++i) {
@@ -112,8 +115,10 @@ struct ByOracle {
     void children(const WideNode& node, std::uint32_t line, std::vector<Taken<Time>>& out) const {
         const std::array<LatticeBox, max_width>* boxes = real ? &real->at(line) : nullptr;
         for (std::uint32_t i = 0; i < node.children; ++i) {
-            const auto [lo, hi] = boxes ? std::pair{wide((*boxes)[i].lo), wide((*boxes)[i].hi)} : quantised(node, i);
-            if (const auto enter = oracle::overlap(wide(ray.o), wide(ray.d), lo, hi)) out.push_back({*enter, i});
+            const auto [lo, hi] =
+                boxes ? std::pair{wide((*boxes)[i].lo), wide((*boxes)[i].hi)} : quantised(node, i);
+            if (const auto enter = oracle::overlap(wide(ray.o), wide(ray.d), lo, hi))
+                out.push_back({*enter, i});
         }
     }
 };
@@ -147,10 +152,12 @@ private:
         });
         for (const auto& [near, child] : taken_) {
             if (Rule::less(t_best_, near)) break;
-            for (std::uint32_t n = 0; n < node.count[child]; ++n) test(2 * node.base + node.offset[child] + n);
+            for (std::uint32_t n = 0; n < node.count[child]; ++n)
+                test(2 * node.base + node.offset[child] + n);
         }
         for (std::size_t i = taken_.size(); i-- > 0;)
-            if (node.inner_mask >> taken_[i].child & 1) stack_.push_back({taken_[i].near, node.base + taken_[i].child});
+            if (node.inner_mask >> taken_[i].child & 1)
+                stack_.push_back({taken_[i].near, node.base + taken_[i].child});
     }
 
     void test(std::uint32_t half_line) {
@@ -181,7 +188,7 @@ void add(WalkWork& sum, const WalkWork& part) {
     sum.taken += part.taken;
 }
 
-} // namespace
+}   // namespace
 
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every) {
     const Decoder decoder(image, config);
@@ -190,29 +197,35 @@ ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Con
     const std::uint64_t pixels = std::uint64_t(frame.width) * frame.height, step = std::uint64_t(every);
     ExtraVisits sum;
     std::mutex lock;
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, (pixels + step - 1) / step, 1024), [&](const auto& range) {
-        ExtraVisits part;
-        for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
-            const std::uint64_t pixel = i * step;
-            const Ray ray = raygen({0, std::uint32_t(pixel % frame.width), std::uint32_t(pixel / frame.width)}, frame, config);
-            const Best first = Walker<ByMachine>(decoder, config, ray, {config, ray, part}, part.machine).run(frame.root);
-            const Best second = Walker<ByOracle>(decoder, config, ray, {ray, nullptr}, part.exact).run(frame.root);
-            const Best third = Walker<ByOracle>(decoder, config, ray, {ray, &real}, part.real).run(frame.root);
-            part.other_hits += !same(first, second) || !same(first, third);
-            ++part.rays;
-        }
-        const std::scoped_lock hold(lock);
-        sum.rays += part.rays;
-        sum.boxes += part.boxes;
-        sum.boxes_extra += part.boxes_extra;
-        sum.boxes_lost += part.boxes_lost;
-        sum.t_late += part.t_late;
-        sum.other_hits += part.other_hits;
-        add(sum.machine, part.machine);
-        add(sum.exact, part.exact);
-        add(sum.real, part.real);
-    });
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint64_t>(0, (pixels + step - 1) / step, 1024), [&](const auto& range) {
+            ExtraVisits part;
+            for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
+                const std::uint64_t pixel = i * step;
+                const Ray ray =
+                    raygen({0, std::uint32_t(pixel % frame.width), std::uint32_t(pixel / frame.width)}, frame,
+                           config);
+                const Best first = Walker<ByMachine>(decoder, config, ray, {config, ray, part}, part.machine)
+                                       .run(frame.root);
+                const Best second =
+                    Walker<ByOracle>(decoder, config, ray, {ray, nullptr}, part.exact).run(frame.root);
+                const Best third =
+                    Walker<ByOracle>(decoder, config, ray, {ray, &real}, part.real).run(frame.root);
+                part.other_hits += !same(first, second) || !same(first, third);
+                ++part.rays;
+            }
+            const std::scoped_lock hold(lock);
+            sum.rays += part.rays;
+            sum.boxes += part.boxes;
+            sum.boxes_extra += part.boxes_extra;
+            sum.boxes_lost += part.boxes_lost;
+            sum.t_late += part.t_late;
+            sum.other_hits += part.other_hits;
+            add(sum.machine, part.machine);
+            add(sum.exact, part.exact);
+            add(sum.real, part.real);
+        });
     return sum;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

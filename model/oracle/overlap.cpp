@@ -2,7 +2,8 @@
 
 namespace rayclock::oracle {
 
-std::optional<Fraction> overlap(const LatticeVec& o, const LatticeVec& d, const LatticeVec& lo, const LatticeVec& hi) {
+std::optional<Fraction> overlap(const LatticeVec& o, const LatticeVec& d, const LatticeVec& lo,
+                                const LatticeVec& hi) {
     Fraction enter{0, 1};   // the largest so far; s >= 0
     std::array<Fraction, 3> leave;
     std::size_t leaves = 0;
@@ -22,4 +23,4 @@ std::optional<Fraction> overlap(const LatticeVec& o, const LatticeVec& d, const 
     return enter;
 }
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

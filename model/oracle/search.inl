@@ -1,7 +1,8 @@
-// The search. Included inside a namespace, once for each instruction set, with Lanes being as long as the machine's own vectors:
-// the compiler takes longer ones apart.
+// The search. Included inside a namespace, once for each instruction set, with Lanes being as long as the
+// machine's own vectors: the compiler takes longer ones apart.
 
-/// The children that the ray may meet, a bit each; `near` gets twice the way to their near planes on the main axis.
+/// The children that the ray may meet, a bit each; `near` gets twice the way to their near planes on the main
+/// axis.
 inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
     constexpr unsigned lanes = sizeof(Lanes) / sizeof(double);
     const auto load = [](const double* from) {
@@ -12,7 +13,8 @@ inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
     unsigned met = 0;
     for (unsigned h = 0; h < 4; h += lanes) {
         const auto &o = ray.twice_o, &d = ray.d, &s = ray.size;
-        const Lanes x = load(&boxes.centre[0][h]) - o[0], y = load(&boxes.centre[1][h]) - o[1], z = load(&boxes.centre[2][h]) - o[2];
+        const Lanes x = load(&boxes.centre[0][h]) - o[0], y = load(&boxes.centre[1][h]) - o[1],
+                    z = load(&boxes.centre[2][h]) - o[2];
         const Lanes u = load(&boxes.width[0][h]), v = load(&boxes.width[1][h]), w = load(&boxes.width[2][h]);
         const Lanes xy = d[0] * y - d[1] * x, yz = d[1] * z - d[2] * y, zx = d[2] * x - d[0] * z;
         const Lanes r_xy = s[0] * v + s[1] * u, r_yz = s[1] * w + s[2] * v, r_zx = s[2] * u + s[0] * w;
@@ -35,7 +37,8 @@ inline unsigned meets(const Ray& ray, const Boxes& boxes, double* near) {
     return ~met & 15u;
 }
 
-/// Calls meet(place) for every leaf whose box the ray meets. If `in_order`, nearer boxes come first, and none that is after().
+/// Calls meet(place) for every leaf whose box the ray meets. If `in_order`, nearer boxes come first, and none
+/// that is after().
 template <bool in_order, class After, class Meet>
 void search(const Ray& ray, const Node* nodes, std::uint32_t root, const After& after, const Meet& meet) {
     // 2^31 triangles quartered: at most 16 levels, each leaving three siblings.

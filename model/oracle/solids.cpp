@@ -20,14 +20,15 @@ Triple<Short> from_origin(const SolidRay& ray, const Vec3i& p) {
 
 Triple<Short> minus(const Vec3i& a, const Vec3i& b) { return way(triple<Short>(b), triple<Short>(a)); }
 
-/// The plane through three points, as the ray meets it: num / den directions away, times 2^frac; den < 0: from the side to which
-/// the normal does not point.
+/// The plane through three points, as the ray meets it: num / den directions away, times 2^frac; den < 0:
+/// from the side to which the normal does not point.
 struct Height {
     Int128 num, den;
 };
 Height height(const SolidRay& ray, const Corners& t) {
     const Triple<Short> normal = area(minus(t.b, t.a), minus(t.c, t.a));
-    return {volume<Int128>(from_origin(ray, t.a), normal), volume<Int128>(triple<Short>(ray.direction), normal)};
+    return {volume<Int128>(from_origin(ray, t.a), normal),
+            volume<Int128>(triple<Short>(ray.direction), normal)};
 }
 
 /// The volumes of the direction over pairs of corners.
@@ -35,14 +36,16 @@ struct Volumes {
     Int128 bc, ca, ab;
 };
 Volumes volumes(const SolidRay& ray, const Corners& t) {
-    const Triple<Short> d = triple<Short>(ray.direction), a = from_origin(ray, t.a), b = from_origin(ray, t.b), c = from_origin(ray, t.c);
+    const Triple<Short> d = triple<Short>(ray.direction), a = from_origin(ray, t.a),
+                        b = from_origin(ray, t.b), c = from_origin(ray, t.c);
     return {volume<Int128>(d, area(b, c)), volume<Int128>(d, area(c, a)), volume<Int128>(d, area(a, b))};
 }
 
 /// The moved ray's line passes between the edges.
 bool within_edges(const SolidRay& ray, const Corners& t, const Volumes& v) {
     if ((v.bc > 0 && v.ca < 0) || (v.bc < 0 && v.ca > 0)) return false;   // most end here
-    const Triple<Short> d = triple<Short>(ray.direction), a = from_origin(ray, t.a), b = from_origin(ray, t.b), c = from_origin(ray, t.c);
+    const Triple<Short> d = triple<Short>(ray.direction), a = from_origin(ray, t.a),
+                        b = from_origin(ray, t.b), c = from_origin(ray, t.c);
     const int first = side(v.bc, d, b, c);
     return first != 0 && side(v.ca, d, c, a) == first && side(v.ab, d, a, b) == first;
 }
@@ -55,7 +58,8 @@ std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::
     if (h.den == 0 || h.num == 0 || (h.num > 0) != (h.den > 0)) return std::nullopt;
     const int turn = sign(h.den);
     const Int128 total = (v.bc + v.ca + v.ab) * turn;
-    return FlatHit{number, h.num * turn, h.den * turn * (Int128(1) << ray.frac), v.ca * turn, v.ab * turn, total, h.den > 0};
+    return FlatHit{number, h.num * turn, h.den * turn * (Int128(1) << ray.frac), v.ca * turn, v.ab * turn,
+                   total,  h.den > 0};
 }
 
 /// A flat hit goes before another one.
@@ -68,8 +72,8 @@ bool before(const FlatHit& one, const FlatHit& other) {
 bool is_self(const SolidRay& ray, std::uint32_t number) { return ray.self == number; }
 
 /// The sphere stands between the light, from which the ray comes, and its end at t = 1.
-/// A ray that ends on this very sphere: seen from outside it is not in its own way, since the light is on the same side; from inside
-/// it is if the light is outside.
+/// A ray that ends on this very sphere: seen from outside it is not in its own way, since the light is on the
+/// same side; from inside it is if the light is outside.
 bool sphere_blocks(const SolidRay& ray, const Solid& sphere, bool own, int frac_end) {
     const Ball b = ball_of(ray, sphere);
     if (own) return ray.inside && b.start > 0;
@@ -82,7 +86,8 @@ bool sphere_blocks(const SolidRay& ray, const Solid& sphere, bool own, int frac_
     return b.start == 0 && middle > 0 && 2 * middle < b.square;
 }
 
-std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::uint32_t>& planes, std::vector<std::uint32_t>& bounded) {
+std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::uint32_t>& planes,
+                             std::vector<std::uint32_t>& bounded) {
     std::vector<Extent> boxes;
     for (std::uint32_t i = 0; i < solids.size(); ++i) {
         const Solid& s = solids[i];
@@ -94,8 +99,10 @@ std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::
         box.add(s.corners.b);
         box.add(s.corners.c);
         if (s.kind == Solid::Kind::sphere) {
-            const auto radius = std::int32_t(std::min(std::sqrt(double(s.radius_squared)) + 1, double(1 << 21)));
-            for (std::size_t k = 0; k < 3; ++k) box.lo[k] = s.centre[k] - radius, box.hi[k] = s.centre[k] + radius;
+            const auto radius =
+                std::int32_t(std::min(std::sqrt(double(s.radius_squared)) + 1, double(1 << 21)));
+            for (std::size_t k = 0; k < 3; ++k)
+                box.lo[k] = s.centre[k] - radius, box.hi[k] = s.centre[k] + radius;
         }
         bounded.push_back(i);
         boxes.push_back(box);
@@ -103,11 +110,12 @@ std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::
     return boxes;
 }
 
-} // namespace
+}   // namespace
 
 int compare_fractions(Int128 num1, Int128 den1, Int128 num2, Int128 den2) {
     // Most pairs are far apart: a quotient of two 128-bit numbers, each to 2^-63, tells.
-    const long double one = (long double)num1 / (long double)den1, other = (long double)num2 / (long double)den2;
+    const long double one = (long double)num1 / (long double)den1,
+                      other = (long double)num2 / (long double)den2;
     constexpr long double slack = 0x1p-58L;
     if (one < other * (1 - slack)) return -1;
     if (one > other * (1 + slack)) return 1;
@@ -138,20 +146,26 @@ Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
     Meets found = Meets::far;
     if (b.start > 0) found = ahead && b.disc() >= 0 ? Meets::near : Meets::no;
     if (b.start == 0) found = ahead ? Meets::far : Meets::no;
-    return is_self && found != Meets::no ? Meets::far : found;   // it starts on it as well as its numbers can say
+    return is_self && found != Meets::no ? Meets::far
+                                         : found;   // it starts on it as well as its numbers can say
 }
 
 double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which) {
-    // The roots' product is start / square: the one whose terms do not cancel is taken, and the other from it.
+    // The roots' product is start / square: the one whose terms do not cancel is taken, and the other from
+    // it.
     const Ball b = ball_of(ray, sphere);
-    const long double root = std::sqrt((long double)b.disc()), along = (long double)b.along, square = (long double)b.square;
+    const long double root = std::sqrt((long double)b.disc()), along = (long double)b.along,
+                      square = (long double)b.square;
     const bool far = which == Meets::far;
     const long double sum = far ? root - along : -root - along;   // times square
-    const long double scaled = (far ? along <= 0 : along >= 0) ? sum / square : (long double)b.start / (far ? -root - along : root - along);
+    const long double scaled = (far ? along <= 0 : along >= 0)
+                                   ? sum / square
+                                   : (long double)b.start / (far ? -root - along : root - along);
     return double(std::ldexp(scaled, -ray.frac));
 }
 
-bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::int64_t ticks, int tick_bits) {
+bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::int64_t ticks,
+                    int tick_bits) {
     const Triple<Short> to_centre = from_origin(ray, sphere.centre);
     Int128 outside = -(Int128(sphere.radius_squared) << (2 * tick_bits)), along = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -162,13 +176,17 @@ bool reaches_sphere(const SolidRay& ray, const Solid& sphere, Meets which, std::
     return which == Meets::near ? along >= 0 || outside <= 0 : along >= 0 && outside >= 0;
 }
 
-Solids::Solids(std::vector<Solid> solids) : solids_(std::move(solids)), tree_(boxes_of(solids_, planes_, bounded_), 1) {}
+Solids::Solids(std::vector<Solid> solids)
+    : solids_(std::move(solids)), tree_(boxes_of(solids_, planes_, bounded_), 1) {}
 
-std::optional<FlatHit> Solids::flat_hit(const SolidRay& ray, std::uint32_t number) const { return cross_flat(ray, solids_[number], number); }
+std::optional<FlatHit> Solids::flat_hit(const SolidRay& ray, std::uint32_t number) const {
+    return cross_flat(ray, solids_[number], number);
+}
 
 Nearest Solids::nearest(const SolidRay& ray) const {
     Nearest found;
-    double limit = std::numeric_limits<double>::infinity();   // directions, not less than those of the best hit
+    double limit =
+        std::numeric_limits<double>::infinity();   // directions, not less than those of the best hit
     const auto flat = [&](std::uint32_t number) {
         const auto hit = cross_flat(ray, solids_[number], number);
         if (!hit || !before(*hit, found.flat)) return;
@@ -185,7 +203,9 @@ Nearest Solids::nearest(const SolidRay& ray) const {
         if (which == Meets::no) return;
         const double distance = sphere_distance(ray, solids_[number], which);
         if (found.sphere.primitive != no_primitive &&
-            (distance > found.sphere.distance || (distance == found.sphere.distance && number > found.sphere.primitive))) return;
+            (distance > found.sphere.distance ||
+             (distance == found.sphere.distance && number > found.sphere.primitive)))
+            return;
         found.sphere = {number, which, distance};
         limit = std::min(limit, distance * (1 + 0x1p-40));
     });
@@ -196,12 +216,14 @@ bool Solids::meets_any(const SolidRay& ray) const {
     bool met = false;
     const auto look = [&](std::uint32_t number) {
         const Solid& s = solids_[number];
-        met = met || (s.kind == Solid::Kind::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no : cross_flat(ray, s, number).has_value());
+        met = met || (s.kind == Solid::Kind::sphere ? meets_sphere(ray, s, is_self(ray, number)) != Meets::no
+                                                    : cross_flat(ray, s, number).has_value());
     };
     if (!ray.finite)
         for (const std::uint32_t number : planes_) look(number);
-    tree_.nearest_first(tree::Ray(ray.origin, ray.direction, ray.frac), [&](double) { return met; },
-                        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
+    tree_.nearest_first(
+        tree::Ray(ray.origin, ray.direction, ray.frac), [&](double) { return met; },
+        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
     return met;
 }
 
@@ -220,8 +242,10 @@ bool Solids::blocks(const SolidRay& ray, int frac_end) const {
     for (const std::uint32_t number : planes_) look(number);
     const tree::Ray search(ray.origin, ray.direction, ray.frac);
     const double end = 2 * std::ldexp(search.main_size(), -frac_end) * (1 + 0x1p-40);
-    tree_.nearest_first(search, [&](double near) { return met || near > end; }, [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
+    tree_.nearest_first(
+        search, [&](double near) { return met || near > end; },
+        [&](std::uint32_t place) { look(bounded_[tree_.order()[place]]); });
     return met;
 }
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

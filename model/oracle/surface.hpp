@@ -19,22 +19,25 @@ struct ExactHit {
     Int128 num = 0, den = 1;
     int sense = 0;   ///< 1: the ray enters (see Passage), -1: it leaves
 
-    /// Nearer, or as near and of a lower number. num < 2^(3N+1) <= 2^61 and den < 2^(2N+M+1) <= 2^63, so products fit.
+    /// Nearer, or as near and of a lower number. num < 2^(3N+1) <= 2^61 and den < 2^(2N+M+1) <= 2^63, so
+    /// products fit.
     bool before(const ExactHit& other) const {
         const Int128 mine = num * other.den, theirs = other.num * den;
-        return other.primitive == no_primitive || mine < theirs || (mine == theirs && primitive < other.primitive);
+        return other.primitive == no_primitive || mine < theirs ||
+               (mine == theirs && primitive < other.primitive);
     }
 };
 
 /// Scene's triangles on the lattice, by primitive number; those without area are there, and never hit.
 std::vector<Corners> snapped(const Scene& scene, const Lattice& lattice);
 
-/// Triangles with a search tree of the oracle's own, which skips none that a ray meets (tree.hpp). Moving the origin by an
-/// infinitesimal step does not matter: the moved rays of all small steps meet the closed triangle, hence in the limit the ray
-/// itself does, and with it the closed box.
+/// Triangles with a search tree of the oracle's own, which skips none that a ray meets (tree.hpp). Moving the
+/// origin by an infinitesimal step does not matter: the moved rays of all small steps meet the closed
+/// triangle, hence in the limit the ray itself does, and with it the closed box.
 class Surface {
 public:
-    /// Boxes are `margin` lattice steps larger on all sides: for tests that may take a triangle which the ray only comes near to.
+    /// Boxes are `margin` lattice steps larger on all sides: for tests that may take a triangle which the ray
+    /// only comes near to.
     explicit Surface(std::vector<Corners> triangles, int margin = 0);
 
     /// Closest triangle along o + t d, t > 0; of equal ones the lowest number.
@@ -48,10 +51,10 @@ public:
 private:
     std::vector<Corners> triangles_;
     Tree tree_;
-    std::vector<Corners> ordered_;        ///< as the leaves have them
+    std::vector<Corners> ordered_;   ///< as the leaves have them
 };
 
 /// The crossing of triangle `primitive`, or no_primitive.
 ExactHit exact_hit(const Vec3i& o, const Vec3i& d, const Corners& triangle, std::uint32_t primitive);
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

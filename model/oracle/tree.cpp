@@ -11,7 +11,8 @@ Tree::Tree(const std::vector<Extent>& boxes, int margin) : order_(boxes.size()) 
 }
 
 /// A node over a part of order_; its number.
-std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uint32_t first, std::uint32_t count) {
+std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uint32_t first,
+                          std::uint32_t count) {
     const auto bounds = [&](std::uint32_t from, std::uint32_t n) {
         Extent all = boxes[order_[from]];
         for (std::uint32_t i = from + 1; i < from + n; ++i) {
@@ -23,9 +24,12 @@ std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uin
     // Puts the lower half of a part first, along the part's longest axis; numbers decide between equals.
     const auto halve = [&](std::uint32_t from, std::uint32_t n) {
         const std::size_t axis = bounds(from, n).longest();
-        const auto middle = [&](std::uint32_t i) { return std::pair(std::int64_t(boxes[i].lo[axis]) + boxes[i].hi[axis], i); };
+        const auto middle = [&](std::uint32_t i) {
+            return std::pair(std::int64_t(boxes[i].lo[axis]) + boxes[i].hi[axis], i);
+        };
         const auto begin = order_.begin() + from;
-        std::nth_element(begin, begin + n / 2, begin + n, [&](std::uint32_t i, std::uint32_t j) { return middle(i) < middle(j); });
+        std::nth_element(begin, begin + n / 2, begin + n,
+                         [&](std::uint32_t i, std::uint32_t j) { return middle(i) < middle(j); });
         return n / 2;
     };
     std::array<std::uint32_t, 5> cut{0, 0, count, count, count};   // of the four parts, some empty
@@ -53,4 +57,4 @@ std::uint32_t Tree::build(const std::vector<Extent>& boxes, int margin, std::uin
     return number;
 }
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

@@ -1,15 +1,19 @@
 #pragma once
-// A search tree of the oracle's own over boxes in whole lattice steps: four children a node, split at medians.
+// A search tree of the oracle's own over boxes in whole lattice steps: four children a node, split at
+// medians.
 //
-// No box that a ray meets is skipped. A subtree is passed over only if no point o + s d, s >= 0, lies in the closed box around its
-// boxes, for one of these reasons, each of which rules that out by itself:
+// No box that a ray meets is skipped. A subtree is passed over only if no point o + s d, s >= 0, lies in the
+// closed box around its boxes, for one of these reasons, each of which rules that out by itself:
 //  - on some axis the box lies behind the origin;
-//  - for two axes i and j, f(p) = d_i (p_j - o_j) - d_j (p_i - o_i), which is 0 along the whole ray, has one sign in all of
-//    the box (f is linear, so its extremes are centre +- half widths; this includes d_i = 0 and the box beside the ray);
+//  - for two axes i and j, f(p) = d_i (p_j - o_j) - d_j (p_i - o_i), which is 0 along the whole ray, has one
+//  sign in all of
+//    the box (f is linear, so its extremes are centre +- half widths; this includes d_i = 0 and the box
+//    beside the ray);
 //  - `after` says that what begins at the box's near plane of the main axis comes too late.
-// Of origins that are lattice points all values are whole numbers below 2^53 (twice a difference times a direction: N + 2 + M bits,
-// and a sum), so doubles hold them exactly. For other origins, and for longer directions, the boxes need a margin of one step: an
-// error of a product is below 2^-50 of it, so below a step's share |d_i| or |d_j|, as long as coordinates have at most 2^21 steps.
+// Of origins that are lattice points all values are whole numbers below 2^53 (twice a difference times a
+// direction: N + 2 + M bits, and a sum), so doubles hold them exactly. For other origins, and for longer
+// directions, the boxes need a margin of one step: an error of a product is below 2^-50 of it, so below a
+// step's share |d_i| or |d_j|, as long as coordinates have at most 2^21 steps.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -86,23 +90,25 @@ namespace plain {
 using Lanes = double __attribute__((vector_size(16)));
 inline unsigned signs(const Lanes& v) { return unsigned(v[0] < 0) | unsigned(v[1] < 0) << 1; }
 #include "model/oracle/search.inl"
-} // namespace plain
+}   // namespace plain
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
 using Lanes = double __attribute__((vector_size(32)));
-inline unsigned signs(const Lanes& v) { return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), _mm256_setzero_pd(), _CMP_LT_OQ))); }
+inline unsigned signs(const Lanes& v) {
+    return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(__m256d(v), _mm256_setzero_pd(), _CMP_LT_OQ)));
+}
 #include "model/oracle/search.inl"
-} // namespace avx2
+}   // namespace avx2
 #pragma GCC pop_options
 #endif
 #ifdef __GNUC__
 #pragma GCC diagnostic pop
 #endif
 
-} // namespace tree
+}   // namespace tree
 
 class Tree {
 public:
@@ -112,22 +118,27 @@ public:
     /// The boxes' numbers in the order in which the leaves have them: meet() below gets a place in it.
     const std::vector<std::uint32_t>& order() const { return order_; }
 
-    /// Calls meet(place) for every box that the ray may meet, nearer ones first, but for those for which after(near) is true:
-    /// `near` is twice the way to a box's near plane along the ray's main axis.
-    template <class After, class Meet> void nearest_first(const tree::Ray& ray, const After& after, const Meet& meet) const {
+    /// Calls meet(place) for every box that the ray may meet, nearer ones first, but for those for which
+    /// after(near) is true: `near` is twice the way to a box's near plane along the ray's main axis.
+    template <class After, class Meet>
+    void nearest_first(const tree::Ray& ray, const After& after, const Meet& meet) const {
         search<true>(ray, after, meet);
     }
     /// The same for all, in any order.
     template <class Meet> void all(const tree::Ray& ray, const Meet& meet) const {
-        search<false>(ray, [](double) { return false; }, meet);
+        search<false>(
+            ray, [](double) { return false; }, meet);
     }
 
 private:
-    std::uint32_t build(const std::vector<Extent>& boxes, int margin, std::uint32_t first, std::uint32_t count);
-    template <bool in_order, class After, class Meet> void search(const tree::Ray& ray, const After& after, const Meet& meet) const {
+    std::uint32_t build(const std::vector<Extent>& boxes, int margin, std::uint32_t first,
+                        std::uint32_t count);
+    template <bool in_order, class After, class Meet>
+    void search(const tree::Ray& ray, const After& after, const Meet& meet) const {
         if (root_ == tree::none) return;
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-        if (__builtin_cpu_supports("avx2")) return tree::avx2::search<in_order>(ray, nodes_.data(), root_, after, meet);
+        if (__builtin_cpu_supports("avx2"))
+            return tree::avx2::search<in_order>(ray, nodes_.data(), root_, after, meet);
 #endif
         tree::plain::search<in_order>(ray, nodes_.data(), root_, after, meet);
     }
@@ -137,4 +148,4 @@ private:
     std::uint32_t root_ = tree::none;
 };
 
-} // namespace rayclock::oracle
+}   // namespace rayclock::oracle

@@ -15,8 +15,9 @@ Recip reciprocal(std::int32_t d, const Config& config) {
     const std::uint32_t magnitude = std::uint32_t(std::abs(d));
     const int len = std::bit_width(magnitude);
     const std::uint32_t m = magnitude << (bits - len);   // as many bits, top bit set
-    // Exact: |d| is 2^(M-1) or shorter than M bits, so m divides exactly or is even. Then a quotient that is no whole number misses
-    // the next one by 2 / m > 2^(1-M) at least, and a double below 2^R rounds by 2^(R-54) at most: enough, as M + R <= 31 + 24.
+    // Exact: |d| is 2^(M-1) or shorter than M bits, so m divides exactly or is even. Then a quotient that is
+    // no whole number misses the next one by 2 / m > 2^(1-M) at least, and a double below 2^R rounds by
+    // 2^(R-54) at most: enough, as M + R <= 31 + 24.
     const double power = double(std::uint64_t(1) << (bits + config.recip_bits - 1));
     return {std::uint32_t(std::int64_t(power / double(m))), std::uint32_t(len)};
 }
@@ -31,7 +32,8 @@ Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame,
         sum[k] = (frame.corner[k] << frac) + x * frame.right[k] + y * frame.down[k];
         used |= std::uint64_t(sum[k] ^ sum[k] >> 63);
     }
-    const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, most_shift);
+    const int drop = guard_bits + frac,
+              shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, most_shift);
     const std::int32_t most = (1 << (config.dir_bits - 1)) - 1;
     Vec3i d{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -39,13 +41,14 @@ Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame,
     return d;
 }
 
-} // namespace
+}   // namespace
 
 Vec3i pixel_direction(std::uint32_t x, std::uint32_t y, const Frame& frame, const Config& config) {
     return direction_of(x, y, 0, frame, config);
 }
 
-Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame, const Config& config) {
+Vec3i sample_direction(std::uint32_t x, std::uint32_t y, std::uint32_t sample, const Frame& frame,
+                       const Config& config) {
     if (!config.supersampling) return pixel_direction(x, y, frame, config);
     const ShadeFrame& s = frame.shade;
     const SampleOffset offset = sample_offset(x, y, sample, int(s.side), s.jitter != 0, s.seed);
@@ -76,8 +79,9 @@ Ray make_ray(const Vec3i& o, const Vec3i& d, const Config& config, RayKind kind)
 Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
     const auto kind = RayKind(spawn.kind);
     Ray ray = kind == RayKind::camera
-        ? make_ray(ray_origin(frame.eye, config), sample_direction(spawn.x, spawn.y, spawn.sample, frame, config), config)
-        : make_ray(spawn.o, spawn.d, config, kind);
+                  ? make_ray(ray_origin(frame.eye, config),
+                             sample_direction(spawn.x, spawn.y, spawn.sample, frame, config), config)
+                  : make_ray(spawn.o, spawn.d, config, kind);
     ray.ray = spawn.ray;
     ray.self = spawn.self;
     ray.inside = spawn.inside;
@@ -93,4 +97,4 @@ Ray raygen(const Slot& slot, const Frame& frame, const Config& config) {
     return spawn_ray(spawn, frame, config);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

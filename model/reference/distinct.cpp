@@ -40,10 +40,14 @@ template <class KeyOf> std::vector<std::uint32_t> first_of_each(std::size_t coun
     struct Entry {
         std::uint64_t hash;
         std::uint32_t number;
-        bool operator<(const Entry& other) const { return hash != other.hash ? hash < other.hash : number < other.number; }
+        bool operator<(const Entry& other) const {
+            return hash != other.hash ? hash < other.hash : number < other.number;
+        }
     };
     std::vector<Entry> entries(count);
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) { entries[i] = {hash_of(key(i)), std::uint32_t(i)}; });
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+        entries[i] = {hash_of(key(i)), std::uint32_t(i)};
+    });
     tbb::parallel_sort(entries.begin(), entries.end());
     std::vector<std::uint32_t> kept;
     kept.reserve(count);
@@ -52,14 +56,15 @@ template <class KeyOf> std::vector<std::uint32_t> first_of_each(std::size_t coun
         const std::size_t first = kept.size();
         for (std::size_t i = begin; i < end; ++i) {
             const auto same = [&](std::uint32_t number) { return key(number) == key(entries[i].number); };
-            if (end - begin == 1 || std::none_of(kept.begin() + std::ptrdiff_t(first), kept.end(), same)) kept.push_back(entries[i].number);
+            if (end - begin == 1 || std::none_of(kept.begin() + std::ptrdiff_t(first), kept.end(), same))
+                kept.push_back(entries[i].number);
         }
     }
     std::sort(kept.begin(), kept.end());
     return kept;
 }
 
-} // namespace
+}   // namespace
 
 std::vector<std::uint32_t> distinct_triangles(const Scene& scene) {
     return first_of_each(scene.triangles.size(), [&](std::size_t i) {
@@ -73,7 +78,8 @@ std::vector<std::uint32_t> distinct_triangles(const Scene& scene) {
 std::vector<std::uint32_t> distinct_spheres(const Scene& scene) {
     return first_of_each(scene.spheres.size(), [&](std::size_t i) {
         const Sphere& s = scene.spheres[i];
-        const bool is_seen_inside = scene.materials[s.material].transmit > 0;   // or it is not hit in the same places
+        const bool is_seen_inside =
+            scene.materials[s.material].transmit > 0;   // or it is not hit in the same places
         return Key{corner(s.centre), Corner{s.radius, double(is_seen_inside), 0}, Corner{}};
     });
 }
@@ -85,4 +91,4 @@ std::vector<std::uint32_t> distinct_planes(const Scene& scene) {
     });
 }
 
-} // namespace rayclock
+}   // namespace rayclock

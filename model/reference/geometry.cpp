@@ -48,7 +48,8 @@ std::vector<RefSphere> all_spheres(const Scene& scene, const RefUnitSpace& space
     std::vector<RefSphere> spheres;
     for (const std::uint32_t i : distinct_spheres(scene)) {
         const Sphere& s = scene.spheres[i];
-        spheres.push_back({space(s.centre), s.radius * space.scale, static_cast<std::uint32_t>(scene.triangles.size() + i),
+        spheres.push_back({space(s.centre), s.radius * space.scale,
+                           static_cast<std::uint32_t>(scene.triangles.size() + i),
                            scene.materials[s.material].transmit > 0});
     }
     return spheres;
@@ -67,14 +68,17 @@ std::vector<RefBox> sphere_boxes(const std::vector<RefSphere>& spheres) {
     return boxes;
 }
 
-/// The closest hit, or `best` if there is none before it. Nearest child first; test(block, best) keeps the closer hit, and as soon
-/// as one is nearer than `enough`, it will do. A box is skipped only if it begins beyond the closest hit, and that is the smallest
-/// (depth, primitive) of all, so the order of the visit does not matter.
+/// The closest hit, or `best` if there is none before it. Nearest child first; test(block, best) keeps the
+/// closer hit, and as soon as one is nearer than `enough`, it will do. A box is skipped only if it begins
+/// beyond the closest hit, and that is the smallest (depth, primitive) of all, so the order of the visit does
+/// not matter.
 struct NotCounted {
     void operator()() const {}
 };
 template <class Test, class AtNode = NotCounted>
-[[gnu::always_inline]] inline RefClosest search(const std::vector<RefNode>& nodes, const RefRay& ray, RefClosest best, double enough, const Test& test, const AtNode& at_node = {}) {
+[[gnu::always_inline]] inline RefClosest search(const std::vector<RefNode>& nodes, const RefRay& ray,
+                                                RefClosest best, double enough, const Test& test,
+                                                const AtNode& at_node = {}) {
     struct Entry {
         std::uint32_t child, blocks;
         float near;
@@ -95,7 +99,8 @@ template <class Test, class AtNode = NotCounted>
             for (; entered != 0; entered &= entered - 1) {
                 const int i = std::countr_zero(static_cast<unsigned>(entered));
                 int place = top++;
-                for (; place > base && stack[place - 1].near < near[i]; --place) stack[place] = stack[place - 1];
+                for (; place > base && stack[place - 1].near < near[i]; --place)
+                    stack[place] = stack[place - 1];
                 stack[place] = {node.child[i], node.blocks[i], near[i]};
             }
         } else {
@@ -107,7 +112,7 @@ template <class Test, class AtNode = NotCounted>
     return best;
 }
 
-} // namespace
+}   // namespace
 
 RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
     std::vector<RefBox> boxes = triangle_boxes(scene, space_);
@@ -122,27 +127,37 @@ RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
     for (const std::uint32_t i : hierarchy.order) spheres_.push_back(spheres[i]);
 
     const auto first_plane = static_cast<std::uint32_t>(scene.triangles.size() + scene.spheres.size());
-    for (const std::uint32_t i : distinct_planes(scene)) planes_.emplace_back(scene.planes[i], space_, first_plane + i);
+    for (const std::uint32_t i : distinct_planes(scene))
+        planes_.emplace_back(scene.planes[i], space_, first_plane + i);
 }
 
-/// The same for all kinds of primitives. Both are inlined, so that a ray that wants the closest hit does not ask for enough.
-[[gnu::always_inline]] inline RefClosest RefGeometry::closest_of_all(const RefPath& path, const RefRay& ray, const RefClosest& limit, double enough) const {
+/// The same for all kinds of primitives. Both are inlined, so that a ray that wants the closest hit does not
+/// ask for enough.
+[[gnu::always_inline]] inline RefClosest RefGeometry::closest_of_all(const RefPath& path, const RefRay& ray,
+                                                                     const RefClosest& limit,
+                                                                     double enough) const {
     const RefBlock* blocks = blocks_.data();
     const std::uint32_t start = path.left;
-    const RefClosest best = search(nodes_, ray, limit, enough, [&](std::uint32_t block, RefClosest& b) { test_block(blocks[block], ray, b, start); });
+    const RefClosest best = search(nodes_, ray, limit, enough, [&](std::uint32_t block, RefClosest& b) {
+        test_block(blocks[block], ray, b, start);
+    });
     if (best.depth < enough || (planes_.empty() && spheres_.empty())) return best;
     return closest_round(path, ray, best, enough);
 }
 
-[[gnu::noinline]] RefClosest RefGeometry::closest_round(const RefPath& path, const RefRay& ray, RefClosest best, double enough) const {
+[[gnu::noinline]] RefClosest RefGeometry::closest_round(const RefPath& path, const RefRay& ray,
+                                                        RefClosest best, double enough) const {
     for (const RefPlane& plane : planes_) test_plane(plane, path, best);
     if (best.depth < enough) return best;
     return search(sphere_nodes_, ray, best, enough, [&](std::uint32_t block, RefClosest& b) {
-        for (int lane = 0; lane < ref_block_size; ++lane) test_sphere(spheres_[block * ref_block_size + lane], path, b);
+        for (int lane = 0; lane < ref_block_size; ++lane)
+            test_sphere(spheres_[block * ref_block_size + lane], path, b);
     });
 }
 
-RefClosest RefGeometry::closest(const RefPath& path, const RefRay& ray) const { return closest_of_all(path, ray, {}, 0); }
+RefClosest RefGeometry::closest(const RefPath& path, const RefRay& ray) const {
+    return closest_of_all(path, ray, {}, 0);
+}
 
 bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
     const RefClosest limit{.depth = distance, .primitive = 0};   // 0: nothing at the distance itself counts
@@ -152,7 +167,8 @@ bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
 
 RefClosest RefGeometry::watched(const RefPath& path, const RefClosest& limit, double enough) const {
     const auto start = std::chrono::steady_clock::now();
-    const RefClosest best = effort_->tests_all ? test_all(path, limit, enough) : watched_search(path, limit, enough);
+    const RefClosest best =
+        effort_->tests_all ? test_all(path, limit, enough) : watched_search(path, limit, enough);
     effort_->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ++effort_->rays;
     return best;
@@ -163,18 +179,25 @@ RefClosest RefGeometry::watched_search(const RefPath& path, RefClosest best, dou
     constexpr std::uint64_t children = std::size(RefNode{}.child);
     const RefRay ray(path.from, path.direction);
     const auto at_node = [&] { effort_->boxes += children; };
-    best = search(nodes_, ray, best, enough, [&](std::uint32_t block, RefClosest& b) {
-        effort_->tests += ref_block_size;
-        test_block(blocks_[block], ray, b, path.left);
-    }, at_node);
+    best = search(
+        nodes_, ray, best, enough,
+        [&](std::uint32_t block, RefClosest& b) {
+            effort_->tests += ref_block_size;
+            test_block(blocks_[block], ray, b, path.left);
+        },
+        at_node);
     if (best.depth < enough) return best;
     for (const RefPlane& plane : planes_) test_plane(plane, path, best);
     effort_->tests += planes_.size();
     if (best.depth < enough) return best;
-    return search(sphere_nodes_, ray, best, enough, [&](std::uint32_t block, RefClosest& b) {
-        effort_->tests += ref_block_size;
-        for (int lane = 0; lane < ref_block_size; ++lane) test_sphere(spheres_[block * ref_block_size + lane], path, b);
-    }, at_node);
+    return search(
+        sphere_nodes_, ray, best, enough,
+        [&](std::uint32_t block, RefClosest& b) {
+            effort_->tests += ref_block_size;
+            for (int lane = 0; lane < ref_block_size; ++lane)
+                test_sphere(spheres_[block * ref_block_size + lane], path, b);
+        },
+        at_node);
 }
 
 RefClosest RefGeometry::test_all(const RefPath& path, RefClosest best, double enough) const {
@@ -197,4 +220,4 @@ RefClosest RefGeometry::test_all(const RefPath& path, RefClosest best, double en
     return best;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

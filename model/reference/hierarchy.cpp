@@ -11,15 +11,15 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_area_depth = 64;             // below, split_by_count: at most 32 more levels for 2^32 boxes
-constexpr std::size_t parallel_from = 4096;    // boxes; smaller subtrees are not worth a task
+constexpr int max_area_depth = 64;            // below, split_by_count: at most 32 more levels for 2^32 boxes
+constexpr std::size_t parallel_from = 4096;   // boxes; smaller subtrees are not worth a task
 
 /// A binary node. The left child of node i is i + 1; the subtree over n boxes owns 2n - 1 places, so that
 /// both halves of a node know their places before either is built and may be built at the same time.
 struct BinaryNode {
     RefExtent bounds;
     std::uint32_t first = 0, count = 0;
-    std::uint32_t right = 0;                   // 0: a leaf
+    std::uint32_t right = 0;   // 0: a leaf
 };
 
 struct BinaryBuilder {
@@ -30,7 +30,8 @@ struct BinaryBuilder {
         const std::span<RefBox> part = boxes.subspan(first, count);
         const RefSummary summary = summarise(part);
         std::size_t left = 0;
-        if (count > 1) left = depth < max_area_depth ? split_by_area(part, summary) : deep_split(part, summary);
+        if (count > 1)
+            left = depth < max_area_depth ? split_by_area(part, summary) : deep_split(part, summary);
         const auto n = static_cast<std::uint32_t>(left);
         nodes[at] = {summary.bounds, first, count, n == 0 ? 0 : at + 2 * n};
         if (n == 0) return;
@@ -118,7 +119,7 @@ struct Collapser {
     }
 };
 
-} // namespace
+}   // namespace
 
 RefHierarchy build_hierarchy(std::vector<RefBox>& boxes) {
     RefHierarchy out;
@@ -132,4 +133,4 @@ RefHierarchy build_hierarchy(std::vector<RefBox>& boxes) {
     return out;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

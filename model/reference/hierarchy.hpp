@@ -22,18 +22,19 @@ struct RefBox {
 
 /// Four children. `plane[2 * axis]` are their lower bounds, `plane[2 * axis + 1]` the upper ones.
 /// blocks == 0: `child` is a node. Otherwise a leaf of that many blocks, the first of which is `child`.
-/// A child that is not there has an inverted infinite box, which no ray enters, and is a leaf of block 0, harmless
-/// should a ray beyond the range of float (all distances NaN) enter it nevertheless.
+/// A child that is not there has an inverted infinite box, which no ray enters, and is a leaf of block 0,
+/// harmless should a ray beyond the range of float (all distances NaN) enter it nevertheless.
 struct alignas(64) RefNode {
     RefFloat4 plane[6];
     std::uint32_t child[4];
     std::uint32_t blocks[4];
 };
 
-constexpr int ref_block_size = 2;         ///< primitives a block; two doubles fill one SSE register
-constexpr int ref_max_leaf = 8;           ///< primitives a leaf at most
-constexpr int ref_max_depth = 96;         ///< inner nodes on a path at most, kept by the builder
-constexpr int ref_stack_size = 3 * ref_max_depth + 4;   ///< each node on the path leaves at most three siblings
+constexpr int ref_block_size = 2;   ///< primitives a block; two doubles fill one SSE register
+constexpr int ref_max_leaf = 8;     ///< primitives a leaf at most
+constexpr int ref_max_depth = 96;   ///< inner nodes on a path at most, kept by the builder
+constexpr int ref_stack_size =
+    3 * ref_max_depth + 4;   ///< each node on the path leaves at most three siblings
 
 /// Node 0 is the root. `order` holds ref_block_size primitives a block; a leaf's last block is filled up
 /// by repeating its last primitive, which changes no answer.
@@ -45,4 +46,4 @@ struct RefHierarchy {
 /// Builds over all of `boxes`, which it reorders. No boxes: no nodes.
 RefHierarchy build_hierarchy(std::vector<RefBox>& boxes);
 
-} // namespace rayclock
+}   // namespace rayclock

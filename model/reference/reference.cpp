@@ -8,12 +8,13 @@ namespace rayclock {
 
 struct Reference::Impl {
     RefGeometry geometry;
-    const Scene& scene;    ///< used by whitted() only
+    const Scene& scene;   ///< used by whitted() only
 
     explicit Impl(const Scene& s) : geometry(s), scene(s) {}
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const {
         RefPath path;
-        return geometry.find_path(origin, direction, path) ? ref_hit(geometry.closest(path), geometry.space()) : Hit{};
+        return geometry.find_path(origin, direction, path) ? ref_hit(geometry.closest(path), geometry.space())
+                                                           : Hit{};
     }
 };
 
@@ -32,14 +33,15 @@ HitFrame Reference::frame(const Camera& camera, FrameSize size, int threads, con
     for_each_tile(size, threads, "reference", progress, [&](const PixelTile& tile) {
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x)
-                frame.hits[static_cast<std::size_t>(y) * size.width + x]
-                    = impl_->trace(rays.eye, rays.direction(x, y));
+                frame.hits[static_cast<std::size_t>(y) * size.width + x] =
+                    impl_->trace(rays.eye, rays.direction(x, y));
     });
     return frame;
 }
 
-WhittedFrame Reference::whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads, const Progress& progress) const {
+WhittedFrame Reference::whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads,
+                                const Progress& progress) const {
     return ref_whitted(impl_->geometry, impl_->scene, camera, size, settings, threads, progress);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -12,7 +12,7 @@ namespace rayclock {
 struct WhittedFrame {
     std::vector<glm::dvec3> pixels;   ///< linear RGB within 0..1, row by row from the top
     RayCounts rays;
-    HitFrame hits;                    ///< of each pixel's first sample
+    HitFrame hits;                           ///< of each pixel's first sample
     std::vector<std::uint64_t> signatures;   ///< of each pixel (PathSignature)
 };
 
@@ -28,14 +28,17 @@ public:
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
     /// Every primary ray of a frame; `threads` 0 means all cores. The result does not depend on it.
-    HitFrame frame(const Camera& camera, FrameSize size, int threads = 0, const Progress& progress = {}) const;
+    HitFrame frame(const Camera& camera, FrameSize size, int threads = 0,
+                   const Progress& progress = {}) const;
 
-    /// The finished picture (model/scene/whitted.hpp). The scene that the tracer was made from must still be there, unchanged. Pixels and counts do not depend on `threads`.
-    WhittedFrame whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads = 0, const Progress& progress = {}) const;
+    /// The finished picture (model/scene/whitted.hpp). The scene that the tracer was made from must still be
+    /// there, unchanged. Pixels and counts do not depend on `threads`.
+    WhittedFrame whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads = 0,
+                         const Progress& progress = {}) const;
 
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -9,22 +9,23 @@
 
 namespace rayclock {
 
-// The reference tracer's tests of a ray against a sphere and against a plane, in its own space. Nothing is shared with the
-// fixed-point machine, and no hit is moved: depths are rounded reals.
+// The reference tracer's tests of a ray against a sphere and against a plane, in its own space. Nothing is
+// shared with the fixed-point machine, and no hit is moved: depths are rounded reals.
 
 struct RefSphere {
     glm::dvec3 centre{0};
     double radius = 1;
     std::uint32_t primitive = no_primitive;
-    bool is_seen_inside = false;       ///< its material transmits
+    bool is_seen_inside = false;   ///< its material transmits
 };
 
 /// Along a unit direction, where the line enters the ball and where it leaves it; false if it misses.
 ///
-/// b^2 - c would cancel for a small or far ball. Its square root's argument is instead the radius' square less that of the
-/// distance between centre and line, and the second root is taken from the product of both (Haines, Gunther, Akenine-Moller
-/// 2019, "Precision improvements for ray/sphere intersection").
-inline bool ball_roots(const RefSphere& sphere, const glm::dvec3& from, const glm::dvec3& direction, double& enter, double& leave) {
+/// b^2 - c would cancel for a small or far ball. Its square root's argument is instead the radius' square
+/// less that of the distance between centre and line, and the second root is taken from the product of both
+/// (Haines, Gunther, Akenine-Moller 2019, "Precision improvements for ray/sphere intersection").
+inline bool ball_roots(const RefSphere& sphere, const glm::dvec3& from, const glm::dvec3& direction,
+                       double& enter, double& leave) {
     const glm::dvec3 to_origin = from - sphere.centre;
     const double b = -glm::dot(to_origin, direction);
     const glm::dvec3 across = to_origin + b * direction;
@@ -38,8 +39,8 @@ inline bool ball_roots(const RefSphere& sphere, const glm::dvec3& from, const gl
     return true;
 }
 
-/// Keeps the closer hit. Of the sphere that a ray has left, only the far root can be a hit, and only on the inside: whether the
-/// near one came out as a little more or less than 0 does not matter then.
+/// Keeps the closer hit. Of the sphere that a ray has left, only the far root can be a hit, and only on the
+/// inside: whether the near one came out as a little more or less than 0 does not matter then.
 inline void test_sphere(const RefSphere& sphere, const RefPath& path, RefClosest& closest) {
     double enter = 0, leave = 0;
     const bool is_left = sphere.primitive == path.left;
@@ -52,11 +53,12 @@ inline void test_sphere(const RefSphere& sphere, const RefPath& path, RefClosest
 }
 
 struct RefPlane {
-    glm::dvec3 point{0}, normal{0};    ///< normal: along u x v, not of unit length
-    glm::dvec3 to_u{0}, to_v{0};       ///< products with these count the sides u and v
+    glm::dvec3 point{0}, normal{0};   ///< normal: along u x v, not of unit length
+    glm::dvec3 to_u{0}, to_v{0};      ///< products with these count the sides u and v
     std::uint32_t primitive = no_primitive;
 
-    RefPlane(const Plane& plane, const RefUnitSpace& space, std::uint32_t number) : point(space(plane.point)), primitive(number) {
+    RefPlane(const Plane& plane, const RefUnitSpace& space, std::uint32_t number)
+        : point(space(plane.point)), primitive(number) {
         const double u_length = glm::length(plane.u), v_length = glm::length(plane.v);
         const glm::dvec3 u = plane.u / u_length, v = plane.v / v_length;
         normal = glm::cross(u, v);
@@ -76,4 +78,4 @@ inline void test_plane(const RefPlane& plane, const RefPath& path, RefClosest& c
     closest = {depth, glm::dot(along, plane.to_u), glm::dot(along, plane.to_v), plane.primitive};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -7,8 +7,8 @@ namespace rayclock {
 namespace {
 
 constexpr int max_bins = 32;
-constexpr float block_test_cost = 1.0f;   // one block of two triangles against one box of a binary node
-constexpr float smallest_extent = 1e-12f; // below this, centroids (within -2..2) count as one point
+constexpr float block_test_cost = 1.0f;     // one block of two triangles against one box of a binary node
+constexpr float smallest_extent = 1e-12f;   // below this, centroids (within -2..2) count as one point
 
 float centroid(const RefBox& box, int axis) { return box.lo[axis] + box.hi[axis]; }
 
@@ -30,7 +30,7 @@ struct Binning {
 
 struct Cut {
     Binning binning;
-    int bin = 0;      // boxes of bins below this one go left
+    int bin = 0;   // boxes of bins below this one go left
     float cost = RefExtent::inf;
 };
 
@@ -75,7 +75,7 @@ Cut cheapest_cut(std::span<const RefBox> boxes, const RefExtent& centroids) {
     return best;
 }
 
-} // namespace
+}   // namespace
 
 float leaf_cost(std::size_t primitives) {
     return block_test_cost * static_cast<float>((primitives + ref_block_size - 1) / ref_block_size);
@@ -118,4 +118,4 @@ std::size_t split_by_count(std::span<RefBox> boxes, const RefSummary& summary) {
     return half;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -44,4 +44,4 @@ std::size_t split_by_area(std::span<RefBox> boxes, const RefSummary& summary);
 /// The same by the median along the widest axis of centroids: halves exactly, so depth stays logarithmic.
 std::size_t split_by_count(std::span<RefBox> boxes, const RefSummary& summary);
 
-} // namespace rayclock
+}   // namespace rayclock

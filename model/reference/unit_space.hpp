@@ -9,8 +9,9 @@
 
 namespace rayclock {
 
-/// The reference tracer's own space, in which what bounds() counts lies within -1..1. The factor is a power of two,
-/// so scaling loses nothing; float boxes are then as good for a tiny scene, or one far from the origin, as for any.
+/// The reference tracer's own space, in which what bounds() counts lies within -1..1. The factor is a power
+/// of two, so scaling loses nothing; float boxes are then as good for a tiny scene, or one far from the
+/// origin, as for any.
 struct RefUnitSpace {
     glm::dvec3 centre{0};
     double scale = 1;
@@ -27,4 +28,4 @@ struct RefUnitSpace {
     glm::dvec3 operator()(const glm::dvec3& p) const { return (p - centre) * scale; }
 };
 
-} // namespace rayclock
+}   // namespace rayclock

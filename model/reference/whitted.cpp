@@ -1,5 +1,6 @@
-// Whitted's picture in double precision, written from the rules and not from the machine: Phong's local light (1975), shadow rays
-// to point lights, reflection, refraction by Snell's law, Schlick's approximation (1994) where a material asks for it.
+// Whitted's picture in double precision, written from the rules and not from the machine: Phong's local light
+// (1975), shadow rays to point lights, reflection, refraction by Snell's law, Schlick's approximation (1994)
+// where a material asks for it.
 #include "model/reference/whitted.hpp"
 
 #include <algorithm>
@@ -14,12 +15,13 @@
 namespace rayclock {
 namespace {
 
-// Where a secondary ray starts. Two things keep it from meeting the surface that it leaves, and neither depends on how the hit
-// was rounded. The primitive itself is left out of the search: a straight ray cannot meet a triangle or plane again, and of a
-// sphere only the far root, from inside. That alone would do on a single primitive, but not beside an edge, where the rounded
-// point may lie behind the neighbour's plane; so the start is moved off the surface as well, to the side that the ray goes to.
-// A hit is off its surface by some 2^-50 of its distance from the middle of the scene; 2^-36 is far above that and far below
-// all that can be seen (a picture of 512 x 512 has pixels of 2^-9).
+// Where a secondary ray starts. Two things keep it from meeting the surface that it leaves, and neither
+// depends on how the hit was rounded. The primitive itself is left out of the search: a straight ray cannot
+// meet a triangle or plane again, and of a sphere only the far root, from inside. That alone would do on a
+// single primitive, but not beside an edge, where the rounded point may lie behind the neighbour's plane; so
+// the start is moved off the surface as well, to the side that the ray goes to. A hit is off its surface by
+// some 2^-50 of its distance from the middle of the scene; 2^-36 is far above that and far below all that can
+// be seen (a picture of 512 x 512 has pixels of 2^-9).
 constexpr double off_surface = 0x1p-36;
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
@@ -30,18 +32,19 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
 /// Where a ray met something, in the tracer's space.
 struct Surface {
     glm::dvec3 position{0};
-    glm::dvec3 flat{0};        ///< unit, geometric, on the side that the ray came from
-    glm::dvec3 normal{0};      ///< unit, as it is shaded, on the same side
+    glm::dvec3 flat{0};     ///< unit, geometric, on the side that the ray came from
+    glm::dvec3 normal{0};   ///< unit, as it is shaded, on the same side
     glm::dvec3 colour{0};
     const Material* material = nullptr;
     std::uint32_t primitive = no_primitive;
-    bool is_inside = false;    ///< the ray came from the inside
+    bool is_inside = false;   ///< the ray came from the inside
 };
 
 /// One pixel's rays, and how many there were.
 class Tracer {
 public:
-    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings) : geometry_(geometry), scene_(scene), settings_(settings) {}
+    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings)
+        : geometry_(geometry), scene_(scene), settings_(settings) {}
 
     glm::dvec3 pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first);
     const RayCounts& counts() const { return counts_; }
@@ -65,7 +68,7 @@ private:
     const Scene& scene_;
     const Whitted& settings_;
     RayCounts counts_;
-    glm::dvec3 sum_{0};    ///< of the sample under way
+    glm::dvec3 sum_{0};         ///< of the sample under way
     PathSignature signature_;   ///< of the pixel
 };
 
@@ -73,14 +76,17 @@ void Tracer::on_triangle(const RefPath& path, const RefClosest& hit, Surface& su
     const Triangle& triangle = scene_.triangles[hit.primitive];
     const auto& vertex = triangle.vertex;
     const RefUnitSpace& space = geometry_.space();
-    const glm::dvec3 a = space(scene_.vertices[vertex[0]]), b = space(scene_.vertices[vertex[1]]), c = space(scene_.vertices[vertex[2]]);
+    const glm::dvec3 a = space(scene_.vertices[vertex[0]]), b = space(scene_.vertices[vertex[1]]),
+                     c = space(scene_.vertices[vertex[2]]);
     surface.material = &scene_.materials[triangle.material];
     surface.position = (1 - hit.u - hit.v) * a + hit.u * b + hit.v * c;
     surface.flat = surface.normal = unit_or(glm::cross(b - a, c - a), -path.direction);
     if (scene_.normals.empty()) return;
     const auto& n = scene_.normals;
-    surface.normal = unit_or((1 - hit.u - hit.v) * n[vertex[0]] + hit.u * n[vertex[1]] + hit.v * n[vertex[2]], surface.flat);
-    // Corners whose normals are on the other side of the triangle than its order of vertices says: the order decides.
+    surface.normal = unit_or((1 - hit.u - hit.v) * n[vertex[0]] + hit.u * n[vertex[1]] + hit.v * n[vertex[2]],
+                             surface.flat);
+    // Corners whose normals are on the other side of the triangle than its order of vertices says: the order
+    // decides.
     if (glm::dot(surface.normal, surface.flat) < 0) surface.normal = -surface.normal;
 }
 
@@ -97,18 +103,24 @@ void Tracer::on_plane(const RefClosest& hit, Surface& surface) const {
     const RefUnitSpace& space = geometry_.space();
     surface.material = &scene_.materials[plane.material];
     surface.position = space(plane.point) + hit.u * space.scale * plane.u + hit.v * space.scale * plane.v;
-    surface.flat = surface.normal = glm::normalize(glm::cross(glm::normalize(plane.u), glm::normalize(plane.v)));
-    const bool is_other = surface.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2) != 0;
+    surface.flat = surface.normal =
+        glm::normalize(glm::cross(glm::normalize(plane.u), glm::normalize(plane.v)));
+    const bool is_other =
+        surface.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2) != 0;
     surface.colour = is_other ? surface.material->other : surface.material->colour;
 }
 
 Surface Tracer::surface_of(const RefPath& path, const RefClosest& hit) const {
     Surface surface;
     surface.primitive = hit.primitive;
-    if (hit.primitive < scene_.triangles.size()) on_triangle(path, hit, surface);
-    else if (hit.primitive < scene_.triangles.size() + scene_.spheres.size()) on_sphere(path, hit, surface);
-    else on_plane(hit, surface);
-    if (hit.primitive < scene_.triangles.size() + scene_.spheres.size()) surface.colour = surface.material->colour;
+    if (hit.primitive < scene_.triangles.size())
+        on_triangle(path, hit, surface);
+    else if (hit.primitive < scene_.triangles.size() + scene_.spheres.size())
+        on_sphere(path, hit, surface);
+    else
+        on_plane(hit, surface);
+    if (hit.primitive < scene_.triangles.size() + scene_.spheres.size())
+        surface.colour = surface.material->colour;
     // So far both normals are on the outside.
     surface.is_inside = glm::dot(surface.flat, path.direction) > 0;
     if (surface.is_inside) {
@@ -122,7 +134,8 @@ RefPath Tracer::leave(const Surface& surface, const glm::dvec3& direction, bool 
     const glm::dvec3 size = glm::abs(surface.position);
     const double reach = 1 + std::max(size.x, std::max(size.y, size.z));
     const glm::dvec3 side = goes_through ? -surface.flat : surface.flat;
-    return {surface.position + off_surface * reach * side, direction, surface.primitive, goes_through != surface.is_inside};
+    return {surface.position + off_surface * reach * side, direction, surface.primitive,
+            goes_through != surface.is_inside};
 }
 
 /// What one light adds, unless something is in between.
@@ -153,8 +166,9 @@ glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Ligh
 
 /// Snell's law with the surrounding medium's index taken as 1; `cosine` between the normal and the way back.
 struct Refraction {
-    double ratio, rest;    ///< rest: the square of the refracted ray's cosine; negative: total reflection
-    Refraction(double index, bool is_inside, double cosine) : ratio(is_inside ? index : 1 / index), rest(1 - ratio * ratio * (1 - cosine * cosine)) {}
+    double ratio, rest;   ///< rest: the square of the refracted ray's cosine; negative: total reflection
+    Refraction(double index, bool is_inside, double cosine)
+        : ratio(is_inside ? index : 1 / index), rest(1 - ratio * ratio * (1 - cosine * cosine)) {}
     bool is_total() const { return rest < 0; }
     glm::dvec3 direction(const glm::dvec3& d, const glm::dvec3& normal, double cosine) const {
         return glm::normalize(ratio * d + (ratio * cosine - std::sqrt(rest)) * normal);
@@ -173,7 +187,8 @@ void Tracer::reflect_and_refract(const RefPath& path, const Surface& surface, do
     const double cosine = std::clamp(-glm::dot(surface.normal, path.direction), 0.0, 1.0);
     const double fresnel = m.schlick ? schlick(m.index, cosine) : 0;
     // Nothing sends on more than it gets.
-    double reflected = weight * std::min(m.mirror + m.transmit * fresnel, 1.0), refracted = weight * m.transmit * (1 - fresnel);
+    double reflected = weight * std::min(m.mirror + m.transmit * fresnel, 1.0),
+           refracted = weight * m.transmit * (1 - fresnel);
     const bool transmits = m.transmit > 0;
     const Refraction refraction(transmits ? m.index : 1, surface.is_inside, cosine);
     const bool is_total = transmits && refraction.is_total();
@@ -205,14 +220,17 @@ void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, in
     glm::dvec3 local = m.ambient * surface.colour;
     for (const Light& l : scene_.lights) local += light(path, surface, l);
     sum_ += weight * local;
-    if (depth < settings_.depth && (m.mirror > 0 || m.transmit > 0)) reflect_and_refract(path, surface, weight, depth);
+    if (depth < settings_.depth && (m.mirror > 0 || m.transmit > 0))
+        reflect_and_refract(path, surface, weight, depth);
 }
 
 void Tracer::follow(const RefPath& path, double weight, int depth) {
     const RefClosest hit = geometry_.closest(path);
     signature_.met(hit.primitive);
-    if (hit.primitive == no_primitive) sum_ += weight * scene_.background;
-    else shade(path, hit, weight, depth);
+    if (hit.primitive == no_primitive)
+        sum_ += weight * scene_.background;
+    else
+        shade(path, hit, weight, depth);
 }
 
 glm::dvec3 Tracer::sample(const RefPath& path, RefClosest& hit) {
@@ -235,34 +253,42 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
         const SampleOffset offset = sample_offset(x, y, s, settings_.aa, settings_.jitter, settings_.seed);
         RefClosest hit;
         RefPath path;
-        const bool is_ray = geometry_.find_path(rays.eye, rays.direction(x + offset.x / 256.0, y + offset.y / 256.0), path);
+        const bool is_ray =
+            geometry_.find_path(rays.eye, rays.direction(x + offset.x / 256.0, y + offset.y / 256.0), path);
         const glm::dvec3 colour = is_ray ? sample(path, hit) : scene_.background;
         if (s == 0) first = ref_hit(hit, geometry_.space());
         total += colour;
         darkest = glm::min(darkest, colour);
         brightest = glm::max(brightest, colour);
         const glm::dvec3 difference = brightest - darkest;
-        const bool is_even = std::max(difference.r, std::max(difference.g, difference.b)) <= settings_.contrast;
-        if (s + 1 == first_samples && settings_.contrast > 0 && is_even) return total / static_cast<double>(first_samples);
+        const bool is_even =
+            std::max(difference.r, std::max(difference.g, difference.b)) <= settings_.contrast;
+        if (s + 1 == first_samples && settings_.contrast > 0 && is_even)
+            return total / static_cast<double>(first_samples);
     }
     return total / static_cast<double>(samples);
 }
 
-} // namespace
+}   // namespace
 
-WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size, const Whitted& settings,
-                         int threads, const Progress& progress) {
+WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
+                         FrameSize size, const Whitted& settings, int threads, const Progress& progress) {
     check_frame_size(size);
     const PixelRays rays = pixel_rays(camera, size);
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    WhittedFrame frame{std::vector<glm::dvec3>(pixels), {}, {size, std::vector<Hit>(pixels)}, std::vector<std::uint64_t>(pixels)};
+    WhittedFrame frame{std::vector<glm::dvec3>(pixels),
+                       {},
+                       {size, std::vector<Hit>(pixels)},
+                       std::vector<std::uint64_t>(pixels)};
     std::mutex adding;
     for_each_tile(size, threads, "reference", progress, [&](const PixelTile& tile) {
         Tracer tracer(geometry, scene, settings);
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-                frame.pixels[at] = tracer.pixel(rays, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame.hits.hits[at]);
+                const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                                       static_cast<std::size_t>(x);
+                frame.pixels[at] = tracer.pixel(rays, static_cast<std::uint32_t>(x),
+                                                static_cast<std::uint32_t>(y), frame.hits.hits[at]);
                 frame.signatures[at] = tracer.signature();
             }
         const std::lock_guard lock(adding);
@@ -271,4 +297,4 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
     return frame;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -7,11 +7,12 @@ namespace rayclock {
 /// In the terms of the scene.
 inline Hit ref_hit(const RefClosest& found, const RefUnitSpace& space) {
     if (found.primitive == no_primitive) return {};
-    return {found.primitive, static_cast<float>(found.depth / space.scale), static_cast<float>(found.u), static_cast<float>(found.v)};
+    return {found.primitive, static_cast<float>(found.depth / space.scale), static_cast<float>(found.u),
+            static_cast<float>(found.v)};
 }
 
 /// Reference::whitted().
-WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera, FrameSize size, const Whitted& settings,
-                         int threads, const Progress& progress);
+WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
+                         FrameSize size, const Whitted& settings, int threads, const Progress& progress);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -15,30 +15,48 @@ namespace rayclock {
 namespace {
 
 /// A scene without spheres is the same in both forms.
-template <std::uint64_t (*triangles)(int)> PrimitiveCounts all_triangles(int size, Primitives) { return {.triangles = triangles(size)}; }
+template <std::uint64_t (*triangles)(int)> PrimitiveCounts all_triangles(int size, Primitives) {
+    return {.triangles = triangles(size)};
+}
 template <Scene (*make)(int)> Scene one_form(int size, Primitives) { return make(size); }
 
 PrimitiveCounts spheres_counts(int, Primitives) { return {.spheres = spheres_spheres, .planes = 1}; }
 PrimitiveCounts plane_counts(int, Primitives) { return {.planes = 1}; }
 
 /// Cones and cylinders as Haines' package cuts them.
-template <PrimitiveCounts (*counts)(int, Primitives, int)> PrimitiveCounts usual_counts(int size, Primitives p) { return counts(size, p, cone_sectors); }
-template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primitives p) { return make(size, p, cone_sectors); }
+template <PrimitiveCounts (*counts)(int, Primitives, int)>
+PrimitiveCounts usual_counts(int size, Primitives p) {
+    return counts(size, p, cone_sectors);
+}
+template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primitives p) {
+    return make(size, p, cone_sectors);
+}
 
 constexpr std::array<Builtin, 13> all{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
-    {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden", all_triangles<gears_triangles>, one_form<make_gears>},
+    {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
+     all_triangles<gears_triangles>, one_form<make_gears>},
     {"mount", 6, 11, "fractal mountain: an even terrain of any density", mount_counts, make_mount},
-    {"rings", 5, 19, "chains of rings: long thin triangles, much empty space", usual_counts<rings_counts>, usual_form<make_rings>},
-    {"teapot", 12, 389, "teapot on a checkerboard: small detail in a large room", all_triangles<teapot_triangles>, one_form<make_teapot>},
-    {"tetra", 6, 11, "Sierpinski's tetrahedron: most rays miss", all_triangles<tetra_triangles>, one_form<make_tetra>},
-    {"tree", 8, 15, "forking tree on a wide field: extreme range of sizes", usual_counts<tree_counts>, usual_form<make_tree>},
-    {"icosphere", 4, 9, "closed round ball: the smallest test for cracks", all_triangles<icosphere_triangles>, one_form<make_icosphere>},
-    {"cornell", 1, 1, "Cornell box: a handful of large triangles, no size", all_triangles<cornell_triangles>, one_form<make_cornell>},
-    {"spheres", 1, 1, "glass, mirror and matt spheres on a checkered plane", spheres_counts, one_form<make_spheres>},
-    {"plane", 1, 1, "checkered plane as far as the horizon: what samples miss", plane_counts, one_form<make_plane>},
-    {"mirrors", 1, 1, "Cornell box, closed, whose four walls are mirrors: rays without end", all_triangles<mirrors_triangles>, one_form<make_mirrors>},
-    {"square", 1, 1, "white square on black, slightly turned: how edges look", all_triangles<square_triangles>, one_form<make_square>},
+    {"rings", 5, 19, "chains of rings: long thin triangles, much empty space", usual_counts<rings_counts>,
+     usual_form<make_rings>},
+    {"teapot", 12, 389, "teapot on a checkerboard: small detail in a large room",
+     all_triangles<teapot_triangles>, one_form<make_teapot>},
+    {"tetra", 6, 11, "Sierpinski's tetrahedron: most rays miss", all_triangles<tetra_triangles>,
+     one_form<make_tetra>},
+    {"tree", 8, 15, "forking tree on a wide field: extreme range of sizes", usual_counts<tree_counts>,
+     usual_form<make_tree>},
+    {"icosphere", 4, 9, "closed round ball: the smallest test for cracks", all_triangles<icosphere_triangles>,
+     one_form<make_icosphere>},
+    {"cornell", 1, 1, "Cornell box: a handful of large triangles, no size", all_triangles<cornell_triangles>,
+     one_form<make_cornell>},
+    {"spheres", 1, 1, "glass, mirror and matt spheres on a checkered plane", spheres_counts,
+     one_form<make_spheres>},
+    {"plane", 1, 1, "checkered plane as far as the horizon: what samples miss", plane_counts,
+     one_form<make_plane>},
+    {"mirrors", 1, 1, "Cornell box, closed, whose four walls are mirrors: rays without end",
+     all_triangles<mirrors_triangles>, one_form<make_mirrors>},
+    {"square", 1, 1, "white square on black, slightly turned: how edges look",
+     all_triangles<square_triangles>, one_form<make_square>},
 }};
 
 std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.find(':')); }
@@ -54,7 +72,8 @@ const Builtin& named(std::string_view spec) {
     if (const Builtin* builtin = find(name)) return *builtin;
     std::vector<std::string> names;
     for (const Builtin& b : all) names.emplace_back(b.name);
-    throw UserError("no built-in scene is called " + shown(name) + did_you_mean(name, names) + " (`rayclock scenes` lists them)");
+    throw UserError("no built-in scene is called " + shown(name) + did_you_mean(name, names) +
+                    " (`rayclock scenes` lists them)");
 }
 
 /// Scenes whose cones and cylinders may be cut into another number of sides.
@@ -72,7 +91,8 @@ int number_of(std::string_view digits, int least, int most, const std::string& w
     int number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc{} || end != digits.data() + digits.size() || number < least || number > most)
-        throw UserError(what + " must be a whole number in " + std::to_string(least) + ".." + std::to_string(most) + ", not " + shown(digits));
+        throw UserError(what + " must be a whole number in " + std::to_string(least) + ".." +
+                        std::to_string(most) + ", not " + shown(digits));
     return number;
 }
 
@@ -86,18 +106,21 @@ Spec parsed(const Builtin& builtin, std::string_view spec) {
     if (spec.size() == builtin.name.size()) return {builtin.default_size};
     const std::string_view digits = spec.substr(builtin.name.size() + 1);
     const std::size_t colon = digits.find(':');
-    const auto way = std::find_if(cut.begin(), cut.end(), [&](const Cut& c) { return c.name == builtin.name; });
+    const auto way =
+        std::find_if(cut.begin(), cut.end(), [&](const Cut& c) { return c.name == builtin.name; });
     // Of other scenes what follows is a typing mistake in the size.
     const bool has_sides = colon != digits.npos && way != cut.end();
     Spec out;
-    out.size = number_of(has_sides ? digits.substr(0, colon) : digits, 1, builtin.max_size, "the size" + scene);
+    out.size =
+        number_of(has_sides ? digits.substr(0, colon) : digits, 1, builtin.max_size, "the size" + scene);
     if (!has_sides) return out;
-    out.sides = number_of(digits.substr(colon + 1), least_sides, most_sides, "the number of sides of a cone" + scene);
+    out.sides =
+        number_of(digits.substr(colon + 1), least_sides, most_sides, "the number of sides of a cone" + scene);
     out.cut = &*way;
     return out;
 }
 
-} // namespace
+}   // namespace
 
 std::span<const Builtin> builtins() { return all; }
 
@@ -109,7 +132,8 @@ PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {
     if (!spec.cut) return builtin.counts(spec.size, primitives);
     const PrimitiveCounts counts = spec.cut->counts(spec.size, primitives, spec.sides);
     if (counts.triangles > most_triangles)
-        throw UserError(shown(text) + ": that would be " + std::to_string(counts.triangles) + " triangles, and " + std::to_string(most_triangles) + " are the limit");
+        throw UserError(shown(text) + ": that would be " + std::to_string(counts.triangles) +
+                        " triangles, and " + std::to_string(most_triangles) + " are the limit");
     return counts;
 }
 
@@ -117,11 +141,12 @@ Scene make_builtin(std::string_view text, Primitives primitives) {
     const Builtin& builtin = named(text);
     const Spec spec = parsed(builtin, text);
     builtin_counts(text, primitives);   // not too many
-    Scene scene = spec.cut ? spec.cut->generate(spec.size, primitives, spec.sides) : builtin.make(spec.size, primitives);
+    Scene scene = spec.cut ? spec.cut->generate(spec.size, primitives, spec.sides)
+                           : builtin.make(spec.size, primitives);
     scene.name = builtin.name;
     if (builtin.max_size > 1) scene.name += ":" + std::to_string(spec.size);
     if (spec.cut) scene.name += ":" + std::to_string(spec.sides);
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -8,8 +8,9 @@
 
 namespace rayclock {
 
-/// How round things are made: cut into triangles, or spheres as spheres. Cones and cylinders are always cut; so is all that
-/// a scene has beside spheres. The newer scenes (spheres, plane, mirrors, square) have only one form, which is native.
+/// How round things are made: cut into triangles, or spheres as spheres. Cones and cylinders are always cut;
+/// so is all that a scene has beside spheres. The newer scenes (spheres, plane, mirrors, square) have only
+/// one form, which is native.
 enum class Primitives { triangles, native };
 
 struct PrimitiveCounts {
@@ -20,14 +21,16 @@ struct PrimitiveCounts {
 /// A scene that the program makes itself.
 struct Builtin {
     std::string_view name;
-    int default_size;                       ///< size factor when none is given
-    int max_size;                           ///< largest accepted (keeps to about 10 million triangles)
-    std::string_view purpose;               ///< one line for `rayclock scenes`
+    int default_size;           ///< size factor when none is given
+    int max_size;               ///< largest accepted (keeps to about 10 million triangles)
+    std::string_view purpose;   ///< one line for `rayclock scenes`
     PrimitiveCounts (*counts)(int size, Primitives primitives);   ///< exact, by formula
     Scene (*generate)(int size, Primitives primitives);
 
     std::uint64_t triangles(int size) const { return counts(size, Primitives::triangles).triangles; }
-    Scene make(int size, Primitives primitives = Primitives::triangles) const { return generate(size, primitives); }
+    Scene make(int size, Primitives primitives = Primitives::triangles) const {
+        return generate(size, primitives);
+    }
 };
 
 /// All of them, in the order they are listed.
@@ -43,4 +46,4 @@ PrimitiveCounts builtin_counts(std::string_view spec, Primitives primitives);
 /// True if `spec` up to a colon is the name of a built-in scene.
 bool is_builtin(std::string_view spec);
 
-} // namespace rayclock
+}   // namespace rayclock

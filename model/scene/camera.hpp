@@ -29,4 +29,4 @@ struct PixelRays {
 /// (spd.md 2.1, with the angle measured to the picture's edges).
 PixelRays pixel_rays(const Camera& camera, FrameSize size);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -24,15 +24,18 @@ struct Range {
 };
 constexpr double no_limit = std::numeric_limits<double>::max();
 constexpr Range material_ranges[] = {
-    {"ambient", &Material::ambient, 1},   {"diffuse", &Material::diffuse, 1},   {"highlight", &Material::highlight, 1},
-    {"mirror", &Material::mirror, 1},     {"transmit", &Material::transmit, 1}, {"shine", &Material::shine, no_limit},
+    {"ambient", &Material::ambient, 1},     {"diffuse", &Material::diffuse, 1},
+    {"highlight", &Material::highlight, 1}, {"mirror", &Material::mirror, 1},
+    {"transmit", &Material::transmit, 1},   {"shine", &Material::shine, no_limit},
 };
 
 bool is_within(const glm::dvec3& v, double most) {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x <= most && v.y <= most && v.z <= most;
 }
 
-std::string numbered(const char* what, std::size_t i) { return std::string(what) + " " + std::to_string(i) + " (counted from 0)"; }
+std::string numbered(const char* what, std::size_t i) {
+    return std::string(what) + " " + std::to_string(i) + " (counted from 0)";
+}
 
 struct Judge {
     const Scene& scene;
@@ -43,10 +46,12 @@ struct Judge {
     void counts() const {
         if (primitive_count(scene) == 0) refuse("there is nothing to see: no triangle, no sphere, no plane");
         if (primitive_count(scene) >= no_primitive)
-            refuse(std::to_string(primitive_count(scene)) + " primitives are too many; the most is " + std::to_string(no_primitive - 1));
+            refuse(std::to_string(primitive_count(scene)) + " primitives are too many; the most is " +
+                   std::to_string(no_primitive - 1));
         if (scene.materials.empty()) refuse("there are no materials");
         if (scene.lights.size() > most_lights)
-            refuse("there are " + std::to_string(scene.lights.size()) + " lights; the most is " + std::to_string(most_lights));
+            refuse("there are " + std::to_string(scene.lights.size()) + " lights; the most is " +
+                   std::to_string(most_lights));
     }
 
     void vertices() const {
@@ -62,7 +67,8 @@ struct Judge {
         for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
             const Triangle& t = scene.triangles[i];
             for (const std::uint32_t vertex : t.vertex)
-                if (vertex >= scene.vertices.size()) index("triangle", i, "vertex", vertex, scene.vertices.size());
+                if (vertex >= scene.vertices.size())
+                    index("triangle", i, "vertex", vertex, scene.vertices.size());
             material_of("triangle", i, t.material);
         }
     }
@@ -70,9 +76,12 @@ struct Judge {
     void spheres() const {
         for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
             const Sphere& s = scene.spheres[i];
-            if (!is_finite(s.centre)) refuse(numbered("sphere", i) + " has the centre " + text_of(s.centre) + ", not a finite point");
+            if (!is_finite(s.centre))
+                refuse(numbered("sphere", i) + " has the centre " + text_of(s.centre) +
+                       ", not a finite point");
             if (!(s.radius > 0) || !std::isfinite(s.radius))
-                refuse(numbered("sphere", i) + " has the radius " + text_of(s.radius) + ", which must be above 0 and finite");
+                refuse(numbered("sphere", i) + " has the radius " + text_of(s.radius) +
+                       ", which must be above 0 and finite");
             material_of("sphere", i, s.material);
         }
     }
@@ -80,13 +89,16 @@ struct Judge {
     void planes() const {
         for (std::size_t i = 0; i < scene.planes.size(); ++i) {
             const Plane& p = scene.planes[i];
-            if (!is_finite(p.point)) refuse(numbered("plane", i) + " goes through " + text_of(p.point) + ", not a finite point");
+            if (!is_finite(p.point))
+                refuse(numbered("plane", i) + " goes through " + text_of(p.point) + ", not a finite point");
             for (const glm::dvec3& side : {p.u, p.v})
                 if (!is_finite(side) || side == glm::dvec3(0))
-                    refuse(numbered("plane", i) + " has the side " + text_of(side) + ", not a direction of finite length");
+                    refuse(numbered("plane", i) + " has the side " + text_of(side) +
+                           ", not a direction of finite length");
             // Below this the direction of the normal is mostly rounding.
             if (!(glm::length(glm::cross(unit_of(p.u), unit_of(p.v))) > 1e-9))
-                refuse(numbered("plane", i) + " has the sides " + text_of(p.u) + " and " + text_of(p.v) + ", which are parallel");
+                refuse(numbered("plane", i) + " has the sides " + text_of(p.u) + " and " + text_of(p.v) +
+                       ", which are parallel");
             material_of("plane", i, p.material);
         }
     }
@@ -95,7 +107,8 @@ struct Judge {
         if (material >= scene.materials.size()) index(what, i, "material", material, scene.materials.size());
     }
 
-    [[noreturn]] void index(const char* what, std::size_t i, const std::string& part, std::uint32_t used, std::size_t count) const {
+    [[noreturn]] void index(const char* what, std::size_t i, const std::string& part, std::uint32_t used,
+                            std::size_t count) const {
         refuse(std::string(what) + " " + std::to_string(i) + " uses " + part + " " + std::to_string(used) +
                " (counted from 0), and there are " + std::to_string(count));
     }
@@ -103,23 +116,27 @@ struct Judge {
     void extent() const {
         const Bounds box = bounds(scene);
         if (!is_finite(box.hi - box.lo))
-            refuse("the scene reaches from " + text_of(box.lo) + " to " + text_of(box.hi) + ", further than a double can tell");
+            refuse("the scene reaches from " + text_of(box.lo) + " to " + text_of(box.hi) +
+                   ", further than a double can tell");
     }
 
     void materials() const {
         for (std::size_t i = 0; i < scene.materials.size(); ++i) {
             const Material& m = scene.materials[i];
             const std::string name = "material " + std::to_string(i) + " " + shown(m.name) + " has ";
-            const bool good = is_finite(m.colour) && is_finite(m.other) && is_finite({m.ambient, m.diffuse, m.highlight}) &&
+            const bool good = is_finite(m.colour) && is_finite(m.other) &&
+                              is_finite({m.ambient, m.diffuse, m.highlight}) &&
                               is_finite({m.shine, m.mirror, m.transmit}) && std::isfinite(m.index);
             if (!good) refuse(name + "a value that is not a finite number");
             for (const glm::dvec3& colour : {m.colour, m.other})
-                if (!is_within(colour, 1)) refuse(name + "the colour " + text_of(colour) + ", which must lie within 0 and 1");
+                if (!is_within(colour, 1))
+                    refuse(name + "the colour " + text_of(colour) + ", which must lie within 0 and 1");
             for (const Range& range : material_ranges)
                 if (const double x = m.*range.value; !(x >= 0 && x <= range.most))
                     refuse(name + range.name + " " + text_of(x) + ", which must " +
                            (range.most == no_limit ? "not be negative" : "lie within 0 and 1"));
-            if (m.transmit > 0 && !(m.index > 0)) refuse(name + "the refractive index " + text_of(m.index) + ", which must be above 0");
+            if (m.transmit > 0 && !(m.index > 0))
+                refuse(name + "the refractive index " + text_of(m.index) + ", which must be above 0");
         }
     }
 
@@ -127,33 +144,41 @@ struct Judge {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
             const Light& light = scene.lights[i];
             const std::string name = numbered("light", i);
-            if (!is_finite(light.position)) refuse(name + " is at " + text_of(light.position) + ", not a finite point");
-            if (!is_finite(light.colour)) refuse(name + " has the colour " + text_of(light.colour) + ", not finite numbers");
+            if (!is_finite(light.position))
+                refuse(name + " is at " + text_of(light.position) + ", not a finite point");
+            if (!is_finite(light.colour))
+                refuse(name + " has the colour " + text_of(light.colour) + ", not finite numbers");
             if (!is_within(light.colour, most_light))
-                refuse(name + " has the colour " + text_of(light.colour) + ", which must lie within 0 and " + text_of(most_light));
+                refuse(name + " has the colour " + text_of(light.colour) + ", which must lie within 0 and " +
+                       text_of(most_light));
         }
         if (!is_finite(scene.background) || !is_within(scene.background, 1))
-            refuse("the background " + text_of(scene.background) + " is not a colour: three numbers within 0 and 1");
+            refuse("the background " + text_of(scene.background) +
+                   " is not a colour: three numbers within 0 and 1");
     }
 };
 
 /// Grows with every point; empty at first.
 struct Growing {
-    Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(-std::numeric_limits<double>::infinity())};
+    Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()),
+               glm::dvec3(-std::numeric_limits<double>::infinity())};
     void add(const glm::dvec3& lo, const glm::dvec3& hi) {
         box.lo = glm::min(box.lo, lo);
         box.hi = glm::max(box.hi, hi);
     }
 };
 
-} // namespace
+}   // namespace
 
 Bounds bounds(const Scene& scene) {
-    if (primitive_count(scene) == 0) throw UserError(scene.name + ": there is nothing to see: no triangle, no sphere, no plane");
+    if (primitive_count(scene) == 0)
+        throw UserError(scene.name + ": there is nothing to see: no triangle, no sphere, no plane");
     Growing growing;
     for (const Triangle& triangle : scene.triangles)
-        for (const std::uint32_t index : triangle.vertex) growing.add(scene.vertices[index], scene.vertices[index]);
-    for (const Sphere& sphere : scene.spheres) growing.add(sphere.centre - sphere.radius, sphere.centre + sphere.radius);
+        for (const std::uint32_t index : triangle.vertex)
+            growing.add(scene.vertices[index], scene.vertices[index]);
+    for (const Sphere& sphere : scene.spheres)
+        growing.add(sphere.centre - sphere.radius, sphere.centre + sphere.radius);
     if (scene.triangles.empty() && scene.spheres.empty())
         for (const double s : {-5.0, 5.0})
             for (const double t : {-5.0, 5.0}) {
@@ -177,4 +202,4 @@ void check_scene(const Scene& scene, const std::string& where) {
     if (scene.camera) view_of(*scene.camera, where);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

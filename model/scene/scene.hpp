@@ -13,17 +13,18 @@ namespace rayclock {
 /// Surface of a primitive, in the terms of Haines' NFF (spd: R G B Kd Ks shine T index).
 struct Material {
     std::string name;
-    glm::dvec3 colour{0.8};      ///< diffuse reflectance, linear RGB, 0..1
-    double ambient = 0.1;        ///< weight of the surrounding light (Ka)
-    double diffuse = 0.9;        ///< weight of Lambert's term (Kd)
-    double highlight = 0;        ///< weight of the Phong highlight (Kh)
-    double shine = 1;            ///< Phong cosine exponent
-    double mirror = 0;           ///< weight of the reflected ray (Ks)
-    double transmit = 0;         ///< weight of the refracted ray (T)
-    double index = 1;            ///< refractive index of the inside; the surrounding medium is 1
-    bool checkered = false;      ///< of a plane: every second square has the colour `other`
+    glm::dvec3 colour{0.8};   ///< diffuse reflectance, linear RGB, 0..1
+    double ambient = 0.1;     ///< weight of the surrounding light (Ka)
+    double diffuse = 0.9;     ///< weight of Lambert's term (Kd)
+    double highlight = 0;     ///< weight of the Phong highlight (Kh)
+    double shine = 1;         ///< Phong cosine exponent
+    double mirror = 0;        ///< weight of the reflected ray (Ks)
+    double transmit = 0;      ///< weight of the refracted ray (T)
+    double index = 1;         ///< refractive index of the inside; the surrounding medium is 1
+    bool checkered = false;   ///< of a plane: every second square has the colour `other`
     glm::dvec3 other{0.2};
-    bool schlick = false;        ///< mirror and transmit are weighted by Fresnel's term, as Schlick 1994 approximates it
+    bool schlick =
+        false;   ///< mirror and transmit are weighted by Fresnel's term, as Schlick 1994 approximates it
 };
 
 /// Point light without attenuation; `colour` is its strength (spd: 1/sqrt(number of lights)).
@@ -54,47 +55,51 @@ struct Sphere {
     std::uint32_t material = 0;
 };
 
-/// The points point + s u + t v for all s and t, without end. u and v, at right angles, are the sides of a square of its
-/// checkers: square (floor s, floor t) has the material's `other` colour if floor s + floor t is odd. Seen from both sides.
+/// The points point + s u + t v for all s and t, without end. u and v, at right angles, are the sides of a
+/// square of its checkers: square (floor s, floor t) has the material's `other` colour if floor s + floor t
+/// is odd. Seen from both sides.
 struct Plane {
     glm::dvec3 point{0}, u{1, 0, 0}, v{0, 0, -1};
     std::uint32_t material = 0;
 };
 
-/// A scene as given: double precision, scene units, nothing snapped. Every engine reports hits by a primitive's number:
-/// its index in `triangles`, then, going on from there, in `spheres` and in `planes`.
+/// A scene as given: double precision, scene units, nothing snapped. Every engine reports hits by a
+/// primitive's number: its index in `triangles`, then, going on from there, in `spheres` and in `planes`.
 struct Scene {
     std::string name;
     std::vector<glm::dvec3> vertices;
-    std::vector<glm::dvec3> normals;      ///< unit vertex normals, or empty: flat shading everywhere
+    std::vector<glm::dvec3> normals;   ///< unit vertex normals, or empty: flat shading everywhere
     std::vector<Triangle> triangles;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;
     std::vector<Material> materials;
     std::vector<Light> lights;
-    std::optional<Camera> camera;         ///< absent: found by fit_camera()
+    std::optional<Camera> camera;   ///< absent: found by fit_camera()
     glm::dvec3 background{0.078, 0.361, 0.753};
 };
 
-inline std::size_t primitive_count(const Scene& scene) { return scene.triangles.size() + scene.spheres.size() + scene.planes.size(); }
+inline std::size_t primitive_count(const Scene& scene) {
+    return scene.triangles.size() + scene.spheres.size() + scene.planes.size();
+}
 
-/// Axis-aligned bounds of all vertices that triangles use, and of spheres. Planes have no end and do not count; a scene of planes
-/// alone has the bounds of 10 x 10 squares around the first one's point.
+/// Axis-aligned bounds of all vertices that triangles use, and of spheres. Planes have no end and do not
+/// count; a scene of planes alone has the bounds of 10 x 10 squares around the first one's point.
 struct Bounds {
     glm::dvec3 lo{0}, hi{0};
 };
 Bounds bounds(const Scene& scene);
 
 constexpr std::size_t most_lights = 64;
-constexpr double most_light = 16;         ///< largest component of a light's colour
+constexpr double most_light = 16;   ///< largest component of a light's colour
 
-/// Throws UserError unless the scene can be traced: it has primitives and materials, indices are in range, coordinates are
-/// finite, radii above 0, sides of planes not parallel; colours and weights lie within 0 and 1, an index of what transmits is
-/// above 0; the camera looks somewhere and its angle lies in (0, 180). No light is fine. `where` begins the sentence.
+/// Throws UserError unless the scene can be traced: it has primitives and materials, indices are in range,
+/// coordinates are finite, radii above 0, sides of planes not parallel; colours and weights lie within 0 and
+/// 1, an index of what transmits is above 0; the camera looks somewhere and its angle lies in (0, 180). No
+/// light is fine. `where` begins the sentence.
 void check_scene(const Scene& scene, const std::string& where);
 
 /// A camera that sees the whole scene from front, right and above, looking at the middle of its bounds.
 /// The angle is 45 degrees; `aspect` is width over height.
 Camera fit_camera(const Scene& scene, double aspect);
 
-} // namespace rayclock
+}   // namespace rayclock

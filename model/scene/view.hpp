@@ -28,4 +28,4 @@ bool is_finite(const glm::dvec3& v);
 std::string text_of(const glm::dvec3& v);
 std::string text_of(double x);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -6,7 +6,8 @@ namespace rayclock {
 
 namespace {
 
-/// Prime to n * n, and such that the first four cells lie in different quarters of the pixel where there are any.
+/// Prime to n * n, and such that the first four cells lie in different quarters of the pixel where there are
+/// any.
 constexpr std::array<std::uint32_t, most_aa + 1> stride{0, 1, 3, 4, 7, 7, 13, 18, 29};
 
 /// Jenkins 1997, "one at a time", over three words: only adds, shifts and exclusive ors.
@@ -22,15 +23,17 @@ std::uint32_t hash(std::uint32_t seed, std::uint32_t x, std::uint32_t y, std::ui
     return h + (h << 15);
 }
 
-} // namespace
+}   // namespace
 
 std::uint32_t sample_stride(int n) { return stride[std::size_t(n)]; }
 
-SampleOffset sample_offset(std::uint32_t x, std::uint32_t y, std::uint32_t s, int n, bool jitter, std::uint32_t seed) {
+SampleOffset sample_offset(std::uint32_t x, std::uint32_t y, std::uint32_t s, int n, bool jitter,
+                           std::uint32_t seed) {
     const auto side = std::uint32_t(n), cell = s * stride[side] % (side * side);
     const std::uint32_t random = jitter ? hash(seed, x, y, s) : 128u << 8 | 128u;
-    const std::uint32_t right = ((cell % side) << 8 | (random & 255)) / side, down = ((cell / side) << 8 | (random >> 8 & 255)) / side;
+    const std::uint32_t right = ((cell % side) << 8 | (random & 255)) / side,
+                        down = ((cell / side) << 8 | (random >> 8 & 255)) / side;
     return {std::int32_t(right) - 128, std::int32_t(down) - 128};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

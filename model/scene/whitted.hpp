@@ -1,23 +1,28 @@
 #pragma once
-// What all engines share about the finished picture: how far the tree of rays is followed, and where a pixel's samples lie.
+// What all engines share about the finished picture: how far the tree of rays is followed, and where a
+// pixel's samples lie.
 #include <cstdint>
 
 namespace rayclock {
 
 constexpr int most_depth = 15, most_aa = 8;
 
-/// Whitted 1980, "An improved illumination model for shaded display": local light, shadow rays, reflection, refraction.
+/// Whitted 1980, "An improved illumination model for shaded display": local light, shadow rays, reflection,
+/// refraction.
 struct Whitted {
-    int depth = 5;              ///< bounces of a camera ray, 0..15; at a hit of that depth nothing is reflected or refracted
-    double threshold = 0;       ///< a reflected or refracted ray of less weight is not traced (Hall, Greenberg 1983); 0: all are
-    int aa = 1;                 ///< a pixel has aa x aa samples, 1..8
-    bool jitter = false;        ///< each sample anywhere in its cell (Cook 1986), and not in the middle
-    double contrast = 0;        ///< if not 0: after 4 samples, the rest only if some channel differs by more among them
-    std::uint32_t seed = 1;     ///< of the jitter
+    int depth =
+        5;   ///< bounces of a camera ray, 0..15; at a hit of that depth nothing is reflected or refracted
+    double threshold =
+        0;   ///< a reflected or refracted ray of less weight is not traced (Hall, Greenberg 1983); 0: all are
+    int aa = 1;            ///< a pixel has aa x aa samples, 1..8
+    bool jitter = false;   ///< each sample anywhere in its cell (Cook 1986), and not in the middle
+    double contrast =
+        0;   ///< if not 0: after 4 samples, the rest only if some channel differs by more among them
+    std::uint32_t seed = 1;   ///< of the jitter
 };
 
-/// A weight that is not below the threshold is traced. Both are meant as the decimal numbers that were written: products of those
-/// may come out low by a few of 2^-53, so 2^-46 is forgiven.
+/// A weight that is not below the threshold is traced. Both are meant as the decimal numbers that were
+/// written: products of those may come out low by a few of 2^-53, so 2^-46 is forgiven.
 inline bool weighs_enough(double weight, double threshold) { return weight >= threshold * (1 - 0x1p-46); }
 
 /// Rays sent, whatever they met. A total reflection counts as a refracted ray (spd.md 6.2, rule 6).
@@ -25,15 +30,17 @@ struct RayCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t primary_hits = 0;
     RayCounts& operator+=(const RayCounts& o) {
-        primary += o.primary, shadow += o.shadow, reflection += o.reflection, refraction += o.refraction, primary_hits += o.primary_hits;
+        primary += o.primary, shadow += o.shadow, reflection += o.reflection, refraction += o.refraction,
+            primary_hits += o.primary_hits;
         return *this;
     }
     std::uint64_t all() const { return primary + shadow + reflection + refraction; }
     friend bool operator==(const RayCounts&, const RayCounts&) = default;
 };
 
-/// What a pixel's rays met, as one number: two engines whose numbers are the same have made the same decisions all the way. Rays
-/// in the order of the tree, depth first: a surface, its lights, what it reflects, what it refracts.
+/// What a pixel's rays met, as one number: two engines whose numbers are the same have made the same
+/// decisions all the way. Rays in the order of the tree, depth first: a surface, its lights, what it
+/// reflects, what it refracts.
 class PathSignature {
 public:
     void start() { state_ = 0xcbf29ce484222325u; }
@@ -60,8 +67,10 @@ struct SampleOffset {
     std::int32_t x = 0, y = 0;
     friend bool operator==(const SampleOffset&, const SampleOffset&) = default;
 };
-/// Sample s, 0..n * n - 1, of pixel (x, y). The pixel has n x n cells; s goes through them in strides, so that the first few
-/// lie far apart. Part of the camera's definition, the same for every engine. Mirror of rtl/raygen/rc_sample.sv.
-SampleOffset sample_offset(std::uint32_t x, std::uint32_t y, std::uint32_t s, int n, bool jitter, std::uint32_t seed);
+/// Sample s, 0..n * n - 1, of pixel (x, y). The pixel has n x n cells; s goes through them in strides, so
+/// that the first few lie far apart. Part of the camera's definition, the same for every engine. Mirror of
+/// rtl/raygen/rc_sample.sv.
+SampleOffset sample_offset(std::uint32_t x, std::uint32_t y, std::uint32_t s, int n, bool jitter,
+                           std::uint32_t seed);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -3,11 +3,12 @@
 
 namespace rayclock {
 
-/// Gives the picture out in tiles of 2^tile_bits x 2^tile_bits pixels, row by row, one a cycle, to the pipelines that have
-/// room for one, in turn. Mirror of rtl/sched/rc_dispatch.sv.
+/// Gives the picture out in tiles of 2^tile_bits x 2^tile_bits pixels, row by row, one a cycle, to the
+/// pipelines that have room for one, in turn. Mirror of rtl/sched/rc_dispatch.sv.
 class Dispatch {
 public:
-    explicit Dispatch(const Config& config) : pipelines_(std::uint32_t(config.pipelines)), tile_bits_(config.tile_bits) {}
+    explicit Dispatch(const Config& config)
+        : pipelines_(std::uint32_t(config.pipelines)), tile_bits_(config.tile_bits) {}
 
     void start(const Frame& frame) {
         columns_ = (frame.width + (1u << tile_bits_) - 1) >> tile_bits_;
@@ -42,4 +43,4 @@ private:
     bool more_ = false;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -4,15 +4,19 @@
 
 namespace rayclock {
 
-/// Gives the pixels of its tiles, in Morton order, to free contexts, and puts the pixel to the hit when its ray is done.
-/// Holds two tiles. A pixel of a tile that lies outside the picture costs a cycle in which nothing is given.
-/// A fresh machine uses contexts 0..T-1 first; after that the one that has been free longest.
-/// Mirror of rtl/sched/rc_sched.sv.
+/// Gives the pixels of its tiles, in Morton order, to free contexts, and puts the pixel to the hit when its
+/// ray is done. Holds two tiles. A pixel of a tile that lies outside the picture costs a cycle in which
+/// nothing is given. A fresh machine uses contexts 0..T-1 first; after that the one that has been free
+/// longest. Mirror of rtl/sched/rc_sched.sv.
 class Sched {
 public:
     explicit Sched(const Config& config)
-        : tile_bits_(config.tile_bits), last_((1u << 2 * config.tile_bits) - 1), contexts_(std::uint32_t(config.contexts)), tiles_(2),
-          free_(config.contexts), pixels_(std::size_t(config.contexts)) {}
+        : tile_bits_(config.tile_bits),
+          last_((1u << 2 * config.tile_bits) - 1),
+          contexts_(std::uint32_t(config.contexts)),
+          tiles_(2),
+          free_(config.contexts),
+          pixels_(std::size_t(config.contexts)) {}
 
     /// A new frame. What is left of the last one's tiles, pixels outside its picture, is dropped.
     void start(const Frame& frame) {
@@ -32,13 +36,16 @@ public:
     const Slot& pixel(std::uint32_t ray) const { return pixels_[ray]; }
     bool in_use(std::uint32_t ray) const { return ray < started_ && !free_.contains(RayNumber(ray)); }
 
-    /// One clock edge: whether the slot was taken, the tile that came and the context whose hit left (null if none).
+    /// One clock edge: whether the slot was taken, the tile that came and the context whose hit left (null if
+    /// none).
     void clock(bool slot_taken, const Tile* tile, const std::uint32_t* freed) {
         if (slot_taken) {
             const Slot given = slot();
             pixels_[given.ray] = given;
-            if (started_ < contexts_) ++started_;
-            else free_.pop();
+            if (started_ < contexts_)
+                ++started_;
+            else
+                free_.pop();
         }
         if (slot_taken || outside_) {
             if (at_ == last_) tiles_.pop();
@@ -80,4 +87,4 @@ private:
     std::vector<Slot> pixels_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -19,7 +19,7 @@ bool is_before(const Vec3l& q, const Vec3i& d, std::int64_t end) {
     return false;
 }
 
-} // namespace
+}   // namespace
 
 std::optional<Vec3i> approach(const Vec3l& p, const Vec3i& d, const Config& c) {
     const std::int64_t end = lattice_end(c);
@@ -35,4 +35,4 @@ std::optional<Vec3i> approach(const Vec3l& p, const Vec3i& d, const Config& c) {
     return origin;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -26,7 +26,8 @@ int side_of(const Vec3l& n, const Vec3i& d) {
 
 /// Schlick 1994: R0 + (1 - R0) (1 - cosine)^5.
 std::int64_t schlick(const ShadeState& state) {
-    const std::int64_t q = one - state.cosine, q2 = rounded(q * q, unit_bits), q4 = rounded(q2 * q2, unit_bits), q5 = rounded(q4 * q, unit_bits);
+    const std::int64_t q = one - state.cosine, q2 = rounded(q * q, unit_bits),
+                       q4 = rounded(q2 * q2, unit_bits), q5 = rounded(q4 * q, unit_bits);
     return state.r0 + rounded((one - std::int64_t(state.r0)) * q5, unit_bits);
 }
 
@@ -34,25 +35,30 @@ std::uint32_t times(std::uint32_t weight, std::int64_t share) {
     return std::uint32_t(rounded(weight * std::min(share, one), unit_bits));
 }
 
-/// 2^32 times the squared cosine of the refracted ray; negative: total reflection. The ratio's square times the sine's, rounded down.
+/// 2^32 times the squared cosine of the refracted ray; negative: total reflection. The ratio's square times
+/// the sine's, rounded down.
 std::int64_t refracted_cosine(const ShadeState& state) {
-    const std::uint64_t sine2 = (std::uint64_t(1) << 2 * unit_bits) - std::uint64_t(state.cosine) * state.cosine;
+    const std::uint64_t sine2 =
+        (std::uint64_t(1) << 2 * unit_bits) - std::uint64_t(state.cosine) * state.cosine;
     const auto bent = std::uint64_t(Wide(std::uint64_t(state.ratio) * state.ratio) * sine2 >> 2 * index_frac);
     return (std::int64_t(1) << 2 * unit_bits) - std::int64_t(bent);
 }
 
-} // namespace
+}   // namespace
 
 BounceOut reflect(const Config& c, const ShadeState& state) {
     BounceOut out;
     Vec3l mirrored{};
-    for (std::size_t k = 0; k < 3; ++k) mirrored[k] = rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];
+    for (std::size_t k = 0; k < 3; ++k)
+        mirrored[k] = rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];
     out.d = direction_of(within(mirrored), c);
     out.goes = side_of(state.n, out.d) > 0;
     std::int64_t share = state.mirror;
     if (c.refraction) {
-        if (state.total) share += state.transmit;
-        else if (state.schlick) share += rounded(state.transmit * schlick(state), unit_bits);
+        if (state.total)
+            share += state.transmit;
+        else if (state.schlick)
+            share += rounded(state.transmit * schlick(state), unit_bits);
     }
     out.weight = times(state.weight, share);
     return out;
@@ -66,12 +72,15 @@ BounceOut refract(const Config& c, const ShadeState& state) {
     const std::int64_t along = rounded(std::int64_t(state.ratio) * state.cosine, index_frac) - root;
     Vec3l bent{};
     for (std::size_t k = 0; k < 3; ++k)
-        bent[k] = rounded(along * state.normal[k] - (std::int64_t(state.ratio) * state.view[k] << (unit_bits - index_frac)), unit_bits);
+        bent[k] = rounded(
+            along * state.normal[k] - (std::int64_t(state.ratio) * state.view[k] << (unit_bits - index_frac)),
+            unit_bits);
     out.d = direction_of(within(bent), c);
     out.goes = !out.total && side_of(state.n, out.d) < 0;
-    const std::int64_t share = state.schlick ? rounded(state.transmit * (one - schlick(state)), unit_bits) : state.transmit;
+    const std::int64_t share =
+        state.schlick ? rounded(state.transmit * (one - schlick(state)), unit_bits) : state.transmit;
     out.weight = times(state.weight, share);
     return out;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -8,11 +8,14 @@
 namespace rayclock {
 
 /// x / 2^drop to the nearest whole number, halves up; drop >= 0.
-template <class T> constexpr T rounded(T x, int drop) { return drop == 0 ? x : (x + (T(1) << (drop - 1))) >> drop; }
+template <class T> constexpr T rounded(T x, int drop) {
+    return drop == 0 ? x : (x + (T(1) << (drop - 1))) >> drop;
+}
 
 /// Product of two unit vectors, unit_bits of fraction.
 inline std::int64_t unit_dot(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {
-    return rounded(std::int64_t(a[0]) * b[0] + std::int64_t(a[1]) * b[1] + std::int64_t(a[2]) * b[2], unit_bits);
+    return rounded(std::int64_t(a[0]) * b[0] + std::int64_t(a[1]) * b[1] + std::int64_t(a[2]) * b[2],
+                   unit_bits);
 }
 /// The same, kept within 0..1.
 inline std::uint32_t clamped_dot(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {
@@ -27,4 +30,4 @@ inline std::array<std::int32_t, 3> direction_of(const std::array<std::int32_t, 3
     return d;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -25,16 +25,20 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state) {
     const std::uint32_t cosine = clamped_dot(state.normal, unit);   // N . L
     out.counts = side > 0 && cosine > 0;
     // R . V with R = 2 (N . L) N - L.
-    const std::int64_t mirrored = rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits) - unit_dot(unit, state.view);
-    const std::uint32_t phong = power(std::uint32_t(std::clamp<std::int64_t>(mirrored, 0, 1 << unit_bits)), state.shine);
+    const std::int64_t mirrored =
+        rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits) - unit_dot(unit, state.view);
+    const std::uint32_t phong =
+        power(std::uint32_t(std::clamp<std::int64_t>(mirrored, 0, 1 << unit_bits)), state.shine);
     out.parts = {unit, cosine, phong};
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint64_t matte = rounded(std::uint64_t(state.diffuse) * cosine * state.albedo[k], 2 * share_bits);
+        const std::uint64_t matte =
+            rounded(std::uint64_t(state.diffuse) * cosine * state.albedo[k], 2 * share_bits);
         const std::uint64_t gloss = rounded(std::uint64_t(state.highlight) * phong, share_bits);
-        const std::uint64_t share = rounded((matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight, share_bits + unit_bits);
+        const std::uint64_t share = rounded(
+            (matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight, share_bits + unit_bits);
         state.share[k] = std::uint32_t(std::min<std::uint64_t>(share, 1 << unit_bits));
     }
     return out;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -3,13 +3,14 @@
 
 namespace rayclock {
 
-/// The part of a pass that a light takes: what it would add, into state.share, and the shadow ray's direction.
-/// Mirror of rtl/shade/rc_light.sv.
+/// The part of a pass that a light takes: what it would add, into state.share, and the shadow ray's
+/// direction. Mirror of rtl/shade/rc_light.sv.
 struct LightOut {
     bool counts = false;   ///< the light lies on the side seen, and its cosine is positive
     LightParts parts;
-    Vec3i d{};             ///< near: from the light to o, times 2^B, or of M bits if o is far; else from o to the light, of M bits
+    Vec3i d{};   ///< near: from the light to o, times 2^B, or of M bits if o is far; else from o to the
+                 ///< light, of M bits
 };
 LightOut light(const Frame& frame, const Config& config, ShadeState& state);
 
-} // namespace rayclock
+}   // namespace rayclock

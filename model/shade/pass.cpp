@@ -21,9 +21,9 @@ void add(Colour& colour, const Colour& more) {
     for (std::size_t k = 0; k < 3; ++k) colour[k] = std::min(colour[k] + more[k], one);
 }
 
-/// Whether the threshold lets a ray pass that is its camera ray's `bounce`th. Shares and weights are rounded, and a weight loses by
-/// that less than 3/2 units of 2^-16 a bounce (docs/shading.md, Numbers): that much is forgiven, so that a weight that is not below
-/// the threshold as both were written never is here.
+/// Whether the threshold lets a ray pass that is its camera ray's `bounce`th. Shares and weights are rounded,
+/// and a weight loses by that less than 3/2 units of 2^-16 a bounce (docs/shading.md, Numbers): that much is
+/// forgiven, so that a weight that is not below the threshold as both were written never is here.
 bool weighs_enough(std::uint32_t weight, std::uint32_t bounce, const Frame& frame) {
     return 2 * weight + 3 * bounce >= frame.shade.threshold;
 }
@@ -51,7 +51,8 @@ Spawn spawn_of(const PassIn& in, const ShadeState& s, RayKind kind) {
 /// A ray of that weight meets nothing, or is not traced since it passes by the lattice.
 void see_background(ShadeState& s, std::uint32_t weight, const Frame& frame) {
     Colour background{};
-    for (std::size_t k = 0; k < 3; ++k) background[k] = std::uint32_t(rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits));
+    for (std::size_t k = 0; k < 3; ++k)
+        background[k] = std::uint32_t(rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits));
     add(s.colour, background);
 }
 
@@ -81,9 +82,10 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
     return place;
 }
 
-/// From a light within the lattice to the point, if that lies in the lattice as well: exactly (docs/origins.md). To or from what lies
-/// beyond it a ray without end is sent, the part of it that the lattice holds: there is all that has an end. Planes are asked by
-/// it only if one stands between the light and the eye: otherwise none hides the light from what the eye sees.
+/// From a light within the lattice to the point, if that lies in the lattice as well: exactly
+/// (docs/origins.md). To or from what lies beyond it a ray without end is sent, the part of it that the
+/// lattice holds: there is all that has an end. Planes are asked by it only if one stands between the light
+/// and the eye: otherwise none hides the light from what the eye sees.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const LightOut found = light(frame, c, s);
@@ -93,8 +95,10 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     const bool near = frame.shade.near[index] != 0, clear = frame.shade.clear[index] != 0;
     if (!found.counts || (s.far && !clear)) return;
     std::optional<Vec3i> start;
-    if (!near) start = start_of(s, found.d, c);
-    else if (!s.lost) start = light_place(frame, index, c);
+    if (!near)
+        start = start_of(s, found.d, c);
+    else if (!s.lost)
+        start = light_place(frame, index, c);
     if (!start) {
         s.pending = std::uint32_t(Pending::sure);
         return;
@@ -123,7 +127,8 @@ Waiting bounced(const ShadeState& s, const Vec3i& start, const BounceOut& found,
     return {start, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through)};
 }
 
-/// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other way round.
+/// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other
+/// way round.
 void send_refracted(const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
     const BounceOut found = refract(c, s);
@@ -174,10 +179,12 @@ void finish(const PassIn& in, const Frame& frame, const Config& c, PassOut& out)
     out.pixel.first = {in.ray, s.found, s.prim, s.t, s.u, s.v, 0};
     const std::uint32_t share = done < all ? frame.shade.first_share : frame.shade.share;
     for (std::size_t k = 0; k < 3; ++k)
-        out.pixel.colour[k] = c.supersampling ? std::uint32_t(std::min<std::uint64_t>(rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one)) : s.colour[k];
+        out.pixel.colour[k] = c.supersampling ? std::uint32_t(std::min<std::uint64_t>(
+                                                    rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one))
+                                              : s.colour[k];
 }
 
-} // namespace
+}   // namespace
 
 ShadeState fresh_state(std::uint32_t x, std::uint32_t y) {
     ShadeState s;
@@ -195,19 +202,19 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     if (pending == Pending::sure || (pending == Pending::answer && !in.hit.found)) add(s.colour, s.share);
     s.pending = std::uint32_t(Pending::none);
     switch (ShadeEvent(s.event)) {
-    case ShadeEvent::arrive: arrive(in, frame, c, s); break;
-    case ShadeEvent::light: send_shadow(in, frame, c, out); break;
-    case ShadeEvent::refract: send_refracted(frame, c, out); break;
-    case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
-    case ShadeEvent::pop:
-        if (s.waiting > 0) {
-            --s.waiting;
-            send_bounce(in, in.top, out);
-        } else {
-            finish(in, frame, c, out);
-        }
+        case ShadeEvent::arrive: arrive(in, frame, c, s); break;
+        case ShadeEvent::light: send_shadow(in, frame, c, out); break;
+        case ShadeEvent::refract: send_refracted(frame, c, out); break;
+        case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
+        case ShadeEvent::pop:
+            if (s.waiting > 0) {
+                --s.waiting;
+                send_bounce(in, in.top, out);
+            } else {
+                finish(in, frame, c, out);
+            }
     }
     return out;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -21,4 +21,4 @@ std::uint32_t power(std::uint32_t c, std::uint32_t n) {
     return (g + (1u << whole)) >> (whole + 1);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

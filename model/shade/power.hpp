@@ -4,11 +4,12 @@
 
 namespace rayclock {
 
-/// c^(n / 16); c is 0..2^16 with unit_bits of fraction, n has shine_bits, shine_frac of them fraction. The answer is 0..2^16.
-/// c = 0 gives 0, also for n = 0; any other c gives 1 for n = 0.
-/// Logarithm and power are tables of 128 entries with linear interpolation. -log2(c) errs by -0.5..4 units of 2^-18, so of the true
-/// value p the answer lies between (1 - 1.1e-2 n / 2^14) p - 2^-16 and (1 + 1.4e-3 n / 2^14) p + 2 * 2^-16. Near c = 1, where large n
-/// matter, the logarithm errs by half of that: never is more than 2^-8 lost (tests/unit/power_test.cpp).
+/// c^(n / 16); c is 0..2^16 with unit_bits of fraction, n has shine_bits, shine_frac of them fraction. The
+/// answer is 0..2^16. c = 0 gives 0, also for n = 0; any other c gives 1 for n = 0. Logarithm and power are
+/// tables of 128 entries with linear interpolation. -log2(c) errs by -0.5..4 units of 2^-18, so of the true
+/// value p the answer lies between (1 - 1.1e-2 n / 2^14) p - 2^-16 and (1 + 1.4e-3 n / 2^14) p + 2 * 2^-16.
+/// Near c = 1, where large n matter, the logarithm errs by half of that: never is more than 2^-8 lost
+/// (tests/unit/power_test.cpp).
 std::uint32_t power(std::uint32_t c, std::uint32_t n);
 
-} // namespace rayclock
+}   // namespace rayclock

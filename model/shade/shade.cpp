@@ -34,9 +34,11 @@ void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outsid
 
 /// Smooth normals can face away from the eye near a silhouette although the triangle faces it; the triangle
 /// decides which side is seen, and its normal stands in where the smooth one vanishes.
-SurfacePoint on_triangle(const Scene& scene, const Triangle& triangle, const Hit& hit, const glm::dvec3& eye) {
+SurfacePoint on_triangle(const Scene& scene, const Triangle& triangle, const Hit& hit,
+                         const glm::dvec3& eye) {
     const auto& vertex = triangle.vertex;
-    const glm::dvec3 &a = scene.vertices[vertex[0]], &b = scene.vertices[vertex[1]], &c = scene.vertices[vertex[2]];
+    const glm::dvec3 &a = scene.vertices[vertex[0]], &b = scene.vertices[vertex[1]],
+                     &c = scene.vertices[vertex[2]];
     const double v1 = hit.u, v2 = hit.v, v0 = 1 - v1 - v2;
     SurfacePoint point;
     point.material = &scene.materials.at(triangle.material);
@@ -53,7 +55,8 @@ SurfacePoint on_triangle(const Scene& scene, const Triangle& triangle, const Hit
 }
 
 /// A hit says how far it is, so the point lies that far along the pixel's ray.
-SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye, const glm::dvec3& direction) {
+SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit, const glm::dvec3& eye,
+                       const glm::dvec3& direction) {
     SurfacePoint point;
     point.material = &scene.materials.at(sphere.material);
     point.colour = point.material->colour;
@@ -66,22 +69,27 @@ SurfacePoint on_sphere(const Scene& scene, const Sphere& sphere, const Hit& hit,
 SurfacePoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, const glm::dvec3& eye) {
     SurfacePoint point;
     point.material = &scene.materials.at(plane.material);
-    const bool is_other = point.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2.0f) != 0;
+    const bool is_other =
+        point.material->checkered && std::fmod(std::floor(hit.u) + std::floor(hit.v), 2.0f) != 0;
     point.colour = is_other ? point.material->other : point.material->colour;
-    point.position = plane.point + static_cast<double>(hit.u) * plane.u + static_cast<double>(hit.v) * plane.v;
+    point.position =
+        plane.point + static_cast<double>(hit.u) * plane.u + static_cast<double>(hit.v) * plane.v;
     finish(point, eye, glm::cross(plane.u, plane.v));
     return point;
 }
 
-SurfacePoint surface_point(const Scene& scene, const Hit& hit, const glm::dvec3& eye, const glm::dvec3& direction) {
+SurfacePoint surface_point(const Scene& scene, const Hit& hit, const glm::dvec3& eye,
+                           const glm::dvec3& direction) {
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
     if (hit.primitive < triangles) return on_triangle(scene, scene.triangles[hit.primitive], hit, eye);
-    if (hit.primitive < triangles + spheres) return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction);
+    if (hit.primitive < triangles + spheres)
+        return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction);
     return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye);
 }
 
-/// Phong 1975, "Illumination for computer generated pictures", in Haines' terms: the ambient term, and for every
-/// light Lambert's cosine and the cosine between the light's mirrored direction and the eye to the power `shine`.
+/// Phong 1975, "Illumination for computer generated pictures", in Haines' terms: the ambient term, and for
+/// every light Lambert's cosine and the cosine between the light's mirrored direction and the eye to the
+/// power `shine`.
 glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
     const Material& material = *point.material;
     glm::dvec3 sum = material.ambient * point.colour;
@@ -96,7 +104,7 @@ glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
     return sum;
 }
 
-} // namespace
+}   // namespace
 
 Picture shade(const Scene& scene, const HitFrame& frame) {
     if (!scene.camera) throw std::logic_error("shade() needs scene.camera: highlights depend on the eye");
@@ -115,4 +123,4 @@ Picture shade(const Scene& scene, const HitFrame& frame) {
     return picture;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -15,8 +15,8 @@ struct Picture {
 };
 
 /// Turns hits into colours, the same way for reference, model and RTL: ambient, Lambert and Phong terms of
-/// every light (no secondary rays), smooth normals where the scene has them, background elsewhere. Of hits on spheres the depth
-/// counts, along the ray of the pixel's middle.
+/// every light (no secondary rays), smooth normals where the scene has them, background elsewhere. Of hits on
+/// spheres the depth counts, along the ray of the pixel's middle.
 Picture shade(const Scene& scene, const HitFrame& frame);
 
-} // namespace rayclock
+}   // namespace rayclock

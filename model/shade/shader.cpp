@@ -36,7 +36,8 @@ int Shader::run() {
         const ShadeEvent event = ShadeEvent(in_.state.event);
         if (event == ShadeEvent::pop && in_.state.waiting > 0) in_.top = stack_.back();
         out_ = pass(in_, *frame_, *config_);
-        if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty()) stack_.pop_back();
+        if (event == ShadeEvent::pop && out_.leave == PassOut::Leave::spawn && !stack_.empty())
+            stack_.pop_back();
         if (out_.push) {
             assert(stack_.size() < std::size_t(config_->bounces) && "a ray waits at most at each depth");
             stack_.push_back(out_.pushed);
@@ -49,4 +50,4 @@ int Shader::run() {
     return passes;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

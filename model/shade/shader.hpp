@@ -17,10 +17,12 @@ public:
     virtual void passed(const PassIn& in, const PassOut& out) = 0;
 };
 
-/// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, the passes one after the other.
+/// *What* shade does with one context: from a pixel's first camera ray to its colour, ray by ray, the passes
+/// one after the other.
 class Shader {
 public:
-    Shader(const Frame& frame, const Config& config, const MemoryImage& image) : frame_(&frame), config_(&config), image_(&image) {}
+    Shader(const Frame& frame, const Config& config, const MemoryImage& image)
+        : frame_(&frame), config_(&config), image_(&image) {}
 
     /// From now on; null: nobody.
     void watch(ShadeWatch* watch) { watch_ = watch; }
@@ -37,8 +39,10 @@ public:
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
         if (watch_) watch_->answered(hit);
-        if (is_arrival()) signature_.met(hit.found ? hit.prim : no_primitive);
-        else signature_.asked(hit.found != 0);
+        if (is_arrival())
+            signature_.met(hit.found ? hit.prim : no_primitive);
+        else
+            signature_.asked(hit.found != 0);
         if (wants_surface()) in_.surface = surface_at(surface_line());
         counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
     }
@@ -79,4 +83,4 @@ inline Spawn first_spawn(const Slot& slot) {
     return spawn;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

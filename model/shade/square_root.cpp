@@ -15,4 +15,4 @@ std::uint64_t square_root(Unsigned x) {
     return root;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

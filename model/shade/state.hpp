@@ -6,11 +6,11 @@ namespace rayclock {
 
 /// What a context's next pass is for.
 enum class ShadeEvent : std::uint32_t {
-    arrive,    ///< a camera ray or bounce is done: its surface, or the background
-    light,     ///< the next light
+    arrive,   ///< a camera ray or bounce is done: its surface, or the background
+    light,    ///< the next light
     refract,
     reflect,
-    pop,       ///< the next ray that waits, or the sample's end
+    pop,   ///< the next ray that waits, or the sample's end
 };
 
 /// Whether the contribution of a light is added at the beginning of the next pass.
@@ -21,29 +21,31 @@ struct ShadeState {
     std::uint32_t event = 0, pending = 0;
     // The pixel.
     std::uint32_t x = 0, y = 0, sample = 0;
-    std::array<std::uint32_t, 3> sum{}, least{}, most{};   ///< of the finished samples' colours
-    std::uint32_t found = 0, prim = 0, t = 0, u = 0, v = 0;///< what the first sample's camera ray hit
+    std::array<std::uint32_t, 3> sum{}, least{}, most{};      ///< of the finished samples' colours
+    std::uint32_t found = 0, prim = 0, t = 0, u = 0, v = 0;   ///< what the first sample's camera ray hit
     // The sample.
-    std::array<std::uint32_t, 3> colour{};                 ///< so far, 0..1: saturated
-    std::uint32_t waiting = 0;                             ///< rays on the context's stack
+    std::array<std::uint32_t, 3> colour{};   ///< so far, 0..1: saturated
+    std::uint32_t waiting = 0;               ///< rays on the context's stack
     // The ray under way, or the last one.
     std::uint32_t weight = 0, depth = 0;
     // The surface that it hit.
-    Vec3l o{};                                             ///< B fraction bits: a point exactly on it (a sphere's: nearly)
-    Vec3l n{};                                             ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides
-    std::array<std::int32_t, 3> normal{}, view{};          ///< unit vectors
-    std::uint32_t cosine = 0;                              ///< normal . view, at least 0
-    std::uint32_t far = 0;                                 ///< o lies on a plane and beyond the lattice
-    std::uint32_t lost = 0;                                ///< and further than o can say: no ray from there is traced
+    Vec3l o{};   ///< B fraction bits: a point exactly on it (a sphere's: nearly)
+    Vec3l n{};   ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides
+    std::array<std::int32_t, 3> normal{}, view{};   ///< unit vectors
+    std::uint32_t cosine = 0;                       ///< normal . view, at least 0
+    std::uint32_t far = 0;                          ///< o lies on a plane and beyond the lattice
+    std::uint32_t lost = 0;   ///< and further than o can say: no ray from there is traced
     std::uint32_t self = 0, inside = 0;
-    std::array<std::uint32_t, 3> albedo{};                 ///< from here on as in Surface
-    std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0, r0 = 0;
+    std::array<std::uint32_t, 3> albedo{};   ///< from here on as in Surface
+    std::uint32_t diffuse = 0, highlight = 0, mirror = 0, transmit = 0, shine = 0, ratio = 0, schlick = 0,
+                  r0 = 0;
     // The light.
     std::uint32_t light = 0;
-    std::array<std::uint32_t, 3> share{};                  ///< what it adds if nothing is in its way
-    std::uint32_t total = 0;                               ///< the refracted ray was totally reflected
+    std::array<std::uint32_t, 3> share{};   ///< what it adds if nothing is in its way
+    std::uint32_t total = 0;                ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
-    /// Those that only some chips need come last: of several samples, of refraction, of spheres. x and y are kept apart.
+    /// Those that only some chips need come last: of several samples, of refraction, of spheres. x and y are
+    /// kept apart.
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);
@@ -107,15 +109,15 @@ ShadeState fresh_state(std::uint32_t x, std::uint32_t y);
 struct PassIn {
     std::uint32_t ray = 0;
     ShadeState state;
-    Closest hit;               ///< the last ray's answer
-    Vec3i o{}, d{};            ///< of the last camera ray or bounce
-    Surface surface;           ///< of an arrive event that found something
-    Waiting top;               ///< of a pop event, the stack's top
+    Closest hit;       ///< the last ray's answer
+    Vec3i o{}, d{};    ///< of the last camera ray or bounce
+    Surface surface;   ///< of an arrive event that found something
+    Waiting top;       ///< of a pop event, the stack's top
 };
 /// What a light's pass works out on the way to its contribution; for whoever judges it.
 struct LightParts {
-    Vec3i unit{};                ///< towards the light
-    std::uint32_t cosine = 0;    ///< normal . unit, at least 0
+    Vec3i unit{};               ///< towards the light
+    std::uint32_t cosine = 0;   ///< normal . unit, at least 0
     std::uint32_t phong = 0;
 };
 struct PassOut {
@@ -123,10 +125,11 @@ struct PassOut {
     ShadeState state;
     Spawn spawn;
     Pixel pixel;
-    bool push = false;         ///< `pushed` goes on the stack; a pop event that spawns takes the top off
+    bool push = false;   ///< `pushed` goes on the stack; a pop event that spawns takes the top off
     Waiting pushed;
-    LightParts light;          ///< of a light event
-    bool refracted = false;    ///< a refracted ray was called for, if only to be totally reflected: for counting
+    LightParts light;   ///< of a light event
+    bool refracted =
+        false;   ///< a refracted ray was called for, if only to be totally reflected: for counting
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -19,7 +19,8 @@ std::int64_t signed_uv(std::uint32_t x, const Config& c) {
 
 Vec3l edges_cross(const Surface& s) {
     Vec3l e1{}, e2{};
-    for (std::size_t k = 0; k < 3; ++k) e1[k] = std::int64_t(s.b[k]) - s.a[k], e2[k] = std::int64_t(s.c[k]) - s.a[k];
+    for (std::size_t k = 0; k < 3; ++k)
+        e1[k] = std::int64_t(s.b[k]) - s.a[k], e2[k] = std::int64_t(s.c[k]) - s.a[k];
     return {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]};
 }
 
@@ -40,13 +41,16 @@ Place place_of(const Closest& hit, bool is_plane, int frac_bits, const Config& c
         const Weights w = inner_weights(hit.u, hit.v, c.bary_bits, frac_bits);
         return {w.u, w.v, false};
     }
-    const std::int64_t u = signed_uv(hit.u, c), v = signed_uv(hit.v, c), most = (std::int64_t(1) << (c.uv_bits() - 1)) - 1;
+    const std::int64_t u = signed_uv(hit.u, c), v = signed_uv(hit.v, c),
+                       most = (std::int64_t(1) << (c.uv_bits() - 1)) - 1;
     const bool ends = u == most || v == most || u == -most - 1 || v == -most - 1;
     return {rounded(u, c.bary_bits - c.origin_bits), rounded(v, c.bary_bits - c.origin_bits), ends};
 }
 
-/// The surface's colour; of a plane that of its square (Surface::normal), or where squares cannot be told any more, that between the two.
-std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Closest& hit, bool ends, const Config& c) {
+/// The surface's colour; of a plane that of its square (Surface::normal), or where squares cannot be told any
+/// more, that between the two.
+std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Closest& hit, bool ends,
+                                       const Config& c) {
     if (!s.checkered || !is_plane) return s.colour;
     if (!ends) {
         const auto second = [&](std::uint64_t x, std::size_t side) {
@@ -60,18 +64,20 @@ std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Cl
     return between;
 }
 
-} // namespace
+}   // namespace
 
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState& state) {
     const Surface& s = in.surface;
-    const bool is_sphere = c.spheres && PrimKind(s.kind) == PrimKind::sphere, is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
+    const bool is_sphere = c.spheres && PrimKind(s.kind) == PrimKind::sphere,
+               is_plane = c.planes && PrimKind(s.kind) == PrimKind::plane;
     const int b = c.origin_bits;
     Vec3l toward{};   // what the normal is made of
     state.far = state.lost = 0;
     bool ends = false;
     if (is_sphere) {
         for (std::size_t k = 0; k < 3; ++k) {
-            saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t, c.dir_bits - 1 + c.t_frac_bits - b), c.origin_width(), state.o[k]);
+            saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t, c.dir_bits - 1 + c.t_frac_bits - b),
+                     c.origin_width(), state.o[k]);
             state.n[k] = state.o[k] - (std::int64_t(s.a[k]) << b);
         }
         toward = state.n;
@@ -82,9 +88,11 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
         state.lost = ends = p.ends;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int64_t e1 = std::int64_t(s.b[k]) - s.a[k], e2 = std::int64_t(s.c[k]) - s.a[k];
-            state.lost |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine), c.point_width(), state.o[k]);
+            state.lost |= saturate((std::int64_t(s.a[k]) << b) + ((p.u * e1 + p.v * e2) >> fine),
+                                   c.point_width(), state.o[k]);
             state.far |= c.planes && std::abs(state.o[k]) > lattice_end(c);
-            toward[k] = c.smooth && s.smooth ? ((std::int64_t(1) << (b + fine)) - p.u - p.v) * s.normal[k] + p.u * s.normal[3 + k] + p.v * s.normal[6 + k]
+            toward[k] = c.smooth && s.smooth ? ((std::int64_t(1) << (b + fine)) - p.u - p.v) * s.normal[k] +
+                                                   p.u * s.normal[3 + k] + p.v * s.normal[6 + k]
                                              : state.n[k];
         }
     }
@@ -98,13 +106,16 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
     state.albedo = albedo_of(s, is_plane, in.hit, ends, c);
     state.self = in.hit.prim;
     state.inside = in.hit.back;
-    state.diffuse = s.diffuse, state.highlight = s.highlight, state.mirror = s.mirror, state.transmit = s.transmit;
+    state.diffuse = s.diffuse, state.highlight = s.highlight, state.mirror = s.mirror,
+    state.transmit = s.transmit;
     state.shine = s.shine, state.schlick = s.schlick, state.r0 = s.r0;
     state.ratio = in.hit.back ? s.leave : s.enter;
 
     std::array<std::uint32_t, 3> ambient{};
-    for (std::size_t k = 0; k < 3; ++k) ambient[k] = std::uint32_t(rounded(std::uint64_t(state.weight) * s.ambient * state.albedo[k], 2 * share_bits));
+    for (std::size_t k = 0; k < 3; ++k)
+        ambient[k] =
+            std::uint32_t(rounded(std::uint64_t(state.weight) * s.ambient * state.albedo[k], 2 * share_bits));
     return ambient;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -3,13 +3,13 @@
 
 namespace rayclock {
 
-/// The part of a pass that a surface's arrival takes: fills the state's fields about the surface that the ray hit, and gives
-/// what the surrounding light adds. Mirror of rtl/shade/rc_surf.sv.
+/// The part of a pass that a surface's arrival takes: fills the state's fields about the surface that the ray
+/// hit, and gives what the surrounding light adds. Mirror of rtl/shade/rc_surf.sv.
 ///
 /// Triangle: o = a + u (b - a) + v (c - a), exactly in its plane and strictly inside (docs/origins.md);
 /// u and v have B + fine fraction bits, and o has B. Plane: the same, u and v
-/// rounded to B fraction bits; `far` if o lies beyond the lattice, `lost` if u, v or o do not fit, and o then is the nearest that does. Sphere: o = the ray at t,
-/// rounded to nearest.
+/// rounded to B fraction bits; `far` if o lies beyond the lattice, `lost` if u, v or o do not fit, and o then
+/// is the nearest that does. Sphere: o = the ray at t, rounded to nearest.
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& config, ShadeState& state);
 
-} // namespace rayclock
+}   // namespace rayclock

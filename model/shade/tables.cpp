@@ -37,7 +37,7 @@ template <std::size_t n, class Value> std::array<TableEntry, n> make_table(Value
     return table;
 }
 
-} // namespace
+}   // namespace
 
 const std::array<TableEntry, root_entries>& inverse_root_table() {
     // 2^18 / sqrt((128 + i) / 128) = sqrt(2^43 / (128 + i)); 20 bits more before it is rounded.
@@ -47,7 +47,8 @@ const std::array<TableEntry, root_entries>& inverse_root_table() {
 }
 
 const std::array<TableEntry, log_entries>& log_table() {
-    static const auto table = make_table<log_entries>([](std::size_t i) { return log2_of(one / 128 * (128 + i), 18); });
+    static const auto table =
+        make_table<log_entries>([](std::size_t i) { return log2_of(one / 128 * (128 + i), 18); });
     return table;
 }
 
@@ -61,4 +62,4 @@ const std::array<TableEntry, exp_entries>& exp_table() {
     return table;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

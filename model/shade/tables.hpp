@@ -1,6 +1,7 @@
 #pragma once
-// Tables of the shade unit's cells: made of whole numbers only, so that they are the same on every machine. They reach the
-// RTL as constants of rc_pkg.sv. An entry is a value and how far the next one lies from it, for linear interpolation.
+// Tables of the shade unit's cells: made of whole numbers only, so that they are the same on every machine.
+// They reach the RTL as constants of rc_pkg.sv. An entry is a value and how far the next one lies from it,
+// for linear interpolation.
 #include <array>
 #include <cstdint>
 
@@ -21,4 +22,4 @@ const std::array<TableEntry, log_entries>& log_table();
 /// round(2^17 2^(-i / 128)); falling.
 const std::array<TableEntry, exp_entries>& exp_table();
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -3,23 +3,28 @@
 
 namespace rayclock {
 
-/// The unit shade: when. A context that has its ray's answer passes once or more through a pipeline that does one pass a cycle;
-/// what a pass does is pass()'s business. A hit waits for its surface, which shade asks for.
+/// The unit shade: when. A context that has its ray's answer passes once or more through a pipeline that does
+/// one pass a cycle; what a pass does is pass()'s business. A hit waits for its surface, which shade asks
+/// for.
 ///
-/// The pipeline takes surfaces first, then contexts that need another pass, then those whose ray hit nothing or was a shadow
-/// ray. Its answers are always taken: a context goes on to its next ray, to its pixel's end, or passes again.
-/// Mirror of rtl/shade/rc_shade.sv.
+/// The pipeline takes surfaces first, then contexts that need another pass, then those whose ray hit nothing
+/// or was a shadow ray. Its answers are always taken: a context goes on to its next ray, to its pixel's end,
+/// or passes again. Mirror of rtl/shade/rc_shade.sv.
 class Shade {
 public:
     enum class Turn : std::uint8_t { again, spawn, pixel };
 
     explicit Shade(const Config& config)
-        : fetch_(config.contexts), arrived_(config.contexts), again_(config.contexts), spawns_(config.contexts), pixels_(config.contexts),
+        : fetch_(config.contexts),
+          arrived_(config.contexts),
+          again_(config.contexts),
+          spawns_(config.contexts),
+          pixels_(config.contexts),
           pass_(config.shade_latency(), config.shade_queue) {}
 
-    bool surf_valid() const { return !fetch_.empty(); }            ///< a surface is asked for
+    bool surf_valid() const { return !fetch_.empty(); }   ///< a surface is asked for
     std::uint32_t surf_ray() const { return fetch_.front(); }
-    bool ready() const { return pass_.ready(); }                   ///< for a surface
+    bool ready() const { return pass_.ready(); }   ///< for a surface
     bool offers(bool surface) const { return surface || !again_.empty() || !arrived_.empty(); }
     bool spawn_valid() const { return !spawns_.empty(); }
     std::uint32_t spawn_ray() const { return spawns_.front(); }
@@ -30,15 +35,20 @@ public:
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
-        return fetch_.contains(r) ? "shade: waits for the link to surf_cache" : arrived_.contains(r) || again_.contains(r) ? "shade: waits for a pass"
-            : pass_.contains(r) ? "shade: in a pass" : spawns_.contains(r) ? "shade: waits for raygen" : pixels_.contains(r) ? "shade: waits for its pixel to be taken" : nullptr;
+        return fetch_.contains(r)                           ? "shade: waits for the link to surf_cache"
+               : arrived_.contains(r) || again_.contains(r) ? "shade: waits for a pass"
+               : pass_.contains(r)                          ? "shade: in a pass"
+               : spawns_.contains(r)                        ? "shade: waits for raygen"
+               : pixels_.contains(r)                        ? "shade: waits for its pixel to be taken"
+                                                            : nullptr;
     }
 
-    /// One clock edge: the ray whose answer came (null if none) and whether it wants a surface, the one whose surface is there
-    /// (null if none), and which outputs were taken. `turn(ray)` tells what a pass has led to.
-    template <class Decide>
-    void clock(std::uint64_t now, const std::uint32_t* closest, bool wants_surface, const std::uint32_t* surface, bool surf_taken, bool spawn_taken, bool pixel_taken,
-               Decide&& turn) {
+    /// One clock edge: the ray whose answer came (null if none) and whether it wants a surface, the one whose
+    /// surface is there (null if none), and which outputs were taken. `turn(ray)` tells what a pass has led
+    /// to.
+    template <class Decide> void clock(std::uint64_t now, const std::uint32_t* closest, bool wants_surface,
+                                       const std::uint32_t* surface, bool surf_taken, bool spawn_taken,
+                                       bool pixel_taken, Decide&& turn) {
         const bool open = pass_.ready(), again = !again_.empty(), arrived = !arrived_.empty();
         const bool answer = pass_.valid(now);
         const RayNumber done = answer ? pass_.front() : RayNumber(0);
@@ -56,9 +66,9 @@ public:
             arrived_.pop();
         }
         if (answer) switch (turn(done)) {
-            case Turn::again: again_.push(done); break;
-            case Turn::spawn: spawns_.push(done); break;
-            case Turn::pixel: pixels_.push(done); break;
+                case Turn::again: again_.push(done); break;
+                case Turn::spawn: spawns_.push(done); break;
+                case Turn::pixel: pixels_.push(done); break;
             }
         if (closest) (wants_surface ? fetch_ : arrived_).push(RayNumber(*closest));
     }
@@ -68,4 +78,4 @@ private:
     Pipe<RayNumber> pass_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -27,10 +27,11 @@ Vec3i unit_vector(const Vec3l& v) {
     const std::uint64_t r = inverse_root(std::uint32_t(sum >> 17) - (1u << 17));
     Vec3i u{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto size = std::int32_t(std::min<std::uint64_t>(((a[k] * r << e) + (1u << 18)) >> 19, 1u << 16));
+        const auto size =
+            std::int32_t(std::min<std::uint64_t>(((a[k] * r << e) + (1u << 18)) >> 19, 1u << 16));
         u[k] = v[k] < 0 ? -size : size;
     }
     return u;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

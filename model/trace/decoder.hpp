@@ -5,12 +5,16 @@
 
 namespace rayclock {
 
-/// Lines of the memory image in the model's own form, each unpacked when it is first read, by any thread. A speed-up only:
-/// nothing is known here that the bytes do not say.
+/// Lines of the memory image in the model's own form, each unpacked when it is first read, by any thread. A
+/// speed-up only: nothing is known here that the bytes do not say.
 class Decoder {
 public:
     Decoder(const MemoryImage& image, const Config& config)
-        : image_(image), config_(config), read_node_(config), nodes_(image.lines()), prims_(std::size_t(image.lines()) * 2),
+        : image_(image),
+          config_(config),
+          read_node_(config),
+          nodes_(image.lines()),
+          prims_(std::size_t(image.lines()) * 2),
           surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
     const WideNode& node(std::uint32_t line) const {
@@ -20,7 +24,8 @@ public:
         return prims_.get(half_line, [&] { return unpack<PrimData>(image_.half_line(half_line), config_); });
     }
     const Surface& surface(std::uint32_t line) const {
-        return surfaces_.get(line - image_.surfaces, [&] { return unpack<Surface>(image_.line(line), config_); });
+        return surfaces_.get(line - image_.surfaces,
+                             [&] { return unpack<Surface>(image_.line(line), config_); });
     }
 
 private:
@@ -32,4 +37,4 @@ private:
     LineCache<Surface> surfaces_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

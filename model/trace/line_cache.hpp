@@ -8,9 +8,9 @@
 
 namespace rayclock {
 
-/// What is made of the places of a memory, each when it is first asked for, by any thread. Things lie side by side in the
-/// order in which they were made, and neither they nor the table's empty parts are touched before: most of a big scene's
-/// image is never read, and the system gives pages only to what is.
+/// What is made of the places of a memory, each when it is first asked for, by any thread. Things lie side by
+/// side in the order in which they were made, and neither they nor the table's empty parts are touched
+/// before: most of a big scene's image is never read, and the system gives pages only to what is.
 template <class T> class LineCache {
     static_assert(std::is_trivially_destructible_v<T>);
 
@@ -28,7 +28,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t claimed = 1, first = 2;   // of a state: 0 empty, from `first` on where the thing lies
+    static constexpr std::uint32_t claimed = 1,
+                                   first = 2;   // of a state: 0 empty, from `first` on where the thing lies
     static constexpr std::align_val_t align{alignof(T)};
     struct Free {
         void operator()(std::uint32_t* table) const { std::free(table); }
@@ -38,7 +39,8 @@ private:
     };
 
     /// One thread makes, the others wait for it.
-    template <class Make> [[gnu::noinline, gnu::cold]] std::uint32_t fill(std::uint32_t place, Make& make) const {
+    template <class Make>
+    [[gnu::noinline, gnu::cold]] std::uint32_t fill(std::uint32_t place, Make& make) const {
         const std::atomic_ref state(table_[place]);
         std::uint32_t value = 0;
         if (state.compare_exchange_strong(value, claimed)) {
@@ -56,4 +58,4 @@ private:
     mutable std::atomic<std::uint32_t> made_{0};
 };
 
-} // namespace rayclock
+}   // namespace rayclock

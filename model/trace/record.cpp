@@ -14,7 +14,8 @@ namespace rayclock {
 namespace {
 
 /// The rule for a ray through an edge, which needs the triangle itself.
-[[gnu::noinline, gnu::cold]] bool takes_on_edge(const RecordJob& job, std::uint32_t half_line, const Vec3i& d) {
+[[gnu::noinline, gnu::cold]] bool takes_on_edge(const RecordJob& job, std::uint32_t half_line,
+                                                const Vec3i& d) {
     TriRsp rsp;
     tri_test(job.frame().eye, d, job.triangle(half_line), {}, job.config(), rsp);
     return rsp.closer;
@@ -26,20 +27,20 @@ std::uint32_t every_second_bit(std::uint32_t bits) {
 }
 static_assert(RecordBlock::side <= 16);
 
-} // namespace
+}   // namespace
 
 namespace plain {
 #include "model/trav/slab.inl"
 #include "model/trace/record.inl"
-} // namespace plain
+}   // namespace plain
 
 void record_block_plain(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
                         RecordTotals& totals) {
     plain::record(job, block, scratch, hits, totals);
 }
 
-std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::uint32_t root, const Ray& ray, std::size_t at, RecordScratch& scratch,
-                             RecordTotals& totals, Closest& hit) {
+std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::uint32_t root, const Ray& ray,
+                             std::size_t at, RecordScratch& scratch, RecordTotals& totals, Closest& hit) {
     return plain::record_any(decoder, config, root, ray, at, scratch, totals, hit);
 }
 
@@ -50,12 +51,13 @@ std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::
 namespace avx2 {
 #include "model/trav/slab.inl"
 #include "model/trace/record.inl"
-} // namespace avx2
+}   // namespace avx2
 #undef RAYCLOCK_WITH_AVX2
 #pragma GCC pop_options
 
 static bool is_able() {
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt") &&
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt") &&
            __builtin_cpu_supports("lzcnt");
 }
 RecordFunction* record_block() { return is_able() ? avx2::record : record_block_plain; }
@@ -65,4 +67,4 @@ RecordRayFunction* record_any() { return record_any_plain; }
 RecordFunction* record_block() { return record_block_plain; }
 #endif
 
-} // namespace rayclock
+}   // namespace rayclock

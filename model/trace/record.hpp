@@ -1,6 +1,7 @@
 #pragma once
-// One block of pixels, recorded: the inside of record_trace(). The same as a Walk for each of them, but that only the trace
-// and the hits are made, not what the links carry; that all rays begin at the frame's eye is made use of.
+// One block of pixels, recorded: the inside of record_trace(). The same as a Walk for each of them, but that
+// only the trace and the hits are made, not what the links carry; that all rays begin at the frame's eye is
+// made use of.
 #include "model/accel/memory_image.hpp"
 #include "model/isect/facet.hpp"
 #include "model/isect/primitive.hpp"
@@ -20,7 +21,12 @@ struct SeenNode {
 class RecordJob {
 public:
     RecordJob(const MemoryImage& image, const Frame& frame, const Config& config)
-        : image_(image), frame_(frame), config_(config), test_(tri_test_of(config)), read_node_(config), nodes_(image.lines()),
+        : image_(image),
+          frame_(frame),
+          config_(config),
+          test_(tri_test_of(config)),
+          read_node_(config),
+          nodes_(image.lines()),
           facets_(std::size_t(image.lines()) * 2) {}
 
     const Frame& frame() const { return frame_; }
@@ -29,13 +35,16 @@ public:
         return nodes_.get(line, [this, line] { return see(line); });
     }
     const Facet& facet(std::uint32_t half_line) const {
-        return facets_.get(half_line, [this, half_line] { return make_facet(triangle(half_line), frame_.eye); });
+        return facets_.get(half_line,
+                           [this, half_line] { return make_facet(triangle(half_line), frame_.eye); });
     }
     /// The configuration's test, for those that have no facets.
     void test(std::uint32_t half_line, const Vec3i& d, const Best& best, TriRsp& out) const {
         test_(frame_.eye, d, triangle(half_line), best, config_, out);
     }
-    PrimData triangle(std::uint32_t half_line) const { return unpack<PrimData>(image_.half_line(half_line), config_); }
+    PrimData triangle(std::uint32_t half_line) const {
+        return unpack<PrimData>(image_.half_line(half_line), config_);
+    }
 
 private:
     SeenNode see(std::uint32_t line) const {
@@ -65,9 +74,9 @@ struct RecordScratch {
         std::uint32_t t_near() const { return std::uint32_t(keys[next] >> 3); }
     };
     std::vector<Group> groups;
-    std::vector<std::uint32_t> words;    ///< of the block's rays, in any order
-    std::vector<std::size_t> starts;     ///< where each ray's words begin, row by row
-    std::size_t used = 0;                ///< words
+    std::vector<std::uint32_t> words;   ///< of the block's rays, in any order
+    std::vector<std::size_t> starts;    ///< where each ray's words begin, row by row
+    std::size_t used = 0;               ///< words
 };
 
 /// Pixels x0..x1-1 of the rows y0..y1-1.
@@ -77,18 +86,20 @@ struct RecordBlock {
 };
 
 /// Fills `scratch` and the block's part of `hits` ([y * width + x]), adds to `totals`.
-using RecordFunction = void(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
-                            RecordTotals& totals);
+using RecordFunction = void(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch,
+                            Closest* hits, RecordTotals& totals);
 RecordFunction record_block_plain;
 /// The same, faster, if this processor can; plain otherwise.
 RecordFunction* record_block();
 
-/// One ray of any kind, of a chip that shades: a Walk, but that only the trace and the answer are made. Its words begin at `at` in
-/// scratch.words, which grows as it must; returns where they end. scratch.groups must have stack_depth + 1 places.
-using RecordRayFunction = std::size_t(const Decoder& decoder, const Config& config, std::uint32_t root, const Ray& ray, std::size_t at,
-                                      RecordScratch& scratch, RecordTotals& totals, Closest& hit);
+/// One ray of any kind, of a chip that shades: a Walk, but that only the trace and the answer are made. Its
+/// words begin at `at` in scratch.words, which grows as it must; returns where they end. scratch.groups must
+/// have stack_depth + 1 places.
+using RecordRayFunction = std::size_t(const Decoder& decoder, const Config& config, std::uint32_t root,
+                                      const Ray& ray, std::size_t at, RecordScratch& scratch,
+                                      RecordTotals& totals, Closest& hit);
 RecordRayFunction record_any_plain;
 /// Likewise, the faster one if this processor can.
 RecordRayFunction* record_any();
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,6 +1,7 @@
 // Included inside a namespace, once for each instruction set, after slab.inl.
 
-/// The best hit so far. u and v of the exact test are edge functions yet: they are divided when the ray is done.
+/// The best hit so far. u and v of the exact test are edge functions yet: they are divided when the ray is
+/// done.
 struct RecordBest {
     bool found = false;
     std::uint32_t prim = 0, t = 0;   ///< t: beyond all if nothing is found
@@ -11,11 +12,13 @@ struct RecordBest {
 static void record_test(const RecordJob& job, std::uint32_t half_line, const Vec3i& d, RecordBest& best) {
     TriRsp rsp;
     job.test(half_line, d, {best.found, best.num, best.det, best.prim}, rsp);
-    if (rsp.closer) best = {true, rsp.prim, rsp.t, std::int64_t(rsp.num), std::int64_t(rsp.det), rsp.u, rsp.v};
+    if (rsp.closer)
+        best = {true, rsp.prim, rsp.t, std::int64_t(rsp.num), std::int64_t(rsp.det), rsp.u, rsp.v};
 }
 
 /// The same for the exact test.
-RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_line, const Vec3i& d, RecordBest& best) {
+RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_line, const Vec3i& d,
+                                     RecordBest& best) {
     __extension__ using Wide = unsigned __int128;
     const Facet& facet = job.facet(half_line);
     const FacetHit hit = test_facet(facet, d);
@@ -31,7 +34,13 @@ RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_li
         const Wide mine = Wide(num) * Wide(best.det), theirs = Wide(best.num) * Wide(det);
         if (mine > theirs || (mine == theirs && facet.prim > best.prim)) return;
     }
-    best = {true, facet.prim, distance(num, det, job.config()), num, det, flip ? -hit.u : hit.u, flip ? -hit.v : hit.v};
+    best = {true,
+            facet.prim,
+            distance(num, det, job.config()),
+            num,
+            det,
+            flip ? -hit.u : hit.u,
+            flip ? -hit.v : hit.v};
 }
 
 /// How a frame's camera rays meet boxes and triangles: all begin at the eye.
@@ -42,10 +51,14 @@ template <bool is_exact> struct FromEye {
     RecordBest best{};
 
     FromEye(const RecordJob& job_, const Ray& from_)
-        : job(job_), from(from_), ray(slab_ray({from.o, {from.d[0] < 0, from.d[1] < 0, from.d[2] < 0}, from.recip, from.len}, job.config())) {
+        : job(job_),
+          from(from_),
+          ray(slab_ray({from.o, {from.d[0] < 0, from.d[1] < 0, from.d[2] < 0}, from.recip, from.len},
+                       job.config())) {
         best.t = (1u << job.config().t_bits()) - 1;
     }
-    RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t width, std::uint32_t* t_near, std::uint32_t& hits) const {
+    RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t width, std::uint32_t* t_near,
+                                          std::uint32_t& hits) const {
         const auto& [node, distance] = job.node(line);
         Lanes from_eye;
         std::memcpy(&from_eye, distance.data(), sizeof from_eye);
@@ -53,8 +66,10 @@ template <bool is_exact> struct FromEye {
         return node;
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) {
-        if constexpr (is_exact) record_triangle(job, half_line, from.d, best);
-        else record_test(job, half_line, from.d, best);
+        if constexpr (is_exact)
+            record_triangle(job, half_line, from.d, best);
+        else
+            record_test(job, half_line, from.d, best);
     }
     RAYCLOCK_INLINE std::uint32_t t() const { return best.t; }
     static constexpr bool stop() { return false; }
@@ -66,16 +81,22 @@ struct FromAnywhere {
     const Config& config;
     const Ray& from;
     const SlabRay ray;
-    const bool any;          ///< the first hit ends the ray
-    std::uint32_t limit;     ///< as in Leaves
+    const bool any;        ///< the first hit ends the ray
+    std::uint32_t limit;   ///< as in Leaves
     Best best{};
     TriRsp found{};
 
     FromAnywhere(const Decoder& decoder_, const Config& config_, const Ray& from_)
-        : decoder(decoder_), config(config_), from(from_), ray(slab_ray({from.o, {from.d[0] < 0, from.d[1] < 0, from.d[2] < 0}, from.recip, from.len}, config)),
+        : decoder(decoder_),
+          config(config_),
+          from(from_),
+          ray(slab_ray({from.o, {from.d[0] < 0, from.d[1] < 0, from.d[2] < 0}, from.recip, from.len},
+                       config)),
           any(ends_at_any(from.kind)),
-          limit(RayKind(from.kind) == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits) : (1u << config.t_bits()) - 1) {}
-    RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t width, std::uint32_t* t_near, std::uint32_t& hits) const {
+          limit(RayKind(from.kind) == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)
+                                                      : (1u << config.t_bits()) - 1) {}
+    RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t width, std::uint32_t* t_near,
+                                          std::uint32_t& hits) const {
         const WideNode& node = decoder.node(line);
         hits = slab_test(ray, node, width, t_near);
         return node;
@@ -92,8 +113,10 @@ struct FromAnywhere {
     RAYCLOCK_INLINE bool stop() const { return any && best.found; }
 };
 
-/// Walks one ray through the tree: what trav and list do. Writes its words, which begin at `at` in scratch.words; returns where they end.
-template <class Way> RAYCLOCK_INLINE std::size_t record_ray(const Config& config, std::uint32_t root, Way& way, std::size_t at, RecordScratch& scratch,
+/// Walks one ray through the tree: what trav and list do. Writes its words, which begin at `at` in
+/// scratch.words; returns where they end.
+template <class Way> RAYCLOCK_INLINE std::size_t record_ray(const Config& config, std::uint32_t root,
+                                                            Way& way, std::size_t at, RecordScratch& scratch,
                                                             RecordTotals& totals) {
     constexpr std::size_t most = 1 + max_width * ((1u << count_bits) - 1);   // words of a visit
     const std::uint32_t beyond = (1u << config.t_bits()) - 1;
@@ -135,7 +158,8 @@ template <class Way> RAYCLOCK_INLINE std::size_t record_ray(const Config& config
         }
 
         // Stack::decide, with the children sorted into the group in which they would be kept.
-        const std::uint32_t inner = way.stop() ? 0 : sort_children(hits & node.inner_mask, t_near.data(), top->keys.data());
+        const std::uint32_t inner =
+            way.stop() ? 0 : sort_children(hits & node.inner_mask, t_near.data(), top->keys.data());
         if (inner > 0 && std::uint32_t(top->keys[0] >> 3) <= way.t()) {
             line = node.base + (std::uint32_t(top->keys[0]) & (max_width - 1));
             if (inner > 1) {
@@ -173,7 +197,9 @@ template <class Way> RAYCLOCK_INLINE std::size_t record_ray(const Config& config
     return std::size_t(word - scratch.words.data());
 }
 
-template <bool is_exact> static void record_rays(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits, RecordTotals& totals) {
+template <bool is_exact> static void record_rays(const RecordJob& job, const RecordBlock& block,
+                                                 RecordScratch& scratch, Closest* hits,
+                                                 RecordTotals& totals) {
     scratch.groups.resize(std::size_t(job.config().stack_depth) + 1);
     const std::uint32_t columns = block.x1 - block.x0, rows = block.y1 - block.y0;
     scratch.starts.resize(std::size_t(columns) * rows);
@@ -200,17 +226,22 @@ template <bool is_exact> static void record_rays(const RecordJob& job, const Rec
     scratch.used = at;
 }
 
-static void record(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits, RecordTotals& totals) {
-    if (job.config().test() == PrimitiveTest::exact) record_rays<true>(job, block, scratch, hits, totals);
-    else record_rays<false>(job, block, scratch, hits, totals);
+static void record(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
+                   RecordTotals& totals) {
+    if (job.config().test() == PrimitiveTest::exact)
+        record_rays<true>(job, block, scratch, hits, totals);
+    else
+        record_rays<false>(job, block, scratch, hits, totals);
 }
 
-static std::size_t record_any(const Decoder& decoder, const Config& config, std::uint32_t root, const Ray& ray, std::size_t at, RecordScratch& scratch,
-                              RecordTotals& totals, Closest& hit) {
+static std::size_t record_any(const Decoder& decoder, const Config& config, std::uint32_t root,
+                              const Ray& ray, std::size_t at, RecordScratch& scratch, RecordTotals& totals,
+                              Closest& hit) {
     FromAnywhere way(decoder, config, ray);
     at = record_ray(config, root, way, at, scratch, totals);
     hit = {};
-    if (way.best.found) hit = {ray.ray, 1, way.found.prim, way.found.t, way.found.u, way.found.v, way.found.back};
+    if (way.best.found)
+        hit = {ray.ray, 1, way.found.prim, way.found.t, way.found.u, way.found.v, way.found.back};
     hit.ray = ray.ray;
     return at;
 }

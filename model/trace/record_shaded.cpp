@@ -4,7 +4,8 @@
 
 namespace rayclock {
 
-std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch, RecordTotals& totals) {
+std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch,
+                                  RecordTotals& totals) {
     const Slot slot{0, x, y};
     shader_.start(slot);
     Spawn spawn = first_spawn(slot);
@@ -25,7 +26,8 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
     return at;
 }
 
-const Pixel& ShadedRecorder::follow(std::uint32_t x, std::uint32_t y, RecordScratch& scratch, ShadeWatch& watch) {
+const Pixel& ShadedRecorder::follow(std::uint32_t x, std::uint32_t y, RecordScratch& scratch,
+                                    ShadeWatch& watch) {
     scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
     RecordTotals totals;
     shader_.watch(&watch);
@@ -34,7 +36,8 @@ const Pixel& ShadedRecorder::follow(std::uint32_t x, std::uint32_t y, RecordScra
     return shader_.pixel();
 }
 
-void ShadedRecorder::block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals) {
+void ShadedRecorder::block(const RecordBlock& block, RecordScratch& scratch, Trace& trace,
+                           RecordTotals& totals) {
     scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
     scratch.starts.clear();
     std::size_t end = 0;
@@ -50,4 +53,4 @@ void ShadedRecorder::block(const RecordBlock& block, RecordScratch& scratch, Tra
     scratch.used = end;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

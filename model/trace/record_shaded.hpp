@@ -9,7 +9,11 @@ namespace rayclock {
 class ShadedRecorder {
 public:
     ShadedRecorder(const MemoryImage& image, const Frame& frame, const Config& config, const Decoder& decoder)
-        : config_(config), frame_(frame), decoder_(decoder), record_(record_any()), shader_(frame_, config_, image) {}
+        : config_(config),
+          frame_(frame),
+          decoder_(decoder),
+          record_(record_any()),
+          shader_(frame_, config_, image) {}
 
     void block(const RecordBlock& block, RecordScratch& scratch, Trace& trace, RecordTotals& totals);
     const RayCounts& counts() const { return shader_.counts(); }
@@ -20,7 +24,8 @@ public:
 
 private:
     /// Their words begin at `at` in scratch.words; return where they end.
-    std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch, RecordTotals& totals);
+    std::size_t pixel(std::uint32_t x, std::uint32_t y, std::size_t at, RecordScratch& scratch,
+                      RecordTotals& totals);
 
     const Config& config_;
     const Frame& frame_;
@@ -29,4 +34,4 @@ private:
     Shader shader_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -11,19 +11,28 @@
 
 namespace rayclock {
 
-/// Threads take blocks in order, so that a machine that replays beside them finds the rays that it wants next.
+/// Threads take blocks in order, so that a machine that replays beside them finds the rays that it wants
+/// next.
 struct Recording::Work {
     static constexpr std::uint32_t block = RecordBlock::side;
 
-    Work(const MemoryImage& image_, const Frame& frame_, const Config& config, Trace& trace_, const Progress& progress_)
-        : frame(frame_), trace(trace_), progress(progress_), columns((frame.width + block - 1) / block),
-          rows((frame.height + block - 1) / block), image(image_), job(image, frame, config), record(record_block()) {
+    Work(const MemoryImage& image_, const Frame& frame_, const Config& config, Trace& trace_,
+         const Progress& progress_)
+        : frame(frame_),
+          trace(trace_),
+          progress(progress_),
+          columns((frame.width + block - 1) / block),
+          rows((frame.height + block - 1) / block),
+          image(image_),
+          job(image, frame, config),
+          record(record_block()) {
         if (config.shading) decoder = std::make_unique<Decoder>(image, config);
         trace.width = frame.width;
         trace.height = frame.height;
         trace.rays.assign(std::size_t(frame.width) * frame.height, nullptr);
         trace.hits.resize(trace.rays.size());
-        if (config.shading) trace.colours.resize(trace.rays.size()), trace.signatures.resize(trace.rays.size());
+        if (config.shading)
+            trace.colours.resize(trace.rays.size()), trace.signatures.resize(trace.rays.size());
         trace.chunks.resize(std::size_t(columns) * rows);
     }
 
@@ -33,7 +42,8 @@ struct Recording::Work {
         std::optional<ShadedRecorder> shaded;
         if (decoder) shaded.emplace(image, frame, job.config(), *decoder);
         try {
-            for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++) record_chunk(chunk, scratch, totals, shaded);
+            for (std::size_t chunk = next++; chunk < trace.chunks.size() && !trace.failed; chunk = next++)
+                record_chunk(chunk, scratch, totals, shaded);
         } catch (...) {
             const std::lock_guard lock(mutex);
             error = std::current_exception();
@@ -44,22 +54,30 @@ struct Recording::Work {
         trace.box_tests += totals.box_tests;
         trace.triangle_tests += totals.triangle_tests;
         trace.turns += totals.turns;
-        if (shaded) trace.counts += shaded->counts();
-        else trace.counts.primary = trace.rays.size();
+        if (shaded)
+            trace.counts += shaded->counts();
+        else
+            trace.counts.primary = trace.rays.size();
     }
 
-    void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals, std::optional<ShadedRecorder>& shaded) {
+    void record_chunk(std::size_t chunk, RecordScratch& scratch, RecordTotals& totals,
+                      std::optional<ShadedRecorder>& shaded) {
         RecordBlock pixels;
-        pixels.x0 = std::uint32_t(chunk % columns) * block, pixels.y0 = std::uint32_t(chunk / columns) * block;
-        pixels.x1 = std::min(pixels.x0 + block, frame.width), pixels.y1 = std::min(pixels.y0 + block, frame.height);
-        if (shaded) shaded->block(pixels, scratch, trace, totals);
-        else record(job, pixels, scratch, trace.hits.data(), totals);
+        pixels.x0 = std::uint32_t(chunk % columns) * block,
+        pixels.y0 = std::uint32_t(chunk / columns) * block;
+        pixels.x1 = std::min(pixels.x0 + block, frame.width),
+        pixels.y1 = std::min(pixels.y0 + block, frame.height);
+        if (shaded)
+            shaded->block(pixels, scratch, trace, totals);
+        else
+            record(job, pixels, scratch, trace.hits.data(), totals);
         std::vector<std::uint32_t>& words = trace.chunks[chunk];
         words.assign(scratch.words.begin(), scratch.words.begin() + std::ptrdiff_t(scratch.used));
         std::size_t n = 0;
         for (std::uint32_t y = pixels.y0; y < pixels.y1; ++y)
             for (std::uint32_t x = pixels.x0; x < pixels.x1; ++x)
-                std::atomic_ref(trace.rays[std::size_t(y) * frame.width + x]).store(words.data() + scratch.starts[n++], std::memory_order_release);
+                std::atomic_ref(trace.rays[std::size_t(y) * frame.width + x])
+                    .store(words.data() + scratch.starts[n++], std::memory_order_release);
         if (!progress) return;
         const std::lock_guard lock(mutex);
         progress("rays", ++finished, trace.chunks.size());
@@ -81,10 +99,13 @@ struct Recording::Work {
     std::vector<std::thread> threads;
 };
 
-Recording::Recording(const MemoryImage& image, const Frame& frame, const Config& config, int threads, Trace& trace, const Progress& progress)
+Recording::Recording(const MemoryImage& image, const Frame& frame, const Config& config, int threads,
+                     Trace& trace, const Progress& progress)
     : work_(std::make_unique<Work>(image, frame, config, trace, progress)) {
-    const std::size_t cores = threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
-    for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i) work_->threads.emplace_back([work = work_.get()] { work->run(); });
+    const std::size_t cores =
+        threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
+    for (std::size_t i = 0; i < std::min(cores, trace.chunks.size()); ++i)
+        work_->threads.emplace_back([work = work_.get()] { work->run(); });
 }
 
 Recording::~Recording() {
@@ -96,13 +117,15 @@ void Recording::finish() {
     for (std::thread& thread : work_->threads) thread.join();
     work_->threads.clear();
     if (work_->error) std::rethrow_exception(work_->error);
-    work_->trace.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - work_->start).count();
+    work_->trace.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - work_->start).count();
 }
 
-Trace record_trace(const MemoryImage& image, const Frame& frame, const Config& config, int threads, const Progress& progress) {
+Trace record_trace(const MemoryImage& image, const Frame& frame, const Config& config, int threads,
+                   const Progress& progress) {
     Trace trace;
     Recording(image, frame, config, threads, trace, progress).finish();
     return trace;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -6,7 +6,12 @@
 namespace rayclock {
 
 Walk::Walk(const Frame& frame, const Config& config, const Decoder& decoder)
-    : frame_(&frame), config_(&config), decoder_(&decoder), test_(tri_test_of(config)), leaves_(config), stack_(config) {}
+    : frame_(&frame),
+      config_(&config),
+      decoder_(&decoder),
+      test_(tri_test_of(config)),
+      leaves_(config),
+      stack_(config) {}
 
 const Ray& Walk::start(const Slot& slot) { return start_at(raygen(slot, *frame_, *config_)); }
 
@@ -28,8 +33,10 @@ bool Walk::test_node() {
 const TriRsp& Walk::test_triangle() {
     tri_.ray = ray_.ray;
     const PrimData& prim = decoder_->prim(leaves_.prim());
-    if (config_->shading) any_test(ray_, prim, leaves_.best(), *config_, tri_);
-    else test_(ray_.o, ray_.d, prim, leaves_.best(), *config_, tri_);
+    if (config_->shading)
+        any_test(ray_, prim, leaves_.best(), *config_, tri_);
+    else
+        test_(ray_.o, ray_.d, prim, leaves_.best(), *config_, tri_);
     return tri_;
 }
 
@@ -43,4 +50,4 @@ int Walk::decide(bool& done) {
     return dropped;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

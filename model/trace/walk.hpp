@@ -7,9 +7,9 @@
 
 namespace rayclock {
 
-/// *What* one ray does: the units' pure functions in the order in which a ray meets them. The sequence of nodes, tests and
-/// results does not depend on *when* anything happens, so the same walk serves to record traces and to say what every link
-/// of the machine must carry.
+/// *What* one ray does: the units' pure functions in the order in which a ray meets them. The sequence of
+/// nodes, tests and results does not depend on *when* anything happens, so the same walk serves to record
+/// traces and to say what every link of the machine must carry.
 class Walk {
 public:
     Walk(const Frame& frame, const Config& config, const Decoder& decoder);
@@ -56,4 +56,4 @@ private:
     std::uint32_t node_ = 0;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

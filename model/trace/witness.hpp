@@ -8,8 +8,8 @@
 
 namespace rayclock {
 
-/// What the links must carry: makes the payload of every transfer of a machine, ray by ray, from the units' pure functions.
-/// The machine knows only when.
+/// What the links must carry: makes the payload of every transfer of a machine, ray by ray, from the units'
+/// pure functions. The machine knows only when.
 class Witness {
 public:
     Witness(const MemoryImage& image, const Config& config)
@@ -22,7 +22,8 @@ public:
         words_.clear();
     }
 
-    /// Gives `see(pipeline, channel, payload)` the payload of a transfer. Transfers come in the order of the machine's cycles.
+    /// Gives `see(pipeline, channel, payload)` the payload of a transfer. Transfers come in the order of the
+    /// machine's cycles.
     template <class See> void operator()(const Move& m, See&& see);
 
 private:
@@ -34,77 +35,86 @@ private:
         return words;
     }
     /// A cache's request is remembered until its answer, which goes by the same id.
-    std::uint32_t& asked(const Move& m, Channel request) { return words_[std::uint64_t(m.pipeline) << 40 | std::uint64_t(index(request)) << 32 | m.id]; }
+    std::uint32_t& asked(const Move& m, Channel request) {
+        return words_[std::uint64_t(m.pipeline) << 40 | std::uint64_t(index(request)) << 32 | m.id];
+    }
 
     const MemoryImage& image_;
     Config config_;
     Decoder decoder_;
     Frame frame_;
-    std::vector<Walk> walks_;       // [pipeline * contexts + context]
-    std::vector<Shader> shaders_;   // likewise, if the chip shades
+    std::vector<Walk> walks_;                                  // [pipeline * contexts + context]
+    std::vector<Shader> shaders_;                              // likewise, if the chip shades
     std::unordered_map<std::uint64_t, std::uint32_t> words_;   // addresses asked for
 };
 
 template <class See> void Witness::operator()(const Move& m, See&& see) {
     const auto tell = [&](const auto& payload) { see(m.pipeline, m.channel, payload); };
     switch (m.channel) {
-    case Channel::tile: return tell(Tile{m.x, m.y});
-    case Channel::slot:
-        walk(m).start({m.id, m.x, m.y});
-        if (config_.shading) shader(m).start({m.id, m.x, m.y});
-        return tell(Slot{m.id, m.x, m.y});
-    case Channel::ray:
-        if (config_.shading) shader(m).sent(walk(m).ray());
-        return tell(walk(m).ray());
-    case Channel::node_req: return tell(NodeReq{m.id, walk(m).node()});
-    case Channel::box_req: {
-        Walk& w = walk(m);
-        const BoxRay& r = w.box_ray();
-        tell(BoxReq{m.id, r.o, r.neg, r.recip, r.len, unpack<Node>(image_.line(w.node()), config_)});
-        w.test_node();
-        return;
-    }
-    case Channel::box_rsp: return tell(walk(m).boxes());
-    case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
-    case Channel::tri_req: {
-        Walk& w = walk(m);
-        const Ray& r = w.ray();
-        tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(), r.shear, r.kind, r.self, r.inside, r.finite});
-        w.test_triangle();
-        return;
-    }
-    case Channel::tri_rsp: tell(walk(m).tri()); walk(m).advance(); return;
-    case Channel::step: {
-        bool done = false;
-        tell(walk(m).step());
-        walk(m).decide(done);
-        return;
-    }
-    case Channel::hit:
-        if (!config_.shading) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
-        return tell(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
-    case Channel::closest:
-        tell(walk(m).closest());
-        shader(m).arrived(walk(m).closest());
-        if (!shader(m).wants_surface()) shader(m).run();
-        return;
-    case Channel::surf_req: return tell(SurfReq{m.id, shader(m).surface_line()});
-    case Channel::surf_rsp:
-        tell(SurfRsp{m.id, shader(m).surface()});
-        shader(m).run();
-        return;
-    case Channel::spawn: tell(shader(m).spawn()); walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_)); return;
-    case Channel::surf_miss: asked(m, Channel::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
-    case Channel::surf_fill: return tell(SurfFill{m.id, line(asked(m, Channel::surf_miss))});
-    case Channel::node_miss: asked(m, Channel::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
-    case Channel::prim_miss: asked(m, Channel::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
-    case Channel::l2_req: asked(m, Channel::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});
-    case Channel::mem_req: return tell(MemReq{m.id, m.addr});
-    case Channel::node_fill: return tell(NodeFill{m.id, line(asked(m, Channel::node_miss))});
-    case Channel::prim_fill: return tell(PrimFill{m.id, line(asked(m, Channel::prim_miss))});
-    case Channel::l2_rsp: return tell(L2Rsp{m.id, line(asked(m, Channel::l2_req))});
-    case Channel::mem_rsp: return tell(MemRsp{m.id, line(m.addr)});
+        case Channel::tile: return tell(Tile{m.x, m.y});
+        case Channel::slot:
+            walk(m).start({m.id, m.x, m.y});
+            if (config_.shading) shader(m).start({m.id, m.x, m.y});
+            return tell(Slot{m.id, m.x, m.y});
+        case Channel::ray:
+            if (config_.shading) shader(m).sent(walk(m).ray());
+            return tell(walk(m).ray());
+        case Channel::node_req: return tell(NodeReq{m.id, walk(m).node()});
+        case Channel::box_req: {
+            Walk& w = walk(m);
+            const BoxRay& r = w.box_ray();
+            tell(BoxReq{m.id, r.o, r.neg, r.recip, r.len, unpack<Node>(image_.line(w.node()), config_)});
+            w.test_node();
+            return;
+        }
+        case Channel::box_rsp: return tell(walk(m).boxes());
+        case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
+        case Channel::tri_req: {
+            Walk& w = walk(m);
+            const Ray& r = w.ray();
+            tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(),
+                        r.shear, r.kind, r.self, r.inside, r.finite});
+            w.test_triangle();
+            return;
+        }
+        case Channel::tri_rsp:
+            tell(walk(m).tri());
+            walk(m).advance();
+            return;
+        case Channel::step: {
+            bool done = false;
+            tell(walk(m).step());
+            walk(m).decide(done);
+            return;
+        }
+        case Channel::hit:
+            if (!config_.shading) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
+            return tell(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
+        case Channel::closest:
+            tell(walk(m).closest());
+            shader(m).arrived(walk(m).closest());
+            if (!shader(m).wants_surface()) shader(m).run();
+            return;
+        case Channel::surf_req: return tell(SurfReq{m.id, shader(m).surface_line()});
+        case Channel::surf_rsp:
+            tell(SurfRsp{m.id, shader(m).surface()});
+            shader(m).run();
+            return;
+        case Channel::spawn:
+            tell(shader(m).spawn());
+            walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_));
+            return;
+        case Channel::surf_miss: asked(m, Channel::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
+        case Channel::surf_fill: return tell(SurfFill{m.id, line(asked(m, Channel::surf_miss))});
+        case Channel::node_miss: asked(m, Channel::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
+        case Channel::prim_miss: asked(m, Channel::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
+        case Channel::l2_req: asked(m, Channel::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});
+        case Channel::mem_req: return tell(MemReq{m.id, m.addr});
+        case Channel::node_fill: return tell(NodeFill{m.id, line(asked(m, Channel::node_miss))});
+        case Channel::prim_fill: return tell(PrimFill{m.id, line(asked(m, Channel::prim_miss))});
+        case Channel::l2_rsp: return tell(L2Rsp{m.id, line(asked(m, Channel::l2_req))});
+        case Channel::mem_rsp: return tell(MemRsp{m.id, line(m.addr)});
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -32,7 +32,8 @@ struct PlaceVisitor {
     std::array<int, 6> lowest{};
     std::size_t next = 0;
     template <class T> void operator()(const char*, const T&, int width) { lowest[next++] = at -= width; }
-    template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>&, int width, int count) {
+    template <class T, std::size_t n>
+    void operator()(const char*, const std::array<T, n>&, int width, int count) {
         lowest[next++] = at -= width * count;
     }
 };
@@ -54,11 +55,11 @@ void answer(std::uint32_t hits, const std::uint32_t* t_near, const WideNode& nod
     }
 }
 
-} // namespace
+}   // namespace
 
 namespace plain {
 #include "model/trav/slab.inl"
-} // namespace plain
+}   // namespace plain
 
 void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
     std::array<std::uint32_t, max_width> t_near;
@@ -76,7 +77,7 @@ namespace avx2 {
 static void test(const SlabRay& ray, const WideNode& node, std::uint32_t* t_near, std::uint32_t& hits) {
     hits = slab_test(ray, node, node.children, t_near);
 }
-} // namespace avx2
+}   // namespace avx2
 #undef RAYCLOCK_WITH_AVX2
 #pragma GCC pop_options
 
@@ -114,7 +115,10 @@ WideNode widen(const Node& node, int node_width) {
 }
 
 NodeReader::NodeReader(const Config& config)
-    : coord_bits_(config.coord_bits), addr_bits_(config.addr_bits), box_bits_(config.box_bits), node_width_(config.node_width) {
+    : coord_bits_(config.coord_bits),
+      addr_bits_(config.addr_bits),
+      box_bits_(config.box_bits),
+      node_width_(config.node_width) {
     PlaceVisitor place{bits_of<Node>(config), {}, 0};
     Node{}.fields(place, config);
     org_ = place.lowest[0], exp_ = place.lowest[1], base_ = place.lowest[2];
@@ -136,7 +140,8 @@ WideNode NodeReader::operator()(const std::uint32_t* line) const {
     const std::uint32_t plane = (1u << box_bits_) - 1;
     for (std::size_t i = 0; i < wide.children; ++i) {
         const int at = int(3 * i) * box_bits_;
-        std::uint32_t lo = bits_at(line, lo_ + at, 3 * box_bits_), hi = bits_at(line, hi_ + at, 3 * box_bits_);
+        std::uint32_t lo = bits_at(line, lo_ + at, 3 * box_bits_),
+                      hi = bits_at(line, hi_ + at, 3 * box_bits_);
         for (std::size_t k = 0; k < 3; ++k, lo >>= box_bits_, hi >>= box_bits_) {
             wide.planes[k * max_width + i] = std::uint8_t(lo & plane);
             wide.planes[(3 + k) * max_width + i] = std::uint8_t(hi & plane);
@@ -153,4 +158,4 @@ BoxRsp box(const BoxReq& req, const Config& config) {
     return rsp;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -3,14 +3,15 @@
 
 namespace rayclock {
 
-/// A node unpacked for the model: planes by axis, and where each child lies in the block. Inner children come first.
+/// A node unpacked for the model: planes by axis, and where each child lies in the block. Inner children come
+/// first.
 struct alignas(32) WideNode {
-    std::array<std::int32_t, 4> org{};                          ///< the fourth is 0, here and in exp
+    std::array<std::int32_t, 4> org{};   ///< the fourth is 0, here and in exp
     std::array<std::uint8_t, 4> exp{};
     std::uint32_t base = 0;
     std::uint8_t children = 0, children_mask = 0, inner_mask = 0;
-    std::array<std::uint8_t, 2 * 3 * max_width> planes{};       ///< [(3 * hi + axis) * 8 + child]
-    std::array<std::uint8_t, max_width> offset{}, count{};      ///< as BoxRsp has them
+    std::array<std::uint8_t, 2 * 3 * max_width> planes{};    ///< [(3 * hi + axis) * 8 + child]
+    std::array<std::uint8_t, max_width> offset{}, count{};   ///< as BoxRsp has them
 };
 /// A node's fields from its line, without a detour through Node.
 class NodeReader {
@@ -30,19 +31,20 @@ struct BoxRay {
     std::array<std::uint32_t, 3> neg{}, recip{}, len{};
 };
 
-/// Slab test of all children of a node, conservative: a box that holds a point of the ray is never left out, and its
-/// t_near is never beyond that point.
+/// Slab test of all children of a node, conservative: a box that holds a point of the ray is never left out,
+/// and its t_near is never beyond that point.
 ///
-/// Per axis, with r <= 2^(M+R-1) / (|d| << (M - len)) < r + 1 and plane distance D + (q << e), D = org - o (both
-/// negated for d < 0): near = floor(2^x r (D + q 2^e)) and far = ceil(2^x (r + 1) (D + q 2^e)), x = F + M - len - R,
-/// where D r / 2^e is first rounded down for near and D (r + 1) / 2^e up for far. Negative near is 0, negative far a
-/// miss; both saturate at all ones. A zero component only asks whether o lies between the planes (rounded outward).
-/// If the chip shades, M is ray_dir_bits() here, in which len counts, and o may lie between lattice points: D of near is taken from
-/// the one further along the ray, D of far from the other (docs/origins.md, Boxes).
-/// Mirror of rtl/trav/rc_box.sv, latency Config::box_latency() + 1, one node per cycle.
+/// Per axis, with r <= 2^(M+R-1) / (|d| << (M - len)) < r + 1 and plane distance D + (q << e), D = org - o
+/// (both negated for d < 0): near = floor(2^x r (D + q 2^e)) and far = ceil(2^x (r + 1) (D + q 2^e)), x = F +
+/// M - len - R, where D r / 2^e is first rounded down for near and D (r + 1) / 2^e up for far. Negative near
+/// is 0, negative far a miss; both saturate at all ones. A zero component only asks whether o lies between
+/// the planes (rounded outward). If the chip shades, M is ray_dir_bits() here, in which len counts, and o may
+/// lie between lattice points: D of near is taken from the one further along the ray, D of far from the other
+/// (docs/origins.md, Boxes). Mirror of rtl/trav/rc_box.sv, latency Config::box_latency() + 1, one node per
+/// cycle.
 void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
 /// The same without the processor's wider vectors, whether it has them or not: for the tests.
 void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
 BoxRsp box(const BoxReq& req, const Config& config);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,6 @@
-// The slab test of box.hpp for all children of a node. Included inside a namespace, once for each instruction set:
-// with RAYCLOCK_WITH_AVX2 under a pragma that allows AVX2. GCC's own widening of vectors is poor, hence the few intrinsics.
+// The slab test of box.hpp for all children of a node. Included inside a namespace, once for each instruction
+// set: with RAYCLOCK_WITH_AVX2 under a pragma that allows AVX2. GCC's own widening of vectors is poor, hence
+// the few intrinsics.
 
 // Children is as long as the machine's own vectors: GCC takes comparisons of longer ones apart, lane by lane.
 #ifdef RAYCLOCK_WITH_AVX2
@@ -26,7 +27,9 @@ RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
     std::memcpy(to, &whole, sizeof whole);
     return round_down(v);
 }
-RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) { return std::uint32_t(_mm256_movemask_pd(__m256d(m))); }
+RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) {
+    return std::uint32_t(_mm256_movemask_pd(__m256d(m)));
+}
 #else
 using Children = double __attribute__((vector_size(16)));
 using Found = std::int64_t __attribute__((vector_size(16)));
@@ -34,8 +37,11 @@ RAYCLOCK_INLINE Children planes_at(const std::uint8_t* p) { return Children{doub
 RAYCLOCK_INLINE Lanes lanes_of(const std::array<std::int32_t, 4>& v) {
     return Lanes{double(v[0]), double(v[1]), double(v[2]), double(v[3])};
 }
-RAYCLOCK_INLINE Mask exponents_of(const std::array<std::uint8_t, 4>& v) { return Mask{v[0], v[1], v[2], v[3]} << 52; }
-/// The whole number nearby, however the machine rounds, is less than 1 off; then it or the one below, in [0], [1] and [2].
+RAYCLOCK_INLINE Mask exponents_of(const std::array<std::uint8_t, 4>& v) {
+    return Mask{v[0], v[1], v[2], v[3]} << 52;
+}
+/// The whole number nearby, however the machine rounds, is less than 1 off; then it or the one below, in [0],
+/// [1] and [2].
 RAYCLOCK_INLINE Lanes round_down(const Lanes& v) {
     const auto down = [](double x) {
         const double near = (x + 0x1.8p52) - 0x1.8p52;
@@ -52,14 +58,15 @@ RAYCLOCK_INLINE Children cut(const Children& v, std::uint32_t* to) {
 RAYCLOCK_INLINE std::uint32_t bits_of_mask(const Found& m) { return std::uint32_t((m[0] & 1) | (m[1] & 2)); }
 #endif
 
-/// The children that the ray meets (bit i: child i), and the t_near of all eight. `before` and `beyond` are the node's org - near_o
-/// and org - far_o, lane k for axis k; children beyond `width` need not be looked at.
+/// The children that the ray meets (bit i: child i), and the t_near of all eight. `before` and `beyond` are
+/// the node's org - near_o and org - far_o, lane k for axis k; children beyond `width` need not be looked at.
 ///
-/// Per axis near = (floor(D r / 2^e) + q r) 2^(x + e), where 2^(x + e) is multiplied in beforehand. A child is met if near
-/// rounded down <= far rounded up, and far >= 0; floor(near) <= ceil(far) is floor(near) - 1 < far.
-template <bool zeros>
-RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& node, const Lanes& before, const Lanes& beyond,
-                                           std::uint32_t width, std::uint32_t* t_near) {
+/// Per axis near = (floor(D r / 2^e) + q r) 2^(x + e), where 2^(x + e) is multiplied in beforehand. A child
+/// is met if near rounded down <= far rounded up, and far >= 0; floor(near) <= ceil(far) is floor(near) - 1 <
+/// far.
+template <bool zeros> RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& node,
+                                                                 const Lanes& before, const Lanes& beyond,
+                                                                 std::uint32_t width, std::uint32_t* t_near) {
     const Mask e = exponents_of(node.exp);
     const Lanes shrink = Lanes((std::int64_t(1023) << 52) - e), scale = Lanes(ray.scale + e);
     const Lanes near_0 = round_down(before * (ray.near * shrink)) * scale, near_step = ray.near * scale;
@@ -84,19 +91,21 @@ RAYCLOCK_INLINE std::uint32_t slab_test_of(const SlabRay& ray, const WideNode& n
     }
     return hits & node.children_mask;
 }
-RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& before, const Lanes& beyond,
-                                        std::uint32_t width, std::uint32_t* t_near) {
-    if (ray.zeros) [[unlikely]] return slab_test_of<true>(ray, node, before, beyond, width, t_near);
+RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& before,
+                                        const Lanes& beyond, std::uint32_t width, std::uint32_t* t_near) {
+    if (ray.zeros) [[unlikely]]
+        return slab_test_of<true>(ray, node, before, beyond, width, t_near);
     if (width <= 4) return slab_test_of<false>(ray, node, before, beyond, 4, t_near);
     return slab_test_of<false>(ray, node, before, beyond, max_width, t_near);
 }
 /// The same for a ray from a lattice point, `distance` away.
-RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& distance, std::uint32_t width,
-                                        std::uint32_t* t_near) {
+RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, const Lanes& distance,
+                                        std::uint32_t width, std::uint32_t* t_near) {
     return slab_test(ray, node, distance, distance, width, t_near);
 }
 /// And for any ray.
-RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, std::uint32_t width, std::uint32_t* t_near) {
+RAYCLOCK_INLINE std::uint32_t slab_test(const SlabRay& ray, const WideNode& node, std::uint32_t width,
+                                        std::uint32_t* t_near) {
     const Lanes org = lanes_of(node.org);
     return slab_test(ray, node, org - ray.near_o, org - ray.far_o, width, t_near);
 }

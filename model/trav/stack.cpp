@@ -53,4 +53,4 @@ Turn Stack::pop(std::uint32_t t_best) {
     return {Turn::Kind::again, 0};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -18,12 +18,14 @@ struct Turn {
 
 /// One ray's stack of sibling groups, and the decision where the ray goes next: what trav does, without when.
 ///
-/// A step's nearest child is visited and its siblings kept as one group; a step without a child that can still matter pops.
-/// Each group knows `below`, the smallest t_near of all groups under it, so that a ray for which nothing there matters is
-/// done at once. A group whose nearest child is too far is dropped, one a turn. A stop empties the stack: the ray is done. Mirror of rtl/trav/rc_stack.sv.
+/// A step's nearest child is visited and its siblings kept as one group; a step without a child that can
+/// still matter pops. Each group knows `below`, the smallest t_near of all groups under it, so that a ray for
+/// which nothing there matters is done at once. A group whose nearest child is too far is dropped, one a
+/// turn. A stop empties the stack: the ray is done. Mirror of rtl/trav/rc_stack.sv.
 class Stack {
 public:
-    explicit Stack(const Config& config) : beyond_((1u << config.t_bits()) - 1), groups_(std::size_t(config.stack_depth)) {}
+    explicit Stack(const Config& config)
+        : beyond_((1u << config.t_bits()) - 1), groups_(std::size_t(config.stack_depth)) {}
 
     Turn decide(const Step& step);
     void clear() { height_ = 0; }
@@ -41,4 +43,4 @@ private:
     std::vector<Group> groups_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,4 +1,5 @@
-// rayclock area: what each unit takes of an ECP5, with and without the units that a scene may need; the page docs/area.md.
+// rayclock area: what each unit takes of an ECP5, with and without the units that a scene may need; the page
+// docs/area.md.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -41,7 +42,8 @@ void check_names(const std::vector<std::string>& only) {
     for (const area::UnitRow& row : area::unit_rows()) names.push_back(row.name);
     for (const std::string& name : only)
         if (std::find(names.begin(), names.end(), name) == names.end())
-            throw UserError(fmt::format("--unit: no unit is called {}{}; there are {}", shown(name), did_you_mean(name, names), fmt::join(names, ", ")));
+            throw UserError(fmt::format("--unit: no unit is called {}{}; there are {}", shown(name),
+                                        did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 std::string command_of(const Options& o) {
@@ -54,7 +56,8 @@ std::string command_of(const Options& o) {
 int run(const Options& o) {
     catch_interrupts();
     check_names(o.units);
-    if (!o.units.empty() && !o.output.empty()) throw UserError("--unit: a page has all units; leave out --unit, or --output");
+    if (!o.units.empty() && !o.output.empty())
+        throw UserError("--unit: a page has all units; leave out --unit, or --output");
     const Config base = load_config(o.config);
     std::vector<area::Variant> variants = area::variants_of(base);
     o.json.check();
@@ -62,11 +65,13 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     jobs::Cache cache(rtl_cache() / "area", o.fresh);
     const area::Areas areas = area::run(std::move(variants), o.units, o.threads, cache, progress);
-    if (areas.partial) throw UserError("interrupted: no page was written; the same command goes on where it was");
-    const std::vector<area::Speed> speeds = o.output.empty() ? std::vector<area::Speed>{} : area::page_speeds(areas, progress);
+    if (areas.partial)
+        throw UserError("interrupted: no page was written; the same command goes on where it was");
+    const std::vector<area::Speed> speeds =
+        o.output.empty() ? std::vector<area::Speed>{} : area::page_speeds(areas, progress);
     if (!o.json.is_alone()) {
-        fmt::print("{} different units of {} machines, {} of them known before\n\n{}", areas.different, areas.variants.size(), areas.known,
-                   area::table(areas));
+        fmt::print("{} different units of {} machines, {} of them known before\n\n{}", areas.different,
+                   areas.variants.size(), areas.known, area::table(areas));
         if (!cache.trouble().empty()) fmt::print("  nothing is kept for the next run: {}\n", cache.trouble());
     }
     if (!o.output.empty()) write_file(o.output, area::page(areas, speeds, base.name, command_of(o)));
@@ -74,11 +79,12 @@ int run(const Options& o) {
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command area_command() {
-    return command("area", "what each unit takes of an ECP5, with and without the units that a scene may need", "rayclock area -o docs/area.md",
-                   declare, run);
+    return command("area",
+                   "what each unit takes of an ECP5, with and without the units that a scene may need",
+                   "rayclock area -o docs/area.md", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -14,7 +14,8 @@ namespace rayclock {
 
 namespace {
 
-/// Seconds that `work` takes: the best of at least three runs and half a second, since others share the machine.
+/// Seconds that `work` takes: the best of at least three runs and half a second, since others share the
+/// machine.
 template <class Work> double best_seconds(Work work) {
     using Clock = std::chrono::steady_clock;
     double best = 1e300, total = 0;
@@ -69,7 +70,8 @@ Seconds measure(const Scene& scene, const Job& job, int threads) {
 std::string text_of(const Seconds& s, double cycles, double rays) {
     Table table({"engine", "seconds", "M cycles/s", "M rays/s", "times the RTL"});
     const auto row = [&](const char* name, double seconds, bool clocked) {
-        table.add({name, fmt::format("{:.3f}", seconds), clocked ? fmt::format("{:.2f}", cycles / seconds / 1e6) : "",
+        table.add({name, fmt::format("{:.3f}", seconds),
+                   clocked ? fmt::format("{:.2f}", cycles / seconds / 1e6) : "",
                    fmt::format("{:.3f}", rays / seconds / 1e6), fmt::format("{:.1f}", s.rtl / seconds)});
     };
     row("rtl", s.rtl, true);
@@ -82,13 +84,19 @@ std::string text_of(const Seconds& s, double cycles, double rays) {
 
 nlohmann::ordered_json json_of(const Scene& scene, const Job& job, const FrameRun& frame, const Seconds& s) {
     const double cycles = double(frame.cycles), rays = double(frame.hits.hits.size());
-    return {{"scene", scene_json(scene)}, {"config", config_json_object(job.config)},
-            {"frame", {{"width", job.size.width}, {"height", job.size.height}}},
-            {"cycles", frame.cycles}, {"rtl", {{"seconds", s.rtl}, {"cycles_per_second", cycles / s.rtl}}},
-            {"model", {{"seconds", s.model}, {"cycles_per_second", cycles / s.model}, {"times_rtl", s.rtl / s.model}}},
-            {"record", {{"seconds", s.record}, {"rays_per_second", rays / s.record}}},
-            {"replay", {{"seconds", s.replay}, {"cycles_per_second", cycles / s.replay}, {"times_rtl", s.rtl / s.replay}}},
-            {"reference", {{"seconds", s.reference}, {"rays_per_second", rays / s.reference}}}, {"compile", {{"seconds", s.compile}}}};
+    return {
+        {"scene", scene_json(scene)},
+        {"config", config_json_object(job.config)},
+        {"frame", {{"width", job.size.width}, {"height", job.size.height}}},
+        {"cycles", frame.cycles},
+        {"rtl", {{"seconds", s.rtl}, {"cycles_per_second", cycles / s.rtl}}},
+        {"model",
+         {{"seconds", s.model}, {"cycles_per_second", cycles / s.model}, {"times_rtl", s.rtl / s.model}}},
+        {"record", {{"seconds", s.record}, {"rays_per_second", rays / s.record}}},
+        {"replay",
+         {{"seconds", s.replay}, {"cycles_per_second", cycles / s.replay}, {"times_rtl", s.rtl / s.replay}}},
+        {"reference", {{"seconds", s.reference}, {"rays_per_second", rays / s.reference}}},
+        {"compile", {{"seconds", s.compile}}}};
 }
 
 int run(const Options& o) {
@@ -102,17 +110,19 @@ int run(const Options& o) {
     const FrameRun frame = run_model(job);
     const Seconds seconds = measure(scene, job, o.threads);
     if (!o.json.is_alone()) {
-        fmt::print("{}, {}x{}, configuration {}: {} cycles\n\n", scene.name, size.width, size.height, config.name, grouped(frame.cycles));
+        fmt::print("{}, {}x{}, configuration {}: {} cycles\n\n", scene.name, size.width, size.height,
+                   config.name, grouped(frame.cycles));
         fmt::print("{}", text_of(seconds, double(frame.cycles), double(frame.hits.hits.size())));
     }
     o.json.write(json_of(scene, job, frame, seconds));
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command bench_command() {
-    return command("bench", "speed of the simulator itself: model, RTL and reference on one frame", "rayclock bench gears:8", declare, run);
+    return command("bench", "speed of the simulator itself: model, RTL and reference on one frame",
+                   "rayclock bench gears:8", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

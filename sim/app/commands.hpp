@@ -1,5 +1,6 @@
 #pragma once
-// Every command, in the order of the help. Each is in the file of its name; scenes, config and rtl are in info.cpp.
+// Every command, in the order of the help. Each is in the file of its name; scenes, config and rtl are in
+// info.cpp.
 #include "sim/app/command.hpp"
 
 namespace rayclock {
@@ -24,4 +25,4 @@ Command doctor_command();
 /// The work of `verify --torture`; its report as JSON goes to `json`.
 int run_torture_set(const struct JsonOutput& json);
 
-} // namespace rayclock
+}   // namespace rayclock

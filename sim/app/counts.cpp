@@ -1,4 +1,5 @@
-// rayclock counts: rays of Haines' Standard Procedural Databases, by reference and model, beside the published counts.
+// rayclock counts: rays of Haines' Standard Procedural Databases, by reference and model, beside the
+// published counts.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -25,7 +26,8 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     parser.option("SCENE", o.scenes, "scenes, all with a published count by default");
-    parser.option("--size", o.size, "picture, WIDTHxHEIGHT; the published counts are of 513x513").with_default();
+    parser.option("--size", o.size, "picture, WIDTHxHEIGHT; the published counts are of 513x513")
+        .with_default();
     parser.option("-o,--output", o.output, "Markdown file to write");
     threads_option(parser, o.threads);
     json_option(parser, o.json);
@@ -51,11 +53,11 @@ int run(const Options& o) {
     return std::all_of(all.begin(), all.end(), spd::is_good) ? 0 : 1;
 }
 
-} // namespace
+}   // namespace
 
 Command counts_command() {
-    return command("counts", "rays of Haines' scenes by reference and model beside the published counts", "rayclock counts -o docs/spd.md",
-                   declare, run);
+    return command("counts", "rays of Haines' scenes by reference and model beside the published counts",
+                   "rayclock counts -o docs/spd.md", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

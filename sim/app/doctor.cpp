@@ -28,44 +28,57 @@ struct Part {
     std::string cure;
 };
 
-constexpr const char* no_rtl = "no RTL: verify, rtl, bench, and --engine rtl do not work; model and reference do";
-constexpr const char* no_new_rtl = "no RTL that is not built yet: verify, rtl, bench, and --engine rtl work only with what the cache holds";
+constexpr const char* no_rtl =
+    "no RTL: verify, rtl, bench, and --engine rtl do not work; model and reference do";
+constexpr const char* no_new_rtl =
+    "no RTL that is not built yet: verify, rtl, bench, and --engine rtl work only with what the cache holds";
 
 Part tool(const char* name, const std::string& version, const char* without, const char* cure) {
-    return {name, name, version, version.empty() ? without : "", fmt::format("{}: ./bootstrap {} installs it", name, cure)};
+    return {name, name, version, version.empty() ? without : "",
+            fmt::format("{}: ./bootstrap {} installs it", name, cure)};
 }
 
 Part cache_part() {
-    Part part{"RTL cache", "rtl_cache", "", "", "the RTL cache: set RAYCLOCK_CACHE to a folder that can be written"};
+    Part part{"RTL cache", "rtl_cache", "", "",
+              "the RTL cache: set RAYCLOCK_CACHE to a folder that can be written"};
     try {
         const CachePlace place = cache_place();
         std::error_code error;
         fs::create_directories(place.folder, error);
-        if (error) part.problem = fmt::format("{} cannot be made ({})", place.folder.string(), error.message());
-        else if (access(place.folder.c_str(), W_OK) != 0) part.problem = place.folder.string() + " cannot be written";
-        else part.found = place.folder.string();
+        if (error)
+            part.problem = fmt::format("{} cannot be made ({})", place.folder.string(), error.message());
+        else if (access(place.folder.c_str(), W_OK) != 0)
+            part.problem = place.folder.string() + " cannot be written";
+        else
+            part.found = place.folder.string();
     } catch (const UserError& e) {
         part.problem = e.what();
     }
-    if (!part.problem.empty()) part.problem += fmt::format(": {}; sweep, tradeoff and area keep nothing", no_new_rtl);
+    if (!part.problem.empty())
+        part.problem += fmt::format(": {}; sweep, tradeoff and area keep nothing", no_new_rtl);
     return part;
 }
 
 Part sources_part() {
     const std::string problem = rtl_sources_problem();
-    return {"RTL sources", "rtl_sources", problem.empty() ? rtl_sources().string() : "", problem.empty() ? "" : problem + ": " + no_rtl,
+    return {"RTL sources", "rtl_sources", problem.empty() ? rtl_sources().string() : "",
+            problem.empty() ? "" : problem + ": " + no_rtl,
             "the RTL sources: set RAYCLOCK_RTL, or set it no more"};
 }
 
 std::vector<Part> parts() {
     const RtlTools& tools = rtl_tools();
-    std::vector<Part> all{
-        tool("verilator", tools.verilator, no_new_rtl, "build"), tool("c++", tools.compiler, no_new_rtl, "build"),
-        tool("yosys", synth::yosys_version(), "no multipliers and flip-flops in sweep and tradeoff, no area; the tests leave the synthesis check out", "test"),
-        cache_part(), sources_part()};
+    std::vector<Part> all{tool("verilator", tools.verilator, no_new_rtl, "build"),
+                          tool("c++", tools.compiler, no_new_rtl, "build"),
+                          tool("yosys", synth::yosys_version(),
+                               "no multipliers and flip-flops in sweep and tradeoff, no area; the tests "
+                               "leave the synthesis check out",
+                               "test"),
+                          cache_part(), sources_part()};
     // Both run, and yet something is missing: Verilator's own sources.
     if (!tools.verilator.empty() && !tools.compiler.empty() && !tools.problem.empty())
-        all[0] = {"verilator", "verilator", "", tools.problem + ": " + no_new_rtl, "verilator: install it again"};
+        all[0] = {"verilator", "verilator", "", tools.problem + ": " + no_new_rtl,
+                  "verilator: install it again"};
     return all;
 }
 
@@ -97,7 +110,8 @@ int run(const Options& o) {
     std::vector<std::string> cures;
     for (const Part& part : parts()) {
         table.add({part.name, part.found.empty() ? "MISSING: " + part.problem : part.found});
-        json[part.key] = part.found.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(part.found);
+        json[part.key] =
+            part.found.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(part.found);
         if (!part.found.empty()) continue;
         missing[part.key] = part.problem;
         cures.push_back(part.cure);
@@ -113,16 +127,18 @@ int run(const Options& o) {
     if (!o.json.is_alone()) {
         fmt::print("rayclock {}\n{}", RAYCLOCK_VERSION, table.text());
         for (const std::string& remark : said) fmt::print("{}.\n", remark);
-        fmt::print("{}.\n", cures.empty() ? "Everything is there" : fmt::format("Something is missing; {}", fmt::join(cures, "; ")));
+        fmt::print("{}.\n", cures.empty() ? "Everything is there"
+                                          : fmt::format("Something is missing; {}", fmt::join(cures, "; ")));
     }
     o.json.write(json);
     return cures.empty() ? 0 : 1;
 }
 
-} // namespace
+}   // namespace
 
 Command doctor_command() {
-    return command("doctor", "what is installed, and what a missing part disables", "rayclock doctor", declare, run);
+    return command("doctor", "what is installed, and what a missing part disables", "rayclock doctor",
+                   declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

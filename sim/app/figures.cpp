@@ -24,10 +24,14 @@ std::vector<Engine> engines_of(const std::string& text) {
     for (std::size_t from = 0; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
         const std::string name = text.substr(from, comma - from);
-        if (name == "reference") all.push_back(Engine::reference);
-        else if (name == "model") all.push_back(Engine::model);
-        else if (name == "rtl") all.push_back(Engine::rtl);
-        else throw UserError("--engine: " + shown(name) + " is not reference, model or rtl");
+        if (name == "reference")
+            all.push_back(Engine::reference);
+        else if (name == "model")
+            all.push_back(Engine::model);
+        else if (name == "rtl")
+            all.push_back(Engine::rtl);
+        else
+            throw UserError("--engine: " + shown(name) + " is not reference, model or rtl");
         from = comma + 1;
     }
     std::sort(all.begin(), all.end());
@@ -45,7 +49,8 @@ struct Options {
 };
 
 void declare(Parser& parser, Options& o) {
-    parser.option("-o,--output", o.output, "folder for figures.md, and for its pictures in figures/").required();
+    parser.option("-o,--output", o.output, "folder for figures.md, and for its pictures in figures/")
+        .required();
     parser.option("--size", o.size, "pictures, WIDTHxHEIGHT").with_default();
     parser.option("--engine", o.engines, "engines, with commas").with_default();
     threads_option(parser, o.threads);
@@ -76,10 +81,11 @@ int run(const Options& o) {
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command figures_command() {
-    return command("figures", "the page of the field's classic figures, drawn by all engines", "rayclock figures -o docs", declare, run);
+    return command("figures", "the page of the field's classic figures, drawn by all engines",
+                   "rayclock figures -o docs", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,4 +1,5 @@
-// rayclock fit: the smallest configuration that draws a scene within a bound, and the proof that nothing in it overflows.
+// rayclock fit: the smallest configuration that draws a scene within a bound, and the proof that nothing in
+// it overflows.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -30,9 +31,15 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
-    parser.option("--max-error", o.max_error, "most pixels that may hold another primitive than the reference's, in per cent: 0.1%").with_default();
+    parser
+        .option("--max-error", o.max_error,
+                "most pixels that may hold another primitive than the reference's, in per cent: 0.1%")
+        .with_default();
     parser.option("--min-psnr", o.min_psnr, "least PSNR of the picture against the reference's, in dB");
-    parser.option("--max-work", o.max_work, "most nodes and triangles that narrow boxes, reciprocals and distances may cost, in per cent").with_default();
+    parser
+        .option("--max-work", o.max_work,
+                "most nodes and triangles that narrow boxes, reciprocals and distances may cost, in per cent")
+        .with_default();
     size_option(parser, o.size);
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "configuration file to write").required();
@@ -59,21 +66,31 @@ std::string name_of(const std::string& scene) {
 }
 
 std::string goal_text(const Goal& b) {
-    return fmt::format("at most {:g} % of the pixels on another primitive than the reference's{}, and {:g} % more nodes and triangles than at best", b.max_error,
-                       b.min_psnr ? fmt::format(", PSNR {:g} dB", *b.min_psnr) : "", b.max_work);
+    return fmt::format(
+        "at most {:g} % of the pixels on another primitive than the reference's{}, and {:g} % more nodes and "
+        "triangles than at best",
+        b.max_error, b.min_psnr ? fmt::format(", PSNR {:g} dB", *b.min_psnr) : "", b.max_work);
 }
 
 /// One sentence: what is reached, what makes the scene large, and what would do without it.
-std::string hopeless(const Options& o, const Goal& goal, const Config& base, Measure& measure, const Config& closest) {
+std::string hopeless(const Options& o, const Goal& goal, const Config& base, Measure& measure,
+                     const Config& closest) {
     const Outcome& best = measure(closest);
-    std::string sentence = fmt::format("{}: no width keeps the bound; N = {} and M = {} come closest, ", printable(o.scene), closest.coord_bits, closest.dir_bits);
-    if (!best.refused.empty()) sentence += "and there " + best.refused;
-    else sentence += fmt::format("with {:.3g} % of the pixels on another primitive{}", best.other_percent(),
-                                 goal.min_psnr ? fmt::format(" and a PSNR of {:.1f} dB", best.psnr_db) : "");
+    std::string sentence = fmt::format("{}: no width keeps the bound; N = {} and M = {} come closest, ",
+                                       printable(o.scene), closest.coord_bits, closest.dir_bits);
+    if (!best.refused.empty())
+        sentence += "and there " + best.refused;
+    else
+        sentence += fmt::format("with {:.3g} % of the pixels on another primitive{}", best.other_percent(),
+                                goal.min_psnr ? fmt::format(" and a PSNR of {:.1f} dB", best.psnr_db) : "");
     const std::optional<Dominant> part = dominant_part(measure.scene());
-    if (!part) return sentence + "; its extents are even, so only a larger bound or a camera that sees less of it at once would help";
-    sentence += fmt::format("; because of {} the scene is {} times as large as the rest", part->what,
-                            part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
+    if (!part)
+        return sentence +
+               "; its extents are even, so only a larger bound or a camera that sees less of it at once "
+               "would help";
+    sentence += fmt::format(
+        "; because of {} the scene is {} times as large as the rest", part->what,
+        part->ratio < 100 ? fmt::format("{:.1f}", part->ratio) : grouped(std::uint64_t(part->ratio)));
     Measure rest(part->without, measure.size(), o.threads);
     rest.tell = measure.tell;
     const std::optional<int> bits = Search(rest, base, goal).smallest_coord_bits();
@@ -95,34 +112,51 @@ struct Found {
 
 void print(const Options& o, const Found& f) {
     const Outcome& result = f.fit.outcome;
-    fmt::print("{}, {} triangles, {}x{}: {}\n\n", f.scene.name, grouped(f.scene.triangles.size()), f.size.width, f.size.height, goal_text(f.goal));
+    fmt::print("{}, {} triangles, {}x{}: {}\n\n", f.scene.name, grouped(f.scene.triangles.size()),
+               f.size.width, f.size.height, goal_text(f.goal));
     fmt::print("{}\n{}\n", parameter_table(f.fit, f.base), needs_text(f.fit, f.base, f.ranges));
     fmt::print("{}\n", units_text(f.fit.config));
     fmt::print("{}\n", range_table(f.ranges));
-    fmt::print("  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles than with the widest fields\n",
-               grouped(result.other), grouped(result.pixels), result.other_percent(),
-               std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
-               100 * (double(result.work) / double(f.fit.widest.work) - 1));
-    fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n", printable(o.output), f.frames, f.seconds,
-               printable(o.scene), o.size, printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
+    fmt::print(
+        "  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles "
+        "than with the widest fields\n",
+        grouped(result.other), grouped(result.pixels), result.other_percent(),
+        std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
+        100 * (double(result.work) / double(f.fit.widest.work) - 1));
+    fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n",
+               printable(o.output), f.frames, f.seconds, printable(o.scene), o.size,
+               printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
 }
 
 nlohmann::ordered_json json_of(const Found& f) {
-    const nlohmann::ordered_json psnr = f.goal.min_psnr ? nlohmann::ordered_json(*f.goal.min_psnr) : nlohmann::ordered_json(nullptr);
-    return {{"scene", scene_json(f.scene)}, {"frame", {{"width", f.size.width}, {"height", f.size.height}}},
-            {"bounds", {{"max_error_percent", f.goal.max_error}, {"min_psnr_db", psnr}, {"max_work_percent", f.goal.max_work}}},
-            {"config", config_json_object(f.fit.config)}, {"parameters", parameters_json(f.fit, f.base)},
-            {"error", outcome_json(f.fit.outcome)}, {"widest", outcome_json(f.fit.widest)}, {"compile", compile_json(f.fit.outcome.compile)},
-            {"needs", needs_json(f.fit, f.ranges)}, {"units", units_json(f.fit.config)},
-            {"cost", {{"fitted", cost_json(f.fit.cost)}, {"base", cost_json(f.fit.base_cost)}}}, {"ranges", ranges_json(f.ranges)},
+    const nlohmann::ordered_json psnr =
+        f.goal.min_psnr ? nlohmann::ordered_json(*f.goal.min_psnr) : nlohmann::ordered_json(nullptr);
+    return {{"scene", scene_json(f.scene)},
+            {"frame", {{"width", f.size.width}, {"height", f.size.height}}},
+            {"bounds",
+             {{"max_error_percent", f.goal.max_error},
+              {"min_psnr_db", psnr},
+              {"max_work_percent", f.goal.max_work}}},
+            {"config", config_json_object(f.fit.config)},
+            {"parameters", parameters_json(f.fit, f.base)},
+            {"error", outcome_json(f.fit.outcome)},
+            {"widest", outcome_json(f.fit.widest)},
+            {"compile", compile_json(f.fit.outcome.compile)},
+            {"needs", needs_json(f.fit, f.ranges)},
+            {"units", units_json(f.fit.config)},
+            {"cost", {{"fitted", cost_json(f.fit.cost)}, {"base", cost_json(f.fit.base_cost)}}},
+            {"ranges", ranges_json(f.ranges)},
             {"host", {{"seconds", f.seconds}, {"frames", f.frames}}}};
 }
 
 /// The search, and the sentence if it finds nothing.
-Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& measure, const Progress& progress) {
+Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& measure,
+               const Progress& progress) {
     measure.tell = [&](const Config& c, std::size_t done) {
         constexpr std::size_t expected = 40;
-        if (progress) progress(fmt::format("fit, N = {}, M = {}", c.coord_bits, c.dir_bits), done, std::max(expected, done + 1));
+        if (progress)
+            progress(fmt::format("fit, N = {}, M = {}", c.coord_bits, c.dir_bits), done,
+                     std::max(expected, done + 1));
     };
     Search search(measure, base, goal);
     std::optional<Fit> found = search.run();
@@ -139,11 +173,14 @@ int run(const Options& o) {
     const Goal goal = goal_of(o);
     const Config base = load_config(o.config);
     if (base.test() != PrimitiveTest::exact)
-        throw UserError("fit: primitive_test must be exact, not " + primitive_test_names()[std::size_t(base.primitive_test)] +
+        throw UserError("fit: primitive_test must be exact, not " +
+                        primitive_test_names()[std::size_t(base.primitive_test)] +
                         ": only exact decisions make the primitives depend on N and M alone");
     o.json.check();
-    if (o.output != "-") check_writable(o.output);
-    else if (o.json.is_alone()) throw UserError("-o and --json cannot both go to standard output");
+    if (o.output != "-")
+        check_writable(o.output);
+    else if (o.json.is_alone())
+        throw UserError("-o and --json cannot both go to standard output");
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o.scene, size, progress);
     Measure measure(scene, size, o.threads);
@@ -152,7 +189,8 @@ int run(const Options& o) {
     const Job job = make_job(scene, *scene.camera, size, fit.config);
     const Ranges ranges = prove_ranges(job.image, job.frame, fit.config);
     if (progress) progress("fit", 1, 1);
-    if (!ranges.proven()) throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(ranges));
+    if (!ranges.proven())
+        throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(ranges));
     write_file(o.output, config_json_object(fit.config).dump(2) + "\n");
 
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -162,11 +200,15 @@ int run(const Options& o) {
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command fit_command() {
-    return command("fit", "the smallest formats that draw a scene within an error, as a configuration file, with a proof that nothing overflows",
-                   "rayclock fit gears:4 --max-error 0.1% -o gears.json && rayclock verify gears:4 --config gears.json", declare, run);
+    return command(
+        "fit",
+        "the smallest formats that draw a scene within an error, as a configuration file, with a proof that "
+        "nothing overflows",
+        "rayclock fit gears:4 --max-error 0.1% -o gears.json && rayclock verify gears:4 --config gears.json",
+        declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

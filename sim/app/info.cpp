@@ -28,15 +28,23 @@ int list_scenes(const SceneListOptions& o) {
         const std::uint64_t triangles = b.triangles(b.default_size);
         const PrimitiveCounts native = b.counts(b.default_size, Primitives::native);
         table.add({std::string(b.name), std::to_string(b.default_size), grouped(triangles),
-                   native.spheres + native.planes > 0 ? primitives_text(native) : std::string{}, fmt::format("1..{}", b.max_size),
-                   std::string(b.purpose)});
-        json.push_back({{"name", b.name}, {"default_size", b.default_size}, {"max_size", b.max_size}, {"triangles", triangles},
-                        {"finished", {{"triangles", native.triangles}, {"spheres", native.spheres}, {"planes", native.planes}}},
-                        {"purpose", b.purpose}});
+                   native.spheres + native.planes > 0 ? primitives_text(native) : std::string{},
+                   fmt::format("1..{}", b.max_size), std::string(b.purpose)});
+        json.push_back(
+            {{"name", b.name},
+             {"default_size", b.default_size},
+             {"max_size", b.max_size},
+             {"triangles", triangles},
+             {"finished",
+              {{"triangles", native.triangles}, {"spheres", native.spheres}, {"planes", native.planes}}},
+             {"purpose", b.purpose}});
     }
     if (!o.json.is_alone())
-        fmt::print("{}\nUse as name or name:size, for example gears:8. Files: .obj .ply .stl .glb .gltf, or a .json scene "
-                   "(scenes/README.md).\n", table.text(0));
+        fmt::print(
+            "{}\nUse as name or name:size, for example gears:8. Files: .obj .ply .stl .glb .gltf, or a .json "
+            "scene "
+            "(scenes/README.md).\n",
+            table.text(0));
     o.json.write(json);
     return 0;
 }
@@ -56,22 +64,27 @@ int build_now(const ConfigChoice& choice) {
     const Config config = load_config(choice);
     check_rtl(config);
     const RtlBuild build = build_rtl(config);
-    if (build.was_cached) fmt::print("{}: built before, {}\n", config.name, build.library.string());
-    else fmt::print("{}: built in {:.1f} s, {}\n", config.name, build.seconds, build.library.string());
+    if (build.was_cached)
+        fmt::print("{}: built before, {}\n", config.name, build.library.string());
+    else
+        fmt::print("{}: built in {:.1f} s, {}\n", config.name, build.seconds, build.library.string());
     return 0;
 }
 
-} // namespace
+}   // namespace
 
-Command scenes_command() { return command("scenes", "list the built-in scenes", "rayclock scenes", declare_scenes, list_scenes); }
+Command scenes_command() {
+    return command("scenes", "list the built-in scenes", "rayclock scenes", declare_scenes, list_scenes);
+}
 
 Command config_command() {
-    return command("config", "print a configuration with every parameter", "rayclock config small > mine.json", declare_config, print_config);
+    return command("config", "print a configuration with every parameter",
+                   "rayclock config small > mine.json", declare_config, print_config);
 }
 
 Command rtl_command() {
-    return command("rtl", "build the RTL of a configuration now and say where it is kept", "rayclock rtl --config small", config_options,
-                   build_now);
+    return command("rtl", "build the RTL of a configuration now and say where it is kept",
+                   "rayclock rtl --config small", config_options, build_now);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -23,16 +23,18 @@ struct Added {
 
 std::vector<Added> add_commands(CLI::App& app) {
     std::vector<Added> all;
-    for (Command (*make)() : {scenes_command, render_command, simulate_command, verify_command, stress_command, sweep_command, fit_command,
-                              tradeoff_command, yardstick_command, figures_command, counts_command, area_command, bench_command,
-                              config_command, rtl_command, doctor_command}) {
+    for (Command (*make)() :
+         {scenes_command, render_command, simulate_command, verify_command, stress_command, sweep_command,
+          fit_command, tradeoff_command, yardstick_command, figures_command, counts_command, area_command,
+          bench_command, config_command, rtl_command, doctor_command}) {
         Command command = make();
         CLI::App* const sub = app.add_subcommand(command.name, command.what);
         sub->footer(std::string("Example: ") + command.example);
-        sub->preparse_callback([sub, declare = command.declare](std::size_t) {   // the other commands' options are never made
-            Parser parser(*sub);
-            declare(parser);
-        });
+        sub->preparse_callback(
+            [sub, declare = command.declare](std::size_t) {   // the other commands' options are never made
+                Parser parser(*sub);
+                declare(parser);
+            });
         all.push_back({std::move(command), sub});
     }
     return all;
@@ -41,14 +43,17 @@ std::vector<Added> add_commands(CLI::App& app) {
 constexpr const char* help_footer =
     "Exit code: 0 good, 1 a check failed, 2 bad usage or input.\n"
     "Environment:\n"
-    "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock or ~/.cache/rayclock\n"
+    "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock "
+    "or ~/.cache/rayclock\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
     "Start with: rayclock verify gears:4 -o out";
 
-/// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without end.
+/// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
+/// end.
 int complain(const std::string& sentence, int code) {
     constexpr std::size_t longest = 1000;
-    std::fprintf(stderr, "rayclock: %s\n", code == 2 ? printable(sentence, longest).c_str() : sentence.c_str());
+    std::fprintf(stderr, "rayclock: %s\n",
+                 code == 2 ? printable(sentence, longest).c_str() : sentence.c_str());
     return code;
 }
 
@@ -59,7 +64,8 @@ int finish(int code) {
 }
 
 /// What the parser found wrong, in one sentence that names what was typed.
-std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc, char** argv) {
+std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& commands, int argc,
+                        char** argv) {
     std::vector<std::string> names;
     const CLI::App* used = nullptr;
     for (const Added& added : commands) {
@@ -67,7 +73,8 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& 
         if (added.parsed->parsed()) used = added.parsed;
     }
     if (!used && argc > 1 && argv[1][0] != '-')
-        return "no command is called " + shown(argv[1]) + did_you_mean(argv[1], names) + " ('rayclock --help' lists them)";
+        return "no command is called " + shown(argv[1]) + did_you_mean(argv[1], names) +
+               " ('rayclock --help' lists them)";
     std::string text = error.what();
     for (char& c : text)
         if (c == '\n') c = ' ';
@@ -109,7 +116,7 @@ int run(int argc, char** argv) {
     return 2;
 }
 
-} // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     guard_streams();

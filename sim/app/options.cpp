@@ -13,38 +13,63 @@
 namespace rayclock {
 
 Declared scene_option(Parser& parser, std::string& scene) {
-    return parser.option("SCENE", scene, "built-in name with optional size (gears:8), or file (.obj .ply .stl .glb .gltf .json)");
+    return parser.option(
+        "SCENE", scene,
+        "built-in name with optional size (gears:8), or file (.obj .ply .stl .glb .gltf .json)");
 }
 
-void size_option(Parser& parser, std::string& size) { parser.option("--size", size, "picture, WIDTHxHEIGHT").with_default(); }
+void size_option(Parser& parser, std::string& size) {
+    parser.option("--size", size, "picture, WIDTHxHEIGHT").with_default();
+}
 
 void clock_option(Parser& parser, std::string& clocks) {
     parser.option("--clock", clocks, "clock rates in MHz, with commas").with_default();
 }
 
-void threads_option(Parser& parser, int& threads) { parser.option("--threads", threads, "threads, 0 for all cores").within(0, 1024); }
+void threads_option(Parser& parser, int& threads) {
+    parser.option("--threads", threads, "threads, 0 for all cores").within(0, 1024);
+}
 
 void config_options(Parser& parser, ConfigChoice& config) {
-    parser.option("--config", config.name, "hardware configuration: default, small, wide, saarcor, rpu, or a JSON file").with_default();
+    parser
+        .option("--config", config.name,
+                "hardware configuration: default, small, wide, saarcor, rpu, or a JSON file")
+        .with_default();
     parser.option("--set", config.set, "key=value: one parameter over the configuration; may be repeated");
 }
 
 void finished_options(Parser& parser, Finish& o) {
     constexpr const char* group = "Finished picture (shadows, reflection, refraction, made by the chip)";
-    parser.option("--depth", o.depth, "bounces of a camera ray, 0..15; 5 if another option of this group is given").under(group);
-    parser.option("--threshold", o.threshold, "a reflected or refracted ray of less weight is not traced, 0..1; 0: all are").under(group);
+    parser
+        .option("--depth", o.depth,
+                "bounces of a camera ray, 0..15; 5 if another option of this group is given")
+        .under(group);
+    parser
+        .option("--threshold", o.threshold,
+                "a reflected or refracted ray of less weight is not traced, 0..1; 0: all are")
+        .under(group);
     parser.option("--aa", o.aa, "N x N samples a pixel, 1..8").under(group);
     parser.flag("--jittered", o.jittered, "each sample anywhere in its cell (--seed)").under(group);
-    parser.option("--contrast", o.contrast, "after 4 samples take the rest only where a colour differs by more than this, 0..1").under(group);
-    parser.flag("--fresnel", o.fresnel, "weigh reflection and refraction by Schlick's approximation of Fresnel's term").under(group);
+    parser
+        .option("--contrast", o.contrast,
+                "after 4 samples take the rest only where a colour differs by more than this, 0..1")
+        .under(group);
+    parser
+        .flag("--fresnel", o.fresnel,
+              "weigh reflection and refraction by Schlick's approximation of Fresnel's term")
+        .under(group);
 }
 
 void judge_option(Parser& parser, bool& no_judge) {
-    parser.flag("--no-judge", no_judge, "leave out the exact judge of all rays and colours, and with it the causes of pixels that differ");
+    parser.flag(
+        "--no-judge", no_judge,
+        "leave out the exact judge of all rays and colours, and with it the causes of pixels that differ");
 }
 
 void fresh_option(Parser& parser, bool& fresh) {
-    parser.flag("--fresh", fresh, "work everything out again; otherwise what an earlier run has finished is taken from the cache");
+    parser.flag(
+        "--fresh", fresh,
+        "work everything out again; otherwise what an earlier run has finished is taken from the cache");
 }
 
 void netlist_option(Parser& parser, bool& no_netlist) {
@@ -53,34 +78,44 @@ void netlist_option(Parser& parser, bool& no_netlist) {
 }
 
 void frames_options(Parser& parser, FramesOptions& o) {
-    parser.option("--frames", o.frames, "frames on one machine, one after the other: the caches are warm from the second on").with_default();
+    parser
+        .option("--frames", o.frames,
+                "frames on one machine, one after the other: the caches are warm from the second on")
+        .with_default();
     parser.option("--pan", o.pan, "degrees that the camera turns from frame to frame");
 }
 
 std::vector<Camera> camera_path(const FramesOptions& o, const Camera& camera) {
-    if (o.frames < 1 || o.frames > 1000) throw UserError(fmt::format("--frames must lie in 1..1000, not {}", o.frames));
-    if (!(std::abs(o.pan) <= 360)) throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", o.pan));
+    if (o.frames < 1 || o.frames > 1000)
+        throw UserError(fmt::format("--frames must lie in 1..1000, not {}", o.frames));
+    if (!(std::abs(o.pan) <= 360))
+        throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", o.pan));
     std::vector<Camera> path;
     for (int i = 0; i < o.frames; ++i) {
         // Rodrigues' rotation of the view direction about the up axis.
         const double angle = o.pan * i * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
         const glm::dvec3 axis = glm::normalize(camera.up), view = camera.at - camera.eye;
         Camera turned = camera;
-        if (i > 0) turned.at = camera.eye + view * c + glm::cross(axis, view) * s + axis * glm::dot(axis, view) * (1 - c);
+        if (i > 0)
+            turned.at =
+                camera.eye + view * c + glm::cross(axis, view) * s + axis * glm::dot(axis, view) * (1 - c);
         path.push_back(turned);
     }
     return path;
 }
 
 void traffic_options(Parser& parser, TrafficOptions& o) {
-    parser.option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start").within(1, 1 << 30);
+    parser.option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start")
+        .within(1, 1 << 30);
     parser.option("--jitter", o.jitter, "random extra memory latency, up to this many cycles");
     parser.option("--stall", o.stall, "percent of cycles in which memory and output accept nothing");
 }
 
 Traffic traffic_of(const TrafficOptions& o) {
-    if (o.jitter < 0 || o.jitter > 100000) throw UserError(fmt::format("--jitter must lie in 0..100000, not {}", o.jitter));
-    if (o.stall < 0 || o.stall > 99) throw UserError(fmt::format("--stall must lie in 0..99 percent, not {}", o.stall));
+    if (o.jitter < 0 || o.jitter > 100000)
+        throw UserError(fmt::format("--jitter must lie in 0..100000, not {}", o.jitter));
+    if (o.stall < 0 || o.stall > 99)
+        throw UserError(fmt::format("--stall must lie in 0..99 percent, not {}", o.stall));
     return {o.jitter, o.stall, o.seed};
 }
 
@@ -96,4 +131,4 @@ void JsonOutput::write(const nlohmann::ordered_json& json) const {
     if (wanted()) write_file(path, json.dump(2) + "\n");
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -31,7 +31,8 @@ std::vector<int> parse_clocks(const std::string& text);
 std::vector<int> parse_values(const std::string& option, const std::string& text);
 /// "1e6": a number of rays from 1 to 1e12. Throws UserError.
 std::uint64_t parse_rays(const std::string& text);
-/// "0.1%" or "0.1 %". Throws UserError unless it is a percentage below 100 and above 0, or 0 itself if `zero`.
+/// "0.1%" or "0.1 %". Throws UserError unless it is a percentage below 100 and above 0, or 0 itself if
+/// `zero`.
 double parse_percent(const std::string& option, const std::string& typed, bool zero);
 /// Throws UserError unless --min-psnr lies above 0 and not above 200.
 void check_psnr(const std::optional<double>& psnr);
@@ -42,8 +43,8 @@ struct FramesOptions {
     double pan = 0;
 };
 void frames_options(Parser& parser, FramesOptions& options);
-/// The camera of each frame: the first is the scene's, each next one is turned by `pan` degrees about its up axis. The eye
-/// stays, so that all see the same lattice. Throws UserError.
+/// The camera of each frame: the first is the scene's, each next one is turned by `pan` degrees about its up
+/// axis. The eye stays, so that all see the same lattice. Throws UserError.
 std::vector<Camera> camera_path(const FramesOptions& options, const Camera& camera);
 
 struct TrafficOptions {
@@ -60,9 +61,9 @@ struct JsonOutput {
 
     bool wanted() const { return !path.empty(); }
     bool is_alone() const { return path == "-"; }   ///< no text beside it
-    void check() const;                             ///< Fails early (UserError) if the file could not be written later.
+    void check() const;   ///< Fails early (UserError) if the file could not be written later.
     void write(const nlohmann::ordered_json& json) const;
 };
 void json_option(Parser& parser, JsonOutput& json);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -35,7 +35,9 @@ Declared& Declared::excludes(const Declared& other) {
 template <class Value> Declared Parser::option(const char* names, Value& value, const char* help) {
     return Declared(app_.add_option(names, value, help));
 }
-Declared Parser::flag(const char* names, bool& value, const char* help) { return Declared(app_.add_flag(names, value, help)); }
+Declared Parser::flag(const char* names, bool& value, const char* help) {
+    return Declared(app_.add_flag(names, value, help));
+}
 
 template Declared Parser::option(const char*, std::string&, const char*);
 template Declared Parser::option(const char*, std::vector<std::string>&, const char*);
@@ -46,4 +48,4 @@ template Declared Parser::option(const char*, std::optional<std::string>&, const
 template Declared Parser::option(const char*, std::optional<int>&, const char*);
 template Declared Parser::option(const char*, std::optional<double>&, const char*);
 
-} // namespace rayclock
+}   // namespace rayclock

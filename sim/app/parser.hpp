@@ -1,11 +1,12 @@
 #pragma once
-// The options of one command, as it declares them. Only parser.cpp knows the library that reads the command line.
+// The options of one command, as it declares them. Only parser.cpp knows the library that reads the command
+// line.
 #include <string>
 
 namespace CLI {
 class App;
 class Option;
-}
+}   // namespace CLI
 
 namespace rayclock {
 
@@ -33,8 +34,9 @@ class Parser {
 public:
     explicit Parser(CLI::App& app) : app_(app) {}
 
-    /// `names`: "--size", "-o,--output", or "SCENE" for a word without a name. Values are strings, whole numbers, numbers, lists of
-    /// strings, and what may be missing (std::optional) of these; parser.cpp lists them.
+    /// `names`: "--size", "-o,--output", or "SCENE" for a word without a name. Values are strings, whole
+    /// numbers, numbers, lists of strings, and what may be missing (std::optional) of these; parser.cpp lists
+    /// them.
     template <class Value> Declared option(const char* names, Value& value, const char* help);
     Declared flag(const char* names, bool& value, const char* help);
 
@@ -42,4 +44,4 @@ private:
     CLI::App& app_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

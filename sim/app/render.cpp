@@ -42,7 +42,8 @@ void declare(Parser& parser, Options& o) {
     size_option(parser, o.size);
     config_options(parser, o.config);
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
-    parser.option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number").required();
+    parser.option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number")
+        .required();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
@@ -58,7 +59,8 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
     const Scene& scene = request.scene;
     Drawn drawn;
     if (request.finished) {
-        WhittedFrame frame = Reference(scene).whitted(*scene.camera, size, request.settings, threads, progress);
+        WhittedFrame frame =
+            Reference(scene).whitted(*scene.camera, size, request.settings, threads, progress);
         drawn.picture = picture_of(frame);
         drawn.hits = std::move(frame.hits);
     } else {
@@ -99,18 +101,22 @@ int run(const Options& o) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_picture(o.output, drawn.picture, drawn.hits);
     if (!o.json.is_alone())
-        fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height, o.engine, printable(o.output));
-    nlohmann::ordered_json json{{"scene", scene_json(scene)}, {"frame", {{"width", size.width}, {"height", size.height}}}, {"engine", o.engine}};
+        fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height,
+                   o.engine, printable(o.output));
+    nlohmann::ordered_json json{{"scene", scene_json(scene)},
+                                {"frame", {{"width", size.width}, {"height", size.height}}},
+                                {"engine", o.engine}};
     json.update(drawn.json);
     json["host"] = {{"seconds", seconds}};
     o.json.write(json);
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command render_command() {
-    return command("render", "make a picture with one engine", "rayclock render gears:4 --engine rtl -o gears.png", declare, run);
+    return command("render", "make a picture with one engine",
+                   "rayclock render gears:4 --engine rtl -o gears.png", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -48,28 +48,32 @@ void declare(Parser& parser, Options& o) {
 }
 
 /// One replay per clock, on all cores, from the same trace.
-std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks, const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
+std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& clocks,
+                                    const std::vector<FrameTrace>& traces, Traffic traffic, int threads,
                                     const Progress& progress) {
     std::vector<ClockRun> runs(clocks.size());
     std::mutex mutex;
     std::vector<std::uint64_t> done(clocks.size());
     const std::uint64_t pixels = traces[0].trace.rays.size() * traces.size();
     jobs::for_each(clocks.size(), threads, [&](std::size_t i) {
-        const Progress tell = !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
-            const std::lock_guard lock(mutex);
-            done[i] = std::max(done[i], n);
-            std::uint64_t sum = 0;
-            for (const std::uint64_t d : done) sum += d;
-            progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
-        };
+        const Progress tell =
+            !progress ? Progress{} : [&, i](std::string_view what, std::uint64_t n, std::uint64_t) {
+                const std::lock_guard lock(mutex);
+                done[i] = std::max(done[i], n);
+                std::uint64_t sum = 0;
+                for (const std::uint64_t d : done) sum += d;
+                progress(what, std::min(sum, pixels * clocks.size()), pixels * clocks.size());
+            };
         runs[i].khz = clocks[i];
         const std::vector<FrameTiming> timings = replay(job.config, clocks[i], traces, traffic, tell);
-        for (std::size_t f = 0; f < timings.size(); ++f) runs[i].frames.push_back(frame_run(traces[f], timings[f]));
+        for (std::size_t f = 0; f < timings.size(); ++f)
+            runs[i].frames.push_back(frame_run(traces[f], timings[f]));
     });
     return runs;
 }
 
-std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clocks, const std::vector<FrameTrace>& traces, Traffic traffic, int seed,
+std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clocks,
+                                     const std::vector<FrameTrace>& traces, Traffic traffic, int seed,
                                      const Progress& progress) {
     std::vector<Frame> frames;
     for (const FrameTrace& trace : traces) frames.push_back(trace.frame);
@@ -94,28 +98,36 @@ struct Work {
 struct Simulated {
     bool is_model = true;
     std::vector<FrameTrace> traces;
-    std::vector<ClockRun> runs;                ///< [clock]
-    std::optional<FrameError> error;           ///< of the last frame
+    std::vector<ClockRun> runs;        ///< [clock]
+    std::optional<FrameError> error;   ///< of the last frame
     std::optional<Judgement> judgement;
     bool partial = false;
 
-    const std::vector<Closest>& answers() const { return is_model ? traces.back().trace.hits : runs.back().last().answers; }
-    const Colours& colours() const { return is_model ? traces.back().trace.colours : runs.back().last().colours; }
+    const std::vector<Closest>& answers() const {
+        return is_model ? traces.back().trace.hits : runs.back().last().answers;
+    }
+    const Colours& colours() const {
+        return is_model ? traces.back().trace.colours : runs.back().last().colours;
+    }
 };
 
 Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
     Simulated s;
     s.is_model = o.engine == "model";
-    if (s.is_model && work.clocks.size() == 1 && work.path.size() == 1) {   // one replay, beside the recording
-        const std::vector<FrameTiming> timings = record_and_replay(work.job, work.clocks[0], s.traces, traffic, o.threads, progress);
+    if (s.is_model && work.clocks.size() == 1 &&
+        work.path.size() == 1) {   // one replay, beside the recording
+        const std::vector<FrameTiming> timings =
+            record_and_replay(work.job, work.clocks[0], s.traces, traffic, o.threads, progress);
         s.runs.push_back({work.clocks[0], {frame_run(s.traces[0], timings[0])}});
     } else {
         for (const Camera& camera : work.path)
             s.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
         s.runs = s.is_model ? replay_clocks(work.job, work.clocks, s.traces, traffic, o.threads, progress)
-                            : run_rtl_clocks(work.job, work.clocks, s.traces, traffic, int(o.traffic.seed), progress);
+                            : run_rtl_clocks(work.job, work.clocks, s.traces, traffic, int(o.traffic.seed),
+                                             progress);
     }
-    s.partial = s.runs.size() < work.clocks.size() || std::any_of(s.runs.begin(), s.runs.end(), [](const ClockRun& r) { return r.partial(); });
+    s.partial = s.runs.size() < work.clocks.size() ||
+                std::any_of(s.runs.begin(), s.runs.end(), [](const ClockRun& r) { return r.partial(); });
     return s;
 }
 
@@ -128,16 +140,19 @@ void compare(Simulated& s, const Options& o, const Work& work, const Progress& p
     const Reference tracer(scene);
     const Asked asked{scene, camera, shown, work.job.image.lattice, work.request.config};
     if (work.request.finished) {
-        const WhittedFrame reference = tracer.whitted(camera, work.size, work.request.settings, o.threads, progress);
+        const WhittedFrame reference =
+            tracer.whitted(camera, work.size, work.request.settings, o.threads, progress);
         const Picture picture = picture_of(work.size, s.colours());
         s.error = frame_error(hits, picture, reference.hits, picture_of(reference));
         const Given given{s.answers(), s.colours(), s.traces.back().trace.signatures};
         if (!o.no_judge)
-            s.judgement = judge_finished(asked, work.job.image, work.request.settings, {reference, picture, given}, hits, o.threads, progress);
+            s.judgement = judge_finished(asked, work.job.image, work.request.settings,
+                                         {reference, picture, given}, hits, o.threads, progress);
     } else {
         const HitFrame reference = tracer.frame(camera, work.size, o.threads, progress);
         s.error = frame_error(scene, hits, reference);
-        if (!o.no_judge) s.judgement = judge(asked, {reference, s.answers(), shade(scene, hits)}, o.threads, progress);
+        if (!o.no_judge)
+            s.judgement = judge(asked, {reference, s.answers(), shade(scene, hits)}, o.threads, progress);
     }
 }
 
@@ -157,17 +172,21 @@ Totals totals_of(const Simulated& s) {
         }
     for (const FrameTrace& trace : s.traces) t.record_seconds += trace.trace.seconds;
     // A single replay runs beside the recording, and its time has both.
-    t.engine_seconds = t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
+    t.engine_seconds =
+        t.machine_seconds + (s.is_model && s.traces.size() * s.runs.size() > 1 ? t.record_seconds : 0);
     return t;
 }
 
 void print(const Work& work, const Simulated& s, const Totals& t, double seconds) {
     const Config& config = work.request.config;
-    fmt::print("{}\n{}\n{}\n{}", heading(work.request.scene, work.size, work.job), clock_table(config, s.runs), work_table(config, s.runs[0]),
-               unit_table(config, s.runs));
-    if (s.error) fmt::print("\n{}{}", error_line("against the reference", *s.error), s.judgement ? cause_lines(*s.judgement) : "");
-    fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n", seconds, t.record_seconds,
-               grouped(t.cycles), t.machine_seconds, double(t.cycles) / t.machine_seconds / 1e6);
+    fmt::print("{}\n{}\n{}\n{}", heading(work.request.scene, work.size, work.job),
+               clock_table(config, s.runs), work_table(config, s.runs[0]), unit_table(config, s.runs));
+    if (s.error)
+        fmt::print("\n{}{}", error_line("against the reference", *s.error),
+                   s.judgement ? cause_lines(*s.judgement) : "");
+    fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n",
+               seconds, t.record_seconds, grouped(t.cycles), t.machine_seconds,
+               double(t.cycles) / t.machine_seconds / 1e6);
     if (s.partial) fmt::print("  PARTIAL: interrupted; the figures are of what was done until then\n");
 }
 
@@ -176,15 +195,28 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
     const FrameRun& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
     for (const ClockRun& run : s.runs) clocks.push_back(clock_json(config, run));
-    return {{"scene", scene_json(work.request.scene)}, {"config", config_json_object(config)},
-            {"frame", {{"width", work.size.width}, {"height", work.size.height}}}, {"frames", o.frames.frames}, {"pan", o.frames.pan},
-            {"engine", o.engine}, {"partial", s.partial}, {"compile", compile_json(work.job.image.report)}, {"rays", rays_json(frame)},
-            {"work", work_json(frame)}, {"clocks", clocks}, {"units", units_json(config, frame)},
-            {"memory", memory_json(config, s.runs[0].khz, frame)}, {"error", error_json(s.error, s.judgement)},
+    return {{"scene", scene_json(work.request.scene)},
+            {"config", config_json_object(config)},
+            {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
+            {"frames", o.frames.frames},
+            {"pan", o.frames.pan},
+            {"engine", o.engine},
+            {"partial", s.partial},
+            {"compile", compile_json(work.job.image.report)},
+            {"rays", rays_json(frame)},
+            {"work", work_json(frame)},
+            {"clocks", clocks},
+            {"units", units_json(config, frame)},
+            {"memory", memory_json(config, s.runs[0].khz, frame)},
+            {"error", error_json(s.error, s.judgement)},
             {"judge", judge_json(s.judgement)},
-            {"host", {{"seconds", t.engine_seconds}, {"record_seconds", s.is_model ? t.record_seconds : 0},
-                      {"judge_seconds", s.judgement ? s.judgement->seconds : 0}, {"cycles_per_second", double(t.cycles) / t.engine_seconds},
-                      {"rays_per_second", rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
+            {"host",
+             {{"seconds", t.engine_seconds},
+              {"record_seconds", s.is_model ? t.record_seconds : 0},
+              {"judge_seconds", s.judgement ? s.judgement->seconds : 0},
+              {"cycles_per_second", double(t.cycles) / t.engine_seconds},
+              {"rays_per_second",
+               rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
             {"digest", digest_text(t.digest.value())}};
 }
 
@@ -193,14 +225,16 @@ int run(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
-    if (o.engine != "model" && o.engine != "rtl") throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
+    if (o.engine != "model" && o.engine != "rtl")
+        throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
     if (o.engine == "rtl") check_rtl(request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Work work{request, size, clocks, path, make_job(request.scene, path[0], size, request.config, progress, request.settings)};
+    const Work work{request, size, clocks, path,
+                    make_job(request.scene, path[0], size, request.config, progress, request.settings)};
     Simulated simulated = run_engine(o, work, traffic, progress);
     if (!o.no_reference && !simulated.partial) compare(simulated, o, work, progress);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -208,14 +242,16 @@ int run(const Options& o) {
     const Totals totals = totals_of(simulated);
     if (!o.json.is_alone()) print(work, simulated, totals, seconds);
     o.json.write(json_of(o, work, simulated, totals));
-    return simulated.partial || (simulated.judgement && simulated.judgement->wrong_for(request.config) > 0) ? 1 : 0;
+    return simulated.partial || (simulated.judgement && simulated.judgement->wrong_for(request.config) > 0)
+               ? 1
+               : 0;
 }
 
-} // namespace
+}   // namespace
 
 Command simulate_command() {
-    return command("simulate", "cycles, frames per second, work and accounts of a frame", "rayclock simulate balls:3 --clock 66,90 --set contexts=32",
-                   declare, run);
+    return command("simulate", "cycles, frames per second, work and accounts of a frame",
+                   "rayclock simulate balls:3 --clock 66,90 --set contexts=32", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

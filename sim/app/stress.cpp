@@ -27,11 +27,14 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     parser.option("--bits", o.bits, "lattices: bits of a coordinate, as 12:20:2 or 16,18").with_default();
-    parser.option("--rays", o.rays, "rays for exact and for sheared; a tenth for baselines and controls").with_default();
+    parser.option("--rays", o.rays, "rays for exact and for sheared; a tenth for baselines and controls")
+        .with_default();
     parser.option("--test", o.tests, "primitive test, or all; may be repeated").by_commas();
-    parser.option("--family", o.families, "family of hard cases; may be repeated; all by default").by_commas();
+    parser.option("--family", o.families, "family of hard cases; may be repeated; all by default")
+        .by_commas();
     parser.option("--seed", o.seed, "seed of the rays").within(1, 1 << 30);
-    parser.option("-o,--output", o.output, "page to write (Markdown), with a picture of each family in a folder beside it");
+    parser.option("-o,--output", o.output,
+                  "page to write (Markdown), with a picture of each family in a folder beside it");
     parser.option("--state", o.state, "file that keeps what is done: go on from it if it is there");
     threads_option(parser, o.threads);
     json_option(parser, o.json);
@@ -80,15 +83,18 @@ int run(const Options& o) {
     if (outcome.partial) return 1;
     if (!o.output.empty()) stress::write_page(o.output, plan, outcome);
     bool good = true;
-    for (const std::string& name : plan.tests) good = good && stress::meets_demand(stress::named_test(name), outcome.cells);
+    for (const std::string& name : plan.tests)
+        good = good && stress::meets_demand(stress::named_test(name), outcome.cells);
     return good ? 0 : 1;
 }
 
-} // namespace
+}   // namespace
 
 Command stress_command() {
     return command("stress", "numerical hard cases against the exact oracle",
-                   "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started again, it goes on)", declare, run);
+                   "rayclock stress --bits 12:20:2 --rays 1e9 --state run.json    (stopped and started "
+                   "again, it goes on)",
+                   declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

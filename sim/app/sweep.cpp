@@ -1,4 +1,5 @@
-// rayclock sweep: one scene on many configurations and clocks. Those that differ in timing only share one trace.
+// rayclock sweep: one scene on many configurations and clocks. Those that differ in timing only share one
+// trace.
 #include <fmt/format.h>
 
 #include "sim/app/commands.hpp"
@@ -24,12 +25,16 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
-    parser.option("--axis", o.axes, "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; may be repeated").required();
+    parser
+        .option("--axis", o.axes,
+                "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; may be repeated")
+        .required();
     size_option(parser, o.size);
     clock_option(parser, o.clock);
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "table as CSV");
-    parser.option("--plot", o.plot, "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
+    parser.option("--plot", o.plot,
+                  "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
     fresh_option(parser, o.fresh);
     netlist_option(parser, o.no_netlist);
     threads_option(parser, o.threads);
@@ -51,29 +56,39 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o.scene, size, progress);
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
-    const sweep::Outcome outcome = sweep::run({scene, size, std::move(points), o.threads, !o.no_netlist}, cache, progress);
+    const sweep::Outcome outcome =
+        sweep::run({scene, size, std::move(points), o.threads, !o.no_netlist}, cache, progress);
     const sweep::Front front = sweep::front_of(outcome.results);
 
     if (!o.json.is_alone()) {
-        fmt::print("{}, {}x{}: {} points from {} traces, {} of them known before\n{}", scene.name, size.width, size.height,
-                   outcome.results.size(), outcome.traces, outcome.known, sweep::text(axes, outcome, front));
+        fmt::print("{}, {}x{}: {} points from {} traces, {} of them known before\n{}", scene.name, size.width,
+                   size.height, outcome.results.size(), outcome.traces, outcome.known,
+                   sweep::text(axes, outcome, front));
         if (!cache.trouble().empty()) fmt::print("  nothing is kept for the next run: {}\n", cache.trouble());
         if (outcome.partial) fmt::print("  PARTIAL: interrupted; the same command goes on where it was\n");
     }
     if (!o.output.empty()) write_file(o.output, sweep::csv(axes, outcome.results, front));
-    if (!o.plot.empty()) plot::write_plot(o.plot, sweep::front_plot(scene.name, size, axes, outcome.results, front));
-    o.json.write({{"scene", scene_json(scene)}, {"config", config_json_object(config)},
-                  {"frame", {{"width", size.width}, {"height", size.height}}}, {"partial", outcome.partial},
-                  {"front", {{"error", front.measures[0].key}, {"cost", front.measures[1].key}, {"speed", front.measures[2].key}}},
-                  {"knee", sweep::knee_json(axes, outcome.results, front)}, {"points", sweep::points_json(axes, outcome.results, front)}});
+    if (!o.plot.empty())
+        plot::write_plot(o.plot, sweep::front_plot(scene.name, size, axes, outcome.results, front));
+    o.json.write({{"scene", scene_json(scene)},
+                  {"config", config_json_object(config)},
+                  {"frame", {{"width", size.width}, {"height", size.height}}},
+                  {"partial", outcome.partial},
+                  {"front",
+                   {{"error", front.measures[0].key},
+                    {"cost", front.measures[1].key},
+                    {"speed", front.measures[2].key}}},
+                  {"knee", sweep::knee_json(axes, outcome.results, front)},
+                  {"points", sweep::points_json(axes, outcome.results, front)}});
     return outcome.partial ? 1 : 0;
 }
 
-} // namespace
+}   // namespace
 
 Command sweep_command() {
-    return command("sweep", "one scene on many configurations and clocks; what differs in timing only shares one trace",
-                   "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
+    return command(
+        "sweep", "one scene on many configurations and clocks; what differs in timing only shares one trace",
+        "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

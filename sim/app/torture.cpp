@@ -16,16 +16,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResult& r) {
-    return {{"name", torture.name}, {"frames", torture.frames.size()}, {"events_compared", r.events_compared},
-            {"value_mismatches", r.value_mismatches}, {"account_mismatches", r.account_mismatches}, {"cycle_gap", r.cycle_gap},
-            {"first_divergence", divergence_json(r.first)}, {"counters_compared", r.counters_compared},
-            {"first_counter", counter_json(r.counter)}, {"digest", digest_text(r.model.digest)}};
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-} // namespace
+nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResult& r) {
+    return {{"name", torture.name},
+            {"frames", torture.frames.size()},
+            {"events_compared", r.events_compared},
+            {"value_mismatches", r.value_mismatches},
+            {"account_mismatches", r.account_mismatches},
+            {"cycle_gap", r.cycle_gap},
+            {"first_divergence", divergence_json(r.first)},
+            {"counters_compared", r.counters_compared},
+            {"first_counter", counter_json(r.counter)},
+            {"digest", digest_text(r.model.digest)}};
+}
+
+}   // namespace
 
 int run_torture_set(const JsonOutput& json) {
     const auto start = Clock::now();
@@ -40,17 +48,24 @@ int run_torture_set(const JsonOutput& json) {
             frames += torture.frames.size();
             transfers += result.events_compared;
             failed += !result.agrees();
-            if (!result.agrees() && !json.is_alone()) fmt::print("{}:\n{}", torture.name, lockstep_lines(result));
+            if (!result.agrees() && !json.is_alone())
+                fmt::print("{}:\n{}", torture.name, lockstep_lines(result));
             if (interrupted()) break;
         }
     }
     const bool good = failed == 0 && !interrupted();
     const double seconds = seconds_since(start);
     if (!json.is_alone())
-        fmt::print("  torture: {} cases on {} chips, {} frames, {} transfers compared, {} cases differ\n  {} in {:.1f} s\n", cases.size(),
-                   torture_chips().size(), frames, grouped(transfers), failed, good ? "VERIFIED" : interrupted() ? "PARTIAL: interrupted" : "FAILED", seconds);
+        fmt::print(
+            "  torture: {} cases on {} chips, {} frames, {} transfers compared, {} cases differ\n  {} in "
+            "{:.1f} s\n",
+            cases.size(), torture_chips().size(), frames, grouped(transfers), failed,
+            good            ? "VERIFIED"
+            : interrupted() ? "PARTIAL: interrupted"
+                            : "FAILED",
+            seconds);
     json.write({{"torture", cases}, {"partial", interrupted()}, {"host", {{"seconds", seconds}}}});
     return good ? 0 : 1;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

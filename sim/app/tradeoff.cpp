@@ -31,7 +31,8 @@ void declare(Parser& parser, Options& o) {
 
 std::string command_of(const Options& o) {
     std::string text = "rayclock tradeoff -o " + told_path(o.output);
-    if (o.scenes != sweep::default_tradeoff_scenes()) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
+    if (o.scenes != sweep::default_tradeoff_scenes())
+        text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
     if (o.size != default_size) text += " --size " + o.size;
     if (o.no_netlist) text += " --no-netlist";
     return text;
@@ -43,16 +44,19 @@ int run(const Options& o) {
     sweep::check_tradeoff_paths(o.output, o.scenes);
     const Progress progress = terminal_progress();
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
-    sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist}, command_of(o), cache, progress);
+    sweep::write_tradeoff(o.output, {o.scenes, size, o.threads, !o.no_netlist}, command_of(o), cache,
+                          progress);
     fmt::print("{} written\n", printable(o.output));
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command tradeoff_command() {
-    return command("tradeoff", "the page that says what each bit costs and brings: one width at a time, and a grid with its Pareto front",
+    return command("tradeoff",
+                   "the page that says what each bit costs and brings: one width at a time, and a grid with "
+                   "its Pareto front",
                    "rayclock tradeoff -o docs/speed-against-error.md", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -17,7 +17,7 @@ template <class Number> bool parse_whole(std::string_view text, Number& number) 
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();
 }
 
-} // namespace
+}   // namespace
 
 FrameSize parse_size(const std::string& text) {
     const std::size_t cross = text.find('x');
@@ -27,7 +27,8 @@ FrameSize parse_size(const std::string& text) {
         throw UserError("--size: " + shown(text) + " is not WIDTHxHEIGHT, for example 512x384");
     check_frame_size(size);
     constexpr int most = 1 << 26;   // what fits in a few gigabytes of host memory
-    if (size.width > most / size.height) throw UserError(fmt::format("--size: {} has more than {} pixels", text, most));
+    if (size.width > most / size.height)
+        throw UserError(fmt::format("--size: {} has more than {} pixels", text, most));
     return size;
 }
 
@@ -38,11 +39,13 @@ std::vector<int> parse_clocks(const std::string& text) {
         const std::string_view item = std::string_view(text).substr(from, comma - from);
         double mhz = 0;
         if (!parse_whole(item, mhz) || !(mhz >= 1) || mhz > 100000)
-            throw UserError(fmt::format("--clock: {} is not a clock in MHz from 1 to 100000, in {}", shown(item), shown(text)));
+            throw UserError(fmt::format("--clock: {} is not a clock in MHz from 1 to 100000, in {}",
+                                        shown(item), shown(text)));
         clocks.push_back(int(std::lround(mhz * 1000)));
         from = comma + 1;
     }
-    if (clocks.size() > 64) throw UserError(fmt::format("--clock: {} clocks are more than 64", clocks.size()));
+    if (clocks.size() > 64)
+        throw UserError(fmt::format("--clock: {} clocks are more than 64", clocks.size()));
     return clocks;
 }
 
@@ -54,15 +57,19 @@ std::vector<int> parse_values(const std::string& option, const std::string& text
         const std::size_t end = std::min(text.find(separator, from), text.size());
         const std::string_view part = std::string_view(text).substr(from, end - from);
         parts.emplace_back();
-        if (!parse_whole(part, parts.back())) throw UserError(fmt::format("{}: {} in {} is not a whole number", option, shown(part), shown(text)));
+        if (!parse_whole(part, parts.back()))
+            throw UserError(
+                fmt::format("{}: {} in {} is not a whole number", option, shown(part), shown(text)));
         from = end + 1;
     }
     if (separator == ',') return parts;
     const int step = parts.size() > 2 ? parts[2] : 1;
-    if (parts.size() > 3 || step < 1 || parts[1] < parts[0]) throw UserError(fmt::format("{}: {} is not from:to:step with a step above 0", option, shown(text)));
+    if (parts.size() > 3 || step < 1 || parts[1] < parts[0])
+        throw UserError(fmt::format("{}: {} is not from:to:step with a step above 0", option, shown(text)));
     std::vector<int> values;
     for (std::int64_t value = parts[0]; value <= parts[1]; value += step) {
-        if (values.size() == most) throw UserError(fmt::format("{}: {} are more than {} values", option, shown(text), most));
+        if (values.size() == most)
+            throw UserError(fmt::format("{}: {} are more than {} values", option, shown(text), most));
         values.push_back(int(value));
     }
     return values;
@@ -73,15 +80,17 @@ std::uint64_t parse_rays(const std::string& text) {
         std::size_t used = 0;
         const double rays = std::stod(text, &used);
         if (used == text.size() && rays >= 1 && rays <= 1e12) return std::uint64_t(rays);
-    } catch (const std::exception&) {
-    }
-    throw UserError("--rays: " + shown(text) + " is not a number of rays from 1 to 1e12, for example 1000000 or 1e9");
+    } catch (const std::exception&) {}
+    throw UserError("--rays: " + shown(text) +
+                    " is not a number of rays from 1 to 1e12, for example 1000000 or 1e9");
 }
 
 double parse_percent(const std::string& option, const std::string& typed, bool zero) {
     std::string number = typed;
-    if (!number.empty() && number.back() == '%') number.pop_back();
-    else number.clear();
+    if (!number.empty() && number.back() == '%')
+        number.pop_back();
+    else
+        number.clear();
     if (!number.empty() && number.back() == ' ') number.pop_back();
     double value = 0;
     std::size_t used = 0;
@@ -90,15 +99,19 @@ double parse_percent(const std::string& option, const std::string& typed, bool z
     } catch (const std::exception&) {
         used = 0;
     }
-    const bool is_number = used > 0 && used == number.size() && number.find_first_not_of("0123456789.e-") == std::string::npos;
-    if (!is_number) throw UserError(fmt::format("{}: '{}' is not a percentage, for example 0.1%", option, typed));
+    const bool is_number =
+        used > 0 && used == number.size() && number.find_first_not_of("0123456789.e-") == std::string::npos;
+    if (!is_number)
+        throw UserError(fmt::format("{}: '{}' is not a percentage, for example 0.1%", option, typed));
     if (!(value > 0 || (zero && value == 0)) || !(value < 100))
-        throw UserError(fmt::format("{}: '{}' must lie {} 100 %", option, typed, zero ? "from 0 to below" : "above 0 and below"));
+        throw UserError(fmt::format("{}: '{}' must lie {} 100 %", option, typed,
+                                    zero ? "from 0 to below" : "above 0 and below"));
     return value;
 }
 
 void check_psnr(const std::optional<double>& psnr) {
-    if (psnr && !(*psnr > 0 && *psnr <= 200)) throw UserError(fmt::format("--min-psnr must lie above 0 and not above 200 dB, not {}", *psnr));
+    if (psnr && !(*psnr > 0 && *psnr <= 200))
+        throw UserError(fmt::format("--min-psnr must lie above 0 and not above 200 dB, not {}", *psnr));
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,4 +1,5 @@
-// rayclock verify: model and RTL in lockstep, both against the reference, and the golden picture if there is one.
+// rayclock verify: model and RTL in lockstep, both against the reference, and the golden picture if there is
+// one.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -40,7 +41,10 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     const Declared scene = scene_option(parser, o.scene);
-    parser.flag("--torture", o.torture, "no scene, but the torture set: small frames on three chips that reach the corners of the machine")
+    parser
+        .flag("--torture", o.torture,
+              "no scene, but the torture set: small frames on three chips that reach the corners of the "
+              "machine")
         .excludes(scene);
     finished_options(parser, o.finish);
     size_option(parser, o.size);
@@ -49,9 +53,13 @@ void declare(Parser& parser, Options& o) {
     frames_options(parser, o.frames);
     judge_option(parser, o.no_judge);
     parser.option("--max-other", o.max_other,
-                  "fail if more pixels hold another primitive than the reference's, in per cent; otherwise it warns above 1%");
-    parser.option("--min-psnr", o.min_psnr, "fail if the picture is further from the reference's, in decibel; otherwise it warns below 30");
-    parser.option("-o,--output", o.output, "folder for the pictures of the three engines and their difference");
+                  "fail if more pixels hold another primitive than the reference's, in per cent; otherwise "
+                  "it warns above 1%");
+    parser.option(
+        "--min-psnr", o.min_psnr,
+        "fail if the picture is further from the reference's, in decibel; otherwise it warns below 30");
+    parser.option("-o,--output", o.output,
+                  "folder for the pictures of the three engines and their difference");
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
     json_option(parser, o.json);
@@ -69,10 +77,12 @@ Limits limits_of(const Options& o) {
 /// Fails early if the pictures could not be written later. Makes nothing: the work may still fail.
 void check_folder(const std::string& folder) {
     std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw UserError(folder + ": is a file, not a folder for pictures");
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+        throw UserError(folder + ": is a file, not a folder for pictures");
     fs::path there = fs::absolute(folder);
     while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
-    for (const char* name : {"reference.png", "model.png", "rtl.png", "difference.png"}) check_writable((there / name).string());
+    for (const char* name : {"reference.png", "model.png", "rtl.png", "difference.png"})
+        check_writable((there / name).string());
 }
 
 /// The golden picture of the scene is of one size of its own; the model makes that frame for it.
@@ -87,9 +97,9 @@ GoldenResult golden_result(const std::string& spec, const Scene& scene, const Co
 
 /// What the engines drew.
 struct Pictures {
-    HitFrame hits;                           ///< the reference's
+    HitFrame hits;   ///< the reference's
     Picture reference, model, rtl;
-    WhittedFrame finished;                   ///< the reference's, of a finished picture
+    WhittedFrame finished;   ///< the reference's, of a finished picture
 };
 
 /// The lockstep has one thread: the reference works beside it.
@@ -106,7 +116,8 @@ Pictures draw_reference(const Request& request, const Camera& camera, FrameSize 
     return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
 }
 
-void write_pictures(const std::string& folder, const Pictures& p, const LockstepResult& result, const std::optional<Judgement>& judgement) {
+void write_pictures(const std::string& folder, const Pictures& p, const LockstepResult& result,
+                    const std::optional<Judgement>& judgement) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
@@ -130,7 +141,7 @@ struct Verified {
     std::vector<FrameTrace> traces;
     LockstepResult result;
     Pictures pictures;
-    FrameError model, rtl;                  ///< beside the reference
+    FrameError model, rtl;   ///< beside the reference
     std::optional<Judgement> judgement;
     GoldenResult golden;
 
@@ -139,15 +150,19 @@ struct Verified {
     const FrameRun& judged() const { return result.agrees() ? result.model : result.rtl; }
     const FrameError& error() const { return result.agrees() ? model : rtl; }
     bool is_good(const Config& config) const {
-        return result.agrees() && !partial() && (!judgement || judgement->wrong_for(config) == 0) && (!golden.found || golden.within);
+        return result.agrees() && !partial() && (!judgement || judgement->wrong_for(config) == 0) &&
+               (!golden.found || golden.within);
     }
 };
 
 /// The frames on both machines, and the reference's picture.
 Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
     Verified v;
-    for (const Camera& camera : work.path) v.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
-    auto reference = std::async(std::launch::async, [&] { return draw_reference(work.request, work.path.back(), work.size, o.threads); });
+    for (const Camera& camera : work.path)
+        v.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
+    auto reference = std::async(std::launch::async, [&] {
+        return draw_reference(work.request, work.path.back(), work.size, o.threads);
+    });
     v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed));
     v.pictures = reference.get();
     return v;
@@ -165,29 +180,36 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
     v.model = frame_error(v.result.model.hits, p.model, p.hits, p.reference);
     v.rtl = frame_error(v.result.rtl.hits, p.rtl, p.hits, p.reference);
     const FrameRun& judged = v.judged();
-    const Asked asked{scene, work.path.back(), v.traces.back().frame, work.job.image.lattice, work.request.config};
+    const Asked asked{scene, work.path.back(), v.traces.back().frame, work.job.image.lattice,
+                      work.request.config};
     const bool judges = !v.partial() && !o.no_judge;
-    if (judges && !work.request.finished) v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
+    if (judges && !work.request.finished)
+        v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
     const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
     if (judges && work.request.finished)
-        v.judgement = judge_finished(asked, work.job.image, work.request.settings, {p.finished, drawn(work, judged), given}, judged.hits,
-                                     o.threads, progress);
+        v.judgement =
+            judge_finished(asked, work.job.image, work.request.settings,
+                           {p.finished, drawn(work, judged), given}, judged.hits, o.threads, progress);
     if (!work.request.finished) v.golden = golden_result(o.scene, scene, work.request.config);
 }
 
 void print(const Options& o, const Work& work, const Verified& v) {
     const Config& config = work.request.config;
     const ClockRun run{work.job.khz, {v.result.model}};
-    fmt::print("{}\n{}\n{}\n{}\n", heading(work.request.scene, work.size, work.job), clock_table(config, {run}), work_table(config, run),
-               unit_table(config, {run}));
+    fmt::print("{}\n{}\n{}\n{}\n", heading(work.request.scene, work.size, work.job),
+               clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
     fmt::print("{}", lockstep_lines(v.result));
     fmt::print("{}", error_line("model against reference", v.model));
     if (!v.result.agrees()) fmt::print("{}", error_line("RTL against reference", v.rtl));
     if (v.judgement) fmt::print("{}", cause_lines(*v.judgement));
     if (v.golden.found)
-        fmt::print("  golden picture: {}, {}\n", std::isfinite(v.golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", v.golden.psnr_db) : "equal",
-                   v.golden.within ? "within bounds" : "OUT OF BOUNDS");
-    if (!o.output.empty()) fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n", printable(o.output));
+        fmt::print(
+            "  golden picture: {}, {}\n",
+            std::isfinite(v.golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", v.golden.psnr_db) : "equal",
+            v.golden.within ? "within bounds" : "OUT OF BOUNDS");
+    if (!o.output.empty())
+        fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n",
+                   printable(o.output));
 }
 
 nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits& limits, double seconds) {
@@ -196,16 +218,30 @@ nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits
     const FrameRun& frame = result.model;
     nlohmann::ordered_json golden;
     if (v.golden.found) golden = {{"psnr_db", decibel(v.golden.psnr_db)}, {"within", v.golden.within}};
-    return {{"scene", scene_json(work.request.scene)}, {"config", config_json_object(config)},
-            {"frame", {{"width", work.size.width}, {"height", work.size.height}}}, {"compile", compile_json(work.job.image.report)},
-            {"partial", v.partial()}, {"pixels", v.model.pixels}, {"events_compared", result.events_compared},
-            {"value_mismatches", result.value_mismatches}, {"account_mismatches", result.account_mismatches}, {"cycle_gap", result.cycle_gap},
-            {"first_divergence", divergence_json(result.first)}, {"counters_compared", result.counters_compared},
-            {"first_counter", counter_json(result.counter)}, {"reference", error_json(v.model, v.judgement)},
-            {"limits", limits_json(limits, v.error())}, {"judge", judge_json(v.judgement)}, {"golden", golden}, {"rays", rays_json(frame)},
-            {"work", work_json(frame)}, {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.job.khz, {frame}})})},
-            {"units", units_json(config, frame)}, {"memory", memory_json(config, work.job.khz, frame)},
-            {"host", {{"seconds", seconds}, {"judge_seconds", v.judgement ? v.judgement->seconds : 0}}}, {"digest", digest_text(frame.digest)}};
+    return {{"scene", scene_json(work.request.scene)},
+            {"config", config_json_object(config)},
+            {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
+            {"compile", compile_json(work.job.image.report)},
+            {"partial", v.partial()},
+            {"pixels", v.model.pixels},
+            {"events_compared", result.events_compared},
+            {"value_mismatches", result.value_mismatches},
+            {"account_mismatches", result.account_mismatches},
+            {"cycle_gap", result.cycle_gap},
+            {"first_divergence", divergence_json(result.first)},
+            {"counters_compared", result.counters_compared},
+            {"first_counter", counter_json(result.counter)},
+            {"reference", error_json(v.model, v.judgement)},
+            {"limits", limits_json(limits, v.error())},
+            {"judge", judge_json(v.judgement)},
+            {"golden", golden},
+            {"rays", rays_json(frame)},
+            {"work", work_json(frame)},
+            {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.job.khz, {frame}})})},
+            {"units", units_json(config, frame)},
+            {"memory", memory_json(config, work.job.khz, frame)},
+            {"host", {{"seconds", seconds}, {"judge_seconds", v.judgement ? v.judgement->seconds : 0}}},
+            {"digest", digest_text(frame.digest)}};
 }
 
 int run(const Options& o) {
@@ -223,7 +259,8 @@ int run(const Options& o) {
     check_rtl(request.config);
     if (!o.output.empty()) check_folder(o.output);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    Work work{request, size, path, make_job(request.scene, path[0], size, request.config, progress, request.settings)};
+    Work work{request, size, path,
+              make_job(request.scene, path[0], size, request.config, progress, request.settings)};
     work.job.khz = clocks[0];
     Verified verified = run_machines(o, work, traffic, progress);
     compare(verified, o, work, progress);
@@ -235,17 +272,21 @@ int run(const Options& o) {
     if (!o.json.is_alone()) {
         print(o, work, verified);
         const char* const praise = beyond.empty() ? "VERIFIED" : "VERIFIED, but far from the reference";
-        fmt::print("{}  {} in {:.1f} s\n", beyond, good ? praise : verified.partial() ? "PARTIAL: interrupted" : "FAILED", seconds);
+        fmt::print("{}  {} in {:.1f} s\n", beyond,
+                   good                 ? praise
+                   : verified.partial() ? "PARTIAL: interrupted"
+                                        : "FAILED",
+                   seconds);
     }
     o.json.write(json_of(work, verified, limits, seconds));
     return good ? 0 : 1;
 }
 
-} // namespace
+}   // namespace
 
 Command verify_command() {
-    return command("verify", "run model and RTL in lockstep, and compare both with the reference", "rayclock verify teapot:12 -o out", declare,
-                   run);
+    return command("verify", "run model and RTL in lockstep, and compare both with the reference",
+                   "rayclock verify teapot:12 -o out", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

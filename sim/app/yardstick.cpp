@@ -32,11 +32,12 @@ int run(const Options& o) {
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 Command yardstick_command() {
-    return command("yardstick", "the page that sets this machine beside the published figures of SaarCOR and RPU",
+    return command("yardstick",
+                   "the page that sets this machine beside the published figures of SaarCOR and RPU",
                    "rayclock yardstick -o docs/yardstick.md", declare, run);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -19,7 +19,7 @@ namespace {
 struct Piece {
     std::size_t variant;
     std::string unit;
-    std::string shape;      ///< empty: not yet known
+    std::string shape;   ///< empty: not yet known
 };
 
 class Runner {
@@ -35,18 +35,24 @@ public:
         areas_.different = shapes.size();
         std::vector<Piece> missing;
         for (const auto& [shape, piece] : shapes)
-            if (auto part = cache_.find("area", shape, synth::part_of)) parts_[shape] = std::move(*part), ++areas_.known;
-            else missing.push_back(piece);
+            if (auto part = cache_.find("area", shape, synth::part_of))
+                parts_[shape] = std::move(*part), ++areas_.known;
+            else
+                missing.push_back(piece);
         // Long ones first, so that none is left alone in the end.
-        std::stable_sort(missing.begin(), missing.end(), [](const Piece& a, const Piece& b) { return weight(a) > weight(b); });
+        std::stable_sort(missing.begin(), missing.end(),
+                         [](const Piece& a, const Piece& b) { return weight(a) > weight(b); });
         for_each(missing, "synthesis", [&](Piece& piece) { count(piece); });
         for (const Piece& piece : pieces)
-            if (const auto part = parts_.find(piece.shape); part != parts_.end()) areas_.units[piece.variant][piece.unit] = part->second;
+            if (const auto part = parts_.find(piece.shape); part != parts_.end())
+                areas_.units[piece.variant][piece.unit] = part->second;
         areas_.partial = interrupted();
     }
 
 private:
-    static int weight(const Piece& piece) { return piece.unit == "shade" ? 2 : piece.unit == "tri" || piece.unit == "box"; }
+    static int weight(const Piece& piece) {
+        return piece.unit == "shade" ? 2 : piece.unit == "tri" || piece.unit == "box";
+    }
 
     template <class Do> void for_each(std::vector<Piece>& pieces, const char* what, Do look_at) {
         done_ = 0;
@@ -61,10 +67,13 @@ private:
     const Config& config(const Piece& piece) const { return areas_.variants[piece.variant].config; }
 
     void find_shape(Piece& piece) {
-        const std::string with = fmt::format("script {} {}", jobs::hash_text(synth::synth_script()), synth::yosys_version());
-        const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}", jobs::hash_text(rc_package(config(piece))), synth::rtl_digest(), piece.unit,
-                                            config(piece).pipelines, with);
-        if (const auto shape = cache_.find("shape", key, [](const nlohmann::ordered_json& text) { return text.get<std::string>(); })) {
+        const std::string with =
+            fmt::format("script {} {}", jobs::hash_text(synth::synth_script()), synth::yosys_version());
+        const std::string key = fmt::format("package {} rtl {} unit {} pipelines {} {}",
+                                            jobs::hash_text(rc_package(config(piece))), synth::rtl_digest(),
+                                            piece.unit, config(piece).pipelines, with);
+        if (const auto shape = cache_.find(
+                "shape", key, [](const nlohmann::ordered_json& text) { return text.get<std::string>(); })) {
             piece.shape = *shape;
             return;
         }
@@ -91,17 +100,21 @@ private:
     std::map<std::string, Part> parts_;
 };
 
-} // namespace
+}   // namespace
 
-Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads, jobs::Cache& cache, const Progress& progress) {
-    if (synth::yosys_version().empty()) throw UserError("yosys is not installed, and areas come from it; 'rayclock doctor' tells what is missing");
+Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, int threads,
+          jobs::Cache& cache, const Progress& progress) {
+    if (synth::yosys_version().empty())
+        throw UserError(
+            "yosys is not installed, and areas come from it; 'rayclock doctor' tells what is missing");
     Areas areas;
     areas.variants = std::move(variants);
     areas.units.resize(areas.variants.size());
     std::vector<Piece> pieces;
     for (std::size_t v = 0; v < areas.variants.size(); ++v)
         for (const UnitRow& row : unit_rows())
-            if (row.is_there(areas.variants[v].config) && (only.empty() || std::find(only.begin(), only.end(), row.name) != only.end()))
+            if (row.is_there(areas.variants[v].config) &&
+                (only.empty() || std::find(only.begin(), only.end(), row.name) != only.end()))
                 pieces.push_back({v, row.name, ""});
     Runner(areas, cache, progress, threads).run(std::move(pieces));
     return areas;
@@ -116,4 +129,4 @@ Count pipeline_count(const Areas& areas, std::size_t variant) {
     return all;
 }
 
-} // namespace rayclock::area
+}   // namespace rayclock::area

@@ -19,7 +19,8 @@ template <class Work> void best_of(double& best, Work work) {
     work();
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (best == 0 || seconds < best) best = seconds;
-    if (interrupted()) throw UserError("interrupted: no page was written; the same command goes on where it was");
+    if (interrupted())
+        throw UserError("interrupted: no page was written; the same command goes on where it was");
 }
 
 void run_once(const Job& job, Speed& speed) {
@@ -30,14 +31,16 @@ void run_once(const Job& job, Speed& speed) {
         model = record_and_replay(job, job.khz, fresh, {}, 1);
     });
     best_of(speed.rtl_seconds, [&] { rtl = run_rtl(job); });
-    if (rtl.cycles != model[0].cycles) throw std::runtime_error(speed.name + ": model and RTL do not take the same cycles");
+    if (rtl.cycles != model[0].cycles)
+        throw std::runtime_error(speed.name + ": model and RTL do not take the same cycles");
     speed.cycles = rtl.cycles;
     speed.rays = rays_of(rtl);
 }
 
-} // namespace
+}   // namespace
 
-std::vector<Speed> measure(const std::vector<Variant>& variants, const Scene& scene, FrameSize size, const Whitted& settings, int rounds, const Progress& progress) {
+std::vector<Speed> measure(const std::vector<Variant>& variants, const Scene& scene, FrameSize size,
+                           const Whitted& settings, int rounds, const Progress& progress) {
     std::vector<Job> jobs;
     std::vector<Speed> speeds;
     for (const Variant& variant : variants) {
@@ -45,15 +48,18 @@ std::vector<Speed> measure(const std::vector<Variant>& variants, const Scene& sc
         Speed speed;
         speed.name = variant.name;
         speed.library = std::filesystem::file_size(build_rtl(variant.config).library);
-        jobs.push_back(make_job(scene, *scene.camera, size, variant.config, {}, variant.config.shading ? settings : Whitted{}));
+        jobs.push_back(make_job(scene, *scene.camera, size, variant.config, {},
+                                variant.config.shading ? settings : Whitted{}));
         speeds.push_back(speed);
     }
     for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < jobs.size(); ++i) {
-            if (progress) progress("speed", std::uint64_t(round) * jobs.size() + i, std::uint64_t(rounds) * jobs.size());
+            if (progress)
+                progress("speed", std::uint64_t(round) * jobs.size() + i,
+                         std::uint64_t(rounds) * jobs.size());
             run_once(jobs[i], speeds[i]);
         }
     return speeds;
 }
 
-} // namespace rayclock::area
+}   // namespace rayclock::area

@@ -8,7 +8,8 @@ namespace rayclock::area {
 
 namespace {
 
-constexpr int Config::*further[] = {&Config::spheres, &Config::planes, &Config::smooth, &Config::refraction, &Config::supersampling};
+constexpr int Config::*further[] = {&Config::spheres, &Config::planes, &Config::smooth, &Config::refraction,
+                                    &Config::supersampling};
 
 const char* key_of(int Config::*member) {
     for (const Parameter& p : parameters())
@@ -20,13 +21,14 @@ bool always(const Config&) { return true; }
 bool shades(const Config& c) { return c.shading != 0; }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
 
-} // namespace
+}   // namespace
 
 Config shading_alone(Config c) {
     c.shading = 1;
     for (int Config::*unit : further) c.*unit = 0;
     // What check_config() asks of it.
-    c.origin_bits = std::max(2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));
+    c.origin_bits = std::max(
+        2, std::min({c.origin_bits, 30 - c.coord_bits, c.bary_bits, c.dir_bits + c.t_frac_bits - 2}));
     return c;
 }
 
@@ -54,11 +56,12 @@ std::vector<Variant> variants_of(const Config& base) {
 
 const std::vector<UnitRow>& unit_rows() {
     static const std::vector<UnitRow> rows{
-        {"sched", true, always},      {"raygen", true, always}, {"trav", true, always},        {"node_cache", true, always},
-        {"box", true, always},        {"list", true, always},   {"prim_cache", true, always},  {"tri", true, always},
-        {"surf_cache", true, shades}, {"shade", true, shades},  {"dispatch", false, always},   {"arbiter", false, always},
+        {"sched", true, always},      {"raygen", true, always},    {"trav", true, always},
+        {"node_cache", true, always}, {"box", true, always},       {"list", true, always},
+        {"prim_cache", true, always}, {"tri", true, always},       {"surf_cache", true, shades},
+        {"shade", true, shades},      {"dispatch", false, always}, {"arbiter", false, always},
         {"l2", false, has_l2}};
     return rows;
 }
 
-} // namespace rayclock::area
+}   // namespace rayclock::area

@@ -9,12 +9,12 @@ namespace rayclock::area {
 
 /// A configuration with some of the optional units.
 struct Variant {
-    std::string name;    ///< "shading + spheres"
+    std::string name;   ///< "shading + spheres"
     Config config;
 };
 
-/// Hits only; shading alone; shading with each further unit alone; all. All else is `base`'s. Throws UserError if `base` cannot
-/// shade, or has no RTL.
+/// Hits only; shading alone; shading with each further unit alone; all. All else is `base`'s. Throws
+/// UserError if `base` cannot shade, or has no RTL.
 std::vector<Variant> variants_of(const Config& base);
 
 /// The same configuration with shading, and with no or every further unit.
@@ -24,10 +24,10 @@ Config all_units(Config config);
 /// A module of the machine, named without rc_.
 struct UnitRow {
     const char* name;
-    bool in_pipeline;    ///< one in each pipeline; otherwise one for all
+    bool in_pipeline;   ///< one in each pipeline; otherwise one for all
     bool (*is_there)(const Config&);
 };
 /// In the order in which a ray meets them.
 const std::vector<UnitRow>& unit_rows();
 
-} // namespace rayclock::area
+}   // namespace rayclock::area

@@ -33,13 +33,16 @@ Scene on_lattice(const Scene& scene, const Lattice& lattice) {
     return snapped;
 }
 
-bool on_edge(const Hit& hit) { return hit.primitive != no_primitive && std::min({hit.u, hit.v, 1 - hit.u - hit.v}) <= 0x1p-22f; }
+bool on_edge(const Hit& hit) {
+    return hit.primitive != no_primitive && std::min({hit.u, hit.v, 1 - hit.u - hit.v}) <= 0x1p-22f;
+}
 
 float largest(const glm::vec3& v) { return std::max({std::abs(v.r), std::abs(v.g), std::abs(v.b)}); }
 
 class Judge {
 public:
-    Judge(const Asked& asked, const Answered& answered) : asked_(asked), answered_(answered), size_(answered.reference.size) {}
+    Judge(const Asked& asked, const Answered& answered)
+        : asked_(asked), answered_(answered), size_(answered.reference.size) {}
 
     Judgement operator()(const Progress& progress) {
         const auto start = std::chrono::steady_clock::now();
@@ -60,9 +63,12 @@ private:
         const Closest& answer = answered_.answers[pixel];
         return answer.found ? answer.prim : no_primitive;
     }
-    bool holds_another(std::size_t pixel) const { return answered_.reference.hits[pixel].primitive != answered_primitive(pixel); }
+    bool holds_another(std::size_t pixel) const {
+        return answered_.reference.hits[pixel].primitive != answered_primitive(pixel);
+    }
     bool differs(std::size_t pixel) const {
-        return holds_another(pixel) || srgb_bytes(expected_.pixels[pixel]) != srgb_bytes(answered_.picture.pixels[pixel]);
+        return holds_another(pixel) ||
+               srgb_bytes(expected_.pixels[pixel]) != srgb_bytes(answered_.picture.pixels[pixel]);
     }
 
     /// Asks the oracle about every pixel; pixels that differ and are no bugs are left to explain().
@@ -75,12 +81,15 @@ private:
         std::mutex reporting;
         std::uint64_t done = 0;
         tbb::parallel_for(0, size_.height, [&](int row) {
-            const std::size_t begin = std::size_t(row) * std::size_t(size_.width), end = begin + std::size_t(size_.width);
+            const std::size_t begin = std::size_t(row) * std::size_t(size_.width),
+                              end = begin + std::size_t(size_.width);
             for (std::size_t i = begin; i < end; ++i) {
                 const Closest right = truth_->answer(truth_->pixel(asked_.frame, x(i), row));
                 wrong[i] = !same_answer(right, answered_.answers[i]);
-                if (wrong[i] && exact) judgement_.pixels[i] = PixelCause::bug;
-                else open[i] = differs(i);
+                if (wrong[i] && exact)
+                    judgement_.pixels[i] = PixelCause::bug;
+                else
+                    open[i] = differs(i);
             }
             if (!progress) return;
             const std::lock_guard lock(reporting);
@@ -91,7 +100,8 @@ private:
             judgement_.other[i] = holds_another(i);
             judgement_.wrong += wrong[i];
             if (wrong[i] && judgement_.faults.size() < 20)
-                judgement_.faults.push_back({std::uint32_t(x(i)), std::uint32_t(y(i)), 0, "the camera ray's answer is not the exact one"});
+                judgement_.faults.push_back({std::uint32_t(x(i)), std::uint32_t(y(i)), 0,
+                                             "the camera ray's answer is not the exact one"});
         }
         judgement_.rays.primary = pixels;
     }
@@ -100,7 +110,9 @@ private:
     void explain() {
         const int rows = int((open_.size() + packed_width - 1) / packed_width);
         std::array<HitFrame, stages - 1> hits;
-        for (HitFrame& frame : hits) frame = {{packed_width, std::max(1, rows)}, std::vector<Hit>(std::size_t(std::max(1, rows)) * packed_width)};
+        for (HitFrame& frame : hits)
+            frame = {{packed_width, std::max(1, rows)},
+                     std::vector<Hit>(std::size_t(std::max(1, rows)) * packed_width)};
         const PixelRays rays = pixel_rays(asked_.camera, size_);
         const HitScale scale(asked_.frame, asked_.lattice, asked_.config);
         const Vec3i eye = asked_.frame.eye;
@@ -108,8 +120,10 @@ private:
             const int px = x(open_[i]), py = y(open_[i]);
             const ExactPixel exact = truth_->pixel(asked_.frame, px, py);
             hits[0].hits[i] = answered_.reference.hits[open_[i]];
-            hits[1].hits[i] = snapped_->trace({eye[0], eye[1], eye[2]}, asked_.lattice.direction(rays.direction(px, py)));
-            hits[2].hits[i] = {exact.primitive, 0, float(double(exact.u) / double(exact.den)), float(double(exact.v) / double(exact.den))};
+            hits[1].hits[i] =
+                snapped_->trace({eye[0], eye[1], eye[2]}, asked_.lattice.direction(rays.direction(px, py)));
+            hits[2].hits[i] = {exact.primitive, 0, float(double(exact.u) / double(exact.den)),
+                               float(double(exact.v) / double(exact.den))};
             hits[3].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), truth_->answer(exact)});
             hits[4].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), answered_.answers[open_[i]]});
         });
@@ -128,7 +142,8 @@ private:
         }
     }
 
-    static PixelCause cause(const std::array<std::uint32_t, stages>& primitive, const std::array<glm::vec3, stages>& colour) {
+    static PixelCause cause(const std::array<std::uint32_t, stages>& primitive,
+                            const std::array<glm::vec3, stages>& colour) {
         std::size_t at = 0;
         if (primitive.front() != primitive.back()) {
             while (primitive[at] == primitive[at + 1]) ++at;
@@ -158,17 +173,17 @@ private:
     Judgement judgement_;
 };
 
-} // namespace
+}   // namespace
 
 const PixelCauseInfo& cause_info(PixelCause cause) {
     // Colours of Okabe and Ito 2008, "Color universal design"; white for what must not be there.
     static constexpr std::array<PixelCauseInfo, pixel_causes + 1> infos{{{"snapping", {230, 159, 0}},
-                                                                   {"ray_quantisation", {86, 180, 233}},
-                                                                   {"t_rounding", {0, 158, 115}},
-                                                                   {"primitive_test", {204, 121, 167}},
-                                                                   {"shading", {240, 228, 66}},
-                                                                   {"bug", {255, 255, 255}},
-                                                                   {"none", {0, 0, 0}}}};
+                                                                         {"ray_quantisation", {86, 180, 233}},
+                                                                         {"t_rounding", {0, 158, 115}},
+                                                                         {"primitive_test", {204, 121, 167}},
+                                                                         {"shading", {240, 228, 66}},
+                                                                         {"bug", {255, 255, 255}},
+                                                                         {"none", {0, 0, 0}}}};
     return infos[std::size_t(cause)];
 }
 
@@ -186,7 +201,8 @@ Picture cause_picture(const Picture& reference, const Judgement& judgement) {
     for (std::size_t i = 0; i < out.pixels.size(); ++i) {
         const glm::vec3& p = reference.pixels[i];
         // Luminance of linear light, ITU-R BT.709.
-        out.pixels[i] = glm::vec3(dimmed * std::clamp(0.2126f * p.r + 0.7152f * p.g + 0.0722f * p.b, 0.0f, 1.0f));
+        out.pixels[i] =
+            glm::vec3(dimmed * std::clamp(0.2126f * p.r + 0.7152f * p.g + 0.0722f * p.b, 0.0f, 1.0f));
         const PixelCause cause = judgement.pixels[i];
         if (cause == PixelCause::none) continue;
         const auto& c = cause_info(cause).colour;
@@ -196,4 +212,4 @@ Picture cause_picture(const Picture& reference, const Judgement& judgement) {
     return out;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

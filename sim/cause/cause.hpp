@@ -1,5 +1,6 @@
 #pragma once
-// Why a machine's picture is not the reference's: every pixel that differs gets a cause, and every answer a judge.
+// Why a machine's picture is not the reference's: every pixel that differs gets a cause, and every answer a
+// judge.
 //
 // From the reference to the machine a pixel goes through these stages, each of which changes one thing:
 //   0  reference: double precision, scene as given, the camera's ray
@@ -8,8 +9,9 @@
 //   3  t, u and v rounded as promised                     t_rounding
 //   4  the machine's answer                               primitive_test
 //   5  the colours that its hits were given               shading
-// If the primitive differs in the end, the cause is the first stage that changed it; otherwise the one that changed the colour
-// most. With the exact primitive test stage 4 is stage 3 to the bit, or the pixel is a bug, whether or not it shows.
+// If the primitive differs in the end, the cause is the first stage that changed it; otherwise the one that
+// changed the colour most. With the exact primitive test stage 4 is stage 3 to the bit, or the pixel is a
+// bug, whether or not it shows.
 #include <array>
 #include <span>
 
@@ -20,7 +22,15 @@
 
 namespace rayclock {
 
-enum class PixelCause : std::uint8_t { snapping, ray_quantisation, t_rounding, primitive_test, shading, bug, none };
+enum class PixelCause : std::uint8_t {
+    snapping,
+    ray_quantisation,
+    t_rounding,
+    primitive_test,
+    shading,
+    bug,
+    none
+};
 constexpr std::size_t pixel_causes = 6;   ///< without `none`
 
 /// A cause's key in reports and its colour in the difference picture, sRGB.
@@ -33,20 +43,24 @@ const PixelCauseInfo& cause_info(PixelCause cause);
 using PixelCauses = std::array<std::uint64_t, pixel_causes>;   ///< pixels by cause
 
 struct Judgement {
-    std::vector<PixelCause> pixels;       ///< `none` where the pixel is as the reference has it
-    std::vector<bool> other;         ///< holds another primitive
+    std::vector<PixelCause> pixels;   ///< `none` where the pixel is as the reference has it
+    std::vector<bool> other;          ///< holds another primitive
     PixelCauses causes{};
-    PixelCauses causes_other{};       ///< of the pixels that hold another primitive
-    std::uint64_t wrong = 0;         ///< pixels in which something is not as it must be
-    RayCounts rays;                  ///< judged, by what they are for
-    std::uint64_t colours = 0;       ///< judged
-    double widest = 0;               ///< half of the widest range in which a colour must lie, in 1/65536; 0: no colours
-    std::vector<PictureFault> faults;///< the first of some wrong pixels
-    /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no precision decides there.
+    PixelCauses causes_other{};   ///< of the pixels that hold another primitive
+    std::uint64_t wrong = 0;      ///< pixels in which something is not as it must be
+    RayCounts rays;               ///< judged, by what they are for
+    std::uint64_t colours = 0;    ///< judged
+    double widest = 0;   ///< half of the widest range in which a colour must lie, in 1/65536; 0: no colours
+    std::vector<PictureFault> faults;   ///< the first of some wrong pixels
+    /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no
+    /// precision decides there.
     std::uint64_t on_edge = 0;
-    double seconds = 0;              ///< of the host
-    /// What must not be there: of another primitive test than the exact one wrong answers are a cause of their own.
-    std::uint64_t wrong_for(const Config& config) const { return config.test() == PrimitiveTest::exact ? wrong : bugs(); }
+    double seconds = 0;   ///< of the host
+    /// What must not be there: of another primitive test than the exact one wrong answers are a cause of
+    /// their own.
+    std::uint64_t wrong_for(const Config& config) const {
+        return config.test() == PrimitiveTest::exact ? wrong : bugs();
+    }
     std::uint64_t bugs() const { return causes[std::size_t(PixelCause::bug)]; }
 };
 
@@ -54,13 +68,13 @@ struct Judgement {
 struct Answered {
     const HitFrame& reference;
     const std::vector<Closest>& answers;
-    const Picture& picture;          ///< of the machine's answers
+    const Picture& picture;   ///< of the machine's answers
 };
 /// Judges every pixel on all cores, or as many as `threads` says.
 Judgement judge(const Asked& asked, const Answered& answered, int threads = 0, const Progress& progress = {});
 
-/// Grey copy of the reference's picture, dimmed, with every pixel that has a cause in the cause's colour: in full if it holds another
-/// primitive or is a bug, at a third of the light if only its colour differs.
+/// Grey copy of the reference's picture, dimmed, with every pixel that has a cause in the cause's colour: in
+/// full if it holds another primitive or is a bug, at a third of the light if only its colour differs.
 Picture cause_picture(const Picture& reference, const Judgement& judgement);
 
-} // namespace rayclock
+}   // namespace rayclock

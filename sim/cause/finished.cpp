@@ -27,7 +27,8 @@ Scene on_lattice(const Scene& scene, const Lattice& lattice, const Frame& frame)
     }
     for (Plane& p : snapped.planes) p = snapped_plane(p, lattice);
     for (std::size_t i = 0; i < snapped.lights.size(); ++i)
-        snapped.lights[i].position = {frame.shade.place[3 * i], frame.shade.place[3 * i + 1], frame.shade.place[3 * i + 2]};
+        snapped.lights[i].position = {frame.shade.place[3 * i], frame.shade.place[3 * i + 1],
+                                      frame.shade.place[3 * i + 2]};
     return snapped;
 }
 
@@ -38,16 +39,18 @@ Camera on_lattice(Camera camera, const Lattice& lattice, const Frame& frame) {
     return camera;
 }
 
-} // namespace
+}   // namespace
 
-Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings, const FinishedAnswer& answered, const HitFrame& hits,
-                         int threads, const Progress& progress) {
+Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings,
+                         const FinishedAnswer& answered, const HitFrame& hits, int threads,
+                         const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const PictureJudgement judged = judge_picture(asked, image, settings, answered.given, threads, progress);
     const std::size_t pixels = hits.hits.size();
     const std::optional<Scene> moved = aligned(asked.scene, asked.lattice);
     const Scene scene = on_lattice(moved ? *moved : asked.scene, asked.lattice, asked.frame);
-    const WhittedFrame snapped = Reference(scene).whitted(on_lattice(asked.camera, asked.lattice, asked.frame), hits.size, settings, threads, progress);
+    const WhittedFrame snapped = Reference(scene).whitted(
+        on_lattice(asked.camera, asked.lattice, asked.frame), hits.size, settings, threads, progress);
     Judgement j;
     j.pixels.assign(pixels, PixelCause::none);
     j.other.assign(pixels, false);
@@ -58,11 +61,14 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
     j.faults = judged.faults;
     for (std::size_t i = 0; i < pixels; ++i) {
         j.other[i] = answered.reference.hits.hits[i].primitive != hits.hits[i].primitive;
-        const bool same_colour = srgb_bytes(glm::vec3(answered.reference.pixels[i])) == srgb_bytes(answered.picture.pixels[i]);
+        const bool same_colour =
+            srgb_bytes(glm::vec3(answered.reference.pixels[i])) == srgb_bytes(answered.picture.pixels[i]);
         if (!judged.pixels[i] && !j.other[i] && same_colour) continue;
         const std::uint64_t mine = answered.given.signatures[i];
-        const PixelCause cause = judged.pixels[i] ? PixelCause::bug : mine == answered.reference.signatures[i] ? PixelCause::shading
-            : mine == snapped.signatures[i] ? PixelCause::snapping : PixelCause::ray_quantisation;
+        const PixelCause cause = judged.pixels[i]                           ? PixelCause::bug
+                                 : mine == answered.reference.signatures[i] ? PixelCause::shading
+                                 : mine == snapped.signatures[i]            ? PixelCause::snapping
+                                                                            : PixelCause::ray_quantisation;
         j.pixels[i] = cause;
         ++j.causes[std::size_t(cause)];
         if (j.other[i]) ++j.causes_other[std::size_t(cause)];
@@ -71,4 +77,4 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
     return j;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -15,10 +15,10 @@ Int128 floor_divide(Int128 a, Int128 b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 Int128 size(Int128 a) { return a < 0 ? -a : a; }
 
-} // namespace
+}   // namespace
 
-// The weight of a corner is the volume over the ray's direction and the other two, seen from the origin; all three sum to den.
-// Widths: num < 2^(3N+1) <= 2^61, u, v and den < 2^(2N+M+1) <= 2^63, see oracle/cross.hpp.
+// The weight of a corner is the volume over the ray's direction and the other two, seen from the origin; all
+// three sum to den. Widths: num < 2^(3N+1) <= 2^61, u, v and den < 2^(2N+M+1) <= 2^63, see oracle/cross.hpp.
 ExactPixel Truth::pixel(const Frame& frame, int x, int y) const {
     const Vec3i direction = exact_direction(frame, config_, {}, x, y, 0);
     const oracle::ExactHit hit = surface_.closest(frame.eye, direction);
@@ -26,15 +26,20 @@ ExactPixel Truth::pixel(const Frame& frame, int x, int y) const {
     const oracle::Corners& t = surface_.triangles()[hit.primitive];
     using Short = std::int64_t;
     const auto o = oracle::triple<Short>(frame.eye), d = oracle::triple<Short>(direction);
-    const auto a = oracle::way(o, oracle::triple<Short>(t.a)), b = oracle::way(o, oracle::triple<Short>(t.b)), c = oracle::way(o, oracle::triple<Short>(t.c));
-    return {hit.primitive, hit.num, hit.den, size(oracle::volume<Int128>(d, oracle::area(c, a))), size(oracle::volume<Int128>(d, oracle::area(a, b)))};
+    const auto a = oracle::way(o, oracle::triple<Short>(t.a)), b = oracle::way(o, oracle::triple<Short>(t.b)),
+               c = oracle::way(o, oracle::triple<Short>(t.c));
+    return {hit.primitive, hit.num, hit.den, size(oracle::volume<Int128>(d, oracle::area(c, a))),
+            size(oracle::volume<Int128>(d, oracle::area(a, b)))};
 }
 
 // t has at most 2^31 units a step of num / den, and a weight 2^24: nothing here reaches 2^93.
 Closest Truth::answer(const ExactPixel& pixel) const {
     if (pixel.primitive == no_primitive) return {};
-    const Int128 units = pixel.num * power_of_two(config_.dir_bits - 1 + config_.t_frac_bits), most = power_of_two(config_.t_bits()) - 1;
-    const auto weight = [&](Int128 part) { return std::uint32_t(floor_divide(part * power_of_two(config_.bary_bits), pixel.den)); };
+    const Int128 units = pixel.num * power_of_two(config_.dir_bits - 1 + config_.t_frac_bits),
+                 most = power_of_two(config_.t_bits()) - 1;
+    const auto weight = [&](Int128 part) {
+        return std::uint32_t(floor_divide(part * power_of_two(config_.bary_bits), pixel.den));
+    };
     Closest answer;
     answer.found = 1;
     answer.prim = pixel.primitive;
@@ -44,4 +49,4 @@ Closest Truth::answer(const ExactPixel& pixel) const {
     return answer;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

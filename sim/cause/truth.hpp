@@ -1,16 +1,17 @@
 #pragma once
 // What a machine must answer for each pixel of a frame, from exact arithmetic.
 //
-// Shares with the machine what the host gives it: the lattice (which points the vertices went to) and the camera registers.
-// The rounding of a direction, of t, u and v follows the promises in payloads.hpp (Frame, TriRsp), in formulas of its own.
+// Shares with the machine what the host gives it: the lattice (which points the vertices went to) and the
+// camera registers. The rounding of a direction, of t, u and v follows the promises in payloads.hpp (Frame,
+// TriRsp), in formulas of its own.
 #include "model/core/payloads.hpp"
 #include "model/oracle/surface.hpp"
 #include "sim/judge/camera.hpp"
 
 namespace rayclock {
 
-/// A pixel's hit before anything is rounded: at o + d num / den, with weights u / den and v / den of the triangle's second and
-/// third corner. den = 1 and all else 0 if nothing is hit.
+/// A pixel's hit before anything is rounded: at o + d num / den, with weights u / den and v / den of the
+/// triangle's second and third corner. den = 1 and all else 0 if nothing is hit.
 struct ExactPixel {
     std::uint32_t primitive = no_primitive;
     oracle::Int128 num = 0, den = 1, u = 0, v = 0;
@@ -18,11 +19,13 @@ struct ExactPixel {
 
 class Truth {
 public:
-    Truth(const Scene& scene, const Lattice& lattice, const Config& config) : surface_(oracle::snapped(scene, lattice)), config_(config) {}
+    Truth(const Scene& scene, const Lattice& lattice, const Config& config)
+        : surface_(oracle::snapped(scene, lattice)), config_(config) {}
 
     ExactPixel pixel(const Frame& frame, int x, int y) const;
 
-    /// The only right answer: t rounded up and saturated, u and v rounded down. The context that did the work is left out.
+    /// The only right answer: t rounded up and saturated, u and v rounded down. The context that did the work
+    /// is left out.
     Closest answer(const ExactPixel& pixel) const;
 
 private:
@@ -30,4 +33,4 @@ private:
     Config config_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

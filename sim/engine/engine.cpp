@@ -19,23 +19,30 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t cycles_between_reports = 1 << 16;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::string with_rate(const char* machine, std::uint64_t cycles, Clock::time_point start) {
-    return fmt::format("{}, {:.1f} M cycles/s", machine, double(cycles) / std::max(1e-9, seconds_since(start)) / 1e6);
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-} // namespace
+std::string with_rate(const char* machine, std::uint64_t cycles, Clock::time_point start) {
+    return fmt::format("{}, {:.1f} M cycles/s", machine,
+                       double(cycles) / std::max(1e-9, seconds_since(start)) / 1e6);
+}
+
+}   // namespace
 
 void check_capacity(const MemoryImage& image, const Config& config) {
     if (config.dram == 0) return;
     const DramPart& part = dram_part(dram_names()[std::size_t(config.dram)]);
     if (std::int64_t(image.report.bytes) > capacity_bytes(part))
-        throw UserError(fmt::format("the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} holds it", image.report.bytes,
-                                    part.name, capacity_bytes(part), std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
+        throw UserError(fmt::format(
+            "the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} "
+            "holds it",
+            image.report.bytes, part.name, capacity_bytes(part),
+            std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
-Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress, const Whitted& settings) {
+Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
+             const Progress& progress, const Whitted& settings) {
     check_frame_size(size);
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
@@ -54,7 +61,8 @@ FrameTrace record_frame(const Job& job, const Frame& frame, int threads, const P
     return {frame, record_trace(job.image, frame, job.config, threads, progress)};
 }
 
-std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic, const Progress& progress) {
+std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames,
+                                Traffic traffic, const Progress& progress) {
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     std::vector<FrameTiming> timings;
@@ -67,12 +75,15 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
         do {
             machine.run(machine.cycle() + cycles_between_reports);
             if (machine.quiet() > limit)
-                throw std::runtime_error(fmt::format("model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}", machine.quiet(),
-                                                     machine.cycle(), machine.hits(), pixels, where_rays_are(machine)));
-            if (progress) progress(with_rate("model", machine.cycle() - first, start), machine.hits(), pixels);
+                throw std::runtime_error(fmt::format(
+                    "model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}",
+                    machine.quiet(), machine.cycle(), machine.hits(), pixels, where_rays_are(machine)));
+            if (progress)
+                progress(with_rate("model", machine.cycle() - first, start), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
-        FrameTiming timing{machine.cycle() - first, machine.hits(), machine.accounts() - accounts, machine.memory().stats() - memory, seconds_since(start),
-                           !machine.done()};
+        FrameTiming timing{machine.cycle() - first,       machine.hits(),
+                           machine.accounts() - accounts, machine.memory().stats() - memory,
+                           seconds_since(start),          !machine.done()};
         timings.push_back(timing);
         if (timing.partial) break;
     }
@@ -83,11 +94,14 @@ namespace {
 
 /// Rays of a frame of which so many pixels were done: in proportion, exact if each pixel has one ray.
 RayCounts part_of(const RayCounts& all, std::uint64_t pixels, std::size_t of) {
-    const auto part = [&](std::uint64_t rays) { return of == 0 ? 0 : std::uint64_t(double(rays) / double(of) * double(pixels)); };
-    return {part(all.primary), part(all.shadow), part(all.reflection), part(all.refraction), part(all.primary_hits)};
+    const auto part = [&](std::uint64_t rays) {
+        return of == 0 ? 0 : std::uint64_t(double(rays) / double(of) * double(pixels));
+    };
+    return {part(all.primary), part(all.shadow), part(all.reflection), part(all.refraction),
+            part(all.primary_hits)};
 }
 
-} // namespace
+}   // namespace
 
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
     FrameRun run;
@@ -95,13 +109,15 @@ FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
     run.visits = frame.trace.visits;
     run.box_tests = frame.trace.box_tests;
     run.triangle_tests = frame.trace.triangle_tests;
-    run.rays = timing.partial ? part_of(frame.trace.counts, timing.pixels, frame.trace.rays.size()) : frame.trace.counts;
+    run.rays = timing.partial ? part_of(frame.trace.counts, timing.pixels, frame.trace.rays.size())
+                              : frame.trace.counts;
     run.finished_picture = !frame.trace.colours.empty();
     run.digest = digest_of(frame.trace.hits, timing.cycles, frame.trace.colours);
     return run;
 }
 
-std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames, Traffic traffic, int threads, const Progress& progress) {
+std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames,
+                                           Traffic traffic, int threads, const Progress& progress) {
     frames = std::vector<FrameTrace>(1);
     frames[0].frame = job.frame;
     const int cores = threads > 0 ? threads : int(std::max(1u, std::thread::hardware_concurrency()));
@@ -124,7 +140,8 @@ FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
 
 namespace {
 
-FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit, const Progress& progress) {
+FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
+                       const Progress& progress) {
     const auto start = Clock::now();
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
@@ -134,16 +151,22 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
     while (!machine.done() && !interrupted()) {
         machine.step([&](const HitOut& hit) { collector.add(hit); });
         if (const auto& n = machine.nonsense())
-            throw std::runtime_error(fmt::format("rtl: cycle {}: the channel {} carries {}", machine.cycle() - 1, channels[index(n->channel)].name, n->what));
+            throw std::runtime_error(fmt::format("rtl: cycle {}: the channel {} carries {}",
+                                                 machine.cycle() - 1, channels[index(n->channel)].name,
+                                                 n->what));
         quiet = machine.moved() ? 0 : quiet + 1;
         if (quiet > limit)
-            throw std::runtime_error(fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done", limit, machine.cycle(),
-                                                 machine.hits(), pixels));
-        if (progress && machine.cycle() % cycles_between_reports == 0) progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
+            throw std::runtime_error(
+                fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done",
+                            limit, machine.cycle(), machine.hits(), pixels));
+        if (progress && machine.cycle() % cycles_between_reports == 0)
+            progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
     FrameRun run;
-    static_cast<FrameTiming&>(run) = {machine.cycle() - first, machine.hits(), machine.accounts(), machine.memory().stats() - memory, seconds_since(start), !machine.done()};
+    static_cast<FrameTiming&>(run) = {machine.cycle() - first, machine.hits(),
+                                      machine.accounts(),      machine.memory().stats() - memory,
+                                      seconds_since(start),    !machine.done()};
     run.answers = collector.hits();
     run.hits = scaled(job, frame, run.answers);
     run.colours = collector.colours();
@@ -160,9 +183,10 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
     return run;
 }
 
-} // namespace
+}   // namespace
 
-std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic, const Progress& progress, int seed) {
+std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic,
+                              const Progress& progress, int seed) {
     RtlMachine machine(job.image, job.config, khz, traffic, seed);
     std::vector<FrameRun> runs;
     for (const Frame& frame : frames) {
@@ -186,18 +210,22 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
         if (!job.config.planes || !hits[i].found || hits[i].t != beyond) continue;
         const auto surface = unpack<Surface>(job.image.line(job.image.surfaces + hits[i].prim), job.config);
         if (PrimKind(surface.kind) == PrimKind::plane)
-            picture.hits.back().depth = depth_on_plane(hits[i], surface, frame.eye, job.image.lattice, job.config);
+            picture.hits.back().depth =
+                depth_on_plane(hits[i], surface, frame.eye, job.image.lattice, job.config);
     }
     return picture;
 }
 
-HitFrame hits_of(const Job& job, const FrameTrace& frame) { return scaled(job, frame.frame, frame.trace.hits); }
+HitFrame hits_of(const Job& job, const FrameTrace& frame) {
+    return scaled(job, frame.frame, frame.trace.hits);
+}
 
 Picture picture_of(FrameSize size, const Colours& colours) {
     Picture picture{size, {}};
     picture.pixels.reserve(colours.size());
     constexpr float one = 1 << unit_bits;
-    for (const auto& c : colours) picture.pixels.emplace_back(float(c[0]) / one, float(c[1]) / one, float(c[2]) / one);
+    for (const auto& c : colours)
+        picture.pixels.emplace_back(float(c[0]) / one, float(c[1]) / one, float(c[2]) / one);
     return picture;
 }
 
@@ -221,8 +249,9 @@ std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, 
 std::uint64_t patience(const Config& config, int khz, const Traffic& traffic) {
     std::uint64_t cycles = std::uint64_t(config.mem_latency + config.mem_interval);
     if (config.dram != 0)
-        cycles += std::uint64_t(longest_pause_ps(dram_part(dram_names()[std::size_t(config.dram)]))) * std::uint64_t(khz) / 1'000'000'000;
+        cycles += std::uint64_t(longest_pause_ps(dram_part(dram_names()[std::size_t(config.dram)]))) *
+                  std::uint64_t(khz) / 1'000'000'000;
     return 20000 + 10 * (cycles + std::uint64_t(traffic.jitter));
 }
 
-} // namespace rayclock
+}   // namespace rayclock

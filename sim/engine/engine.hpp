@@ -24,9 +24,11 @@ struct Job {
     FrameSize size;
     int khz = default_khz;
 };
-/// The image must fit into the memory that the configuration names; throws UserError if it does not. make_job() asks this.
+/// The image must fit into the memory that the configuration names; throws UserError if it does not.
+/// make_job() asks this.
 void check_capacity(const MemoryImage& image, const Config& config);
-Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, const Progress& progress = {}, const Whitted& settings = {});
+Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
+             const Progress& progress = {}, const Whitted& settings = {});
 /// The job's frame, seen by another camera.
 Frame job_frame(const Job& job, const Camera& camera);
 
@@ -35,22 +37,23 @@ using Colours = std::vector<std::array<std::uint32_t, 3>>;   ///< [y * width + x
 /// What a frame took.
 struct FrameTiming {
     std::uint64_t cycles = 0;
-    std::uint64_t pixels = 0;      ///< finished
+    std::uint64_t pixels = 0;   ///< finished
     Accounts accounts;
     MemoryStats memory;
-    double seconds = 0;            ///< of the host
-    bool partial = false;          ///< stopped before the end
+    double seconds = 0;     ///< of the host
+    bool partial = false;   ///< stopped before the end
 };
 
 /// A frame that a machine made.
 struct FrameRun : FrameTiming {
     HitFrame hits;
-    std::vector<Closest> answers;  ///< the same, as the machine gave them
-    Colours colours;               ///< likewise, if the chip shades: unit_bits of fraction
-    bool finished_picture = false; ///< the chip shades
-    RayCounts rays;                ///< of the RTL: only those that leave its raygen, by what they are for
+    std::vector<Closest> answers;    ///< the same, as the machine gave them
+    Colours colours;                 ///< likewise, if the chip shades: unit_bits of fraction
+    bool finished_picture = false;   ///< the chip shades
+    RayCounts rays;                  ///< of the RTL: only those that leave its raygen, by what they are for
     std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
-    std::uint64_t digest = 0;      ///< over every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles
+    std::uint64_t digest =
+        0;   ///< over every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles
 };
 
 /// A frame of a sequence, and what its rays do.
@@ -60,17 +63,20 @@ struct FrameTrace {
 };
 FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, const Progress& progress = {});
 
-/// Runs frames on one machine, one after the other: what lies in the caches stays. `khz` and `config`'s timing may differ
-/// from the job's that was recorded. Stops early, with the last frame partial, when interrupted().
-std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic = {},
-                                const Progress& progress = {});
+/// Runs frames on one machine, one after the other: what lies in the caches stays. `khz` and `config`'s
+/// timing may differ from the job's that was recorded. Stops early, with the last frame partial, when
+/// interrupted().
+std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector<FrameTrace>& frames,
+                                Traffic traffic = {}, const Progress& progress = {});
 
 /// One frame, the job's, replayed while it is being recorded: `frames` gets its trace.
-std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames, Traffic traffic = {}, int threads = 0,
+std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<FrameTrace>& frames,
+                                           Traffic traffic = {}, int threads = 0,
                                            const Progress& progress = {});
 
 /// Frames on the RTL, which makes its frames by itself.
-std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {},
+                              const Progress& progress = {}, int seed = 1);
 
 /// A replayed frame with what its rays did; hits and answers are left out.
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
@@ -96,7 +102,10 @@ Picture picture_of(const WhittedFrame& reference);
 class FrameCollector {
 public:
     FrameCollector(const Frame& frame, bool shading)
-        : width_(frame.width), height_(frame.height), hits_(std::size_t(frame.width) * frame.height), colours_(shading ? hits_.size() : 0) {}
+        : width_(frame.width),
+          height_(frame.height),
+          hits_(std::size_t(frame.width) * frame.height),
+          colours_(shading ? hits_.size() : 0) {}
     void add(const HitOut& out) {
         if (out.x >= width_ || out.y >= height_) return;
         const std::size_t at = std::size_t(out.y) * width_ + out.x;
@@ -113,7 +122,8 @@ private:
 };
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 
-/// Cycles of this clock without any transfer after which a run is given up: ten times as many as the memory can take to answer.
+/// Cycles of this clock without any transfer after which a run is given up: ten times as many as the memory
+/// can take to answer.
 std::uint64_t patience(const Config& config, int khz, const Traffic& traffic);
 
-} // namespace rayclock
+}   // namespace rayclock

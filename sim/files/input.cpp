@@ -17,9 +17,11 @@ namespace {
 
 class Reader {
 public:
-    Reader(const std::filesystem::path& path, const std::string& asked_by) : at_{path.string()}, asked_by_(asked_by) {
+    Reader(const std::filesystem::path& path, const std::string& asked_by)
+        : at_{path.string()}, asked_by_(asked_by) {
         if (path.native().find('\0') != std::string::npos) refuse("the name has a zero byte in it");
-        // Opening a pipe would wait for a writer. What it is, is asked of what was opened: a name may change its meaning.
+        // Opening a pipe would wait for a writer. What it is, is asked of what was opened: a name may change
+        // its meaning.
         file_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
         if (file_ < 0 && errno == ENOENT) refuse("there is no such file");
         if (file_ < 0 && errno == ENXIO) refuse("is not an ordinary file");
@@ -32,7 +34,8 @@ public:
 
     std::string all(std::uint64_t most) const {
         struct stat status {};
-        if (::fstat(file_, &status) != 0) refuse(std::string("cannot be read (") + std::strerror(errno) + ")");
+        if (::fstat(file_, &status) != 0)
+            refuse(std::string("cannot be read (") + std::strerror(errno) + ")");
         if (S_ISDIR(status.st_mode)) refuse("is a directory, not a file");
         if (!S_ISREG(status.st_mode)) refuse("is not an ordinary file");
         const auto size = static_cast<std::uint64_t>(status.st_size);
@@ -53,7 +56,8 @@ public:
 
 private:
     [[noreturn]] void refuse(const std::string& sentence) const {
-        at_.refuse(asked_by_.empty() ? sentence : fmt::format("{} ({} asks for it)", sentence, printable(asked_by_)));
+        at_.refuse(asked_by_.empty() ? sentence
+                                     : fmt::format("{} ({} asks for it)", sentence, printable(asked_by_)));
     }
 
     Place at_;
@@ -61,7 +65,7 @@ private:
     int file_ = -1;
 };
 
-} // namespace
+}   // namespace
 
 std::string read_file(const std::filesystem::path& path, const std::string& asked_by, std::uint64_t most) {
     return Reader(path, asked_by).all(most);
@@ -72,4 +76,4 @@ std::string extension(const std::filesystem::path& path) {
     return dotted.empty() ? dotted : dotted.substr(1);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

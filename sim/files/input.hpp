@@ -6,12 +6,13 @@
 
 namespace rayclock {
 
-/// All bytes of an ordinary, non-empty file of at most `most` bytes. Throws UserError: missing, a directory, a pipe or a device
-/// (which may never end), unreadable, empty, too long. `asked_by` is told as well, if somebody else's file names this one.
+/// All bytes of an ordinary, non-empty file of at most `most` bytes. Throws UserError: missing, a directory,
+/// a pipe or a device (which may never end), unreadable, empty, too long. `asked_by` is told as well, if
+/// somebody else's file names this one.
 std::string read_file(const std::filesystem::path& path, const std::string& asked_by = {},
                       std::uint64_t most = std::uint64_t{1} << 40);
 
 /// The extension in small letters without the dot: "obj".
 std::string extension(const std::filesystem::path& path);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -33,8 +33,8 @@ std::string reason(std::string what) {
     return what.substr(0, 200);
 }
 
-/// Builds the document as the parser reads it, and refuses what the parser itself lets pass: its own builder takes the last of
-/// two equal keys, and any depth.
+/// Builds the document as the parser reads it, and refuses what the parser itself lets pass: its own builder
+/// takes the last of two equal keys, and any depth.
 class Builder : public nlohmann::json_sax<Json> {
 public:
     Builder(const std::string& file, std::string_view text) : file_(file), text_(text) {}
@@ -57,13 +57,18 @@ public:
         value_ = &place->second;
         return true;
     }
-    bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& error) override {
+    bool parse_error(std::size_t byte, const std::string& token,
+                     const nlohmann::detail::exception& error) override {
         constexpr int out_of_range = 406;
-        refuse(position(text_, byte) + ": " + (error.id == out_of_range ? shown(token) + " is larger than a double can hold" : reason(error.what())));
+        refuse(position(text_, byte) + ": " +
+               (error.id == out_of_range ? shown(token) + " is larger than a double can hold"
+                                         : reason(error.what())));
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& sentence) const { throw UserError(fmt::format("{}: {}", printable(file_), sentence)); }
+    [[noreturn]] void refuse(const std::string& sentence) const {
+        throw UserError(fmt::format("{}: {}", printable(file_), sentence));
+    }
 
     /// Where the next value goes: into the array that is open, to the last key, or to the top.
     Json& place() {
@@ -75,7 +80,8 @@ private:
         return true;
     }
     bool open(Json::value_t type) {
-        if (open_.size() == most_nested) refuse(fmt::format("objects and arrays are nested deeper than {}", most_nested));
+        if (open_.size() == most_nested)
+            refuse(fmt::format("objects and arrays are nested deeper than {}", most_nested));
         Json& here = place();
         here = Json(type);
         open_.push_back(&here);
@@ -93,7 +99,7 @@ private:
     std::vector<Json*> open_;
 };
 
-} // namespace
+}   // namespace
 
 Json parse_json(const std::string& file, std::string_view text) {
     Builder builder(file, text);
@@ -101,15 +107,16 @@ Json parse_json(const std::string& file, std::string_view text) {
     return builder.take();
 }
 
-std::string JsonValue::where() const { return printable(file_) + ": " + (path_.empty() ? "the file" : printable(path_, 200)); }
-
-void JsonValue::refuse(const std::string& sentence) const {
-    throw UserError(where() + " " + sentence);
+std::string JsonValue::where() const {
+    return printable(file_) + ": " + (path_.empty() ? "the file" : printable(path_, 200));
 }
 
+void JsonValue::refuse(const std::string& sentence) const { throw UserError(where() + " " + sentence); }
+
 void JsonValue::expected(std::string_view wanted) const {
-    std::string text = value_->is_structured() && value_->size() > 8 ? fmt::format("{} of {}", value_->type_name(), value_->size())
-                                                                     : value_->dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string text = value_->is_structured() && value_->size() > 8
+                           ? fmt::format("{} of {}", value_->type_name(), value_->size())
+                           : value_->dump(-1, ' ', true, Json::error_handler_t::replace);
     if (text.size() > 60) text = text.substr(0, 60) + "...";
     text = printable(text);   // dump() leaves the control character DEL as it is
     refuse(fmt::format("must be {}, not {}", wanted, text));
@@ -154,7 +161,8 @@ double JsonValue::number() const {
 
 std::uint64_t JsonValue::whole(std::uint64_t limit) const {
     if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() >= limit)
-        expected(limit == 0 ? std::string("left out, for there is nothing to count") : fmt::format("a whole number from 0 to {}", limit - 1));
+        expected(limit == 0 ? std::string("left out, for there is nothing to count")
+                            : fmt::format("a whole number from 0 to {}", limit - 1));
     return value_->get<std::uint64_t>();
 }
 
@@ -184,4 +192,4 @@ std::uint64_t JsonValue::whole_or(std::string_view key, std::uint64_t limit, std
     return found ? found->whole(limit) : otherwise;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

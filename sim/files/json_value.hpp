@@ -1,4 +1,5 @@
-// A JSON value that knows its file and its path, so that every complaint can say "desk.json: objects[2].scale ...".
+// A JSON value that knows its file and its path, so that every complaint can say "desk.json: objects[2].scale
+// ...".
 //
 // The document must outlive the values.
 #pragma once
@@ -15,11 +16,12 @@ namespace rayclock {
 
 using Json = nlohmann::json;
 
-/// Objects and arrays deeper in each other than this are refused: much that goes through a document does so by recursion.
+/// Objects and arrays deeper in each other than this are refused: much that goes through a document does so
+/// by recursion.
 constexpr std::size_t most_nested = 200;
 
-/// Parses. Refused with line and column: wrong syntax, numbers that a double cannot hold; by their name: keys that appear twice
-/// in one object; nesting deeper than `most_nested`.
+/// Parses. Refused with line and column: wrong syntax, numbers that a double cannot hold; by their name: keys
+/// that appear twice in one object; nesting deeper than `most_nested`.
 Json parse_json(const std::string& file, std::string_view text);
 
 class JsonValue {
@@ -42,15 +44,15 @@ public:
     void only_keys(std::initializer_list<std::string_view> known) const;
 
     std::optional<JsonValue> find(std::string_view key) const;
-    JsonValue at(std::string_view key) const;          ///< refuses if the key is missing
-    JsonValue operator[](std::size_t index) const;     ///< of an array, index in range
+    JsonValue at(std::string_view key) const;        ///< refuses if the key is missing
+    JsonValue operator[](std::size_t index) const;   ///< of an array, index in range
 
-    const JsonValue& array() const;                    ///< itself, after a check of its type
+    const JsonValue& array() const;   ///< itself, after a check of its type
     const JsonValue& object() const;
-    double number() const;                             ///< finite
-    std::uint64_t whole(std::uint64_t limit) const;    ///< 0 <= x < limit
+    double number() const;                            ///< finite
+    std::uint64_t whole(std::uint64_t limit) const;   ///< 0 <= x < limit
     std::string string() const;
-    glm::dvec3 triple() const;                         ///< an array of 3 finite numbers
+    glm::dvec3 triple() const;   ///< an array of 3 finite numbers
 
     double number_or(std::string_view key, double otherwise) const;
     std::uint64_t whole_or(std::string_view key, std::uint64_t limit, std::uint64_t otherwise) const;
@@ -60,4 +62,4 @@ private:
     std::string file_, path_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -53,19 +53,23 @@ struct Temporary {
 };
 Temporary temporary_beside(const fs::path& target) {
     for (int i = 0;; ++i) {
-        const std::string name = fs::path(target).replace_filename(fmt::format(".rayclock-{}-{}.part", ::getpid(), i)).string();
+        const std::string name =
+            fs::path(target).replace_filename(fmt::format(".rayclock-{}-{}.part", ::getpid(), i)).string();
         const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (file >= 0) return {name, file};
         if (errno != EEXIST) not_written(target.string(), errno);
     }
 }
 
-/// True for what is written to as it stands. Throws UserError for what is neither that nor an ordinary file or a new name.
+/// True for what is written to as it stands. Throws UserError for what is neither that nor an ordinary file
+/// or a new name.
 bool is_in_place(const std::string& path) {
-    struct stat itself {}, status {};
+    struct stat itself {
+    }, status{};
     if (path.find('\0') != path.npos) refuse(path, "the name has a zero byte in it");
     if (::lstat(path.c_str(), &itself) != 0 || ::stat(path.c_str(), &status) != 0) status.st_mode = S_IFREG;
-    if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode)) return true;   // through a link as well: /dev/stdout is one
+    if (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode))
+        return true;   // through a link as well: /dev/stdout is one
     if (S_ISLNK(itself.st_mode)) refuse(path, "is a symbolic link; name the file that it points to");
     if (S_ISDIR(status.st_mode)) refuse(path, "is a directory, not a file to write");
     if (!S_ISREG(status.st_mode)) refuse(path, "is neither an ordinary file nor a pipe to write to");
@@ -81,7 +85,7 @@ void write_in_place(const std::string& path, std::string_view bytes) {
     if (const int error = write_and_close(file, bytes, Durable::no)) not_written(path, error);
 }
 
-} // namespace
+}   // namespace
 
 void check_writable(const std::string& path) {
     if (path.empty()) throw UserError("the name of the file to write is empty");
@@ -89,8 +93,10 @@ void check_writable(const std::string& path) {
     if (!target.has_filename()) refuse(path, "is a directory, not a file to write");
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     std::error_code error;
-    if (!fs::exists(folder, error)) refuse(path, fmt::format("the folder {} does not exist", printable(folder.string())));
-    if (!fs::is_directory(folder, error)) refuse(path, fmt::format("{} is not a folder", printable(folder.string())));
+    if (!fs::exists(folder, error))
+        refuse(path, fmt::format("the folder {} does not exist", printable(folder.string())));
+    if (!fs::is_directory(folder, error))
+        refuse(path, fmt::format("{} is not a folder", printable(folder.string())));
     const bool in_place = is_in_place(path);
     if (fs::exists(target, error) && ::access(path.c_str(), W_OK) != 0) not_written(path, errno);
     if (in_place) return;
@@ -116,4 +122,4 @@ void write_bytes(const std::string& path, std::string_view bytes, Durable durabl
     not_written(path, error);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -13,7 +13,8 @@ namespace rayclock {
 void guard_streams() {
     // Opened the wrong way round on purpose: reading and writing still fail, as they do on what is closed.
     for (const int stream : {0, 1, 2})
-        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) (void)::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
+        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+            (void)::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
     // A handler, since programs that are started inherit what is ignored.
     struct sigaction nothing {};
     nothing.sa_handler = [](int) {};
@@ -26,11 +27,12 @@ namespace {
 
 int first_error = 0;   // of write_output()
 
-} // namespace
+}   // namespace
 
 void write_output(std::string_view text) {
     errno = 0;
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && first_error == 0) first_error = errno;
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && first_error == 0)
+        first_error = errno;
 }
 
 std::string finish_output() {
@@ -43,4 +45,4 @@ std::string finish_output() {
     return errno != 0 ? std::strerror(errno) : "something printed was lost";
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -18,11 +18,12 @@ constexpr std::size_t longest_number = 1000;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-} // namespace
+}   // namespace
 
 void Place::refuse(const std::string& sentence) const {
     const std::string name = printable(file);
-    throw UserError(line != 0 ? fmt::format("{}: line {}: {}", name, line, sentence) : fmt::format("{}: {}", name, sentence));
+    throw UserError(line != 0 ? fmt::format("{}: line {}: {}", name, line, sentence)
+                              : fmt::format("{}: {}", name, sentence));
 }
 
 std::string_view take_word(std::string_view& rest) {
@@ -45,12 +46,14 @@ std::string_view take_line(std::string_view& rest) {
 
 double any_number(std::string_view word, const Place& at) {
     if (word.empty()) at.refuse("a number is missing at the end");
-    if (word.size() > longest_number) at.refuse(fmt::format("{} has {} characters, too many for a number", shown(word), word.size()));
+    if (word.size() > longest_number)
+        at.refuse(fmt::format("{} has {} characters, too many for a number", shown(word), word.size()));
     std::string_view digits = word;
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) at.refuse(shown(word) + " is not a number");
+    if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
+        at.refuse(shown(word) + " is not a number");
     // Out of range leaves the value alone; strtod tells too large (inf) from too small (0 or subnormal).
     if (error == std::errc::result_out_of_range) return std::strtod(std::string(digits).c_str(), nullptr);
     return value;
@@ -70,7 +73,8 @@ std::int64_t whole_number(std::string_view word, const Place& at) {
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size()) at.refuse(shown(word) + " is not a whole number");
+    if (error != std::errc{} || end != digits.data() + digits.size())
+        at.refuse(shown(word) + " is not a whole number");
     return value;
 }
 
@@ -92,4 +96,4 @@ void check_text(std::string_view line, const Place& at, std::string_view kind) {
             at.refuse(fmt::format("this is not {}: {} is not text", kind, shown(line)));
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -11,7 +11,8 @@
 
 namespace rayclock {
 
-/// Where something was found; the name of the file is shown printable. Line 0 means that lines make no sense here (a binary file).
+/// Where something was found; the name of the file is shown printable. Line 0 means that lines make no sense
+/// here (a binary file).
 struct Place {
     std::string file;
     std::uint64_t line = 0;
@@ -42,4 +43,4 @@ std::string lower(std::string_view text);
 /// Refuses a line with control characters: it is not text, whatever the name of the file says.
 void check_text(std::string_view line, const Place& at, std::string_view kind);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -32,7 +32,7 @@ std::uint64_t cache(const Config& c, int sets, int ways, int line, int word_bits
     return std::uint64_t(sets) * std::uint64_t(ways) * std::uint64_t(tag + 1 + words * word_bits);
 }
 
-} // namespace
+}   // namespace
 
 Cost cost_of(const Config& c) {
     const int w = c.node_width, t = c.t_bits();
@@ -43,8 +43,10 @@ Cost cost_of(const Config& c) {
     const int group = t + c.addr_bits + c.group_bits() + (w - 1) * (t + c.slot_bits());
     cost.stack_bits = contexts * std::uint64_t(c.stack_depth * group);
     const int children = bits_of<BoxRsp>(c) - c.ray_bits();
-    const int best = c.num_bits() + c.edge_bits() + c.prim_bits, found = bits_of<Closest>(c) - c.ray_bits() - 1;
-    const int list = 2 * t + 2 * children + c.slot_bits() + count_bits + 3 * (c.coord_bits + c.dir_bits) + best + found;
+    const int best = c.num_bits() + c.edge_bits() + c.prim_bits,
+              found = bits_of<Closest>(c) - c.ray_bits() - 1;
+    const int list =
+        2 * t + 2 * children + c.slot_bits() + count_bits + 3 * (c.coord_bits + c.dir_bits) + best + found;
     const int trav = 3 * (c.coord_bits + 1 + c.recip_bits + 1 + exp_bits) + c.stack_bits();
     cost.ray_bits = cost.stack_bits + contexts * std::uint64_t(list + trav + 2 * c.pixel_bits);
     cost.cache_bits = cache(c, c.node_sets, c.node_ways, c.node_line, bits_of<Node>(c)) +
@@ -52,4 +54,4 @@ Cost cost_of(const Config& c) {
     return cost;
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

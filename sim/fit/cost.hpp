@@ -14,10 +14,10 @@ struct Cost {
     std::uint64_t stack_bits = 0;          ///< of that, the stacks
     std::uint64_t cache_bits = 0;          ///< data and tags
 
-    /// The order in which `fit` calls one configuration smaller: adders, and a memory bit for an eighth of one (a LUT of an
-    /// ECP5 holds 16 bits of single-port memory, and these are read and written at once).
+    /// The order in which `fit` calls one configuration smaller: adders, and a memory bit for an eighth of
+    /// one (a LUT of an ECP5 holds 16 bits of single-port memory, and these are read and written at once).
     std::uint64_t total() const { return multiplier_adders + divider_adders + (ray_bits + cache_bits) / 8; }
 };
 Cost cost_of(const Config& config);
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

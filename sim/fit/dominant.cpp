@@ -35,7 +35,8 @@ double extent_of(const Scene& scene, std::size_t triangle) {
     return box.extent();
 }
 
-std::optional<Dominant> leave_out(const Scene& scene, std::string what, const std::function<bool(std::size_t)>& kept) {
+std::optional<Dominant> leave_out(const Scene& scene, std::string what,
+                                  const std::function<bool(std::size_t)>& kept) {
     Dominant part{std::move(what), scene, 0, 1};
     part.without.triangles.clear();
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
@@ -52,7 +53,8 @@ std::optional<Dominant> material(const Scene& scene) {
     std::vector<Box> boxes(scene.materials.size(), Box{scene.camera->eye, scene.camera->eye});
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : t.vertex) boxes[t.material].add(scene.vertices[v]);
-    const auto largest = std::max_element(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.extent() < b.extent(); });
+    const auto largest = std::max_element(boxes.begin(), boxes.end(),
+                                          [](const Box& a, const Box& b) { return a.extent() < b.extent(); });
     const auto m = std::uint32_t(largest - boxes.begin());
     const std::string& name = scene.materials[m].name;
     auto part = leave_out(scene, name.empty() ? fmt::format("material {}", m) : "material " + shown(name),
@@ -67,7 +69,8 @@ std::optional<Dominant> triangles(const Scene& scene) {
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::vector<double> size(order.size());
     for (const std::size_t i : order) size[i] = extent_of(scene, i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
     double widest = 0, limit = 0;
     for (std::size_t i = 0; i + 1 < order.size() && i <= order.size() / 2; ++i) {
         const double above = size[order[i]], beneath = size[order[i + 1]];
@@ -75,16 +78,18 @@ std::optional<Dominant> triangles(const Scene& scene) {
         widest = above / beneath;
         limit = beneath;
     }
-    auto part = leave_out(scene, fmt::format("triangle {}", order[0]), [&](std::size_t i) { return size[i] <= limit; });
-    if (part && part->triangles > 1) part->what = fmt::format("the {} largest triangles ({} first)", part->triangles, order[0]);
+    auto part = leave_out(scene, fmt::format("triangle {}", order[0]),
+                          [&](std::size_t i) { return size[i] <= limit; });
+    if (part && part->triangles > 1)
+        part->what = fmt::format("the {} largest triangles ({} first)", part->triangles, order[0]);
     return part;
 }
 
-} // namespace
+}   // namespace
 
 std::optional<Dominant> dominant_part(const Scene& scene) {
     if (std::optional<Dominant> part = material(scene)) return part;
     return triangles(scene);
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

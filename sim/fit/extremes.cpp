@@ -1,5 +1,6 @@
-// The extremes of a memory image and a frame. Products with the direction are bounded for each triangle, so that det, u, v
-// are as tight as a box of directions allows: each is linear in d, with a vector that the triangle and the eye fix.
+// The extremes of a memory image and a frame. Products with the direction are bounded for each triangle, so
+// that det, u, v are as tight as a box of directions allows: each is linear in d, with a vector that the
+// triangle and the eye fix.
 #include <cstdlib>
 
 #include "model/accel/decode.hpp"
@@ -12,7 +13,9 @@ namespace {
 
 using Vec = std::array<Wide, 3>;
 
-Vec minus(const Vec3i& a, const Vec3i& b) { return {Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]}; }
+Vec minus(const Vec3i& a, const Vec3i& b) {
+    return {Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};
+}
 Vec cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -110,14 +113,15 @@ void measure_node(const Node& node, const Config& config, Extremes& e) {
         } else {
             ++leaves;
             add(e.offset, 2 * inner + triangles);
-            for (std::uint32_t n = 0; n + 1 < node.kind[i]; ++n) add(e.half_line, 2 * (Wide(node.base) + inner) + triangles++);
+            for (std::uint32_t n = 0; n + 1 < node.kind[i]; ++n)
+                add(e.half_line, 2 * (Wide(node.base) + inner) + triangles++);
         }
     }
     add(e.inner, Interval{0, inner});
     add(e.leaves, Interval{0, leaves});
 }
 
-} // namespace
+}   // namespace
 
 Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& config) {
     Extremes e;
@@ -134,9 +138,10 @@ Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& co
             triangles += node.kind[i] > 1 ? node.kind[i] - 1 : 0;
         }
         for (std::uint32_t i = 0; i < inner; ++i) pending.push_back(node.base + i);
-        for (std::uint32_t i = 0; i < triangles; ++i) measure_triangle(read_triangle(image, 2 * (node.base + inner) + i, config), frame.eye, e);
+        for (std::uint32_t i = 0; i < triangles; ++i)
+            measure_triangle(read_triangle(image, 2 * (node.base + inner) + i, config), frame.eye, e);
     }
     return e;
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

@@ -11,7 +11,7 @@ int length(Wide value) {
     return bits;
 }
 
-} // namespace
+}   // namespace
 
 int unsigned_bits(const Interval& a) { return a.empty() ? 1 : std::max(1, length(a.hi)); }
 
@@ -24,8 +24,9 @@ int signed_bits(const Interval& a) {
 std::string text(Wide value) {
     if (value == 0) return "0";
     std::string digits;
-    for (Wide rest = value; rest != 0; rest /= 10) digits.insert(digits.begin(), char('0' + int(rest < 0 ? -(rest % 10) : rest % 10)));
+    for (Wide rest = value; rest != 0; rest /= 10)
+        digits.insert(digits.begin(), char('0' + int(rest < 0 ? -(rest % 10) : rest % 10)));
     return value < 0 ? "-" + digits : digits;
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

@@ -1,6 +1,6 @@
 #pragma once
-// Interval arithmetic in whole numbers: what a signal can be, from what its operands can be. Exact in 128 bits; the widest
-// signal of the machine, a product of numerator and determinant, has 125.
+// Interval arithmetic in whole numbers: what a signal can be, from what its operands can be. Exact in 128
+// bits; the widest signal of the machine, a product of numerator and determinant, has 125.
 #include <algorithm>
 #include <string>
 
@@ -25,10 +25,14 @@ inline Interval hull(const Interval& a, const Interval& b) {
     if (b.empty()) return a;
     return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
 }
-inline Interval meet(const Interval& a, const Interval& b) { return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)}; }
+inline Interval meet(const Interval& a, const Interval& b) {
+    return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+}
 
 inline Interval operator-(const Interval& a) { return {-a.hi, -a.lo}; }
-inline Interval operator+(const Interval& a, const Interval& b) { return a.empty() || b.empty() ? Interval{} : Interval{a.lo + b.lo, a.hi + b.hi}; }
+inline Interval operator+(const Interval& a, const Interval& b) {
+    return a.empty() || b.empty() ? Interval{} : Interval{a.lo + b.lo, a.hi + b.hi};
+}
 inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
 inline Interval operator*(const Interval& a, const Interval& b) {
     if (a.empty() || b.empty()) return {};
@@ -42,7 +46,9 @@ inline Interval right(const Interval& a, int n) { return {a.lo >> n, a.hi >> n};
 inline Interval right_up(const Interval& a, int n) { return -right(-a, n); }
 
 /// The low n bits of what is not negative.
-inline Interval low_bits(const Interval& a, int n) { return a.empty() || a.hi >> n == 0 ? a : Interval{0, (Wide(1) << n) - 1}; }
+inline Interval low_bits(const Interval& a, int n) {
+    return a.empty() || a.hi >> n == 0 ? a : Interval{0, (Wide(1) << n) - 1};
+}
 
 /// |a|, and what of it is not below zero.
 inline Interval magnitude(const Interval& a) {
@@ -59,4 +65,4 @@ int unsigned_bits(const Interval& a);
 /// In decimal.
 std::string text(Wide value);
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

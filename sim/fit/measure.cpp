@@ -34,10 +34,14 @@ std::int64_t largest_square(const Frame& frame, const Config& config) {
     return largest;
 }
 
-} // namespace
+}   // namespace
 
 Measure::Measure(const Scene& scene, FrameSize size, int threads)
-    : scene_(scene), size_(size), threads_(threads), reference_(Reference(scene).frame(*scene.camera, size, threads)), expected_(shade(scene, reference_)) {}
+    : scene_(scene),
+      size_(size),
+      threads_(threads),
+      reference_(Reference(scene).frame(*scene.camera, size, threads)),
+      expected_(shade(scene, reference_)) {}
 
 const Outcome& Measure::operator()(const Config& config) {
     const std::vector<int> key = outcome_key(config);
@@ -79,4 +83,4 @@ Outcome Measure::measure(const Config& config) {
     return outcome;
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

@@ -1,5 +1,6 @@
 #pragma once
-// What a configuration does to one scene and frame: measured with the model, against the reference on the scene as given.
+// What a configuration does to one scene and frame: measured with the model, against the reference on the
+// scene as given.
 #include <map>
 #include <optional>
 #include <string>
@@ -13,18 +14,19 @@ namespace rayclock::fit {
 
 /// One configuration's frame.
 struct Outcome {
-    std::string refused;              ///< why the scene cannot be compiled for it; nothing else is known then
+    std::string refused;   ///< why the scene cannot be compiled for it; nothing else is known then
     std::uint64_t pixels = 0;
-    std::uint64_t other = 0;          ///< pixels that hold another primitive than the reference's
-    double psnr_db = 0;               ///< of the pictures; infinite if they are equal
-    std::uint64_t work = 0;           ///< nodes visited and triangles tested
+    std::uint64_t other = 0;              ///< pixels that hold another primitive than the reference's
+    double psnr_db = 0;                   ///< of the pictures; infinite if they are equal
+    std::uint64_t work = 0;               ///< nodes visited and triangles tested
     std::int64_t direction_squares = 0;   ///< largest square of a direction's length
     CompileReport compile;
 
     double other_percent() const { return pixels ? 100.0 * double(other) / double(pixels) : 100; }
 };
 
-/// Measures configurations of one base; what was measured once is remembered. Images are kept, by what they depend on.
+/// Measures configurations of one base; what was measured once is remembered. Images are kept, by what they
+/// depend on.
 class Measure {
 public:
     /// `scene` must have a camera, and stay. The reference works at once.
@@ -52,4 +54,4 @@ private:
     std::map<std::vector<int>, MemoryImage> images_;
 };
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

@@ -13,7 +13,8 @@ Ranges prove_ranges(const MemoryImage& image, const Frame& frame, const Config& 
 }
 
 bool Ranges::proven() const {
-    return std::all_of(signals.begin(), signals.end(), [](const Signal& s) { return s.fits() || s.excess != Excess::never; });
+    return std::all_of(signals.begin(), signals.end(),
+                       [](const Signal& s) { return s.fits() || s.excess != Excess::never; });
 }
 
 std::vector<RecipClass> recip_classes(const Interval& direction, const Config& config) {
@@ -35,7 +36,8 @@ std::vector<RecipClass> recip_classes(const Interval& direction, const Config& c
 
 void raygen_ranges(const Extremes& e, const Frame& frame, const Config& c, std::vector<Signal>& out) {
     const auto all = [](const Extremes::Axes& axes) { return hull(hull(axes[0], axes[1]), axes[2]); };
-    const auto add = [&](const char* name, const Interval& range, bool is_signed, int there, Excess excess = Excess::never) {
+    const auto add = [&](const char* name, const Interval& range, bool is_signed, int there,
+                         Excess excess = Excess::never) {
         out.push_back({"raygen", name, range, is_signed, there, excess});
     };
     const int g = c.guard_dir_bits();
@@ -65,4 +67,4 @@ void raygen_ranges(const Extremes& e, const Frame& frame, const Config& c, std::
     add("len", len, false, exp_bits);
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

@@ -1,6 +1,6 @@
 #pragma once
-// Proof of ranges: what every signal of the units can be, for one scene and one frame, by interval arithmetic from the
-// vertices, the nodes, the eye and the directions of all pixels. Nothing is sampled.
+// Proof of ranges: what every signal of the units can be, for one scene and one frame, by interval arithmetic
+// from the vertices, the nodes, the eye and the directions of all pixels. Nothing is sampled.
 #include <array>
 #include <string>
 #include <vector>
@@ -19,10 +19,10 @@ enum class Excess {
 
 /// One signal, all axes and all children of a node together.
 struct Signal {
-    std::string unit, name;    ///< of the RTL, with its stage, where it is one there
-    Interval range;            ///< before it wraps or saturates
+    std::string unit, name;   ///< of the RTL, with its stage, where it is one there
+    Interval range;           ///< before it wraps or saturates
     bool is_signed = false;
-    int there = 0;             ///< bits
+    int there = 0;   ///< bits
     Excess excess = Excess::never;
 
     int needed() const { return is_signed ? signed_bits(range) : unsigned_bits(range); }
@@ -33,14 +33,14 @@ struct Signal {
 struct Extremes {
     using Axes = std::array<Interval, 3>;
     Axes vertex, eye, direction;
-    Axes corner, right, down, sum;     ///< camera registers and raygen's sum
-    Interval right_x, down_y;          ///< terms of that sum, all axes
-    std::int64_t least_direction = 0;  ///< no direction's largest component is smaller
-    Interval reach;                    ///< largest component of vertex - eye, of any vertex
-    Axes p1, p2, edge, to_eye;         ///< of all triangles: d x e1, d x e2; e1 and e2; s
+    Axes corner, right, down, sum;      ///< camera registers and raygen's sum
+    Interval right_x, down_y;           ///< terms of that sum, all axes
+    std::int64_t least_direction = 0;   ///< no direction's largest component is smaller
+    Interval reach;                     ///< largest component of vertex - eye, of any vertex
+    Axes p1, p2, edge, to_eye;          ///< of all triangles: d x e1, d x e2; e1 and e2; s
     Axes normal;
-    Interval det, u, v, w, num;        ///< of all triangles, before the signs are turned
-    Interval edge_term, num_term;      ///< of the sums of three products
+    Interval det, u, v, w, num;     ///< of all triangles, before the signs are turned
+    Interval edge_term, num_term;   ///< of the sums of three products
     /// Nodes of one exponent along one axis.
     struct Group {
         Interval origin, lo, hi;
@@ -61,7 +61,8 @@ Ranges prove_ranges(const MemoryImage& image, const Frame& frame, const Config& 
 void raygen_ranges(const Extremes& e, const Frame& frame, const Config& config, std::vector<Signal>& out);
 void box_ranges(const Extremes& e, const Config& config, std::vector<Signal>& out);
 void tri_ranges(const Extremes& e, const Config& config, std::vector<Signal>& out);
-void walk_ranges(const Extremes& e, const CompileReport& report, const Config& config, std::vector<Signal>& out);
+void walk_ranges(const Extremes& e, const CompileReport& report, const Config& config,
+                 std::vector<Signal>& out);
 
 /// Directions of one sign and bit length along one axis, and their reciprocals.
 struct RecipClass {
@@ -71,4 +72,4 @@ struct RecipClass {
 };
 std::vector<RecipClass> recip_classes(const Interval& direction, const Config& config);
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

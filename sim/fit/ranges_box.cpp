@@ -1,5 +1,5 @@
-// Box's signals: rtl/trav/rc_slab.sv, which has the widths, for every exponent of a node with every sign and bit length of a
-// direction.
+// Box's signals: rtl/trav/rc_slab.sv, which has the widths, for every exponent of a node with every sign and
+// bit length of a direction.
 #include "sim/fit/ranges.hpp"
 
 namespace rayclock::fit {
@@ -7,17 +7,20 @@ namespace rayclock::fit {
 namespace {
 
 struct Slab {
-    Interval distance, near, far, near_shifted, far_shifted, step, near_sum, far_sum, up, far_up, left, right, near_moved, far_moved, near_all, far_all;
+    Interval distance, near, far, near_shifted, far_shifted, step, near_sum, far_sum, up, far_up, left, right,
+        near_moved, far_moved, near_all, far_all;
 };
 
 /// One axis of a node with one class of directions: s1 to s3 of rc_slab.
-void slab(const Extremes::Group& node, int exp, const Interval& eye, const RecipClass& ray, const Config& c, Slab& all) {
+void slab(const Extremes::Group& node, int exp, const Interval& eye, const RecipClass& ray, const Config& c,
+          Slab& all) {
     const auto add = [](Interval& range, const Interval& more) { range = hull(range, more); };
     const Interval distance = ray.negative ? eye - node.origin : node.origin - eye;
     const Interval up = ray.len == 0 ? ray.recip : ray.recip + point(1);
     const Interval near = distance * ray.recip, far = distance * up;
     const Interval near_shifted = right(near, exp), far_shifted = right_up(far, exp);
-    const Interval near_step = (ray.negative ? node.hi : node.lo) * ray.recip, far_step = (ray.negative ? node.lo : node.hi) * up;
+    const Interval near_step = (ray.negative ? node.hi : node.lo) * ray.recip,
+                   far_step = (ray.negative ? node.lo : node.hi) * up;
     const Interval near_sum = ray.negative ? near_shifted - near_step : near_shifted + near_step;
     const Interval far_sum = ray.negative ? far_shifted - far_step : far_shifted + far_step;
     const int shift = c.t_frac_bits + c.dir_bits - c.recip_bits - ray.len + exp;
@@ -45,7 +48,7 @@ void slab(const Extremes::Group& node, int exp, const Interval& eye, const Recip
     add(all.far_all, left(far_down, to_left));
 }
 
-} // namespace
+}   // namespace
 
 void box_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     Interval origin, exponent, plane;
@@ -61,7 +64,8 @@ void box_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
             for (const RecipClass& ray : rays) slab(group, exp, e.eye[k], ray, c, s);
         }
     }
-    const auto add = [&](const char* name, const Interval& range, bool is_signed, int there, Excess excess = Excess::never) {
+    const auto add = [&](const char* name, const Interval& range, bool is_signed, int there,
+                         Excess excess = Excess::never) {
         out.push_back({"box", name, range, is_signed, there, excess});
     };
     const int r1 = c.recip_bits + 1, d = c.coord_bits + 1, p = d + r1 + 1, v = p + 1;
@@ -87,4 +91,4 @@ void box_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     add("far", s.far_all, false, c.t_bits(), Excess::saturates);
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

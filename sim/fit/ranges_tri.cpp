@@ -1,4 +1,5 @@
-// Tri's signals: rtl/isect/rc_edges.sv, rc_tri.sv and rc_hitdiv.sv, which have the widths; and those of list and trav.
+// Tri's signals: rtl/isect/rc_edges.sv, rc_tri.sv and rc_hitdiv.sv, which have the widths; and those of list
+// and trav.
 #include "sim/fit/ranges.hpp"
 
 namespace rayclock::fit {
@@ -7,20 +8,23 @@ namespace {
 
 Interval all(const Extremes::Axes& axes) { return hull(hull(axes[0], axes[1]), axes[2]); }
 
-/// The distance of any hit, before it saturates. It lies on its triangle, so no component of hit - eye is larger than that
-/// of a vertex, and d's largest component takes it there: t |d| / 2^(M-1+F) <= reach, rounded up.
+/// The distance of any hit, before it saturates. It lies on its triangle, so no component of hit - eye is
+/// larger than that of a vertex, and d's largest component takes it there: t |d| / 2^(M-1+F) <= reach,
+/// rounded up.
 Interval hit_distance(const Extremes& e, const Config& c) {
     const Wide least = std::max(Wide(1), Wide(e.least_direction));
     return {1, ((e.reach.hi << (c.dir_bits - 1 + c.t_frac_bits)) + least - 1) / least};
 }
 
-} // namespace
+}   // namespace
 
 void tri_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
-    const auto add = [&](const char* name, const Interval& range, bool is_signed, int there, Excess excess = Excess::never) {
+    const auto add = [&](const char* name, const Interval& range, bool is_signed, int there,
+                         Excess excess = Excess::never) {
         out.push_back({"tri", name, range, is_signed, there, excess});
     };
-    const int d = c.coord_bits + 1, cross = c.dir_bits + d + 1, x = 2 * d + 1, edge = c.edge_bits(), num = c.num_bits();
+    const int d = c.coord_bits + 1, cross = c.dir_bits + d + 1, x = 2 * d + 1, edge = c.edge_bits(),
+              num = c.num_bits();
     add("a, b, c", all(e.vertex), true, c.coord_bits);
     add("s1_e1, s1_e2", all(e.edge), true, d);
     add("s1_s", all(e.to_eye), true, d);
@@ -35,7 +39,8 @@ void tri_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     add("s3_w", e.w, true, edge);
     add("s3_num", e.num, true, num);
     // Turned so that det > 0, of hits.
-    const Interval size{1, std::max(Wide(1), magnitude(e.det).hi)}, far{1, std::max(Wide(1), magnitude(e.num).hi)};
+    const Interval size{1, std::max(Wide(1), magnitude(e.det).hi)},
+        far{1, std::max(Wide(1), magnitude(e.num).hi)};
     add("s4_det", magnitude(e.det), true, edge);
     add("s4_num", hull(e.num, -e.num), true, num);
     add("f1_mine, f1_theirs", far * size, false, num + edge);
@@ -66,4 +71,4 @@ void walk_ranges(const Extremes& e, const CompileReport& report, const Config& c
     add("mem", "addr", {0, Wide(report.bytes / line_bytes) - 1}, c.addr_bits);
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

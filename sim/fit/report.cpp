@@ -18,9 +18,9 @@ namespace {
 const char* verdict(const Signal& s) {
     if (s.fits()) return "fits";
     switch (s.excess) {
-    case Excess::wraps: return "wraps, the sum fits";
-    case Excess::saturates: return "saturates";
-    case Excess::never: break;
+        case Excess::wraps: return "wraps, the sum fits";
+        case Excess::saturates: return "saturates";
+        case Excess::never: break;
     }
     return "OVERFLOWS";
 }
@@ -51,19 +51,22 @@ std::array<Constant, 3> constants(const Ranges& ranges) {
 
 int lines_of(const Fit& fit) { return int(fit.outcome.compile.bytes / line_bytes); }
 
-} // namespace
+}   // namespace
 
 std::string parameter_table(const Fit& fit, const Config& base) {
     Table table({"parameter", "for", "one step below", base.name, "fitted"}, 3);
     for (const Fitted& f : fit.parameters)
-        table.add({f.parameter->key, purpose_name(f.purpose), f.below, std::to_string(base.*f.parameter->member), std::to_string(f.value)});
+        table.add({f.parameter->key, purpose_name(f.purpose), f.below,
+                   std::to_string(base.*f.parameter->member), std::to_string(f.value)});
     return table.text();
 }
 
 std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges) {
     const Cost &now = fit.cost, &before = fit.base_cost;
     Table table({"", base.name, "fitted"});
-    const auto row = [&](const char* what, std::uint64_t Cost::*of) { table.add({what, grouped(before.*of), grouped(now.*of)}); };
+    const auto row = [&](const char* what, std::uint64_t Cost::*of) {
+        table.add({what, grouped(before.*of), grouped(now.*of)});
+    };
     row("multipliers, adders", &Cost::multiplier_adders);
     row("dividers, adders", &Cost::divider_adders);
     row("contexts, memory bits", &Cost::ray_bits);
@@ -71,21 +74,27 @@ std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges)
     row("caches, memory bits", &Cost::cache_bits);
     table.add({"cost", grouped(before.total()), grouped(now.total())});
     std::string fixed;
-    for (const Constant& c : constants(ranges)) fixed += fmt::format("{}{} {} of {}", fixed.empty() ? "" : ", ", c.name, c.needed, c.there);
-    return fmt::format("  memory image: {} bytes, {} lines of {} bytes, addresses of {} bits; a ray keeps up to {} groups of siblings\n"
-                       "  constants of the machine, bits needed of those there: {}\n\n{}",
-                       grouped(fit.outcome.compile.bytes), grouped(std::uint64_t(lines_of(fit))), line_bytes, fit.config.addr_bits,
-                       fit.outcome.compile.stack_need, fixed, table.text());
+    for (const Constant& c : constants(ranges))
+        fixed += fmt::format("{}{} {} of {}", fixed.empty() ? "" : ", ", c.name, c.needed, c.there);
+    return fmt::format(
+        "  memory image: {} bytes, {} lines of {} bytes, addresses of {} bits; a ray keeps up to {} groups "
+        "of siblings\n"
+        "  constants of the machine, bits needed of those there: {}\n\n{}",
+        grouped(fit.outcome.compile.bytes), grouped(std::uint64_t(lines_of(fit))), line_bytes,
+        fit.config.addr_bits, fit.outcome.compile.stack_need, fixed, table.text());
 }
 
 std::string units_text(const Config& config) {
-    return fmt::format("  units: triangles and primary rays need all there are{}; there are none for spheres, planes and secondary rays, and no scene needs them yet\n",
-                       config.l2_sets > 0 ? "" : ", but the shared cache, which is left out");
+    return fmt::format(
+        "  units: triangles and primary rays need all there are{}; there are none for spheres, planes and "
+        "secondary rays, and no scene needs them yet\n",
+        config.l2_sets > 0 ? "" : ", but the shared cache, which is left out");
 }
 
 ordered_json units_json(const Config& config) {
     ordered_json needed = ordered_json::array(), absent = ordered_json::array({"sphere", "plane", "bounce"});
-    for (std::size_t u = 0; u < unit_count; ++u) (is_there(Unit(u), config) ? needed : absent).push_back(unit_infos[u].name);
+    for (std::size_t u = 0; u < unit_count; ++u)
+        (is_there(Unit(u), config) ? needed : absent).push_back(unit_infos[u].name);
     return {{"needed", needed}, {"absent", absent}};
 }
 
@@ -93,43 +102,69 @@ std::string range_table(const Ranges& ranges) {
     Table table({"unit", "signal", "verdict", "from", "to", "needed", "there"}, 3);
     std::size_t wraps = 0, saturates = 0;
     for (const Signal& s : ranges.signals) {
-        table.add({s.unit, s.name, verdict(s), shorter(s.range.lo), shorter(s.range.hi), std::to_string(s.needed()), std::to_string(s.there)});
+        table.add({s.unit, s.name, verdict(s), shorter(s.range.lo), shorter(s.range.hi),
+                   std::to_string(s.needed()), std::to_string(s.there)});
         wraps += !s.fits() && s.excess == Excess::wraps;
         saturates += !s.fits() && s.excess == Excess::saturates;
     }
-    return fmt::format("{}  {}: {} signals, {} of them terms that wrap in a sum that fits, {} that saturate\n", table.text(),
-                       ranges.proven() ? "no overflow possible" : "OVERFLOW POSSIBLE", ranges.signals.size(), wraps, saturates);
+    return fmt::format(
+        "{}  {}: {} signals, {} of them terms that wrap in a sum that fits, {} that saturate\n", table.text(),
+        ranges.proven() ? "no overflow possible" : "OVERFLOW POSSIBLE", ranges.signals.size(), wraps,
+        saturates);
 }
 
 ordered_json parameters_json(const Fit& fit, const Config& base) {
     ordered_json list = ordered_json::array();
     for (const Fitted& f : fit.parameters)
-        list.push_back({{"key", f.parameter->key}, {"value", f.value}, {"base", base.*f.parameter->member}, {"for", purpose_name(f.purpose)}, {"one_step_below", f.below}});
+        list.push_back({{"key", f.parameter->key},
+                        {"value", f.value},
+                        {"base", base.*f.parameter->member},
+                        {"for", purpose_name(f.purpose)},
+                        {"one_step_below", f.below}});
     return list;
 }
 
 ordered_json needs_json(const Fit& fit, const Ranges& ranges) {
     ordered_json fixed = ordered_json::array();
-    for (const Constant& c : constants(ranges)) fixed.push_back({{"name", c.name}, {"bits_there", c.there}, {"bits_needed", c.needed}});
-    return {{"bytes", fit.outcome.compile.bytes}, {"lines", lines_of(fit)}, {"addr_bits", fit.config.addr_bits}, {"stack_need", fit.outcome.compile.stack_need},
-            {"stack_depth", fit.config.stack_depth}, {"stack_bits", fit.cost.stack_bits}, {"constants", fixed}};
+    for (const Constant& c : constants(ranges))
+        fixed.push_back({{"name", c.name}, {"bits_there", c.there}, {"bits_needed", c.needed}});
+    return {{"bytes", fit.outcome.compile.bytes},
+            {"lines", lines_of(fit)},
+            {"addr_bits", fit.config.addr_bits},
+            {"stack_need", fit.outcome.compile.stack_need},
+            {"stack_depth", fit.config.stack_depth},
+            {"stack_bits", fit.cost.stack_bits},
+            {"constants", fixed}};
 }
 
 ordered_json cost_json(const Cost& cost) {
-    return {{"multiplier_adders", cost.multiplier_adders}, {"divider_adders", cost.divider_adders}, {"ray_bits", cost.ray_bits},
-            {"stack_bits", cost.stack_bits}, {"cache_bits", cost.cache_bits}, {"total", cost.total()}};
+    return {{"multiplier_adders", cost.multiplier_adders},
+            {"divider_adders", cost.divider_adders},
+            {"ray_bits", cost.ray_bits},
+            {"stack_bits", cost.stack_bits},
+            {"cache_bits", cost.cache_bits},
+            {"total", cost.total()}};
 }
 
 ordered_json ranges_json(const Ranges& ranges) {
     ordered_json signals = ordered_json::array();
     for (const Signal& s : ranges.signals)
-        signals.push_back({{"unit", s.unit}, {"signal", s.name}, {"signed", s.is_signed}, {"from", text(s.range.lo)}, {"to", text(s.range.hi)},
-                           {"bits_needed", s.needed()}, {"bits_there", s.there}, {"verdict", verdict(s)}});
+        signals.push_back({{"unit", s.unit},
+                           {"signal", s.name},
+                           {"signed", s.is_signed},
+                           {"from", text(s.range.lo)},
+                           {"to", text(s.range.hi)},
+                           {"bits_needed", s.needed()},
+                           {"bits_there", s.there},
+                           {"verdict", verdict(s)}});
     return {{"overflow_possible", !ranges.proven()}, {"signals", signals}};
 }
 
 ordered_json outcome_json(const Outcome& o) {
-    return {{"pixels", o.pixels}, {"pixels_other_primitive", o.other}, {"psnr_db", decibel(o.psnr_db)}, {"work", o.work}};
+    return {{"pixels", o.pixels},
+            {"pixels_other_primitive", o.other},
+            {"psnr_db", decibel(o.psnr_db)},
+            {"work", o.work}};
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

@@ -24,4 +24,4 @@ nlohmann::ordered_json cost_json(const Cost& cost);
 nlohmann::ordered_json ranges_json(const Ranges& ranges);
 nlohmann::ordered_json outcome_json(const Outcome& outcome);
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

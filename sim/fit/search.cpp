@@ -13,10 +13,12 @@ namespace rayclock::fit {
 
 namespace {
 
-constexpr double colour_loss = 0.1, colour_enough = 60;   // dB that bary_bits may cost, and beyond which it may cost all
+constexpr double colour_loss = 0.1,
+                 colour_enough = 60;   // dB that bary_bits may cost, and beyond which it may cost all
 
 const Parameter& parameter(int Config::*member) {
-    return *std::find_if(parameters().begin(), parameters().end(), [&](const Parameter& p) { return p.member == member; });
+    return *std::find_if(parameters().begin(), parameters().end(),
+                         [&](const Parameter& p) { return p.member == member; });
 }
 int most(int Config::*member) { return parameter(member).hi; }
 int least(int Config::*member) { return parameter(member).lo; }
@@ -30,13 +32,13 @@ std::string broken_rule(const Config& config) {
     }
 }
 
-} // namespace
+}   // namespace
 
 const char* purpose_name(Purpose purpose) {
     switch (purpose) {
-    case Purpose::correctness: return "correctness";
-    case Purpose::accuracy: return "accuracy";
-    case Purpose::work: return "work";
+        case Purpose::correctness: return "correctness";
+        case Purpose::accuracy: return "accuracy";
+        case Purpose::work: return "work";
     }
     return "";
 }
@@ -51,7 +53,9 @@ Search::Search(Measure& measure, const Config& base, const Goal& goal)
 
 Config Search::widest(const Config& config) const {
     Config wide = config;
-    for (int Config::*member : {&Config::recip_bits, &Config::box_bits, &Config::bary_bits, &Config::t_frac_bits}) wide.*member = most(member);
+    for (int Config::*member :
+         {&Config::recip_bits, &Config::box_bits, &Config::bary_bits, &Config::t_frac_bits})
+        wide.*member = most(member);
     // Distances may not go together with wide edges: rc_box has 64 bits.
     while (wide.t_frac_bits > 0 && !broken_rule(wide).empty()) --wide.t_frac_bits;
     return wide;
@@ -67,7 +71,8 @@ std::string Search::violation(const Config& config) {
     if (std::string rule = broken_rule(config); !rule.empty()) return rule;
     const Outcome& o = measure_(config);
     if (!o.refused.empty()) return o.refused;
-    if (100 * double(o.other) > goal_.max_error * double(o.pixels)) return fmt::format("{:.3f} % of the pixels hold another primitive", o.other_percent());
+    if (100 * double(o.other) > goal_.max_error * double(o.pixels))
+        return fmt::format("{:.3f} % of the pixels hold another primitive", o.other_percent());
     if (goal_.min_psnr && o.psnr_db < *goal_.min_psnr) return fmt::format("PSNR {:.2f} dB", o.psnr_db);
     const Config widest_fields = widest(config);
     const Outcome& wide = measure_(widest_fields);
@@ -86,8 +91,10 @@ std::optional<int> Search::smallest_coord_bits() {
     int top = 0;
     for (int n = most(&Config::coord_bits); n >= least(&Config::coord_bits) && top == 0; --n) {
         const Config config = widest_at(n);
-        if (keeps(config)) top = n;
-        else if (closest_.name.empty() || measure_(config).other < measure_(closest_).other) closest_ = config;
+        if (keeps(config))
+            top = n;
+        else if (closest_.name.empty() || measure_(config).other < measure_(closest_).other)
+            closest_ = config;
         if (config.dir_bits == most(&Config::dir_bits)) break;
     }
     if (top == 0) return {};
@@ -134,7 +141,8 @@ void Search::bisect(int Config::*member) {
 void Search::descend() {
     for (bool moved = true; moved;) {
         moved = false;
-        for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::recip_bits, &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits}) {
+        for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::recip_bits,
+                                    &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits}) {
             Config lower = best_;
             --(lower.*member);
             if (!keeps(lower)) continue;
@@ -149,9 +157,12 @@ void Search::fit_to_scene() {
     const Outcome& outcome = measure_(best_);
     const auto bits_for = [](std::uint64_t count) { return int(std::bit_width(count - 1)); };
     best_.stack_depth = int(std::bit_ceil(unsigned(std::max(1, outcome.compile.stack_need))));
-    best_.addr_bits = std::max({least(&Config::addr_bits), best_.least_addr_bits(), bits_for(outcome.compile.bytes / line_bytes)});
+    best_.addr_bits = std::max(
+        {least(&Config::addr_bits), best_.least_addr_bits(), bits_for(outcome.compile.bytes / line_bytes)});
     best_.prim_bits = std::max(least(&Config::prim_bits), bits_for(measure_.scene().triangles.size()));
-    best_.pixel_bits = std::max(least(&Config::pixel_bits), bits_for(std::uint64_t(std::max(measure_.size().width, measure_.size().height))));
+    best_.pixel_bits =
+        std::max(least(&Config::pixel_bits),
+                 bits_for(std::uint64_t(std::max(measure_.size().width, measure_.size().height))));
 }
 
 /// What the last round of descend() found one step below; all of it is remembered.
@@ -161,7 +172,8 @@ Fitted Search::fitted(int Config::*member, Purpose purpose) {
     Config lower = best_;
     --(lower.*member);
     f.below = violation(lower);
-    if (f.below.empty()) throw std::logic_error(std::string("fit: ") + f.parameter->key + " can be lowered, and was not");
+    if (f.below.empty())
+        throw std::logic_error(std::string("fit: ") + f.parameter->key + " can be lowered, and was not");
     return f;
 }
 
@@ -170,32 +182,43 @@ Fitted Search::needed(int Config::*member, const std::string& why) const {
     Fitted f{&parameter(member), Purpose::correctness, best_.*member, why};
     Config lower = best_;
     lower.*member = f.parameter->power_of_two ? f.value / 2 : f.value - 1;
-    if (f.value == f.parameter->lo) f.below = "there is no less";
-    else if (const std::string rule = broken_rule(lower); !rule.empty()) f.below = rule;
+    if (f.value == f.parameter->lo)
+        f.below = "there is no less";
+    else if (const std::string rule = broken_rule(lower); !rule.empty())
+        f.below = rule;
     return f;
 }
 
 std::optional<Fit> Search::run() {
     if (!find_lattice_and_directions()) return {};
-    for (int Config::*member : {&Config::recip_bits, &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits}) bisect(member);
+    for (int Config::*member :
+         {&Config::recip_bits, &Config::box_bits, &Config::t_frac_bits, &Config::bary_bits})
+        bisect(member);
     descend();
     Fit fit;
     fit.widest = measure_(widest(best_));
-    for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::t_frac_bits, &Config::bary_bits})
+    for (int Config::*member :
+         {&Config::coord_bits, &Config::dir_bits, &Config::t_frac_bits, &Config::bary_bits})
         fit.parameters.push_back(fitted(member, Purpose::accuracy));
-    for (int Config::*member : {&Config::recip_bits, &Config::box_bits}) fit.parameters.push_back(fitted(member, Purpose::work));
+    for (int Config::*member : {&Config::recip_bits, &Config::box_bits})
+        fit.parameters.push_back(fitted(member, Purpose::work));
     fit_to_scene();
     fit.config = best_;
     fit.outcome = measure_(best_);
     if (!fit.outcome.refused.empty()) throw std::logic_error("fit: " + fit.outcome.refused);
     const CompileReport& report = fit.outcome.compile;
-    fit.parameters.push_back(needed(&Config::stack_depth, fmt::format("a ray keeps up to {} groups of siblings", report.stack_need)));
-    fit.parameters.push_back(needed(&Config::addr_bits, fmt::format("the memory image has {} lines", report.bytes / line_bytes)));
-    fit.parameters.push_back(needed(&Config::prim_bits, fmt::format("the scene has {} triangles", report.triangles)));
-    fit.parameters.push_back(needed(&Config::pixel_bits, fmt::format("the picture has {} x {} pixels", measure_.size().width, measure_.size().height)));
+    fit.parameters.push_back(needed(
+        &Config::stack_depth, fmt::format("a ray keeps up to {} groups of siblings", report.stack_need)));
+    fit.parameters.push_back(
+        needed(&Config::addr_bits, fmt::format("the memory image has {} lines", report.bytes / line_bytes)));
+    fit.parameters.push_back(
+        needed(&Config::prim_bits, fmt::format("the scene has {} triangles", report.triangles)));
+    fit.parameters.push_back(
+        needed(&Config::pixel_bits,
+               fmt::format("the picture has {} x {} pixels", measure_.size().width, measure_.size().height)));
     fit.cost = cost_of(best_);
     fit.base_cost = cost_of(given_);
     return fit;
 }
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

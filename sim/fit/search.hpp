@@ -8,7 +8,7 @@
 namespace rayclock::fit {
 
 struct Goal {
-    double max_error = 0.1;           ///< per cent of pixels that may hold another primitive than the reference's
+    double max_error = 0.1;   ///< per cent of pixels that may hold another primitive than the reference's
     std::optional<double> min_psnr;   ///< dB, against the reference's picture
     double max_work = 2;              ///< per cent of nodes and triangles above what the widest fields need
 };
@@ -37,11 +37,12 @@ struct Fit {
     std::vector<Fitted> parameters;
 };
 
-/// How the search goes. Which pixels hold another primitive is decided by N and M alone: everything after them is exact or
-/// conservative. So first the pair (N, M) of the least cost that keeps the goal, all else at its widest: the smallest N by
-/// bisection, then for each larger N the smallest M, as long as that is cheaper. Then R, box_bits, F and bary_bits one after
-/// the other, each by bisection. Bisection takes for granted that more bits are never worse, and that is nearly true; so in
-/// the end every parameter is tried one step lower, again and again, until none can be lowered any more.
+/// How the search goes. Which pixels hold another primitive is decided by N and M alone: everything after
+/// them is exact or conservative. So first the pair (N, M) of the least cost that keeps the goal, all else at
+/// its widest: the smallest N by bisection, then for each larger N the smallest M, as long as that is
+/// cheaper. Then R, box_bits, F and bary_bits one after the other, each by bisection. Bisection takes for
+/// granted that more bits are never worse, and that is nearly true; so in the end every parameter is tried
+/// one step lower, again and again, until none can be lowered any more.
 class Search {
 public:
     Search(Measure& measure, const Config& base, const Goal& goal);
@@ -70,9 +71,9 @@ private:
     Fitted needed(int Config::*member, const std::string& why) const;
 
     Measure& measure_;
-    Config given_, base_;           ///< base: with the widest addresses and the deepest stack
-    Config best_, closest_;         ///< without a name: none yet
+    Config given_, base_;     ///< base: with the widest addresses and the deepest stack
+    Config best_, closest_;   ///< without a name: none yet
     Goal goal_;
 };
 
-} // namespace rayclock::fit
+}   // namespace rayclock::fit

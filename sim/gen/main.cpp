@@ -1,5 +1,6 @@
-// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to standard output; the
-// configuration is one that ships with the program, or `default`, with parameters changed.
+// Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to
+// standard output; the configuration is one that ships with the program, or `default`, with parameters
+// changed.
 #include <algorithm>
 #include <fstream>
 #include <iostream>

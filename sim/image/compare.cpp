@@ -15,8 +15,8 @@ namespace {
 
 void check_same_size(FrameSize a, FrameSize b) {
     if (a != b)
-        throw UserError(fmt::format("pictures of {}x{} and {}x{} pixels cannot be compared", a.width, a.height,
-                                    b.width, b.height));
+        throw UserError(fmt::format("pictures of {}x{} and {}x{} pixels cannot be compared", a.width,
+                                    a.height, b.width, b.height));
 }
 
 /// Largest difference over the three channels, in steps of 8-bit sRGB.
@@ -26,7 +26,7 @@ int largest_difference(const std::array<std::uint8_t, 3>& a, const std::array<st
     return largest;
 }
 
-} // namespace
+}   // namespace
 
 PictureDifference compare(const Picture& a, const Picture& b, int tolerance) {
     check_same_size(a.size, b.size);
@@ -40,9 +40,9 @@ PictureDifference compare(const Picture& a, const Picture& b, int tolerance) {
         if (largest > tolerance) ++difference.pixels_beyond;
     }
     const double mean = static_cast<double>(squares) / (3.0 * static_cast<double>(a.pixels.size()));
-    difference.psnr_db = squares == 0 ? std::numeric_limits<double>::infinity()
-                                      : 10 * std::log10(255.0 * 255.0 / mean);
+    difference.psnr_db =
+        squares == 0 ? std::numeric_limits<double>::infinity() : 10 * std::log10(255.0 * 255.0 / mean);
     return difference;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

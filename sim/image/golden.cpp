@@ -11,8 +11,10 @@ namespace rayclock {
 std::string golden_path(const std::string& folder, const std::string& scene_spec, FrameSize size) {
     std::string name = scene_spec;
     // A scene may also be the path of a file, which must not lead out of the folder.
-    std::replace_if(name.begin(), name.end(), [](char c) { return c == ':' || c == '/'; }, '_');
-    return (std::filesystem::path(folder) / fmt::format("{}_{}x{}.png", name, size.width, size.height)).string();
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ':' || c == '/'; }, '_');
+    return (std::filesystem::path(folder) / fmt::format("{}_{}x{}.png", name, size.width, size.height))
+        .string();
 }
 
 GoldenBounds golden_bounds(int coord_bits) {
@@ -20,7 +22,8 @@ GoldenBounds golden_bounds(int coord_bits) {
     return {golden_min_psnr_db - 10 * std::log10(coarser), golden_max_beyond * coarser};
 }
 
-GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture, int coord_bits) {
+GoldenResult check_golden(const std::string& folder, const std::string& scene_spec, const Picture& picture,
+                          int coord_bits) {
     GoldenResult result;
     const std::string path = golden_path(folder, scene_spec, picture.size);
     std::error_code error;
@@ -29,10 +32,11 @@ GoldenResult check_golden(const std::string& folder, const std::string& scene_sp
     const PictureDifference difference = compare(read_picture(path), picture, golden_tolerance);
     result.psnr_db = difference.psnr_db;
     result.pixels_beyond = difference.pixels_beyond;
-    const double beyond = static_cast<double>(difference.pixels_beyond) / static_cast<double>(picture.pixels.size());
+    const double beyond =
+        static_cast<double>(difference.pixels_beyond) / static_cast<double>(picture.pixels.size());
     const GoldenBounds bounds = golden_bounds(coord_bits);
     result.within = difference.psnr_db >= bounds.min_psnr_db && beyond <= bounds.max_beyond;
     return result;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

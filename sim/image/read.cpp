@@ -13,18 +13,19 @@ namespace {
 
 UserError not_readable(const std::string& path, std::string why) {
     if (const auto end = why.find('\n'); end != std::string::npos) why.resize(end);
-    return UserError(fmt::format("{}: is not a picture that can be read{}", path, why.empty() ? "" : ": " + why));
+    return UserError(
+        fmt::format("{}: is not a picture that can be read{}", path, why.empty() ? "" : ": " + why));
 }
 
 bool is_floating(OIIO::TypeDesc type) {
-    return type.basetype == OIIO::TypeDesc::HALF || type.basetype == OIIO::TypeDesc::FLOAT
-           || type.basetype == OIIO::TypeDesc::DOUBLE;
+    return type.basetype == OIIO::TypeDesc::HALF || type.basetype == OIIO::TypeDesc::FLOAT ||
+           type.basetype == OIIO::TypeDesc::DOUBLE;
 }
 
-} // namespace
+}   // namespace
 
-// Integer formats hold sRGB, floating ones linear light: true of what write_picture() writes and of common use.
-// One or two channels are grey (and alpha); channels beyond the third are not read.
+// Integer formats hold sRGB, floating ones linear light: true of what write_picture() writes and of common
+// use. One or two channels are grey (and alpha); channels beyond the third are not read.
 Picture read_picture(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) throw UserError(fmt::format("{}: no such file", path));
@@ -33,10 +34,10 @@ Picture read_picture(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) throw not_readable(path, OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.width > max_frame_side
-        || spec.height > max_frame_side)
-        throw UserError(fmt::format("{}: {}x{} pixels; at most {} a side can be read", path, spec.width, spec.height,
-                                    max_frame_side));
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.width > max_frame_side ||
+        spec.height > max_frame_side)
+        throw UserError(fmt::format("{}: {}x{} pixels; at most {} a side can be read", path, spec.width,
+                                    spec.height, max_frame_side));
     const int channels = spec.nchannels >= 3 ? 3 : 1;
     const bool linear = is_floating(spec.format);
     Picture picture{{spec.width, spec.height}, {}};
@@ -52,4 +53,4 @@ Picture read_picture(const std::string& path) {
     return picture;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -22,4 +22,4 @@ std::array<std::uint8_t, 3> srgb_bytes(const glm::vec3& linear) {
     return {srgb_byte(linear.r), srgb_byte(linear.g), srgb_byte(linear.b)};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

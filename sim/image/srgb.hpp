@@ -15,4 +15,4 @@ double linear_from_srgb(double srgb);
 std::uint8_t srgb_byte(double linear);
 std::array<std::uint8_t, 3> srgb_bytes(const glm::vec3& linear);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -34,7 +34,8 @@ Encoded encode_png(const Picture& picture, const HitFrame&) {
 Encoded encode_exr(const Picture& picture, const HitFrame& hits) {
     Encoded out{OIIO::ImageSpec(picture.size.width, picture.size.height, 5, OIIO::TypeHalf), {}};
     out.spec.channelnames = {"R", "G", "B", "Z", "id"};
-    out.spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat, OIIO::TypeUInt32};
+    out.spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat,
+                               OIIO::TypeUInt32};
     out.spec.z_channel = 3;
     out.spec.attribute("oiio:ColorSpace", "Linear");
     out.spec.attribute("compression", "zip");
@@ -76,7 +77,7 @@ std::string reason(std::string message) {
     return message.empty() ? "unknown reason" : message;
 }
 
-} // namespace
+}   // namespace
 
 void check_picture_path(const std::string& path) {
     format_of(path);
@@ -97,9 +98,11 @@ void write_picture(const std::string& path, const Picture& picture, const HitFra
     OIIO::Filesystem::IOVecOutput memory;
     output->set_ioproxy(&memory);
     // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
-    const bool encoded_all = output->open(path, encoded.spec) && output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
-    if (!encoded_all) throw UserError(fmt::format("{}: cannot be written: {}", path, reason(output->geterror())));
+    const bool encoded_all = output->open(path, encoded.spec) &&
+                             output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
+    if (!encoded_all)
+        throw UserError(fmt::format("{}: cannot be written: {}", path, reason(output->geterror())));
     write_bytes(path, {reinterpret_cast<const char*>(memory.buffer().data()), memory.buffer().size()});
 }
 
-} // namespace rayclock
+}   // namespace rayclock

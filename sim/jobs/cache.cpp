@@ -23,16 +23,18 @@ namespace {
 /// An entry takes some kilobytes.
 constexpr std::uint64_t most_bytes = 1 << 20;
 
-} // namespace
+}   // namespace
 
-std::optional<ordered_json> entry_value(const std::string& path, const std::string& text, const std::string& key) {
+std::optional<ordered_json> entry_value(const std::string& path, const std::string& text,
+                                        const std::string& key) {
     try {
         parse_json(path, text);   // refuses what would take the next line too long, or too deep
     } catch (const UserError&) {
         return std::nullopt;
     }
     ordered_json entry = ordered_json::parse(text);
-    if (!entry.is_object() || !entry.contains("key") || !entry.contains("check") || !entry.contains("value")) return std::nullopt;
+    if (!entry.is_object() || !entry.contains("key") || !entry.contains("check") || !entry.contains("value"))
+        return std::nullopt;
     if (entry["key"] != key || entry["check"] != hash_text(entry["value"].dump())) return std::nullopt;
     return entry["value"];
 }
@@ -43,7 +45,9 @@ Cache::Cache(fs::path folder, bool fresh) : folder_(std::move(folder)), fresh_(f
     if (error) trouble_ = folder_.string() + ": " + error.message();
 }
 
-fs::path Cache::path_of(const std::string& kind, const std::string& key) const { return folder_ / fmt::format("{}-{}.json", kind, hash_text(key)); }
+fs::path Cache::path_of(const std::string& kind, const std::string& key) const {
+    return folder_ / fmt::format("{}-{}.json", kind, hash_text(key));
+}
 
 std::optional<ordered_json> Cache::find(const std::string& kind, const std::string& key) const {
     if (fresh_) return std::nullopt;
@@ -72,4 +76,4 @@ std::string Cache::trouble() const {
     return trouble_;
 }
 
-} // namespace rayclock::jobs
+}   // namespace rayclock::jobs

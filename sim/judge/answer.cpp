@@ -25,7 +25,9 @@ double sphere_error(const SolidRay& ray, const Solid& sphere, const Config& c) {
     return 1 + std::max(std::ldexp(unit, -ray.frac) / square, std::ldexp(radius, 1 - root_bits));
 }
 
-std::uint32_t field(Int128 value, int bits) { return std::uint32_t(std::uint64_t(value) & ((std::uint64_t(1) << bits) - 1)); }
+std::uint32_t field(Int128 value, int bits) {
+    return std::uint32_t(std::uint64_t(value) & ((std::uint64_t(1) << bits) - 1));
+}
 
 /// floor(2^bary_bits part / total); of a chip with planes signed and saturated, in two's complement.
 std::uint32_t weight_of(Int128 part, Int128 total, const Config& c) {
@@ -36,46 +38,58 @@ std::uint32_t weight_of(Int128 part, Int128 total, const Config& c) {
 }
 
 /// A sphere is met before t = ticks for certain, also as the machine rounds it.
-bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c, double ticks) {
+bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
+                      double ticks) {
     if (nearest.sphere.primitive == no_primitive) return false;
     const double error = sphere_error(ray, solids.all()[nearest.sphere.primitive], c);
-    return (std::ldexp(nearest.sphere.distance, tick_bits(c)) + error) * (1 + Range::slack) < ticks * (1 - Range::slack);
+    return (std::ldexp(nearest.sphere.distance, tick_bits(c)) + error) * (1 + Range::slack) <
+           ticks * (1 - Range::slack);
 }
 
-const char* judge_flat(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c, const Closest& answer) {
+const char* judge_flat(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
+                       const Closest& answer) {
     const FlatHit& hit = nearest.flat;
-    if (hit.primitive != answer.prim) return solids.flat_hit(ray, answer.prim) ? "another primitive is closer" : "it misses that primitive";
+    if (hit.primitive != answer.prim)
+        return solids.flat_hit(ray, answer.prim) ? "another primitive is closer" : "it misses that primitive";
     const double ticks = std::ldexp(double(hit.num) / double(hit.den), tick_bits(c));
     if (sphere_is_sooner(nearest, solids, ray, c, ticks)) return "a sphere is closer";
     const Int128 most = most_ticks(c);
     // num has up to 3N + B + 4 bits; where it would overflow t saturates for certain.
-    const Int128 t = hit.num > (Int128(1) << 90) ? most : std::min(most, ceil_of(hit.num * (Int128(1) << tick_bits(c)), hit.den));
+    const Int128 t = hit.num > (Int128(1) << 90)
+                         ? most
+                         : std::min(most, ceil_of(hit.num * (Int128(1) << tick_bits(c)), hit.den));
     if (answer.t != std::uint32_t(t)) return "t is not the exact one, rounded up";
-    if (answer.u != weight_of(hit.u, hit.total, c) || answer.v != weight_of(hit.v, hit.total, c)) return "u or v is not the exact one, rounded down";
+    if (answer.u != weight_of(hit.u, hit.total, c) || answer.v != weight_of(hit.v, hit.total, c))
+        return "u or v is not the exact one, rounded down";
     if (c.shading && (answer.back != 0) != hit.back) return "it meets the other side";
     return nullptr;
 }
 
-const char* judge_sphere(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c, const Closest& answer) {
+const char* judge_sphere(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
+                         const Closest& answer) {
     const Solid& sphere = solids.all()[answer.prim];
     const Meets which = oracle::meets_sphere(ray, sphere, ray.self == answer.prim);
     if (which == Meets::no) return "it misses that sphere";
     const std::int64_t t = answer.t;
     const auto slack = std::int64_t(std::ceil(sphere_error(ray, sphere, c)));
     const bool beyond = t == most_ticks(c);
-    if (!beyond && !oracle::reaches_sphere(ray, sphere, which, t, tick_bits(c))) return "t is before the sphere";
-    if (t > slack && oracle::reaches_sphere(ray, sphere, which, t - slack - 1, tick_bits(c))) return "t is farther behind the sphere's than it may be rounded";
+    if (!beyond && !oracle::reaches_sphere(ray, sphere, which, t, tick_bits(c)))
+        return "t is before the sphere";
+    if (t > slack && oracle::reaches_sphere(ray, sphere, which, t - slack - 1, tick_bits(c)))
+        return "t is farther behind the sphere's than it may be rounded";
     if (sphere_is_sooner(nearest, solids, ray, c, double(t))) return "another sphere is closer";
     if (nearest.flat.primitive != no_primitive) {
-        const int order = oracle::compare_fractions(nearest.flat.num, nearest.flat.den, t, Int128(1) << tick_bits(c));
-        if (order < 0 || (order == 0 && nearest.flat.primitive < answer.prim)) return "another primitive is closer";
+        const int order =
+            oracle::compare_fractions(nearest.flat.num, nearest.flat.den, t, Int128(1) << tick_bits(c));
+        if (order < 0 || (order == 0 && nearest.flat.primitive < answer.prim))
+            return "another primitive is closer";
     }
     if (answer.u != 0 || answer.v != 0) return "a sphere has no u and v";
     if (c.shading && (answer.back != 0) != (which == Meets::far)) return "it meets the other side";
     return nullptr;
 }
 
-} // namespace
+}   // namespace
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
     const auto kind = RayKind(ray.kind);
@@ -91,17 +105,24 @@ SolidRay solid_ray(const Ray& ray, const Config& c) {
 const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, const Closest& answer) {
     const SolidRay r = solid_ray(ray, c);
     if (ends_at_any(ray.kind)) {
-        const bool met = RayKind(ray.kind) == RayKind::shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r);
+        const bool met =
+            RayKind(ray.kind) == RayKind::shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r);
         if (met != (answer.found != 0)) return met ? "its way is blocked" : "its way is free";
-        return answer.prim || answer.t || answer.u || answer.v || answer.back ? "more is said of a shadow ray than yes or no" : nullptr;
+        return answer.prim || answer.t || answer.u || answer.v || answer.back
+                   ? "more is said of a shadow ray than yes or no"
+                   : nullptr;
     }
     const Nearest nearest = solids.nearest(r);
     if (!answer.found) {
-        if (nearest.flat.primitive != no_primitive || nearest.sphere.primitive != no_primitive) return "it meets something";
-        return answer.prim || answer.t || answer.u || answer.v || answer.back ? "more is said of a miss than that it is one" : nullptr;
+        if (nearest.flat.primitive != no_primitive || nearest.sphere.primitive != no_primitive)
+            return "it meets something";
+        return answer.prim || answer.t || answer.u || answer.v || answer.back
+                   ? "more is said of a miss than that it is one"
+                   : nullptr;
     }
     if (answer.prim >= solids.all().size()) return "there is no such primitive";
-    return solids.all()[answer.prim].kind == Solid::Kind::sphere ? judge_sphere(nearest, solids, r, c, answer) : judge_flat(nearest, solids, r, c, answer);
+    return solids.all()[answer.prim].kind == Solid::Kind::sphere ? judge_sphere(nearest, solids, r, c, answer)
+                                                                 : judge_flat(nearest, solids, r, c, answer);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

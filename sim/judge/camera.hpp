@@ -5,10 +5,12 @@
 
 namespace rayclock {
 
-/// Direction of a camera ray from the frame's registers, by the rule in model/core/frame.hpp. Of a sample of the pixel, or of its middle.
-Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& settings, int x, int y, int sample);
+/// Direction of a camera ray from the frame's registers, by the rule in model/core/frame.hpp. Of a sample of
+/// the pixel, or of its middle.
+Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& settings, int x, int y,
+                      int sample);
 
 /// Equal but for the context and the side.
 bool same_answer(const Closest& a, const Closest& b);
 
-} // namespace rayclock
+}   // namespace rayclock

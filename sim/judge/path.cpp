@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t one = 1u << unit_bits;
 
-} // namespace
+}   // namespace
 
 void PathJudge::fail(const char* what) {
     if (!is_wrong()) fault_ = {what, ray_number_};
@@ -34,9 +34,11 @@ void PathJudge::start(std::uint32_t x, std::uint32_t y) {
 // ---- Rays.
 
 void PathJudge::judge_camera(const Ray& ray) {
-    demand(ray.d == exact_direction(frame_, config_, rules_.settings, int(x_), int(y_), int(sample_)), "the camera ray's direction is not the pixel's, rounded");
+    demand(ray.d == exact_direction(frame_, config_, rules_.settings, int(x_), int(y_), int(sample_)),
+           "the camera ray's direction is not the pixel's, rounded");
     for (std::size_t k = 0; k < 3; ++k)
-        demand(ray.o[k] == frame_.eye[k] * (1 << config_.origin_frac()), "the camera ray does not begin at the eye");
+        demand(ray.o[k] == frame_.eye[k] * (1 << config_.origin_frac()),
+               "the camera ray does not begin at the eye");
 }
 
 void PathJudge::sent(const Ray& ray) {
@@ -47,10 +49,14 @@ void PathJudge::sent(const Ray& ray) {
         ++rays_.primary;
     } else {
         demand(ray.o == expected_.o && ray.d == expected_.d, "the ray is not the one that was asked for");
-        demand((ray.finite != 0) == expected_.is_finite, "the ray asks planes where it must not, or the other way round");
-        demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside), "the ray leaves another surface than was asked for");
-        if (ends_at_any(ray.kind)) ++rays_.shadow;
-        else ++(expected_.is_refracted ? rays_.refraction : rays_.reflection);
+        demand((ray.finite != 0) == expected_.is_finite,
+               "the ray asks planes where it must not, or the other way round");
+        demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
+               "the ray leaves another surface than was asked for");
+        if (ends_at_any(ray.kind))
+            ++rays_.shadow;
+        else
+            ++(expected_.is_refracted ? rays_.refraction : rays_.reflection);
     }
     ray_ = ray;
     if (!ends_at_any(ray.kind)) bounce_ray_ = ray;
@@ -73,20 +79,26 @@ void PathJudge::add(const Colour& colour, const Light& exact) {
 
 void PathJudge::passed(const PassIn& in, const PassOut& out) {
     const ShadeState& s = in.state;
-    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.event) == ShadeEvent::arrive && s.weight == one && s.depth == 0 : s == last_,
+    demand(fresh_ ? s.x == x_ && s.y == y_ && ShadeEvent(s.event) == ShadeEvent::arrive && s.weight == one &&
+                        s.depth == 0
+                  : s == last_,
            "the context's state is not what the last pass left");
-    demand(in.hit.found == answer_.found && same_answer(in.hit, answer_) && in.hit.back == answer_.back, "a pass was given another answer");
+    demand(in.hit.found == answer_.found && same_answer(in.hit, answer_) && in.hit.back == answer_.back,
+           "a pass was given another answer");
     if (lit_ || (lit_if_free_ && !answer_.found)) add(s.share, share_);
     lit_ = lit_if_free_ = false;
     switch (ShadeEvent(s.event)) {
-    case ShadeEvent::arrive: arrive(in, out); break;
-    case ShadeEvent::light: light(in, out); break;
-    case ShadeEvent::refract: refract(in, out); break;
-    case ShadeEvent::reflect: reflect(in, out); break;
-    case ShadeEvent::pop: pop(in, out); break;
+        case ShadeEvent::arrive: arrive(in, out); break;
+        case ShadeEvent::light: light(in, out); break;
+        case ShadeEvent::refract: refract(in, out); break;
+        case ShadeEvent::reflect: reflect(in, out); break;
+        case ShadeEvent::pop: pop(in, out); break;
     }
-    demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_, "what was added is not what the surface, light or background gives");
-    demand(out.state.sample == sample_ && out.state.depth == branch_.depth && out.state.weight == branch_.weight, "a ray's weight or depth was lost");
+    demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
+           "what was added is not what the surface, light or background gives");
+    demand(
+        out.state.sample == sample_ && out.state.depth == branch_.depth && out.state.weight == branch_.weight,
+        "a ray's weight or depth was lost");
     demand(out.state.waiting == waiting_.size(), "the number of waiting rays is wrong");
     last_ = out.state;
     fresh_ = false;
@@ -109,7 +121,8 @@ void PathJudge::background(std::uint32_t weight, const Range& exact) {
     for (std::size_t k = 0; k < 3; ++k) {
         const double light = rules_.asked.scene.background[int(k)];
         colour[k] = std::uint32_t(nearest_of_power(Int128(weight) * frame_.shade.background[k], unit_bits));
-        range[k] = (exact * Range::around(std::clamp(light, 0.0, 1.0), 0.5 * unit_step)).wider(0.5 * unit_step);
+        range[k] =
+            (exact * Range::around(std::clamp(light, 0.0, 1.0), 0.5 * unit_step)).wider(0.5 * unit_step);
     }
     add(colour, range);
 }
@@ -121,8 +134,11 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
     branch_ = waiting_.back();
     waiting_.pop_back();
     const Expected& ray = branch_.ray;
-    demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight && in.top.depth == branch_.depth, "another ray waited");
-    demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside), "another ray waited");
+    demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight &&
+               in.top.depth == branch_.depth,
+           "another ray waited");
+    demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside),
+           "another ray waited");
     expect_spawn(out, ray);
     demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a bounce that was sent is not waited for");
 }
@@ -141,24 +157,32 @@ void PathJudge::end_sample(const PassOut& out) {
     const auto all = std::uint32_t(rules_.settings.aa * rules_.settings.aa), done = sample_ + 1;
     const bool may_stop = done == std::min(first_samples, all);
     const bool goes_on = out.leave == PassOut::Leave::spawn;
-    if (done >= all || !config_.supersampling) demand(!goes_on, "there are more samples than asked for");
-    else if (!may_stop || !alike) demand(goes_on, "a pixel ends before its last sample");
-    else if (same) demand(!goes_on, "samples that do not differ do not end the pixel");
+    if (done >= all || !config_.supersampling)
+        demand(!goes_on, "there are more samples than asked for");
+    else if (!may_stop || !alike)
+        demand(goes_on, "a pixel ends before its last sample");
+    else if (same)
+        demand(!goes_on, "samples that do not differ do not end the pixel");
     if (goes_on) {
         sample_ = done;
         colour_ = {};
         exact_ = {};
         branch_ = {{}, one, 0, {1, 1}};
-        demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ && out.state.most == most_, "the samples' sum is wrong");
+        demand(out.state.colour == colour_ && out.state.sum == sum_ && out.state.least == least_ &&
+                   out.state.most == most_,
+               "the samples' sum is wrong");
         demand(ShadeEvent(out.state.event) == ShadeEvent::arrive, "a sample's ray is not waited for");
         return expect_spawn(out, {});
     }
     demand(out.leave == PassOut::Leave::pixel, "the pixel is not given out");
     for (std::size_t k = 0; k < 3; ++k) {
         const Int128 share = nearest_of(one, done);
-        pixel_[k] = config_.supersampling ? std::uint32_t(std::min<Int128>(nearest_of_power(sum_[k] * share, unit_bits), one)) : colour_[k];
+        pixel_[k] = config_.supersampling
+                        ? std::uint32_t(std::min<Int128>(nearest_of_power(sum_[k] * share, unit_bits), one))
+                        : colour_[k];
         // The share is off by half a unit of a sum of `done` samples, and the product is rounded.
-        exact_pixel_[k] = (1.0 / done * exact_sum_[k]).wider(config_.supersampling ? 0.5 * (done + 1) * unit_step : 0);
+        exact_pixel_[k] =
+            (1.0 / done * exact_sum_[k]).wider(config_.supersampling ? 0.5 * (done + 1) * unit_step : 0);
     }
     demand(out.pixel.colour == pixel_, "the pixel is not the mean of its samples");
 }
@@ -172,4 +196,4 @@ void PathJudge::finish(const Colour& colour) {
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,11 +1,12 @@
 #pragma once
 // Follows one pixel of a chip that shades from its first camera ray to its colour, and judges every step.
 //
-// Three kinds of judgement. *Exact*: which primitive a ray meets, where a secondary ray begins, on which side it leaves, whether a
-// light or a bounce is asked for, sums and their saturation: whole numbers of 128 bits. *To the bit, as promised*: products that
-// docs/shading.md rounds to nearest, from the factors that the chip had. *Within a proven bound*: unit vectors, powers, directions
-// of bounces and colours against what doubles work out from the same hit. Each contribution to the pixel has its own range, and the
-// pixel must lie within their sum.
+// Three kinds of judgement. *Exact*: which primitive a ray meets, where a secondary ray begins, on which side
+// it leaves, whether a light or a bounce is asked for, sums and their saturation: whole numbers of 128 bits.
+// *To the bit, as promised*: products that docs/shading.md rounds to nearest, from the factors that the chip
+// had. *Within a proven bound*: unit vectors, powers, directions of bounces and colours against what doubles
+// work out from the same hit. Each contribution to the pixel has its own range, and the pixel must lie within
+// their sum.
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ namespace rayclock {
 
 /// What a path is judged by; shared by all threads.
 struct PathRules {
-    const Asked& asked;            ///< with the scene as it was compiled
+    const Asked& asked;   ///< with the scene as it was compiled
     const Whitted& settings;
     const std::vector<oracle::Solid>& primitives;
     const oracle::Solids& solids;
@@ -32,7 +33,8 @@ struct PathFault {
 
 class PathJudge final : public ShadeWatch {
 public:
-    explicit PathJudge(const PathRules& rules) : rules_(rules), config_(rules.asked.config), frame_(rules.asked.frame) {}
+    explicit PathJudge(const PathRules& rules)
+        : rules_(rules), config_(rules.asked.config), frame_(rules.asked.frame) {}
 
     void start(std::uint32_t x, std::uint32_t y);
     void sent(const Ray& ray) override;
@@ -45,8 +47,10 @@ public:
     void fail(const char* what);
     bool is_wrong() const { return !fault_.what.empty(); }
     const PathFault& fault() const { return fault_; }
-    const RayCounts& rays() const { return rays_; }           ///< judged, of all pixels
-    double widest() const { return widest_; }                 ///< half the widest range of a pixel's colour, in units of 2^-unit_bits
+    const RayCounts& rays() const { return rays_; }   ///< judged, of all pixels
+    double widest() const {
+        return widest_;
+    }   ///< half the widest range of a pixel's colour, in units of 2^-unit_bits
 
 private:
     using Colour = std::array<std::uint32_t, 3>;
@@ -63,7 +67,7 @@ private:
         Expected ray;
         std::uint32_t weight = 0;
         std::uint32_t depth = 0;
-        Range exact{1, 1};     ///< its weight from the materials, not rounded
+        Range exact{1, 1};   ///< its weight from the materials, not rounded
     };
     /// Where the last bounce met a surface: as the chip has it, and the truth.
     struct Place {
@@ -118,7 +122,8 @@ private:
     Weight weight_of(const Share& share) const;
     bool follows(const Weight& weight);
     std::int32_t direction_component(std::int32_t unit) const;
-    Branch bounce(const ShadeState& s, const Weight& weight, const Vec3i& start, const Vec3i& d, bool through) const;
+    Branch bounce(const ShadeState& s, const Weight& weight, const Vec3i& start, const Vec3i& d,
+                  bool through) const;
 
     void pop(const PassIn& in, const PassOut& out);
     void end_sample(const PassOut& out);
@@ -134,18 +139,19 @@ private:
 
     std::uint32_t x_ = 0, y_ = 0;
     int ray_number_ = 0;
-    bool fresh_ = true;               ///< no pass has been made yet
-    ShadeState last_;                 ///< after the last pass
-    Ray bounce_ray_, ray_;            ///< the last camera ray or bounce; the last of all
+    bool fresh_ = true;      ///< no pass has been made yet
+    ShadeState last_;        ///< after the last pass
+    Ray bounce_ray_, ray_;   ///< the last camera ray or bounce; the last of all
     Closest answer_;
     Expected expected_;
     Branch branch_;
     Place place_;
     std::vector<Branch> waiting_;
-    bool lit_if_free_ = false, lit_ = false;   ///< the last light's share is added if its ray is free, or for certain
-    Light share_;                     ///< of that light, not rounded
-    Colour colour_{};                 ///< of the sample, as the chip sums it
-    Light exact_{};                   ///< the same, not rounded and not yet saturated
+    bool lit_if_free_ = false,
+         lit_ = false;   ///< the last light's share is added if its ray is free, or for certain
+    Light share_;        ///< of that light, not rounded
+    Colour colour_{};    ///< of the sample, as the chip sums it
+    Light exact_{};      ///< the same, not rounded and not yet saturated
     Colour sum_{}, least_{}, most_{};
     Light exact_sum_{};
     std::uint32_t sample_ = 0;
@@ -153,4 +159,4 @@ private:
     Light exact_pixel_{};
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -9,7 +9,9 @@ namespace {
 constexpr std::uint32_t one = 1u << unit_bits;
 using Wide3 = std::array<Int128, 3>;
 
-Wide3 edge(const Vec3i& from, const Vec3i& to) { return {Int128(to[0]) - from[0], Int128(to[1]) - from[1], Int128(to[2]) - from[2]}; }
+Wide3 edge(const Vec3i& from, const Vec3i& to) {
+    return {Int128(to[0]) - from[0], Int128(to[1]) - from[1], Int128(to[2]) - from[2]};
+}
 
 double ratio_of(const Material& m, bool from_inside) {
     const double index = m.index > 0 ? m.index : 1;
@@ -30,7 +32,9 @@ bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
     return true;
 }
 
-Int128 dot(const Vec3l& a, const Vec3i& b) { return Int128(a[0]) * b[0] + Int128(a[1]) * b[1] + Int128(a[2]) * b[2]; }
+Int128 dot(const Vec3l& a, const Vec3i& b) {
+    return Int128(a[0]) * b[0] + Int128(a[1]) * b[1] + Int128(a[2]) * b[2];
+}
 
 /// The nearest product of two vectors of unit length, kept within 0 and 1.
 std::uint32_t promised_cosine(const Vec3i& a, const Vec3i& b) {
@@ -38,14 +42,17 @@ std::uint32_t promised_cosine(const Vec3i& a, const Vec3i& b) {
     return std::uint32_t(std::clamp<Int128>(nearest_of_power(sum, unit_bits), 0, one));
 }
 
-} // namespace
+}   // namespace
 
 void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     const ShadeState& s = out.state;
-    demand(in.o == bounce_ray_.o && in.d == bounce_ray_.d, "a pass was given another ray than the one that arrived");
+    demand(in.o == bounce_ray_.o && in.d == bounce_ray_.d,
+           "a pass was given another ray than the one that arrived");
     demand(out.leave == PassOut::Leave::again, "a surface sends no ray");
     if (branch_.depth == 0 && sample_ == 0)
-        demand(s.found == answer_.found && s.prim == answer_.prim && s.t == answer_.t && s.u == answer_.u && s.v == answer_.v, "the pixel's first hit is not kept");
+        demand(s.found == answer_.found && s.prim == answer_.prim && s.t == answer_.t && s.u == answer_.u &&
+                   s.v == answer_.v,
+               "the pixel's first hit is not kept");
     if (!answer_.found) {
         background(branch_.weight, branch_.exact);
         demand(ShadeEvent(s.event) == ShadeEvent::pop, "after the background comes the next ray");
@@ -54,13 +61,16 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     place_ = {};
     place_.ratio = ratio_of(material_of(rules_.asked.scene, answer_.prim), answer_.back != 0);
     place_.surface = expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
-    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // how it tells its squares is judged by their colours
-        place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other, place_.surface.normal = in.surface.normal;
+    if (PrimKind(place_.surface.kind) ==
+        PrimKind::plane)   // how it tells its squares is judged by their colours
+        place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
+        place_.surface.normal = in.surface.normal;
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
     judge_place(in, s);
     ambient(s);
     const bool lights = !rules_.asked.scene.lights.empty();
-    demand(s.light == 0 && ShadeEvent(s.event) == (lights ? ShadeEvent::light : after_lights(s)), "after a surface come its lights");
+    demand(s.light == 0 && ShadeEvent(s.event) == (lights ? ShadeEvent::light : after_lights(s)),
+           "after a surface come its lights");
 }
 
 void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
@@ -74,14 +84,16 @@ void PathJudge::judge_place(const PassIn& in, const ShadeState& s) {
     }
     judge_vectors(in, s, toward);
     demand(s.self == answer_.prim && s.inside == answer_.back, "the surface that was hit is not kept");
-    demand(s.diffuse == surface.diffuse && s.highlight == surface.highlight && s.mirror == surface.mirror && s.transmit == surface.transmit &&
-               s.shine == surface.shine && s.schlick == surface.schlick && s.r0 == surface.r0,
+    demand(s.diffuse == surface.diffuse && s.highlight == surface.highlight && s.mirror == surface.mirror &&
+               s.transmit == surface.transmit && s.shine == surface.shine && s.schlick == surface.schlick &&
+               s.r0 == surface.r0,
            "the material that was hit is not kept");
-    demand(s.ratio == (answer_.back ? surface.leave : surface.enter), "the ratio of indices is the wrong way round");
+    demand(s.ratio == (answer_.back ? surface.leave : surface.enter),
+           "the ratio of indices is the wrong way round");
 }
 
-/// The point lies exactly on the surface: of a triangle strictly inside, its weights being the hit's, rounded, and moved off the
-/// border by two units at most where they would lie on it.
+/// The point lies exactly on the surface: of a triangle strictly inside, its weights being the hit's,
+/// rounded, and moved off the border by two units at most where they would lie on it.
 void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& toward) {
     const Surface& surface = place_.surface;
     const bool is_plane = PrimKind(surface.kind) == PrimKind::plane;
@@ -94,14 +106,17 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     const Wide3 e1 = edge(surface.a, surface.b), e2 = edge(surface.a, surface.c);
     const Int128 most = (Int128(1) << (config_.point_width() - 1)) - 1;
 
-    const auto is_inside = [&](Int128 u, Int128 v) { return is_plane || (u >= 1 && v >= 1 && u + v <= whole - 1); };
+    const auto is_inside = [&](Int128 u, Int128 v) {
+        return is_plane || (u >= 1 && v >= 1 && u + v <= whole - 1);
+    };
     const Int128 end = ((Int128(1) << (config_.coord_bits - 1)) - 1) << config_.origin_bits;
     bool beyond = false, outside = false;
     const auto is_point = [&](Int128 u, Int128 v) {
         if (!is_inside(u, v)) return false;
         beyond = outside = false;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Int128 at = (Int128(surface.a[k]) * whole + u * e1[k] + v * e2[k]) / (Int128(1) << fine);   // divides: see fineness()
+            const Int128 at = (Int128(surface.a[k]) * whole + u * e1[k] + v * e2[k]) /
+                              (Int128(1) << fine);   // divides: see fineness()
             beyond = beyond || at > most || at < -most;
             outside = outside || at > end || at < -end;
             if (std::clamp(at, -most, most) != s.o[k]) return false;
@@ -111,11 +126,13 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     Int128 u = near_u, v = near_v;
     bool good = is_point(u, v);
     if (!is_inside(near_u, near_v))
-        for (int i = 0; i < 25 && !good; ++i) u = near_u + i % 5 - 2, v = near_v + i / 5 - 2, good = is_point(u, v);
+        for (int i = 0; i < 25 && !good; ++i)
+            u = near_u + i % 5 - 2, v = near_v + i / 5 - 2, good = is_point(u, v);
     demand(good, "a secondary ray's origin is not the point that was hit");
 
     const std::int64_t last = (std::int64_t(1) << (config_.uv_bits() - 1)) - 1;
-    const bool ends = is_plane && (hit_u == last || hit_v == last || hit_u == -last - 1 || hit_v == -last - 1);
+    const bool ends =
+        is_plane && (hit_u == last || hit_v == last || hit_u == -last - 1 || hit_v == -last - 1);
     place_.is_lost = ends || beyond;
     place_.is_far = place_.is_lost || (config_.planes && outside);
     demand((s.far != 0) == place_.is_far && (s.lost != 0) == place_.is_lost, "a point is far off, or is not");
@@ -123,7 +140,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
         const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
         const Int128 normal = (e1[i] * e2[j] - e1[j] * e2[i]) * (answer_.back ? -1 : 1);
         demand(s.n[k] == normal, "the normal is not the triangle's, turned to the side that is seen");
-        const Int128 smooth = (whole - u - v) * surface.normal[k] + u * surface.normal[3 + k] + v * surface.normal[6 + k];
+        const Int128 smooth =
+            (whole - u - v) * surface.normal[k] + u * surface.normal[3 + k] + v * surface.normal[6 + k];
         toward[k] = surface.smooth ? std::int64_t(smooth) * (answer_.back ? -1 : 1) : s.n[k];
     }
     demand(dot(s.n, in.d) < 0, "the normal points away from the side that is seen");
@@ -131,19 +149,23 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     demand(s.albedo == expected_albedo(surface), "the colour is another square's");
 }
 
-/// Of a plane the square's, which is found from the scene and not from what memory says; that between the two where u and v tell no
-/// squares: they are saturated, or squares are finer than they are. A square that is longer than u and v reach is the one around a.
+/// Of a plane the square's, which is found from the scene and not from what memory says; that between the two
+/// where u and v tell no squares: they are saturated, or squares are finer than they are. A square that is
+/// longer than u and v reach is the one around a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
     const std::size_t planes = rules_.asked.scene.triangles.size() + rules_.asked.scene.spheres.size();
     if (PrimKind(surface.kind) != PrimKind::plane || !surface.checkered) return surface.colour;
     const Material& material = material_of(rules_.asked.scene, answer_.prim);
-    const auto shade = [](double value) { return std::uint32_t(std::floor(std::clamp(value, 0.0, 1.0) * std::exp2(share_bits) + 0.5)); };
+    const auto shade = [](double value) {
+        return std::uint32_t(std::floor(std::clamp(value, 0.0, 1.0) * std::exp2(share_bits) + 0.5));
+    };
     Colour first, second, between;
     for (std::size_t k = 0; k < 3; ++k) {
         first[k] = shade(material.colour[int(k)]), second[k] = shade(material.other[int(k)]);
         between[k] = (first[k] + second[k]) / 2;
     }
-    const PlaneOnLattice on = plane_on_lattice(rules_.asked.scene.planes[answer_.prim - planes], rules_.asked.lattice);
+    const PlaneOnLattice on =
+        plane_on_lattice(rules_.asked.scene.planes[answer_.prim - planes], rules_.asked.lattice);
     const std::int64_t last = (std::int64_t(1) << (config_.uv_bits() - 1)) - 1;
     bool odd = false;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -154,7 +176,8 @@ PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
             odd ^= std::fmod(std::floor(std::ldexp(on.at[i], -on.level[i])), 2) != 0;
             continue;
         }
-        // at is a whole number; of squares finer than sides any multiple of two squares leaves the colour as it is.
+        // at is a whole number; of squares finer than sides any multiple of two squares leaves the colour as
+        // it is.
         const double pair = std::exp2(std::max(on.level[i] + 1, 0));
         const auto at = Int128(on.at[i] - pair * std::floor(on.at[i] / pair));
         odd ^= floor_of(sides + (at << config_.bary_bits), Int128(1) << bit) % 2 != 0;
@@ -168,9 +191,11 @@ void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
     const Int128 most = (Int128(1) << (config_.origin_width() - 1)) - 1;
     for (std::size_t k = 0; k < 3; ++k) {
         const Int128 at = in.o[k] + nearest_of_power(Int128(in.d[k]) * answer_.t, drop);
-        demand(s.o[k] == std::clamp(at, -most, most), "a secondary ray's origin is not the point that was hit");
+        demand(s.o[k] == std::clamp(at, -most, most),
+               "a secondary ray's origin is not the point that was hit");
         const Int128 normal = s.o[k] - (Int128(place_.surface.a[k]) << config_.origin_bits);
-        demand(s.n[k] == (answer_.back ? -normal : normal), "the normal is not the sphere's, turned to the side that is seen");
+        demand(s.n[k] == (answer_.back ? -normal : normal),
+               "the normal is not the sphere's, turned to the side that is seen");
     }
     demand(s.far == 0 && s.lost == 0, "a sphere is never far off");
     demand(s.albedo == place_.surface.colour, "the colour is not the surface's");
@@ -181,7 +206,8 @@ void PathJudge::judge_vectors(const PassIn& in, const ShadeState& s, const Vec3l
     place_.view = -unit_of(vector_of(in.d));
     demand(is_unit(s.normal, vector_of(toward)), "the normal is not of unit length or points elsewhere");
     demand(is_unit(s.view, -vector_of(in.d)), "the view vector is not of unit length or points elsewhere");
-    demand(s.cosine == promised_cosine(s.normal, s.view), "the cosine to the view is not the vectors' product");
+    demand(s.cosine == promised_cosine(s.normal, s.view),
+           "the cosine to the view is not the vectors' product");
 }
 
 void PathJudge::ambient(const ShadeState& s) {
@@ -189,8 +215,10 @@ void PathJudge::ambient(const ShadeState& s) {
     Light range;
     const std::uint32_t ambient = place_.surface.ambient;
     for (std::size_t k = 0; k < 3; ++k) {
-        colour[k] = std::uint32_t(nearest_of_power(Int128(branch_.weight) * ambient * s.albedo[k], 2 * share_bits));
-        range[k] = (std::ldexp(double(ambient) * s.albedo[k], -2 * share_bits) * branch_.exact).wider(0.5 * unit_step);
+        colour[k] =
+            std::uint32_t(nearest_of_power(Int128(branch_.weight) * ambient * s.albedo[k], 2 * share_bits));
+        range[k] = (std::ldexp(double(ambient) * s.albedo[k], -2 * share_bits) * branch_.exact)
+                       .wider(0.5 * unit_step);
     }
     add(colour, range);
 }
@@ -202,29 +230,37 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     const std::uint32_t number = s.light;
     const auto all = std::uint32_t(rules_.asked.scene.lights.size());
     demand(number < all, "there is no such light");
-    demand(out.state.light == number + 1 && ShadeEvent(out.state.event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)), "a light is left out or asked twice");
+    demand(out.state.light == number + 1 &&
+               ShadeEvent(out.state.event) == (number + 1 < all ? ShadeEvent::light : after_lights(s)),
+           "a light is left out or asked twice");
     if (number >= all) return;
     const bool near = frame_.shade.near[number] != 0, to_the_point = near && !place_.is_far;
     Vec3l way{};
-    for (std::size_t k = 0; k < 3; ++k) way[k] = frame_.shade.place[3 * number + k] * (std::int64_t(1) << config_.origin_bits) - s.o[k];
+    for (std::size_t k = 0; k < 3; ++k)
+        way[k] = frame_.shade.place[3 * number + k] * (std::int64_t(1) << config_.origin_bits) - s.o[k];
     judge_light_parts(s, out.light, way);
     judge_share(out.state, out.light, unit_of(vector_of(way)));
 
-    // From the light to a point of the lattice; from it the other way, or to a light beyond the lattice, along a rounded direction.
+    // From the light to a point of the lattice; from it the other way, or to a light beyond the lattice,
+    // along a rounded direction.
     Expected ray{to_the_point ? RayKind::shadow : RayKind::away, {}, {}, s.self, s.inside};
     for (std::size_t k = 0; k < 3; ++k)
-        ray.d[k] = to_the_point ? std::int32_t(-way[k]) : (near ? -1 : 1) * direction_component(out.light.unit[k]);
+        ray.d[k] =
+            to_the_point ? std::int32_t(-way[k]) : (near ? -1 : 1) * direction_component(out.light.unit[k]);
     const Int128 side = dot(s.n, ray.d) * (near ? -1 : 1);
     const bool clear = frame_.shade.clear[number] != 0;
     if (side <= 0 || out.light.cosine == 0 || (place_.is_far && !clear)) {
         // A cosine that is rounded to nothing may have been a little more.
-        if (side > 0 && out.light.cosine == 0) add({}, {Range{0, share_[0].hi}, Range{0, share_[1].hi}, Range{0, share_[2].hi}});
+        if (side > 0 && out.light.cosine == 0)
+            add({}, {Range{0, share_[0].hi}, Range{0, share_[1].hi}, Range{0, share_[2].hi}});
         demand(out.leave == PassOut::Leave::again, "a ray is sent to a light that does not count");
         return;
     }
     std::optional<Vec3i> start;
-    if (!near) start = start_of(s, ray.d);
-    else if (!place_.is_lost) start = Vec3i{};
+    if (!near)
+        start = start_of(s, ray.d);
+    else if (!place_.is_lost)
+        start = Vec3i{};
     if (!start) {
         lit_ = true;
         demand(out.leave == PassOut::Leave::again, "a ray is sent that passes by the lattice");
@@ -232,14 +268,16 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     }
     ray.o = *start;
     if (near)
-        for (std::size_t k = 0; k < 3; ++k) ray.o[k] = frame_.shade.place[3 * number + k] * (1 << config_.origin_bits);
+        for (std::size_t k = 0; k < 3; ++k)
+            ray.o[k] = frame_.shade.place[3 * number + k] * (1 << config_.origin_bits);
     ray.is_finite = config_.planes && !to_the_point && clear;
     lit_if_free_ = true;
     expect_spawn(out, ray);
 }
 
-/// Where a ray from the surface along d begins. A point beyond the lattice is left by whole steps of 2^s d, as few as bring the ray
-/// past every slab of the lattice that lies ahead: docs/origins.md. Nothing if it then is not in the lattice.
+/// Where a ray from the surface along d begins. A point beyond the lattice is left by whole steps of 2^s d,
+/// as few as bring the ray past every slab of the lattice that lies ahead: docs/origins.md. Nothing if it
+/// then is not in the lattice.
 std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) const {
     if (place_.is_lost) return std::nullopt;
     const Int128 end = ((Int128(1) << (config_.coord_bits - 1)) - 1) << config_.origin_bits;
@@ -271,20 +309,25 @@ std::int32_t PathJudge::direction_component(std::int32_t unit) const {
 }
 
 void PathJudge::judge_light_parts(const ShadeState& s, const LightParts& parts, const Vec3l& way) {
-    demand(is_unit(parts.unit, vector_of(way)), "the vector to the light is not of unit length or points elsewhere");
-    demand(parts.cosine == promised_cosine(s.normal, parts.unit), "the cosine to the light is not the vectors' product");
+    demand(is_unit(parts.unit, vector_of(way)),
+           "the vector to the light is not of unit length or points elsewhere");
+    demand(parts.cosine == promised_cosine(s.normal, parts.unit),
+           "the cosine to the light is not the vectors' product");
     Int128 along = 0;
     for (std::size_t k = 0; k < 3; ++k) along += Int128(parts.unit[k]) * s.view[k];
-    const Int128 mirrored = nearest_of_power(2 * Int128(parts.cosine) * s.cosine, unit_bits) - nearest_of_power(along, unit_bits);
+    const Int128 mirrored =
+        nearest_of_power(2 * Int128(parts.cosine) * s.cosine, unit_bits) - nearest_of_power(along, unit_bits);
     const double base = double(std::clamp<Int128>(mirrored, 0, one)) * unit_step;
-    demand(power_range({base, base}, s.shine).holds(parts.phong * unit_step), "the highlight's power is out of its bounds");
+    demand(power_range({base, base}, s.shine).holds(parts.phong * unit_step),
+           "the highlight's power is out of its bounds");
 }
 
 /// What power() may give for a base that lies in the range: its bounds are in model/shade/power.hpp.
 Range PathJudge::power_range(const Range& base, std::uint32_t shine) {
     const double exponent = shine / std::exp2(shine_frac), share = shine / std::exp2(shine_bits);
     const auto raised = [&](double x) { return x > 0 ? std::pow(x, exponent) : 0.0; };
-    return {(1 - 1.1e-2 * share) * raised(base.lo) - unit_step, (1 + 1.4e-3 * share) * raised(base.hi) + 2 * unit_step};
+    return {(1 - 1.1e-2 * share) * raised(base.lo) - unit_step,
+            (1 + 1.4e-3 * share) * raised(base.hi) + 2 * unit_step};
 }
 
 /// What the light adds: promised to the bit, and within bounds of Phong's formula.
@@ -294,16 +337,19 @@ void PathJudge::judge_share(const ShadeState& s, const LightParts& parts, const 
     const Range to_light = Range::around(glm::dot(place_.normal, way), cosine_error).clamped(0, 1);
     const Range to_view = Range::around(glm::dot(place_.normal, place_.view), cosine_error).clamped(0, 1);
     const Range along = Range::around(glm::dot(way, place_.view), cosine_error);
-    const Range phong = power_range((2 * (to_light * to_view) - along).wider(unit_step).clamped(0, 1), s.shine).clamped(0, 1);
+    const Range phong =
+        power_range((2 * (to_light * to_view) - along).wider(unit_step).clamped(0, 1), s.shine).clamped(0, 1);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t colour = frame_.shade.colour[3 * number + k];
         const Int128 matte = nearest_of_power(Int128(s.diffuse) * parts.cosine * s.albedo[k], 2 * share_bits);
         const Int128 gloss = nearest_of_power(Int128(s.highlight) * parts.phong, share_bits);
-        const Int128 share = std::min<Int128>(nearest_of_power((matte + gloss) * colour * branch_.weight, share_bits + unit_bits), one);
+        const Int128 share = std::min<Int128>(
+            nearest_of_power((matte + gloss) * colour * branch_.weight, share_bits + unit_bits), one);
         demand(s.share[k] == share, "a light's contribution is not the product of what makes it");
         const Range exact = (s.diffuse * full * s.albedo[k] * full) * to_light + s.highlight * full * phong;
-        share_[k] = (colour * full * (exact.wider(unit_step) * branch_.exact)).wider(0.5 * unit_step).clamped(0, 1);
+        share_[k] =
+            (colour * full * (exact.wider(unit_step) * branch_.exact)).wider(0.5 * unit_step).clamped(0, 1);
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -29,26 +29,32 @@ struct Bench {
         : recorder(image, asked.frame, asked.config, decoder), judge(rules) {}
 };
 
-void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at, const Given& given, std::vector<std::uint8_t>& wrong) {
+void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at, const Given& given,
+                 std::vector<std::uint8_t>& wrong) {
     PathJudge& judge = bench.judge;
     judge.start(x, y);
     const Pixel& pixel = bench.recorder.follow(x, y, bench.scratch, judge);
     judge.finish(given.colours[at]);
-    if (!same_answer(pixel.first, given.answers[at])) judge.fail("the machine's first hit is not the one that its rays give");
-    if (bench.recorder.signature() != given.signatures[at]) judge.fail("the pixel's rays are not those of the frame");
+    if (!same_answer(pixel.first, given.answers[at]))
+        judge.fail("the machine's first hit is not the one that its rays give");
+    if (bench.recorder.signature() != given.signatures[at])
+        judge.fail("the pixel's rays are not those of the frame");
     if (!judge.is_wrong()) return;
     wrong[at] = 1;
-    if (bench.faults.size() < most_faults) bench.faults.push_back({x, y, judge.fault().ray, judge.fault().what});
+    if (bench.faults.size() < most_faults)
+        bench.faults.push_back({x, y, judge.fault().ray, judge.fault().what});
 }
 
-} // namespace
+}   // namespace
 
-PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& image, const Whitted& settings, const Given& given, int threads,
-                               const Progress& progress) {
+PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& image, const Whitted& settings,
+                               const Given& given, int threads, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const std::optional<Scene> moved = aligned(given_asked.scene, given_asked.lattice);
-    const Asked asked{moved ? *moved : given_asked.scene, given_asked.camera, given_asked.frame, given_asked.lattice, given_asked.config};
-    const std::vector<oracle::Solid> primitives = solids_of(asked.scene, asked.lattice, asked.config.coord_bits);
+    const Asked asked{moved ? *moved : given_asked.scene, given_asked.camera, given_asked.frame,
+                      given_asked.lattice, given_asked.config};
+    const std::vector<oracle::Solid> primitives =
+        solids_of(asked.scene, asked.lattice, asked.config.coord_bits);
     const oracle::Solids solids(primitives);
     const PathRules rules{asked, settings, primitives, solids};
     const Decoder decoder(image, asked.config);
@@ -56,16 +62,19 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
 
     PictureJudgement j;
     std::vector<std::uint8_t> wrong(std::size_t(width) * height);
-    for (const std::string& sentence : judge_registers(asked, settings)) j.faults.push_back({0, 0, 0, sentence});
+    for (const std::string& sentence : judge_registers(asked, settings))
+        j.faults.push_back({0, 0, 0, sentence});
     j.wrong = j.faults.size();
     tbb::enumerable_thread_specific<Bench> benches([&] { return Bench(image, asked, decoder, rules); });
     std::mutex reporting;
     std::uint64_t done = 0;
-    tbb::task_arena arena(threads > 0 ? std::min(threads, tbb::this_task_arena::max_concurrency()) : tbb::this_task_arena::max_concurrency());
+    tbb::task_arena arena(threads > 0 ? std::min(threads, tbb::this_task_arena::max_concurrency())
+                                      : tbb::this_task_arena::max_concurrency());
     arena.execute([&] {
         tbb::parallel_for(0u, height, [&](std::uint32_t y) {
             Bench& bench = benches.local();
-            for (std::uint32_t x = 0; x < width; ++x) judge_pixel(bench, x, y, std::size_t(y) * width + x, given, wrong);
+            for (std::uint32_t x = 0; x < width; ++x)
+                judge_pixel(bench, x, y, std::size_t(y) * width + x, given, wrong);
             if (!progress) return;
             const std::lock_guard lock(reporting);
             progress("judging", done += width, wrong.size());
@@ -77,7 +86,9 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
         j.widest = std::max(j.widest, bench.judge.widest());
         faults.insert(faults.end(), bench.faults.begin(), bench.faults.end());
     }
-    std::sort(faults.begin(), faults.end(), [](const PictureFault& a, const PictureFault& b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
+    std::sort(faults.begin(), faults.end(), [](const PictureFault& a, const PictureFault& b) {
+        return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+    });
     j.faults.insert(j.faults.end(), faults.begin(), faults.end());
     if (j.faults.size() > most_faults) j.faults.resize(most_faults);
     j.pixels.assign(wrong.begin(), wrong.end());
@@ -87,4 +98,4 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
     return j;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

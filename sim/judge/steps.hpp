@@ -1,5 +1,6 @@
 #pragma once
-// Arithmetic of the judge: whole numbers of 128 bits for what is promised to the bit, ranges of doubles for what has a bound.
+// Arithmetic of the judge: whole numbers of 128 bits for what is promised to the bit, ranges of doubles for
+// what has a bound.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,8 +23,8 @@ constexpr Int128 nearest_of(Int128 a, Int128 b) { return floor_of(2 * a + b, 2 *
 /// The same for b = 2^bits.
 constexpr Int128 nearest_of_power(Int128 a, int bits) { return nearest_of(a, Int128(1) << bits); }
 
-/// Holds a value of which only bounds are known. Doubles round by 2^-53 of a value; `slack` covers that for all that a range goes
-/// through between two colours.
+/// Holds a value of which only bounds are known. Doubles round by 2^-53 of a value; `slack` covers that for
+/// all that a range goes through between two colours.
 struct Range {
     double lo = 0, hi = 0;
     static constexpr double slack = 0x1p-40;
@@ -31,7 +32,9 @@ struct Range {
     static Range around(double value, double error) { return {value - error, value + error}; }
     double middle() const { return 0.5 * (lo + hi); }
     Range wider(double error) const { return {lo - error, hi + error}; }
-    Range clamped(double least, double most) const { return {std::clamp(lo, least, most), std::clamp(hi, least, most)}; }
+    Range clamped(double least, double most) const {
+        return {std::clamp(lo, least, most), std::clamp(hi, least, most)};
+    }
     bool holds(double value) const { return value >= lo - slack && value <= hi + slack; }
     friend Range operator+(const Range& a, const Range& b) { return {a.lo + b.lo, a.hi + b.hi}; }
     friend Range operator-(const Range& a, const Range& b) { return {a.lo - b.hi, a.hi - b.lo}; }
@@ -39,7 +42,9 @@ struct Range {
         const double p[4] = {a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi};
         return {std::min({p[0], p[1], p[2], p[3]}), std::max({p[0], p[1], p[2], p[3]})};
     }
-    friend Range operator*(double a, const Range& b) { return a >= 0 ? Range{a * b.lo, a * b.hi} : Range{a * b.hi, a * b.lo}; }
+    friend Range operator*(double a, const Range& b) {
+        return a >= 0 ? Range{a * b.lo, a * b.hi} : Range{a * b.hi, a * b.lo};
+    }
 };
 
 inline glm::dvec3 vector_of(const Vec3i& v) { return {v[0], v[1], v[2]}; }
@@ -51,9 +56,10 @@ inline glm::dvec3 unit_of(const glm::dvec3& v) {
 }
 
 constexpr double unit_step = 1.0 / (1 << unit_bits);   ///< of colours, weights and components of unit vectors
-constexpr double component_error = 3.2 * unit_step;    ///< of unit_vector(): proven in model/shade/unit_vector.hpp
+constexpr double component_error =
+    3.2 * unit_step;   ///< of unit_vector(): proven in model/shade/unit_vector.hpp
 constexpr double vector_error = 1.7320509 * component_error;
 /// Of a product of two unit vectors, clamped and rounded: each is off by vector_error, and the rounding.
 constexpr double cosine_error = 2 * vector_error + vector_error * vector_error + 0.5 * unit_step;
 
-} // namespace rayclock
+}   // namespace rayclock

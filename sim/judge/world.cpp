@@ -13,7 +13,9 @@ namespace {
 using oracle::Solid;
 
 /// The whole number nearest to value * 2^bits, from 0 to `most`.
-std::uint32_t natural(double value, int bits, double most) { return std::uint32_t(std::min(std::max(0.0, std::floor(value * std::exp2(bits) + 0.5)), most)); }
+std::uint32_t natural(double value, int bits, double most) {
+    return std::uint32_t(std::min(std::max(0.0, std::floor(value * std::exp2(bits) + 0.5)), most));
+}
 std::uint32_t share(double value) { return natural(value, share_bits, std::exp2(share_bits)); }
 std::array<std::uint32_t, 3> shares(const glm::dvec3& v) { return {share(v.r), share(v.g), share(v.b)}; }
 
@@ -43,7 +45,8 @@ void put_material(const Material& m, Surface& s) {
     s.highlight = share(m.highlight);
     put_weights(m, s);
     s.shine = natural(m.shine, shine_frac, std::exp2(shine_bits) - 1);
-    const double index = m.index > 0 ? m.index : 1, reflectance = (index - 1) / (index + 1), most = std::exp2(ratio_bits) - 1;
+    const double index = m.index > 0 ? m.index : 1, reflectance = (index - 1) / (index + 1),
+                 most = std::exp2(ratio_bits) - 1;
     s.r0 = weight(reflectance * reflectance);
     s.enter = natural(1 / index, index_frac, most);
     s.leave = natural(index, index_frac, most);
@@ -52,7 +55,8 @@ void put_material(const Material& m, Surface& s) {
 /// Corner normals, all turned if their sum points away from the flat normal's side.
 void put_normals(const Scene& scene, const Triangle& t, Surface& s) {
     const auto& v = t.vertex;
-    const glm::dvec3 flat = glm::cross(scene.vertices[v[1]] - scene.vertices[v[0]], scene.vertices[v[2]] - scene.vertices[v[0]]);
+    const glm::dvec3 flat =
+        glm::cross(scene.vertices[v[1]] - scene.vertices[v[0]], scene.vertices[v[2]] - scene.vertices[v[0]]);
     const bool away = glm::dot(scene.normals[v[0]] + scene.normals[v[1]] + scene.normals[v[2]], flat) < 0;
     const double most = std::exp2(corner_bits - 1) - 1;
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -68,7 +72,8 @@ std::uint32_t fineness(const oracle::Corners& t, const Config& c) {
     const auto most = std::uint32_t(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine));
     for (std::uint32_t bits = most; bits > 0; --bits) {
         bool all = true;
-        for (std::size_t k = 0; k < 3; ++k) all = all && (t.b[k] - t.a[k]) % (1 << bits) == 0 && (t.c[k] - t.a[k]) % (1 << bits) == 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            all = all && (t.b[k] - t.a[k]) % (1 << bits) == 0 && (t.c[k] - t.a[k]) % (1 << bits) == 0;
         if (all) return bits;
     }
     return 0;
@@ -79,14 +84,17 @@ std::int32_t signed_part(std::int64_t value, int bits) {
     return std::int32_t(part >> (bits - 1) ? part - (std::int64_t(1) << bits) : part);
 }
 
-/// No plane stands between the eye and the light. Where one of them lies in a plane but for rounding, either is right.
+/// No plane stands between the eye and the light. Where one of them lies in a plane but for rounding, either
+/// is right.
 bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool stated) {
     if (!asked.scene.camera) return stated;
     bool clear = true;
     for (const Plane& plane : asked.scene.planes) {
-        const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = asked.scene.camera->eye - plane.point, to_light = light - plane.point;
+        const glm::dvec3 n = glm::cross(plane.u, plane.v), to_eye = asked.scene.camera->eye - plane.point,
+                         to_light = light - plane.point;
         const double eye = glm::dot(n, to_eye), other = glm::dot(n, to_light), least = 1e-9 * glm::length(n);
-        if (std::abs(eye) < least * glm::length(to_eye) || std::abs(other) < least * glm::length(to_light)) return true;
+        if (std::abs(eye) < least * glm::length(to_eye) || std::abs(other) < least * glm::length(to_light))
+            return true;
         clear = clear && (eye > 0) == (other > 0);
     }
     return clear == stated;
@@ -95,35 +103,43 @@ bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool stated
 void judge_lights(const Asked& asked, std::vector<std::string>& wrong) {
     const ShadeFrame& frame = asked.frame.shade;
     const Config& c = asked.config;
-    if (frame.lights != asked.scene.lights.size()) wrong.push_back("the frame has another number of lights than the scene");
+    if (frame.lights != asked.scene.lights.size())
+        wrong.push_back("the frame has another number of lights than the scene");
     const double within = std::exp2(c.coord_bits - 1) - 1, reach = std::exp2(c.light_bits() - 1) - 1;
     for (std::size_t i = 0; i < asked.scene.lights.size(); ++i) {
         const Light& light = asked.scene.lights[i];
         const glm::dvec3 at = (light.position - asked.lattice.centre) / asked.lattice.pitch;
-        const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}), scale = std::min(1.0, reach / std::max(size, 1.0));
-        bool good = (frame.near[i] != 0) == (std::round(size) <= within) && is_clear_as_stated(asked, light.position, frame.clear[i] != 0);
+        const double size = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
+                     scale = std::min(1.0, reach / std::max(size, 1.0));
+        bool good = (frame.near[i] != 0) == (std::round(size) <= within) &&
+                    is_clear_as_stated(asked, light.position, frame.clear[i] != 0);
         for (std::size_t k = 0; k < 3; ++k) {
             good = good && std::abs(at[int(k)] * scale - frame.place[3 * i + k]) <= 0.5 + 1e-6;
-            good = good && frame.colour[3 * i + k] == natural(light.colour[int(k)], share_bits, std::exp2(strength_bits) - 1);
+            good = good && frame.colour[3 * i + k] ==
+                               natural(light.colour[int(k)], share_bits, std::exp2(strength_bits) - 1);
         }
         if (!good) wrong.push_back("light " + std::to_string(i) + " is not the scene's");
     }
 }
 
-} // namespace
+}   // namespace
 
 const Material& material_of(const Scene& scene, std::size_t i) {
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
-    const std::uint32_t number = i < triangles ? scene.triangles[i].material
-        : i < triangles + spheres ? scene.spheres[i - triangles].material : scene.planes[i - triangles - spheres].material;
+    const std::uint32_t number = i < triangles             ? scene.triangles[i].material
+                                 : i < triangles + spheres ? scene.spheres[i - triangles].material
+                                                           : scene.planes[i - triangles - spheres].material;
     return scene.materials[number];
 }
 
 std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits) {
     std::vector<Solid> solids;
     solids.reserve(primitive_count(scene));
-    const auto corner = [&](const Triangle& t, std::size_t k) { return lattice.snap(scene.vertices[t.vertex[k]]); };
-    for (const Triangle& t : scene.triangles) solids.push_back({Solid::Kind::triangle, {corner(t, 0), corner(t, 1), corner(t, 2)}, {}, 0});
+    const auto corner = [&](const Triangle& t, std::size_t k) {
+        return lattice.snap(scene.vertices[t.vertex[k]]);
+    };
+    for (const Triangle& t : scene.triangles)
+        solids.push_back({Solid::Kind::triangle, {corner(t, 0), corner(t, 1), corner(t, 2)}, {}, 0});
     for (const Sphere& s : scene.spheres) {
         const double radius = s.radius / lattice.pitch.x;
         const double square = std::min(std::round(radius * radius), std::exp2(2 * coord_bits) - 1);
@@ -136,22 +152,24 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
     return solids;
 }
 
-Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, const Config& config, std::size_t i) {
+Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, const Config& config,
+                         std::size_t i) {
     const Solid& solid = solids[i];
     Surface s;
     s.a = solid.corners.a, s.b = solid.corners.b, s.c = solid.corners.c;
     switch (solid.kind) {
-    case Solid::Kind::triangle:
-        s.kind = std::uint32_t(PrimKind::triangle);
-        s.fine = fineness(solid.corners, config);
-        if (config.smooth && !scene.normals.empty()) put_normals(scene, scene.triangles[i], s);
-        break;
-    case Solid::Kind::sphere:
-        s.kind = std::uint32_t(PrimKind::sphere);
-        s.a = solid.centre;
-        s.b = {signed_part(solid.radius_squared, config.coord_bits), signed_part(solid.radius_squared >> config.coord_bits, config.coord_bits), 0};
-        break;
-    case Solid::Kind::plane: s.kind = std::uint32_t(PrimKind::plane); break;
+        case Solid::Kind::triangle:
+            s.kind = std::uint32_t(PrimKind::triangle);
+            s.fine = fineness(solid.corners, config);
+            if (config.smooth && !scene.normals.empty()) put_normals(scene, scene.triangles[i], s);
+            break;
+        case Solid::Kind::sphere:
+            s.kind = std::uint32_t(PrimKind::sphere);
+            s.a = solid.centre;
+            s.b = {signed_part(solid.radius_squared, config.coord_bits),
+                   signed_part(solid.radius_squared >> config.coord_bits, config.coord_bits), 0};
+            break;
+        case Solid::Kind::plane: s.kind = std::uint32_t(PrimKind::plane); break;
     }
     put_material(material_of(scene, i), s);
     return s;
@@ -168,14 +186,22 @@ std::vector<std::string> judge_registers(const Asked& asked, const Whitted& sett
     if (!asked.config.shading) return wrong;
     const auto samples = std::uint32_t(settings.aa * settings.aa);
     demand(shade.depth == std::uint32_t(settings.depth), "depth");
-    demand(shade.threshold == std::uint32_t(std::floor(std::clamp(settings.threshold, 0.0, 1.0) * std::exp2(unit_bits + 1))), "threshold");
+    demand(shade.threshold ==
+               std::uint32_t(std::floor(std::clamp(settings.threshold, 0.0, 1.0) * std::exp2(unit_bits + 1))),
+           "threshold");
     demand(shade.side == std::uint32_t(settings.aa) && shade.stride == sample_stride(settings.aa), "samples");
-    demand((shade.jitter != 0) == settings.jitter && (!settings.jitter || shade.seed == settings.seed), "jitter");
+    demand((shade.jitter != 0) == settings.jitter && (!settings.jitter || shade.seed == settings.seed),
+           "jitter");
     demand(shade.share == natural(1.0 / samples, unit_bits, std::exp2(unit_bits)), "share of a sample");
-    demand(shade.first_share == natural(1.0 / std::min(first_samples, samples), unit_bits, std::exp2(unit_bits)), "share of a first sample");
-    for (int k = 0; k < 3; ++k) demand(shade.background[std::size_t(k)] == natural(asked.scene.background[k], unit_bits, std::exp2(unit_bits)), "background");
+    demand(
+        shade.first_share == natural(1.0 / std::min(first_samples, samples), unit_bits, std::exp2(unit_bits)),
+        "share of a first sample");
+    for (int k = 0; k < 3; ++k)
+        demand(shade.background[std::size_t(k)] ==
+                   natural(asked.scene.background[k], unit_bits, std::exp2(unit_bits)),
+               "background");
     judge_lights(asked, wrong);
     return wrong;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

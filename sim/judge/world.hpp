@@ -1,5 +1,6 @@
 #pragma once
-// What the machine must have been given, from the scene as it is: primitives on the lattice, surfaces, lights, registers.
+// What the machine must have been given, from the scene as it is: primitives on the lattice, surfaces,
+// lights, registers.
 #include <string>
 #include <vector>
 
@@ -17,16 +18,17 @@ struct Asked {
     const Config& config;
 };
 
-/// The scene's primitives as the lattice has them, by number. Of a chip that shades the corners of large triangles lie on coarser
-/// points (aligned()): `scene` is the scene with those moved.
+/// The scene's primitives as the lattice has them, by number. Of a chip that shades the corners of large
+/// triangles lie on coarser points (aligned()): `scene` is the scene with those moved.
 std::vector<oracle::Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits);
 
 const Material& material_of(const Scene& scene, std::size_t primitive);
 
 /// Primitive i's surface: corners and material, each number the nearest that its format has.
-Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config, std::size_t i);
+Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
+                         std::size_t i);
 
 /// What is wrong with the frame's registers, a sentence each: eye, depth, samples, background, lights.
 std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -24,11 +24,16 @@ std::string decode_base64(std::string_view text, const JsonValue& at) {
     while (!text.empty() && text.back() == '=') text.remove_suffix(1);
     for (const char c : text) {
         int six = 0;
-        if (c >= 'A' && c <= 'Z') six = c - 'A';
-        else if (c >= 'a' && c <= 'z') six = c - 'a' + 26;
-        else if (c >= '0' && c <= '9') six = c - '0' + 52;
-        else if (c == '+' || c == '/') six = c == '+' ? 62 : 63;
-        else at.refuse(fmt::format("has {} inside its base64 data", shown(std::string_view(&c, 1))));
+        if (c >= 'A' && c <= 'Z')
+            six = c - 'A';
+        else if (c >= 'a' && c <= 'z')
+            six = c - 'a' + 26;
+        else if (c >= '0' && c <= '9')
+            six = c - '0' + 52;
+        else if (c == '+' || c == '/')
+            six = c == '+' ? 62 : 63;
+        else
+            at.refuse(fmt::format("has {} inside its base64 data", shown(std::string_view(&c, 1))));
         held = (held << 6 | static_cast<std::uint32_t>(six)) & 0xffff;
         bits += 6;
         if (bits >= 8) bytes += static_cast<char>(held >> (bits -= 8));
@@ -40,7 +45,9 @@ std::string decode_base64(std::string_view text, const JsonValue& at) {
 std::string decode_percent(std::string_view uri) {
     std::string name;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        const auto digit = [&](std::size_t at) { return std::string_view("0123456789abcdef").find(lower(uri.substr(at, 1))); };
+        const auto digit = [&](std::size_t at) {
+            return std::string_view("0123456789abcdef").find(lower(uri.substr(at, 1)));
+        };
         if (uri[i] == '%' && i + 2 < uri.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
             name += static_cast<char>(digit(i + 1) * 16 + digit(i + 2));
             i += 2;
@@ -53,7 +60,7 @@ std::string decode_percent(std::string_view uri) {
 
 struct Component {
     std::uint64_t bytes;
-    double scale;    ///< of a normalised integer
+    double scale;   ///< of a normalised integer
     double (*get)(const char*);
 };
 
@@ -69,29 +76,32 @@ template <class T> Component integer() {
 
 Component component_of(const JsonValue& type) {
     switch (type.whole(1u << 16)) {
-    case 5120: return integer<std::int8_t>();
-    case 5121: return integer<std::uint8_t>();
-    case 5122: return integer<std::int16_t>();
-    case 5123: return integer<std::uint16_t>();
-    case 5125: return integer<std::uint32_t>();
-    case 5126: return {sizeof(float), 1, get_as<float>};
-    default: type.expected("5120, 5121, 5122, 5123, 5125 or 5126");
+        case 5120: return integer<std::int8_t>();
+        case 5121: return integer<std::uint8_t>();
+        case 5122: return integer<std::int16_t>();
+        case 5123: return integer<std::uint16_t>();
+        case 5125: return integer<std::uint32_t>();
+        case 5126: return {sizeof(float), 1, get_as<float>};
+        default: type.expected("5120, 5121, 5122, 5123, 5125 or 5126");
     }
 }
 
-} // namespace
+}   // namespace
 
 GltfContainer open_gltf(const std::string& file, std::string_view bytes) {
     const Place at{file};
     if (!bytes.starts_with("glTF")) return {bytes, {}, false};
-    if (bytes.size() < 20) at.refuse(fmt::format("the file is cut off: {} bytes are too few for a GLB", bytes.size()));
+    if (bytes.size() < 20)
+        at.refuse(fmt::format("the file is cut off: {} bytes are too few for a GLB", bytes.size()));
     if (word(bytes, 4) != 2) at.refuse(fmt::format("GLB version {}; only 2 is known", word(bytes, 4)));
-    if (word(bytes, 8) > bytes.size()) at.refuse(fmt::format("the file is cut off: it has {} bytes of {}", bytes.size(), word(bytes, 8)));
+    if (word(bytes, 8) > bytes.size())
+        at.refuse(fmt::format("the file is cut off: it has {} bytes of {}", bytes.size(), word(bytes, 8)));
     bytes = bytes.substr(0, word(bytes, 8));
     GltfContainer container{{}, {}, true};
     for (std::size_t next = 12; next + 8 <= bytes.size();) {
         const std::uint32_t length = word(bytes, next), kind = word(bytes, next + 4);
-        if (length > bytes.size() - next - 8) at.refuse(fmt::format("a GLB chunk of {} bytes goes beyond the end of the file", length));
+        if (length > bytes.size() - next - 8)
+            at.refuse(fmt::format("a GLB chunk of {} bytes goes beyond the end of the file", length));
         const std::string_view chunk = bytes.substr(next + 8, length);
         if (kind == 0x4e4f534a && container.text.empty()) container.text = chunk;
         if (kind == 0x004e4942 && container.binary.empty()) container.binary = chunk;
@@ -101,14 +111,16 @@ GltfContainer open_gltf(const std::string& file, std::string_view bytes) {
     return container;
 }
 
-GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container, Loading& loading)
+GltfBuffers::GltfBuffers(const JsonValue& document, const std::filesystem::path& path,
+                         const GltfContainer& container, Loading& loading)
     : document_(document), path_(path), container_(container), loading_(loading) {
     if (const auto buffers = document.find("buffers")) inside_.resize(buffers->array().size());
 }
 
 /// A document from somewhere must not make the program read files from anywhere.
 std::string_view GltfBuffers::file(const JsonValue& uri, const std::string& name) {
-    if (leaves_folder(name)) uri.refuse(fmt::format("names {}, which lies outside the folder of the file", shown(name)));
+    if (leaves_folder(name))
+        uri.refuse(fmt::format("names {}, which lies outside the folder of the file", shown(name)));
     const auto [found, is_new] = outside_.try_emplace(name);
     if (is_new) found->second = loading_.read(path_.parent_path() / name, uri.where());
     return found->second;
@@ -124,29 +136,36 @@ std::string_view GltfBuffers::buffer(std::uint64_t index) {
         if (!uri->raw().is_string()) uri->expected("a string");
         const std::string& text = uri->raw().get_ref<const std::string&>();
         const std::size_t comma = text.find(";base64,");
-        if (text.starts_with("data:") && comma == text.npos) uri->expected("base64 data or the name of a file");
+        if (text.starts_with("data:") && comma == text.npos)
+            uri->expected("base64 data or the name of a file");
         if (text.starts_with("data:")) {
-            if (inside_[index].empty()) inside_[index] = decode_base64(std::string_view(text).substr(comma + 8), *uri);
+            if (inside_[index].empty())
+                inside_[index] = decode_base64(std::string_view(text).substr(comma + 8), *uri);
             bytes = inside_[index];
         } else {
             bytes = file(*uri, decode_percent(text));
         }
     }
-    if (bytes.size() < length) entry.refuse(fmt::format("is cut off: it has {} bytes of {}", bytes.size(), length));
+    if (bytes.size() < length)
+        entry.refuse(fmt::format("is cut off: it has {} bytes of {}", bytes.size(), length));
     return bytes.substr(0, length);
 }
 
-std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element, std::uint64_t& stride) {
+std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element,
+                                    std::uint64_t& stride) {
     constexpr std::uint64_t far = std::uint64_t{1} << 40;
     const JsonValue views = document_.at("bufferViews").array();
     const JsonValue view = views[accessor.at("bufferView").whole(views.size())];
     const std::string_view all = buffer(view.at("buffer").whole(inside_.size()));
-    const std::uint64_t offset = view.whole_or("byteOffset", far, 0), length = view.at("byteLength").whole(far);
+    const std::uint64_t offset = view.whole_or("byteOffset", far, 0),
+                        length = view.at("byteLength").whole(far);
     if (offset > all.size() || length > all.size() - offset)
-        view.refuse(fmt::format("ends at byte {}, beyond its buffer of {} bytes", offset + length, all.size()));
+        view.refuse(
+            fmt::format("ends at byte {}, beyond its buffer of {} bytes", offset + length, all.size()));
     stride = view.whole_or("byteStride", 256, 0);
     if (stride == 0) stride = element;
-    if (stride < element) view.refuse(fmt::format("has a byteStride of {}, less than an element of {} bytes", stride, element));
+    if (stride < element)
+        view.refuse(fmt::format("has a byteStride of {}, less than an element of {} bytes", stride, element));
     const std::uint64_t start = accessor.whole_or("byteOffset", far, 0);
     const std::uint64_t needed = start + (count - 1) * stride + element;
     if (needed > length) accessor.refuse(fmt::format("needs {} bytes of a view of {}", needed, length));
@@ -156,7 +175,8 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
 std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) {
     const JsonValue accessor = document_.at("accessors")[index];
     const JsonValue type = accessor.at("type");
-    if (type.string() != (width == 1 ? "SCALAR" : "VEC3")) type.expected(width == 1 ? "\"SCALAR\"" : "\"VEC3\"");
+    if (type.string() != (width == 1 ? "SCALAR" : "VEC3"))
+        type.expected(width == 1 ? "\"SCALAR\"" : "\"VEC3\"");
     const Component component = component_of(accessor.at("componentType"));
     const std::uint64_t count = accessor.at("count").whole(std::uint64_t{1} << 32);
     if (count == 0) accessor.refuse("has a count of 0");
@@ -177,4 +197,4 @@ std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) 
     return numbers;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -22,7 +22,8 @@ GltfContainer open_gltf(const std::string& file, std::string_view bytes);
 /// Reads accessors of the document. The bytes and the document must outlive it.
 class GltfBuffers {
 public:
-    GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container, Loading& loading);
+    GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container,
+                Loading& loading);
 
     /// All components one after the other, integers as they are or scaled if normalised. `width` is 1 or 3.
     std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
@@ -30,14 +31,15 @@ public:
 private:
     std::string_view buffer(std::uint64_t index);
     std::string_view file(const JsonValue& uri, const std::string& name);
-    std::string_view slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element, std::uint64_t& stride);
+    std::string_view slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element,
+                           std::uint64_t& stride);
 
     JsonValue document_;
     std::filesystem::path path_;
     GltfContainer container_;
     Loading& loading_;
-    std::vector<std::string> inside_;                 ///< buffers from data URIs, empty until asked for
-    std::map<std::string, std::string> outside_;      ///< files, each read once
+    std::vector<std::string> inside_;              ///< buffers from data URIs, empty until asked for
+    std::map<std::string, std::string> outside_;   ///< files, each read once
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -18,7 +18,8 @@ bool names_texture(const JsonValue& in) {
 }
 
 /// `count` finite numbers under `key`, or false.
-template <std::size_t count> bool numbers(const JsonValue& in, const char* key, std::array<float, count>& out) {
+template <std::size_t count>
+bool numbers(const JsonValue& in, const char* key, std::array<float, count>& out) {
     const auto list = in.find(key);
     if (!list) return false;
     if (!list->raw().is_array() || list->size() != count) list->expected(fmt::format("{} numbers", count));
@@ -26,9 +27,11 @@ template <std::size_t count> bool numbers(const JsonValue& in, const char* key, 
     return true;
 }
 
-void set_column(glm::dmat4& m, int column, float x, float y, float z) { m[column] = glm::dvec4(x, y, z, m[column].w); }
+void set_column(glm::dmat4& m, int column, float x, float y, float z) {
+    m[column] = glm::dvec4(x, y, z, m[column].w);
+}
 
-} // namespace
+}   // namespace
 
 GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
     GltfMaterial out;
@@ -38,7 +41,8 @@ GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
     GltfSurface& surface = out.surface;
     if (const auto pbr = in.find("pbrMetallicRoughness")) {
         std::array<float, 4> colour{};
-        if (numbers(*pbr, "baseColorFactor", colour)) surface.colour = {colour[0], colour[1], colour[2], colour[3]};
+        if (numbers(*pbr, "baseColorFactor", colour))
+            surface.colour = {colour[0], colour[1], colour[2], colour[3]};
         surface.metal = single(pbr->number_or("metallicFactor", 1));
         surface.rough = single(pbr->number_or("roughnessFactor", 1));
         out.has_textures = out.has_textures || names_texture(*pbr);
@@ -49,7 +53,8 @@ GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
     if (const auto given = in.find("extensions")) {
         if (const auto transmission = given->find("KHR_materials_transmission"))
             surface.transmission = single(transmission->number_or("transmissionFactor", 0));
-        if (const auto refraction = given->find("KHR_materials_ior")) surface.index = refraction->number_or("ior", surface.index);
+        if (const auto refraction = given->find("KHR_materials_ior"))
+            surface.index = refraction->number_or("ior", surface.index);
         for (const auto& [key, value] : given->raw().items())
             if (value.is_object()) out.has_textures = out.has_textures || names_texture(given->at(key));
     }
@@ -62,16 +67,20 @@ glm::dmat4 gltf_transform(const JsonValue& node) {
     std::array<float, 3> move{0, 0, 0}, scale{1, 1, 1};
     std::array<float, 4> turn{0, 0, 0, 1};
     // All are read, so that all are checked.
-    const bool is_moved = numbers(node, "translation", move), is_turned = numbers(node, "rotation", turn), is_scaled = numbers(node, "scale", scale);
+    const bool is_moved = numbers(node, "translation", move), is_turned = numbers(node, "rotation", turn),
+               is_scaled = numbers(node, "scale", scale);
     if (numbers(node, "matrix", matrix)) {
         for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = matrix[static_cast<std::size_t>(i)];
         return out;
     }
     if (!is_moved && !is_turned && !is_scaled) return out;
     const auto [x, y, z, w] = turn;
-    set_column(out, 0, (1 - 2 * (y * y + z * z)) * scale[0], 2 * (x * y + z * w) * scale[0], 2 * (x * z - y * w) * scale[0]);
-    set_column(out, 1, 2 * (x * y - z * w) * scale[1], (1 - 2 * (x * x + z * z)) * scale[1], 2 * (y * z + x * w) * scale[1]);
-    set_column(out, 2, 2 * (x * z + y * w) * scale[2], 2 * (y * z - x * w) * scale[2], (1 - 2 * (x * x + y * y)) * scale[2]);
+    set_column(out, 0, (1 - 2 * (y * y + z * z)) * scale[0], 2 * (x * y + z * w) * scale[0],
+               2 * (x * z - y * w) * scale[0]);
+    set_column(out, 1, 2 * (x * y - z * w) * scale[1], (1 - 2 * (x * x + z * z)) * scale[1],
+               2 * (y * z + x * w) * scale[1]);
+    set_column(out, 2, 2 * (x * z + y * w) * scale[2], 2 * (y * z - x * w) * scale[2],
+               (1 - 2 * (x * x + y * y)) * scale[2]);
     set_column(out, 3, move[0], move[1], move[2]);
     return out;
 }
@@ -90,12 +99,15 @@ std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place) 
 
 PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place) {
     const std::string type = in.at("type").string();
-    if (type != "point" && type != "spot" && type != "directional") in.at("type").expected("\"point\", \"spot\" or \"directional\"");
+    if (type != "point" && type != "spot" && type != "directional")
+        in.at("type").expected("\"point\", \"spot\" or \"directional\"");
     const glm::dvec3 colour = in.find("color") ? in.at("color").triple() : glm::dvec3(1);
     const double intensity = in.number_or("intensity", 1);
-    if (!(intensity >= 0 && colour.x >= 0 && colour.y >= 0 && colour.z >= 0)) in.refuse("must not be negative");
+    if (!(intensity >= 0 && colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
+        in.refuse("must not be negative");
     // A spot's cone is not in our lights.
-    return {type == "directional", glm::vec3(colour) * single(intensity), glm::dvec3(place[3]), glm::dvec3(place[2])};
+    return {type == "directional", glm::vec3(colour) * single(intensity), glm::dvec3(place[3]),
+            glm::dvec3(place[2])};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

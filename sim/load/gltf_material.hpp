@@ -23,4 +23,4 @@ std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place);
 
 PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -37,12 +37,13 @@ void weight(const JsonValue& in, std::string_view key, double& out) {
 glm::dvec3 side(const JsonValue& in) {
     const glm::dvec3 v = in.triple();
     const double length = glm::length(v);
-    if (!(length > 1e-100 && length < 1e100)) in.expected("a direction, no shorter than 1e-100 and no longer than 1e100");
+    if (!(length > 1e-100 && length < 1e100))
+        in.expected("a direction, no shorter than 1e-100 and no longer than 1e100");
     return v;
 }
 
-/// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths beyond any
-/// use are refused with it: their products would leave the range of a double.
+/// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths
+/// beyond any use are refused with it: their products would leave the range of a double.
 bool is_singular(const glm::dmat4& m) {
     glm::dmat3 directions(m);
     for (int i = 0; i < 3; ++i) {
@@ -58,7 +59,8 @@ glm::dmat4 matrix(const JsonValue& in) {
     glm::dmat4 m;
     for (std::size_t i = 0; i < 16; ++i) m[static_cast<int>(i % 4)][static_cast<int>(i / 4)] = in[i].number();
     for (std::size_t i = 12; i < 16; ++i)
-        if (in[i].number() != (i == 15 ? 1 : 0)) in[i].expected(i == 15 ? "1: the last row is 0 0 0 1" : "0: the last row is 0 0 0 1");
+        if (in[i].number() != (i == 15 ? 1 : 0))
+            in[i].expected(i == 15 ? "1: the last row is 0 0 0 1" : "0: the last row is 0 0 0 1");
     if (is_singular(m)) in.expected("a matrix that keeps solids solid");
     return m;
 }
@@ -72,14 +74,16 @@ glm::dmat4 rotation(const JsonValue& in) {
 }
 
 glm::dmat4 scaling(const JsonValue& in) {
-    const glm::dvec3 factors = in.raw().is_number() ? glm::dvec3(in.number()) : in.raw().is_array() ? in.triple() : glm::dvec3(0);
+    const glm::dvec3 factors = in.raw().is_number()  ? glm::dvec3(in.number())
+                               : in.raw().is_array() ? in.triple()
+                                                     : glm::dvec3(0);
     if (!in.raw().is_number() && !in.raw().is_array()) in.expected("a number or 3 numbers");
     const glm::dmat4 m = glm::scale(glm::dmat4(1), factors);
     if (is_singular(m)) in.expected("different from 0 (and within 1e-100 to 1e100) in all directions");
     return m;
 }
 
-} // namespace
+}   // namespace
 
 Camera camera_of(const JsonValue& in) {
     in.only_keys({"eye", "at", "up", "fov_degrees"});
@@ -88,7 +92,8 @@ Camera camera_of(const JsonValue& in) {
     camera.at = in.at("at").triple();
     if (const auto up = in.find("up")) camera.up = up->triple();
     camera.fov_degrees = in.number_or("fov_degrees", camera.fov_degrees);
-    if (!(camera.fov_degrees > 0 && camera.fov_degrees < 180)) in.at("fov_degrees").expected("an angle between 0 and 180");
+    if (!(camera.fov_degrees > 0 && camera.fov_degrees < 180))
+        in.at("fov_degrees").expected("an angle between 0 and 180");
     return camera;
 }
 
@@ -101,7 +106,8 @@ Light light_of(const JsonValue& in) {
 }
 
 Material material_of(const JsonValue& in, const std::string& name) {
-    in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index", "checkered", "other", "schlick"});
+    in.only_keys({"colour", "ambient", "diffuse", "highlight", "shine", "mirror", "transmit", "index",
+                  "checkered", "other", "schlick"});
     Material material;
     material.name = name;
     if (const auto colour = in.find("colour")) material.colour = colour_of(*colour);
@@ -142,7 +148,8 @@ Plane plane_of(const JsonValue& in) {
     plane.point = in.at("point").triple();
     plane.u = side(in.at("u"));
     plane.v = side(in.at("v"));
-    if (!(glm::length(glm::cross(glm::normalize(plane.u), glm::normalize(plane.v))) > 1e-9)) in.at("v").expected("a direction that is not parallel to u");
+    if (!(glm::length(glm::cross(glm::normalize(plane.u), glm::normalize(plane.v))) > 1e-9))
+        in.at("v").expected("a direction that is not parallel to u");
     return plane;
 }
 
@@ -154,7 +161,8 @@ Scene inline_mesh(const JsonValue& in) {
         const JsonValue corners = triangles[i];
         if (!corners.raw().is_array() || corners.size() != 3) corners.expected("3 vertex numbers");
         Triangle triangle;
-        for (std::size_t k = 0; k < 3; ++k) triangle.vertex[k] = static_cast<std::uint32_t>(corners[k].whole(mesh.vertices.size()));
+        for (std::size_t k = 0; k < 3; ++k)
+            triangle.vertex[k] = static_cast<std::uint32_t>(corners[k].whole(mesh.vertices.size()));
         mesh.triangles.push_back(triangle);
     }
     if (mesh.triangles.empty()) triangles.refuse("has no triangles");
@@ -181,7 +189,8 @@ bool keeps_spheres(const glm::dmat4& place) {
     const glm::dvec3 x = m[0] / length, y = m[1] / length, z = m[2] / length;
     constexpr double rounding = 1e-9;
     const auto is = [](double a, double b) { return std::abs(a - b) < rounding; };
-    return is(glm::length(y), 1) && is(glm::length(z), 1) && is(glm::dot(x, y), 0) && is(glm::dot(y, z), 0) && is(glm::dot(z, x), 0);
+    return is(glm::length(y), 1) && is(glm::length(z), 1) && is(glm::dot(x, y), 0) && is(glm::dot(y, z), 0) &&
+           is(glm::dot(z, x), 0);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -29,4 +29,4 @@ glm::dmat4 transform_of(const JsonValue& object);
 /// True if it keeps all angles, so that a sphere stays one.
 bool keeps_spheres(const glm::dmat4& place);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -39,10 +39,12 @@ private:
 /// Gathers one JSON file.
 class JsonScene {
 public:
-    JsonScene(const JsonValue& in, const std::filesystem::path& path, Library& library) : in_(in), path_(path), library_(library) {}
+    JsonScene(const JsonValue& in, const std::filesystem::path& path, Library& library)
+        : in_(in), path_(path), library_(library) {}
 
     JsonLoad build() {
-        in_.only_keys({"camera", "background", "lights", "materials", "meshes", "objects", "spheres", "planes"});
+        in_.only_keys(
+            {"camera", "background", "lights", "materials", "meshes", "objects", "spheres", "planes"});
         scene_.name = printable(path_.filename().string(), 80);
         if (const auto camera = in_.find("camera")) scene_.camera = camera_of(*camera);
         if (const auto background = in_.find("background")) scene_.background = colour_of(*background);
@@ -56,8 +58,7 @@ public:
             }
         // Whoever has spheres or planes needs no mesh.
         const bool has_others = in_.find("spheres") || in_.find("planes");
-        if (!has_others || in_.find("meshes"))
-            read_meshes(in_.at("meshes").object());
+        if (!has_others || in_.find("meshes")) read_meshes(in_.at("meshes").object());
         if (!has_others || in_.find("objects")) objects(in_.at("objects").array());
         if (const auto spheres = in_.find("spheres")) read_each(spheres->array(), sphere_of, scene_.spheres);
         if (const auto planes = in_.find("planes")) read_each(planes->array(), plane_of, scene_.planes);
@@ -72,7 +73,7 @@ private:
 
     struct Mesh {
         Part part;
-        std::optional<std::uint32_t> material_base;    ///< set once its own materials are in the scene
+        std::optional<std::uint32_t> material_base;   ///< set once its own materials are in the scene
     };
 
     template <class Map> static auto& known(Map& map, const JsonValue& name, std::string_view what) {
@@ -80,15 +81,18 @@ private:
         if (found != map.end()) return found->second;
         std::vector<std::string> names;
         for (const auto& [key, ignored] : map) names.push_back(key);
-        name.refuse(fmt::format("names no {} of this file: {}{}", what, shown(name.string()), did_you_mean(name.string(), names)));
+        name.refuse(fmt::format("names no {} of this file: {}{}", what, shown(name.string()),
+                                did_you_mean(name.string(), names)));
     }
 
     void read_lights(const JsonValue& list) {
-        if (list.size() > most_lights) list.refuse(fmt::format("has {} lights; the most is {}", list.size(), most_lights));
+        if (list.size() > most_lights)
+            list.refuse(fmt::format("has {} lights; the most is {}", list.size(), most_lights));
         for (std::size_t i = 0; i < list.size(); ++i) scene_.lights.push_back(light_of(list[i]));
     }
 
-    template <class Primitive> void read_each(const JsonValue& list, Primitive (*read)(const JsonValue&), std::vector<Primitive>& into) {
+    template <class Primitive>
+    void read_each(const JsonValue& list, Primitive (*read)(const JsonValue&), std::vector<Primitive>& into) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             into.push_back(read(list[i]));
             into.back().material = material(list[i]);
@@ -114,9 +118,14 @@ private:
         const bool is_inline = in.find("vertices") || in.find("triangles");
         if (is_inline + in.find("file").has_value() + in.find("builtin").has_value() != 1)
             in.refuse("needs one of 'file', 'builtin', or 'vertices' with 'triangles'");
-        if (const auto native = in.find("native"); native && !in.find("builtin")) native->refuse("belongs to a 'builtin' only");
-        if (const auto file = in.find("file")) return library_.file(path_.parent_path() / file->string(), *file);
-        if (const auto builtin = in.find("builtin")) return library_.builtin(builtin->string(), flag_or(in, "native", false) ? Primitives::native : Primitives::triangles, *builtin);
+        if (const auto native = in.find("native"); native && !in.find("builtin"))
+            native->refuse("belongs to a 'builtin' only");
+        if (const auto file = in.find("file"))
+            return library_.file(path_.parent_path() / file->string(), *file);
+        if (const auto builtin = in.find("builtin"))
+            return library_.builtin(builtin->string(),
+                                    flag_or(in, "native", false) ? Primitives::native : Primitives::triangles,
+                                    *builtin);
         const auto part = std::make_shared<Scene>(inline_mesh(in));
         make_room(in, bytes_of(*part));
         return part;
@@ -124,7 +133,8 @@ private:
 
     void objects(const JsonValue& list) {
         if (list.size() == 0) list.refuse("is empty: there is nothing to see");
-        // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or nowhere.
+        // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or
+        // nowhere.
         bool any_smooth = false;
         std::uint64_t primitives = 0;
         for (std::size_t i = 0; i < list.size(); ++i) {
@@ -148,7 +158,7 @@ private:
         Mesh& mesh = named(object);
         if (is_smooth && mesh.part->normals.empty()) {
             make_room(object, bytes_of(*mesh.part));
-            mesh.part = std::make_shared<Scene>(*mesh.part);  // others may share it
+            mesh.part = std::make_shared<Scene>(*mesh.part);   // others may share it
             make_smooth(*mesh.part);
             make_room(object, bytes_of(*mesh.part));
         }
@@ -157,10 +167,12 @@ private:
         if (!material && !mesh.material_base) {
             make_room(object, mesh.part->materials.size() * sizeof(Material));
             mesh.material_base = static_cast<std::uint32_t>(scene_.materials.size());
-            scene_.materials.insert(scene_.materials.end(), mesh.part->materials.begin(), mesh.part->materials.end());
+            scene_.materials.insert(scene_.materials.end(), mesh.part->materials.begin(),
+                                    mesh.part->materials.end());
         }
         const glm::dmat4 transform = transform_of(object);
-        if (!mesh.part->spheres.empty() && !keeps_spheres(transform)) object.refuse("stretches spheres, which can only be scaled alike in all directions");
+        if (!mesh.part->spheres.empty() && !keeps_spheres(transform))
+            object.refuse("stretches spheres, which can only be scaled alike in all directions");
         make_room(object, bytes_of(*mesh.part) - mesh.part->materials.size() * sizeof(Material));
         append(scene_, *mesh.part, transform, material, mesh.material_base.value_or(0));
     }
@@ -186,11 +198,14 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
     if (error) from.refuse(shown(path.string()) + " cannot be found: " + error.message());
-    if (std::find(open_.begin(), open_.end(), real) != open_.end()) from.refuse(fmt::format("makes {} contain itself", shown(path.string())));
+    if (std::find(open_.begin(), open_.end(), real) != open_.end())
+        from.refuse(fmt::format("makes {} contain itself", shown(path.string())));
     if (open_.size() > 50) from.refuse("lies deeper than 50 files");
     Part& part = known_[real.string()];
     if (part) return part;
-    if (extension(path) == "json") return known_[real.string()] = std::make_shared<Scene>(json(path, loading_.read(path, from.where())).scene);
+    if (extension(path) == "json")
+        return known_[real.string()] =
+                   std::make_shared<Scene>(json(path, loading_.read(path, from.where())).scene);
     if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
     return part = std::make_shared<Scene>(load_mesh_file(path, loading_, from.where()));
 }
@@ -201,7 +216,8 @@ Part Library::builtin(const std::string& spec, Primitives primitives, const Json
     try {
         // About what it takes, before it is made.
         const PrimitiveCounts count = builtin_counts(spec, primitives);
-        if (!loading_.may_make(count.triangles * (sizeof(Triangle) + sizeof(glm::dvec3)) + count.spheres * sizeof(Sphere)))
+        if (!loading_.may_make(count.triangles * (sizeof(Triangle) + sizeof(glm::dvec3)) +
+                               count.spheres * sizeof(Sphere)))
             throw UserError(loading_.too_much());
         return part = std::make_shared<Scene>(make_builtin(spec, primitives));
     } catch (const UserError& error) {
@@ -209,12 +225,14 @@ Part Library::builtin(const std::string& spec, Primitives primitives, const Json
     }
 }
 
-} // namespace
+}   // namespace
 
-JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading) { return read_json_scene(path, loading.read(path), loading); }
+JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading) {
+    return read_json_scene(path, loading.read(path), loading);
+}
 
 JsonLoad read_json_scene(const std::filesystem::path& path, std::string_view text, Loading& loading) {
     return Library(loading).json(path, text);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

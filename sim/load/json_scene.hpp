@@ -10,13 +10,16 @@ namespace rayclock {
 
 struct JsonLoad {
     Scene scene;
-    bool has_lights;   ///< the file has the key "lights", though the list may be empty: then it is to be as dark as that
+    bool has_lights;   ///< the file has the key "lights", though the list may be empty: then it is to be as
+                       ///< dark as that
 };
 
-/// Throws UserError naming the file and the path of the value, for example "desk.json: objects[2].scale must be ...".
+/// Throws UserError naming the file and the path of the value, for example "desk.json: objects[2].scale must
+/// be ...".
 JsonLoad load_json_scene(const std::filesystem::path& path, Loading& loading);
 
-/// The same of a text that has been read; `path` names the file in sentences, and its folder holds what the text refers to.
+/// The same of a text that has been read; `path` names the file in sentences, and its folder holds what the
+/// text refers to.
 JsonLoad read_json_scene(const std::filesystem::path& path, std::string_view text, Loading& loading);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -15,10 +15,11 @@ void add_missing_lights(Scene& scene) {
     const glm::dvec3 up = glm::cross(right, forward);
     // A camera inside the scene (a room) has its lights near by, one outside has them outside as well.
     const double size = glm::length(box.hi - box.lo);
-    const bool is_inside = glm::all(glm::greaterThan(camera.eye, box.lo)) && glm::all(glm::lessThan(camera.eye, box.hi));
+    const bool is_inside =
+        glm::all(glm::greaterThan(camera.eye, box.lo)) && glm::all(glm::lessThan(camera.eye, box.hi));
     const double step = (is_inside ? 0.05 : 0.5) * size;
     scene.lights.push_back({camera.eye + step * (right + up), glm::dvec3(0.9)});
     scene.lights.push_back({camera.eye + step * (0.25 * up - 1.5 * right), glm::dvec3(0.25)});
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -14,7 +14,8 @@
 namespace rayclock {
 namespace {
 
-/// What has a dot or a slash, or lies on the disk, was meant as a file; the rest as the name of a built-in scene.
+/// What has a dot or a slash, or lies on the disk, was meant as a file; the rest as the name of a built-in
+/// scene.
 bool is_file_name(const std::string& spec) {
     std::error_code ignored;
     return spec.find_first_of("./") != spec.npos || std::filesystem::exists(spec, ignored);
@@ -25,14 +26,17 @@ JsonLoad load_file(const std::string& spec, Loading& loading) {
     if (extension(path) == "json") return load_json_scene(path, loading);
     if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
-    read_file(path);  // a directory or an unreadable file gets its own sentence
-    Place{spec}.refuse("is not a kind of file that can be loaded (.obj .ply .stl .glb .gltf .json), nor a built-in scene");
+    if (!std::filesystem::exists(path, ignored))
+        Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
+    read_file(path);   // a directory or an unreadable file gets its own sentence
+    Place{spec}.refuse(
+        "is not a kind of file that can be loaded (.obj .ply .stl .glb .gltf .json), nor a built-in scene");
 }
 
-} // namespace
+}   // namespace
 
-Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives, std::vector<std::string>* notes) {
+Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
+                 std::vector<std::string>* notes) {
     Loading loading(progress);
     if (spec.empty()) throw UserError("the name of the scene is empty");
     if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
@@ -50,4 +54,4 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

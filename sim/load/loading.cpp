@@ -44,8 +44,9 @@ bool leaves_folder(const std::filesystem::path& name) {
 }
 
 std::uint64_t bytes_of(const Scene& scene) {
-    return sizeof(glm::dvec3) * (scene.vertices.size() + scene.normals.size()) + sizeof(Triangle) * scene.triangles.size() +
-           sizeof(Sphere) * scene.spheres.size() + sizeof(Plane) * scene.planes.size() + sizeof(Material) * scene.materials.size();
+    return sizeof(glm::dvec3) * (scene.vertices.size() + scene.normals.size()) +
+           sizeof(Triangle) * scene.triangles.size() + sizeof(Sphere) * scene.spheres.size() +
+           sizeof(Plane) * scene.planes.size() + sizeof(Material) * scene.materials.size();
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,4 +1,5 @@
-// What one load has in common, however many files it reads: progress, what may be made of them, what is to be said.
+// What one load has in common, however many files it reads: progress, what may be made of them, what is to be
+// said.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -17,7 +18,8 @@ constexpr std::uint64_t max_triangles = 100'000'000;
 /// More corners than this in one face are refused: cutting a polygon takes quadratic time.
 constexpr std::uint64_t max_corners = 10'000;
 
-/// A few bytes can ask for copies of copies. All that is made takes no more than this, or so many times the bytes of all files.
+/// A few bytes can ask for copies of copies. All that is made takes no more than this, or so many times the
+/// bytes of all files.
 constexpr std::uint64_t least_allowance = std::uint64_t{1} << 30, bytes_for_a_byte = 1024;
 
 struct Allowance {
@@ -27,7 +29,8 @@ struct Allowance {
 class Loading {
 public:
     /// `progress` must outlive it.
-    explicit Loading(const Progress& progress, Allowance allowance = {}) : progress_(progress), allowance_(allowance) {}
+    explicit Loading(const Progress& progress, Allowance allowance = {})
+        : progress_(progress), allowance_(allowance) {}
     const Progress& progress() const { return progress_; }
     void tell(std::string_view what, std::uint64_t done, std::uint64_t total) const {
         if (progress_) progress_(what, done, total);
@@ -36,12 +39,14 @@ public:
     /// A whole file; its size counts for the allowance.
     std::string read(const std::filesystem::path& path, const std::string& asked_by = {});
 
-    /// Before so many bytes are made: false if that is more than the files allow. Refuse by the sentence too_much().
+    /// Before so many bytes are made: false if that is more than the files allow. Refuse by the sentence
+    /// too_much().
     bool may_make(std::uint64_t bytes);
     bool may_make(const Scene& part);
     std::string too_much() const;
 
-    /// One sentence about something that was left out or changed, with the file in front. The same is kept once.
+    /// One sentence about something that was left out or changed, with the file in front. The same is kept
+    /// once.
     void note(const std::string& file, const std::string& sentence);
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -52,7 +57,7 @@ private:
     Allowance allowance_;
     std::uint64_t read_ = 0, made_ = 0;
     std::vector<std::string> notes_;
-    std::unordered_set<std::string> noted_;    ///< the same, to be searched
+    std::unordered_set<std::string> noted_;   ///< the same, to be searched
 };
 
 /// "1 triangle", "2 triangles".
@@ -64,4 +69,4 @@ bool leaves_folder(const std::filesystem::path& name);
 /// Bytes that a scene's primitives, vertices and materials take.
 std::uint64_t bytes_of(const Scene& scene);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -12,11 +12,12 @@ namespace {
 using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 
 const std::map<std::string, Read>& formats() {
-    static const std::map<std::string, Read> all{{"obj", read_obj}, {"ply", read_ply}, {"stl", read_stl}, {"glb", read_gltf}, {"gltf", read_gltf}};
+    static const std::map<std::string, Read> all{
+        {"obj", read_obj}, {"ply", read_ply}, {"stl", read_stl}, {"glb", read_gltf}, {"gltf", read_gltf}};
     return all;
 }
 
-} // namespace
+}   // namespace
 
 bool is_mesh_file(const std::filesystem::path& path) { return formats().contains(extension(path)); }
 
@@ -44,22 +45,27 @@ std::size_t Assembly::add(PartBuilder part) {
 
 void Assembly::make_alike(bool must_have) {
     const auto is_smooth = [](const Scene& part) { return !part.normals.empty(); };
-    if (must_have || std::any_of(parts_.begin(), parts_.end(), is_smooth)) std::for_each(parts_.begin(), parts_.end(), make_smooth);
+    if (must_have || std::any_of(parts_.begin(), parts_.end(), is_smooth))
+        std::for_each(parts_.begin(), parts_.end(), make_smooth);
 }
 
-void Assembly::place(std::size_t number, const glm::dmat4& place, std::uint64_t material, const std::function<Material()>& make) {
+void Assembly::place(std::size_t number, const glm::dmat4& place, std::uint64_t material,
+                     const std::function<Material()>& make) {
     const Scene& part = parts_[number];
     if (part.triangles.empty()) return;
-    const auto [found, is_new] = materials_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
+    const auto [found, is_new] =
+        materials_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
     if (is_new) scene_.materials.push_back(make());
     if (!loading_.may_make(part)) Place{file_}.refuse(loading_.too_much());
     append(scene_, part, place, found->second, 0);
 }
 
 Scene Assembly::take() {
-    if (scene_.triangles.empty()) Place{file_}.refuse("the file has no triangles: all its faces are points or lines");
-    if (dropped_ > 0) loading_.note(file_, counted(dropped_, "triangle") + " with two corners in one place left out");
+    if (scene_.triangles.empty())
+        Place{file_}.refuse("the file has no triangles: all its faces are points or lines");
+    if (dropped_ > 0)
+        loading_.note(file_, counted(dropped_, "triangle") + " with two corners in one place left out");
     return std::move(scene_);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -21,12 +21,13 @@ namespace rayclock {
 
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// Triangles in the order of the file, materials in use, camera and lights if the file has them. `asked_by`: see read_file().
-/// Throws UserError.
+/// Triangles in the order of the file, materials in use, camera and lights if the file has them. `asked_by`:
+/// see read_file(). Throws UserError.
 Scene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by = {});
 
-/// The readers of the formats, from the bytes of a file; `path` names the file in sentences, and its folder holds what a file
-/// refers to. Each throws UserError for what makes no sense, with line or place, and nothing else.
+/// The readers of the formats, from the bytes of a file; `path` names the file in sentences, and its folder
+/// holds what a file refers to. Each throws UserError for what makes no sense, with line or place, and
+/// nothing else.
 Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loading);
 Scene read_ply(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& loading);
@@ -52,8 +53,10 @@ public:
     /// When all are added: if any part has normals, or `must_have`, all get some.
     void make_alike(bool must_have = false);
     bool is_empty(std::size_t part) const { return parts_[part].triangles.empty(); }
-    /// A copy of a part. `material` is any number that the caller knows it by, `make` gives it when it is met first.
-    void place(std::size_t part, const glm::dmat4& place, std::uint64_t material, const std::function<Material()>& make);
+    /// A copy of a part. `material` is any number that the caller knows it by, `make` gives it when it is met
+    /// first.
+    void place(std::size_t part, const glm::dmat4& place, std::uint64_t material,
+               const std::function<Material()>& make);
 
     Scene& scene() { return scene_; }
     /// Says what was left out; refuses a scene without triangles.
@@ -70,4 +73,4 @@ private:
     std::vector<std::array<std::uint32_t, 3>> cut_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
-/// Room for `more`, at least doubled when it is not there: an exact reserve() for each of many copies would move all of them.
+/// Room for `more`, at least doubled when it is not there: an exact reserve() for each of many copies would
+/// move all of them.
 template <class Item> void make_room(std::vector<Item>& list, std::size_t more) {
     if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.size()));
 }
@@ -47,9 +48,10 @@ glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
     return n == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : n;
 }
 
-} // namespace
+}   // namespace
 
-PartBuilder::PartBuilder(std::size_t triangles, bool is_smooth) : is_smooth_(is_smooth), table_(std::bit_ceil(2 * triangles + 16), no_vertex) {
+PartBuilder::PartBuilder(std::size_t triangles, bool is_smooth)
+    : is_smooth_(is_smooth), table_(std::bit_ceil(2 * triangles + 16), no_vertex) {
     part_.triangles.reserve(triangles);
 }
 
@@ -90,7 +92,8 @@ void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::ui
     for (std::size_t i = 0; i < 3; ++i) {
         Corner corner{tidy(corners[i]->position), glm::dvec3(0)};
         if (is_smooth_) corner.normal = tidy(unit(corners[i]->normal));
-        if (is_smooth_ && corner.normal == glm::dvec3(0)) corner.normal = tidy(facet_normal(a.position, b.position, c.position));
+        if (is_smooth_ && corner.normal == glm::dvec3(0))
+            corner.normal = tidy(facet_normal(a.position, b.position, c.position));
         triangle.vertex[i] = vertex(corner);
     }
     part_.triangles.push_back(triangle);
@@ -100,15 +103,18 @@ void make_smooth(Scene& part) {
     if (!part.normals.empty()) return;
     PartBuilder builder(part.triangles.size(), true);
     for (const Triangle& t : part.triangles)
-        builder.add({part.vertices[t.vertex[0]]}, {part.vertices[t.vertex[1]]}, {part.vertices[t.vertex[2]]}, t.material);
+        builder.add({part.vertices[t.vertex[0]]}, {part.vertices[t.vertex[1]]}, {part.vertices[t.vertex[2]]},
+                    t.material);
     Scene smooth = builder.take();
     part.vertices = std::move(smooth.vertices);
     part.normals = std::move(smooth.normals);
     part.triangles = std::move(smooth.triangles);
 }
 
-void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material, std::uint32_t material_base) {
-    if (scene.vertices.size() + part.vertices.size() > no_vertex) throw UserError("more than 2^32 - 1 vertices");
+void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
+            std::uint32_t material_base) {
+    if (scene.vertices.size() + part.vertices.size() > no_vertex)
+        throw UserError("more than 2^32 - 1 vertices");
     const auto base = static_cast<std::uint32_t>(scene.vertices.size());
     const glm::dmat3 linear(place);
     const double volume = glm::determinant(linear);
@@ -118,7 +124,8 @@ void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optio
     for (const glm::dvec3& v : part.vertices) scene.vertices.push_back(glm::dvec3(place * glm::dvec4(v, 1)));
     if (!part.normals.empty()) {
         // Cofactors instead of the inverse: the same directions, and no division by a small volume.
-        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]), glm::cross(linear[0], linear[1]));
+        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                                   glm::cross(linear[0], linear[1]));
         for (const glm::dvec3& n : part.normals) {
             const glm::dvec3 turned = unit((volume < 0 ? -1.0 : 1.0) * (cofactors * n));
             scene.normals.push_back(turned == glm::dvec3(0) ? n : turned);
@@ -131,9 +138,13 @@ void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optio
         scene.triangles.push_back(t);
     }
     const auto moved = [&](const glm::dvec3& p) { return glm::dvec3(place * glm::dvec4(p, 1)); };
-    const auto material_of = [&](const auto& primitive) { return material ? *material : primitive.material + material_base; };
-    for (const Sphere& s : part.spheres) scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s)});
-    for (const Plane& p : part.planes) scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p)});
+    const auto material_of = [&](const auto& primitive) {
+        return material ? *material : primitive.material + material_base;
+    };
+    for (const Sphere& s : part.spheres)
+        scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s)});
+    for (const Plane& p : part.planes)
+        scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p)});
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -17,14 +17,14 @@ struct Corner {
     glm::dvec3 normal{0};
 };
 
-/// Collects triangles. Corners with equal positions and normals, to the last bit, become one vertex; triangles with
-/// two corners in the same place are points or lines and are left out.
+/// Collects triangles. Corners with equal positions and normals, to the last bit, become one vertex;
+/// triangles with two corners in the same place are points or lines and are left out.
 class PartBuilder {
 public:
-    PartBuilder(std::size_t triangles, bool is_smooth);    ///< `triangles` is a guess
+    PartBuilder(std::size_t triangles, bool is_smooth);   ///< `triangles` is a guess
     void add(const Corner& a, const Corner& b, const Corner& c, std::uint32_t material);
     Scene take() { return std::move(part_); }
-    std::uint64_t dropped() const { return dropped_; }    ///< triangles that were left out
+    std::uint64_t dropped() const { return dropped_; }   ///< triangles that were left out
 
 private:
     std::uint32_t vertex(const Corner& corner);
@@ -33,15 +33,16 @@ private:
     bool is_smooth_;
     std::uint64_t dropped_ = 0;
     Scene part_;
-    std::vector<std::uint32_t> table_;    ///< open hashing, a power of two, at most two thirds in use
+    std::vector<std::uint32_t> table_;   ///< open hashing, a power of two, at most two thirds in use
 };
 
 /// Gives a flat part its facets' normals, so that it can stand beside smooth ones and stay flat.
 void make_smooth(Scene& part);
 
-/// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror image is turned inside
-/// out again; normals go by the inverse transpose. Materials: `material` for all, or the part's own plus `material_base`.
-/// Both must have normals or both none, unless `scene` is still empty.
-void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material, std::uint32_t material_base);
+/// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror
+/// image is turned inside out again; normals go by the inverse transpose. Materials: `material` for all, or
+/// the part's own plus `material_base`. Both must have normals or both none, unless `scene` is still empty.
+void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
+            std::uint32_t material_base);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -14,10 +14,10 @@ namespace {
 
 PlyType type_of(std::string_view word, const Place& at) {
     static const std::map<std::string_view, PlyType> types{
-        {"char", {1, 'i'}},  {"int8", {1, 'i'}},    {"uchar", {1, 'u'}},   {"uint8", {1, 'u'}},  {"short", {2, 'i'}},
-        {"int16", {2, 'i'}}, {"ushort", {2, 'u'}},  {"uint16", {2, 'u'}},  {"int", {4, 'i'}},    {"int32", {4, 'i'}},
-        {"uint", {4, 'u'}},  {"uint32", {4, 'u'}},  {"float", {4, 'f'}},   {"float32", {4, 'f'}},
-        {"double", {8, 'f'}}, {"float64", {8, 'f'}}};
+        {"char", {1, 'i'}},  {"int8", {1, 'i'}},    {"uchar", {1, 'u'}},  {"uint8", {1, 'u'}},
+        {"short", {2, 'i'}}, {"int16", {2, 'i'}},   {"ushort", {2, 'u'}}, {"uint16", {2, 'u'}},
+        {"int", {4, 'i'}},   {"int32", {4, 'i'}},   {"uint", {4, 'u'}},   {"uint32", {4, 'u'}},
+        {"float", {4, 'f'}}, {"float32", {4, 'f'}}, {"double", {8, 'f'}}, {"float64", {8, 'f'}}};
     const auto found = types.find(word);
     if (found == types.end()) at.refuse(shown(word) + " is not a PLY type");
     return found->second;
@@ -37,7 +37,8 @@ PlyElement element_of(std::string_view rest, const std::vector<PlyElement>& befo
     const std::string_view word = take_word(rest);
     const std::int64_t count = whole_number(word, at);
     if (count < 0) at.refuse(fmt::format("{} elements of the kind '{}'", count, name));
-    if (name == "vertex" && count > std::numeric_limits<std::uint32_t>::max()) at.refuse(fmt::format("{} vertices, more than 2^32 - 1", count));
+    if (name == "vertex" && count > std::numeric_limits<std::uint32_t>::max())
+        at.refuse(fmt::format("{} vertices, more than 2^32 - 1", count));
     if (name == "face" && static_cast<std::uint64_t>(count) > max_triangles)
         at.refuse(fmt::format("{} faces; the most is {}", count, max_triangles));
     for (const PlyElement& other : before)
@@ -68,18 +69,20 @@ void check_mesh(const PlyHeader& header, const Place& at) {
     };
     for (const char* axis : {"x", "y", "z"}) {
         const auto& all = element("vertex").properties;
-        if (std::none_of(all.begin(), all.end(), [&](const PlyProperty& p) { return p.name == axis && !p.count; }))
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const PlyProperty& p) { return p.name == axis && !p.count; }))
             at.refuse(fmt::format("vertices have no property '{}'", axis));
     }
     const auto& all = element("face").properties;
     const auto is_list = [](const PlyProperty& p) {
         return (p.name == "vertex_indices" || p.name == "vertex_index") && p.count && p.type.kind != 'f';
     };
-    if (std::count_if(all.begin(), all.end(), is_list) != 1) at.refuse("faces need one list of whole numbers 'vertex_indices'");
+    if (std::count_if(all.begin(), all.end(), is_list) != 1)
+        at.refuse("faces need one list of whole numbers 'vertex_indices'");
     if (element("face").count == 0) at.refuse("the file has no triangles");
 }
 
-} // namespace
+}   // namespace
 
 PlyHeader read_ply_header(const std::string& file, std::string_view bytes) {
     PlyHeader header{};
@@ -104,7 +107,8 @@ PlyHeader read_ply_header(const std::string& file, std::string_view bytes) {
             auto& properties = header.elements.back().properties;
             properties.push_back(property_of(line, at));
             for (std::size_t i = 0; i + 1 < properties.size(); ++i)
-                if (properties[i].name == properties.back().name) at.refuse(fmt::format("'{}' is declared twice", properties[i].name));
+                if (properties[i].name == properties.back().name)
+                    at.refuse(fmt::format("'{}' is declared twice", properties[i].name));
         } else if (key == "end_header") {
             break;
         } else if (key != "comment" && key != "obj_info" && !key.empty()) {
@@ -118,4 +122,4 @@ PlyHeader read_ply_header(const std::string& file, std::string_view bytes) {
     return header;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -12,13 +12,13 @@ enum class PlyForm { ascii, little_endian, big_endian };
 
 struct PlyType {
     std::size_t bytes;
-    char kind;    ///< 'i' signed, 'u' unsigned, 'f' floating point
+    char kind;   ///< 'i' signed, 'u' unsigned, 'f' floating point
 };
 
 struct PlyProperty {
     std::string name;
     PlyType type;
-    std::optional<PlyType> count;    ///< type of the length, if this is a list
+    std::optional<PlyType> count;   ///< type of the length, if this is a list
 };
 
 struct PlyElement {
@@ -30,11 +30,11 @@ struct PlyElement {
 struct PlyHeader {
     PlyForm form;
     std::vector<PlyElement> elements;
-    std::size_t bytes;      ///< length of the header in the file
+    std::size_t bytes;   ///< length of the header in the file
     std::uint64_t lines;
 };
 
 /// Throws UserError unless the header is complete, with x, y, z in `vertex` and a list of indices in `face`.
 PlyHeader read_ply_header(const std::string& file, std::string_view bytes);
 
-} // namespace rayclock
+}   // namespace rayclock

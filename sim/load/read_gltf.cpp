@@ -1,5 +1,5 @@
-// glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are taken.
-// Animations, skins, morph targets, textures and vertex colours are left out, and that is said.
+// glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are
+// taken. Animations, skins, morph targets, textures and vertex colours are left out, and that is said.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,23 +16,27 @@
 namespace rayclock {
 namespace {
 
-constexpr int max_depth = 500;    // the tree is walked by recursion
+constexpr int max_depth = 500;   // the tree is walked by recursion
 
-/// Before anything else, because version 1 has objects where 2 has arrays, and need not say that it is version 1.
+/// Before anything else, because version 1 has objects where 2 has arrays, and need not say that it is
+/// version 1.
 void check_version(const JsonValue& document, const Place& at) {
     const auto asset = document.find("asset");
     const bool has_version = asset && asset->find("version");
     if (!has_version && document.find("buffers") && document.at("buffers").raw().is_object())
         at.refuse("this is glTF 1.0, which is not supported: it must be converted to 2.0");
     const JsonValue version = document.at("asset").at("version");
-    if (version.string().starts_with("1.")) version.refuse("is \"1.0\": glTF 1.0 is not supported and must be converted to 2.0");
+    if (version.string().starts_with("1."))
+        version.refuse("is \"1.0\": glTF 1.0 is not supported and must be converted to 2.0");
     if (!version.string().starts_with("2.")) version.expected("\"2.0\"");
     const auto required = document.find("extensionsRequired");
-    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
-                                                       "KHR_texture_basisu", "EXT_texture_webp"};
+    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization",
+                                                       "KHR_texture_transform", "KHR_texture_basisu",
+                                                       "EXT_texture_webp"};
     for (std::size_t i = 0; required && i < required->array().size(); ++i) {
         const std::string name = (*required)[i].string();
-        if (!name.starts_with("KHR_materials_") && std::find(harmless.begin(), harmless.end(), name) == harmless.end())
+        if (!name.starts_with("KHR_materials_") &&
+            std::find(harmless.begin(), harmless.end(), name) == harmless.end())
             at.refuse("needs the extension " + shown(name) + ", which is not supported");
     }
 }
@@ -44,8 +48,13 @@ struct Dropped {
 
 class GltfReader {
 public:
-    GltfReader(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container, Loading& loading)
-        : in_(document), at_{path.string()}, loading_(loading), buffers_(document, path, container, loading), assembly_(at_.file, loading) {}
+    GltfReader(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container,
+               Loading& loading)
+        : in_(document),
+          at_{path.string()},
+          loading_(loading),
+          buffers_(document, path, container, loading),
+          assembly_(at_.file, loading) {}
 
     Scene read() {
         const JsonValue meshes = list("meshes"), materials = list("materials");
@@ -54,7 +63,8 @@ public:
             mesh(meshes[i]);
         }
         if (!loading_.may_make(materials.size() * sizeof(GltfMaterial))) at_.refuse(loading_.too_much());
-        for (std::size_t i = 0; i < materials.size(); ++i) materials_.push_back(gltf_material(materials[i], i));
+        for (std::size_t i = 0; i < materials.size(); ++i)
+            materials_.push_back(gltf_material(materials[i], i));
         tree();
         if (triangles_ == 0) at_.refuse("the file has no triangles");
         for (const Copy& copy : copies_)
@@ -92,7 +102,8 @@ private:
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const bool fits = std::abs(numbers[i]) <= std::numeric_limits<float>::max();
             if (!fits && must_be_finite)
-                in_.at("accessors")[index].refuse(fmt::format("has {} at element {}, which is not a finite number", numbers[i], i / 3));
+                in_.at("accessors")[index].refuse(
+                    fmt::format("has {} at element {}, which is not a finite number", numbers[i], i / 3));
             found->second[i / 3][static_cast<int>(i % 3)] = fits ? static_cast<float>(numbers[i]) : 0.0f;
         }
         return found->second;
@@ -103,7 +114,8 @@ private:
         const auto [found, is_new] = indices_.try_emplace(index);
         if (!is_new) return found->second;
         const JsonValue type = in_.at("accessors")[index].at("componentType");
-        if (type.raw() != 5121 && type.raw() != 5123 && type.raw() != 5125) type.expected("5121, 5123 or 5125 for indices");
+        if (type.raw() != 5121 && type.raw() != 5123 && type.raw() != 5125)
+            type.expected("5121, 5123 or 5125 for indices");
         for (const double x : buffers_.read(index, 1)) found->second.push_back(static_cast<std::uint32_t>(x));
         return found->second;
     }
@@ -114,7 +126,7 @@ private:
         const JsonValue list = in.at("primitives").array();
         for (std::size_t i = 0; i < list.size(); ++i) {
             const std::uint64_t mode = list[i].whole_or("mode", 7, 4);
-            if (mode < 4) {    // points and lines
+            if (mode < 4) {   // points and lines
                 ++dropped_.lines;
                 continue;
             }
@@ -132,7 +144,8 @@ private:
         const std::size_t vertices = made.positions->size();
         if (const auto normal = attributes.find("NORMAL")) {
             made.normals = &vectors(*normal, false);
-            if (made.normals->size() != vertices) normal->refuse(fmt::format("has {} normals for {} vertices", made.normals->size(), vertices));
+            if (made.normals->size() != vertices)
+                normal->refuse(fmt::format("has {} normals for {} vertices", made.normals->size(), vertices));
             has_normals_ = true;
         }
         made.corners = vertices;
@@ -141,7 +154,9 @@ private:
             const auto [largest, is_new] = largest_.try_emplace(made.indices);
             if (is_new) largest->second = *std::max_element(made.indices->begin(), made.indices->end());
             if (largest->second >= vertices)
-                reference->refuse(fmt::format("reach vertex {}, which is out of range: there are {} (0 is the first)", largest->second, vertices));
+                reference->refuse(
+                    fmt::format("reach vertex {}, which is out of range: there are {} (0 is the first)",
+                                largest->second, vertices));
             made.corners = made.indices->size();
         }
         if (made.corners < 3 || (mode == 4 && made.corners % 3 != 0))
@@ -156,7 +171,8 @@ private:
         const std::size_t count = count_of("nodes");
         visited_.resize(count);
         for (const std::uint64_t root : roots(count)) visit(root, 0, glm::dmat4(1));
-        if (triangles_ > max_triangles) at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
+        if (triangles_ > max_triangles)
+            at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
     }
 
     /// The nodes of the default scene; without any scene, the nodes that have no parent.
@@ -165,13 +181,15 @@ private:
         if (const auto scenes = in_.find("scenes"); scenes && scenes->array().size() > 0) {
             const JsonValue scene = (*scenes)[in_.whole_or("scene", scenes->size(), 0)];
             if (const auto list = scene.find("nodes"))
-                for (std::size_t i = 0; i < list->array().size(); ++i) found.push_back((*list)[i].whole(count));
+                for (std::size_t i = 0; i < list->array().size(); ++i)
+                    found.push_back((*list)[i].whole(count));
             return found;
         }
         std::vector<bool> is_child(count);
         for (std::size_t i = 0; i < count; ++i)
             if (const auto children = in_.at("nodes")[i].find("children"))
-                for (std::size_t k = 0; k < children->array().size(); ++k) is_child[(*children)[k].whole(count)] = true;
+                for (std::size_t k = 0; k < children->array().size(); ++k)
+                    is_child[(*children)[k].whole(count)] = true;
         for (std::size_t i = 0; i < count; ++i)
             if (!is_child[i]) found.push_back(i);
         return found;
@@ -194,7 +212,8 @@ private:
             if (!camera_) camera_ = made;
         }
         if (const auto extensions = in.find("extensions")) {
-            if (extensions->find("EXT_mesh_gpu_instancing")) in.refuse("uses EXT_mesh_gpu_instancing, which is not supported");
+            if (extensions->find("EXT_mesh_gpu_instancing"))
+                in.refuse("uses EXT_mesh_gpu_instancing, which is not supported");
             if (const auto light = extensions->find("KHR_lights_punctual")) {
                 const JsonValue all = in_.at("extensions").at("KHR_lights_punctual").at("lights").array();
                 lights_.push_back(gltf_light(all[light->at("light").whole(all.size())], place));
@@ -202,24 +221,31 @@ private:
         }
         const auto children = in.find("children");
         if (!children) return;
-        for (std::size_t i = 0; i < children->array().size(); ++i) visit((*children)[i].whole(visited_.size()), depth + 1, place);
+        for (std::size_t i = 0; i < children->array().size(); ++i)
+            visit((*children)[i].whole(visited_.size()), depth + 1, place);
     }
 
     /// Makes the parts of a mesh, when it is placed first.
     void build(std::uint64_t mesh) {
         for (const Primitive& primitive : meshes_[mesh]) {
-            if (!loading_.may_make(primitive.corners * sizeof(std::uint64_t))) at_.refuse(loading_.too_much());
-            PartBuilder builder(primitive.mode == 4 ? primitive.corners / 3 : primitive.corners - 2, primitive.normals != nullptr);
+            if (!loading_.may_make(primitive.corners * sizeof(std::uint64_t)))
+                at_.refuse(loading_.too_much());
+            PartBuilder builder(primitive.mode == 4 ? primitive.corners / 3 : primitive.corners - 2,
+                                primitive.normals != nullptr);
             const auto corner = [&](std::uint64_t k) {
                 const std::size_t i = primitive.indices ? (*primitive.indices)[k] : k;
-                return Corner{glm::dvec3((*primitive.positions)[i]), primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0)};
+                return Corner{glm::dvec3((*primitive.positions)[i]),
+                              primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0)};
             };
             if (primitive.mode == 4)
-                for (std::uint64_t k = 0; k < primitive.corners; k += 3) builder.add(corner(k), corner(k + 1), corner(k + 2), 0);
-            else if (primitive.mode == 5)    // a strip: every second triangle is turned over
-                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k) builder.add(corner(k + k % 2), corner(k + 1 - k % 2), corner(k + 2), 0);
-            else    // a fan
-                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k) builder.add(corner(0), corner(k + 1), corner(k + 2), 0);
+                for (std::uint64_t k = 0; k < primitive.corners; k += 3)
+                    builder.add(corner(k), corner(k + 1), corner(k + 2), 0);
+            else if (primitive.mode == 5)   // a strip: every second triangle is turned over
+                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
+                    builder.add(corner(k + k % 2), corner(k + 1 - k % 2), corner(k + 2), 0);
+            else   // a fan
+                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
+                    builder.add(corner(0), corner(k + 1), corner(k + 2), 0);
             parts_[mesh].push_back(assembly_.add(std::move(builder)));
         }
     }
@@ -250,7 +276,9 @@ private:
         say(dropped_.lines, "primitive", " of points or lines left out");
     }
 
-    JsonValue list(std::string_view key) const { return in_.find(key).value_or(JsonValue(empty_, at_.file)).array(); }
+    JsonValue list(std::string_view key) const {
+        return in_.find(key).value_or(JsonValue(empty_, at_.file)).array();
+    }
     std::uint64_t count_of(std::string_view key) const { return list(key).size(); }
 
     JsonValue in_;
@@ -259,11 +287,11 @@ private:
     GltfBuffers buffers_;
     Assembly assembly_;
     const Json empty_ = Json::array();
-    std::map<std::uint64_t, std::vector<glm::vec3>> vectors_;          // by accessor
+    std::map<std::uint64_t, std::vector<glm::vec3>> vectors_;   // by accessor
     std::map<std::uint64_t, std::vector<std::uint32_t>> indices_;
-    std::map<const void*, std::uint32_t> largest_;                     // of indices
+    std::map<const void*, std::uint32_t> largest_;   // of indices
     std::vector<std::vector<Primitive>> meshes_;
-    std::vector<std::vector<std::size_t>> parts_;                      // of meshes that are placed
+    std::vector<std::vector<std::size_t>> parts_;   // of meshes that are placed
     std::vector<std::uint64_t> mesh_triangles_;
     std::vector<GltfMaterial> materials_;
     std::vector<bool> visited_;
@@ -275,18 +303,19 @@ private:
     Dropped dropped_;
 };
 
-} // namespace
+}   // namespace
 
 Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading) {
     const std::string file = path.string();
     const GltfContainer container = open_gltf(file, bytes);
     const std::string_view text = without_mark(container.text);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == text.npos || text[first] != '{') Place{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
+    if (first == text.npos || text[first] != '{')
+        Place{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
     const Json parsed = parse_json(file, text);
     const JsonValue document(parsed, file);
     check_version(document, Place{file});
     return GltfReader(document, path, container, loading).read();
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -14,7 +14,8 @@ namespace {
 void colour(std::string_view key, std::string_view rest, const Place& at, glm::vec3& out) {
     std::array<double, 3> rgb{};
     int count = 0;
-    for (std::string_view word = take_word(rest); !word.empty() && count < 3; word = take_word(rest), ++count) {
+    for (std::string_view word = take_word(rest); !word.empty() && count < 3;
+         word = take_word(rest), ++count) {
         if (word == "spectral" || word == "xyz") return;
         rgb[static_cast<std::size_t>(count)] = finite_number(word, at);
     }
@@ -31,18 +32,27 @@ double single(std::string_view rest, const Place& at) {
 
 void statement(std::string_view key, std::string_view rest, const Place& at, MtlBlock& block) {
     MtlSurface& surface = block.surface;
-    if (key == "Kd") colour(key, rest, at, surface.diffuse);
-    else if (key == "Ks") colour(key, rest, at, surface.specular);
-    else if (key == "Ns") surface.shine = static_cast<float>(single(rest, at));
-    else if (key == "Ni") surface.index = static_cast<float>(single(rest, at));
-    else if (key == "d") surface.opacity = static_cast<float>(single(rest, at));
-    else if (key == "Tr") surface.opacity = static_cast<float>(1 - single(rest, at));
-    else if (key == "illum") surface.illumination = static_cast<int>(std::clamp<std::int64_t>(whole_number(take_word(rest), at), -1, 11));
-    else if (key.starts_with("map_") || key == "bump" || key == "disp" || key == "decal" || key == "refl") block.has_textures = true;
+    if (key == "Kd")
+        colour(key, rest, at, surface.diffuse);
+    else if (key == "Ks")
+        colour(key, rest, at, surface.specular);
+    else if (key == "Ns")
+        surface.shine = static_cast<float>(single(rest, at));
+    else if (key == "Ni")
+        surface.index = static_cast<float>(single(rest, at));
+    else if (key == "d")
+        surface.opacity = static_cast<float>(single(rest, at));
+    else if (key == "Tr")
+        surface.opacity = static_cast<float>(1 - single(rest, at));
+    else if (key == "illum")
+        surface.illumination =
+            static_cast<int>(std::clamp<std::int64_t>(whole_number(take_word(rest), at), -1, 11));
+    else if (key.starts_with("map_") || key == "bump" || key == "disp" || key == "decal" || key == "refl")
+        block.has_textures = true;
     // The rest: ambient light and the extensions of many programs.
 }
 
-} // namespace
+}   // namespace
 
 std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_view text) {
     std::vector<MtlBlock> blocks;
@@ -55,7 +65,8 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
         const std::string_view key = take_word(line);
         if (key == "newmtl") {
             std::string name;
-            for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) (name += name.empty() ? "" : " ") += word;
+            for (std::string_view word = take_word(line); !word.empty(); word = take_word(line))
+                (name += name.empty() ? "" : " ") += word;
             if (name.empty()) at.refuse("newmtl without a name");
             blocks.push_back({.name = std::move(name), .surface = {}});
         } else if (!blocks.empty()) {
@@ -65,4 +76,4 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
     return blocks;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,6 @@
-// OBJ: every statement is checked with its line number; positions, normals, faces and the materials of faces are taken.
-// Groups, objects, texture coordinates, curves, points and lines are dropped. Faces stay in the order of the file.
+// OBJ: every statement is checked with its line number; positions, normals, faces and the materials of faces
+// are taken. Groups, objects, texture coordinates, curves, points and lines are dropped. Faces stay in the
+// order of the file.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -18,16 +19,18 @@ namespace {
 
 /// Statements that the format knows and that say nothing about triangles.
 constexpr std::array<std::string_view, 34> silent{
-    "vt", "vp", "g", "o", "s", "p", "l", "mg", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",
-    "hole", "scrv", "sp", "end", "con", "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj",
-    "trace_obj", "ctech", "stech", "call", "csh"};
+    "vt",     "vp",         "g",         "o",     "s",     "p",        "l",        "mg",   "cstype",
+    "deg",    "bmat",       "step",      "curv",  "curv2", "surf",     "parm",     "trim", "hole",
+    "scrv",   "sp",         "end",       "con",   "bevel", "c_interp", "d_interp", "lod",  "maplib",
+    "usemap", "shadow_obj", "trace_obj", "ctech", "stech", "call",     "csh"};
 
 /// Counts one kind of element and keeps the indices that only a later line could make good.
 class Counted {
 public:
     explicit Counted(std::string_view what) : what_(what) {}
     void add(const Place& at) {
-        if (++count_ > std::numeric_limits<std::uint32_t>::max()) at.refuse(fmt::format("more than 2^32 - 1 {} lines", what_));
+        if (++count_ > std::numeric_limits<std::uint32_t>::max())
+            at.refuse(fmt::format("more than 2^32 - 1 {} lines", what_));
     }
     std::uint64_t absolute(std::string_view word, const Place& at) {
         const std::int64_t index = whole_number(word, at);
@@ -37,13 +40,15 @@ public:
         if (index < 0) return count_ - static_cast<std::uint64_t>(-(index + 1));
         // The first index beyond the final count is also a new maximum, so maxima are all that is kept.
         const auto forward = static_cast<std::uint64_t>(index);
-        if (forward > count_ && (maxima_.empty() || forward > maxima_.back().index)) maxima_.push_back({forward, at.line});
+        if (forward > count_ && (maxima_.empty() || forward > maxima_.back().index))
+            maxima_.push_back({forward, at.line});
         return forward;
     }
     void finish(const std::string& file) const {
         for (const auto& [index, line] : maxima_)
             if (index > count_)
-                Place{file, line}.refuse(fmt::format("{} index {} is out of range: the file has {}", what_, index, count_));
+                Place{file, line}.refuse(
+                    fmt::format("{} index {} is out of range: the file has {}", what_, index, count_));
     }
 
 private:
@@ -57,20 +62,28 @@ private:
 
 class ObjReader {
 public:
-    ObjReader(const std::filesystem::path& path, Loading& loading) : path_(path), at_{path.string()}, loading_(loading) {}
+    ObjReader(const std::filesystem::path& path, Loading& loading)
+        : path_(path), at_{path.string()}, loading_(loading) {}
 
     void statement(std::string_view line, std::uint64_t number) {
         at_.line = number;
         std::string_view rest = line.substr(0, line.find('#'));
         const std::string_view key = take_word(rest);
         if (key.empty()) return check_text(line, at_, "OBJ");
-        if (key == "v") numbers("v ", rest, vertices_, positions_);
-        else if (key == "vn") numbers("vn ", rest, normals_, directions_);
-        else if (key == "f" || key == "fo") face(rest);
-        else if (key == "usemtl") material(rest);
-        else if (key == "mtllib") library(rest);
-        else if (std::find(silent.begin(), silent.end(), key) == silent.end()) unknown(line, key);
-        else check_text(line, at_, "OBJ");
+        if (key == "v")
+            numbers("v ", rest, vertices_, positions_);
+        else if (key == "vn")
+            numbers("vn ", rest, normals_, directions_);
+        else if (key == "f" || key == "fo")
+            face(rest);
+        else if (key == "usemtl")
+            material(rest);
+        else if (key == "mtllib")
+            library(rest);
+        else if (std::find(silent.begin(), silent.end(), key) == silent.end())
+            unknown(line, key);
+        else
+            check_text(line, at_, "OBJ");
     }
 
     Scene finish() {
@@ -97,10 +110,11 @@ private:
         bool is_smooth = false;
     };
     struct Index {
-        std::uint32_t position, normal;    ///< counted from 1; normal 0: none
+        std::uint32_t position, normal;   ///< counted from 1; normal 0: none
     };
 
-    void numbers(std::string_view key, std::string_view rest, Counted& counted, std::vector<glm::vec3>& list) {
+    void numbers(std::string_view key, std::string_view rest, Counted& counted,
+                 std::vector<glm::vec3>& list) {
         counted.add(at_);
         glm::vec3 point(0);
         // Beyond the third there may be a weight or a colour; they are checked and not used.
@@ -120,13 +134,15 @@ private:
         const bool was_smooth = runs_.back().is_smooth;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) corner(word);
         const std::size_t corners = corners_.size() - start;
-        if (corners > max_corners) at_.refuse(fmt::format("a face with {} corners; the most is {}", corners, max_corners));
-        if (corners < 3) {    // a point or a line
+        if (corners > max_corners)
+            at_.refuse(fmt::format("a face with {} corners; the most is {}", corners, max_corners));
+        if (corners < 3) {   // a point or a line
             corners_.resize(start);
             runs_.back().is_smooth = was_smooth;
             return;
         }
-        if ((triangles_ += corners - 2) > max_triangles) at_.refuse(fmt::format("more than {} triangles", max_triangles));
+        if ((triangles_ += corners - 2) > max_triangles)
+            at_.refuse(fmt::format("more than {} triangles", max_triangles));
         ends_.push_back(corners_.size());
     }
 
@@ -148,14 +164,16 @@ private:
     void material(std::string_view rest) {
         const std::string name = trimmed(rest);
         check_text(name, at_, "OBJ");
-        use(name.empty() ? "default" : name);  // exporters do leave it out
+        use(name.empty() ? "default" : name);   // exporters do leave it out
     }
 
     void use(const std::string& name) {
         const auto [found, ignored] = used_.try_emplace(name, used_.size());
         const bool is_open = !runs_.empty() && runs_.back().first_face == ends_.size();
-        if (is_open) runs_.back().material = found->second;
-        else if (runs_.empty() || runs_.back().material != found->second) runs_.push_back({ends_.size(), found->second});
+        if (is_open)
+            runs_.back().material = found->second;
+        else if (runs_.empty() || runs_.back().material != found->second)
+            runs_.push_back({ends_.size(), found->second});
     }
 
     void library(std::string_view rest) {
@@ -163,8 +181,10 @@ private:
         // One name with blanks or several names: the file system knows which.
         const std::string whole = trimmed(rest);
         std::error_code ignored;
-        if (std::filesystem::exists(path_.parent_path() / whole, ignored)) return libraries_.push_back({whole, at_.line});
-        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) libraries_.push_back({std::string(word), at_.line});
+        if (std::filesystem::exists(path_.parent_path() / whole, ignored))
+            return libraries_.push_back({whole, at_.line});
+        for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
+            libraries_.push_back({std::string(word), at_.line});
     }
 
     /// A mesh often travels without its materials, so a missing file is no reason to refuse it.
@@ -177,11 +197,15 @@ private:
             const std::string from = fmt::format("{}: line {}", at_.file, line);
             std::error_code ignored;
             if (std::filesystem::status(path, ignored).type() == std::filesystem::file_type::not_found) {
-                loading_.note(from, "the material file " + printable(path.string()) + " does not exist; its materials are grey");
+                loading_.note(from, "the material file " + printable(path.string()) +
+                                        " does not exist; its materials are grey");
                 continue;
             }
-            if (leaves_folder(name)) loading_.note(from, "the material file " + shown(name) + " lies outside the folder of the mesh");
-            for (MtlBlock& block : read_mtl(path, loading_.read(path, from))) defined.try_emplace(block.name, std::move(block));
+            if (leaves_folder(name))
+                loading_.note(from,
+                              "the material file " + shown(name) + " lies outside the folder of the mesh");
+            for (MtlBlock& block : read_mtl(path, loading_.read(path, from)))
+                defined.try_emplace(block.name, std::move(block));
         }
         return defined;
     }
@@ -195,25 +219,31 @@ private:
         for (const auto& [name, number] : used_) {
             const auto found = defined.find(name);
             const bool is_known = found != defined.end();
-            materials[number] = material_of(is_known ? found->second.surface : MtlSurface{.diffuse = glm::vec3(0.8f)}, name);
+            materials[number] =
+                material_of(is_known ? found->second.surface : MtlSurface{.diffuse = glm::vec3(0.8f)}, name);
             odd += is_known && is_out_of_range(found->second.surface);
             textured += is_known && found->second.has_textures;
         }
-        if (odd > 0) loading_.note(at_.file, counted(odd, "material") + " with values out of range, taken as the nearest within");
-        if (textured > 0) loading_.note(at_.file, counted(textured, "material") + " with textures, which are not drawn");
+        if (odd > 0)
+            loading_.note(at_.file, counted(odd, "material") +
+                                        " with values out of range, taken as the nearest within");
+        if (textured > 0)
+            loading_.note(at_.file, counted(textured, "material") + " with textures, which are not drawn");
         return materials;
     }
 
     PartBuilder part(std::size_t number, Assembly& assembly) const {
-        const std::size_t begin = runs_[number].first_face, end = number + 1 < runs_.size() ? runs_[number + 1].first_face : ends_.size();
+        const std::size_t begin = runs_[number].first_face,
+                          end = number + 1 < runs_.size() ? runs_[number + 1].first_face : ends_.size();
         PartBuilder builder(end - begin, runs_[number].is_smooth);
         std::vector<Corner> corners;
         for (std::size_t f = begin; f < end; ++f) {
             corners.clear();
             for (std::size_t k = f == 0 ? 0 : ends_[f - 1]; k < ends_[f]; ++k) {
                 const Index& index = corners_[k];
-                corners.push_back({glm::dvec3(positions_[index.position - 1]),
-                                   index.normal == 0 ? glm::dvec3(0) : glm::dvec3(directions_[index.normal - 1])});
+                corners.push_back(
+                    {glm::dvec3(positions_[index.position - 1]),
+                     index.normal == 0 ? glm::dvec3(0) : glm::dvec3(directions_[index.normal - 1])});
             }
             assembly.face(builder, corners);
         }
@@ -229,7 +259,8 @@ private:
 
     static std::string trimmed(std::string_view text) {
         std::string name;
-        for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) (name += name.empty() ? "" : " ") += word;
+        for (std::string_view word = take_word(text); !word.empty(); word = take_word(text))
+            (name += name.empty() ? "" : " ") += word;
         return name;
     }
 
@@ -244,15 +275,15 @@ private:
     Counted vertices_{"vertex"}, normals_{"normal"};
     std::vector<glm::vec3> positions_, directions_;
     std::vector<Index> corners_;
-    std::vector<std::size_t> ends_;    ///< of each face, in `corners_`
+    std::vector<std::size_t> ends_;   ///< of each face, in `corners_`
     std::vector<Run> runs_;
     std::uint64_t triangles_ = 0;
     std::map<std::string, std::size_t> used_;
     std::vector<Library> libraries_;
 };
 
-/// Joins lines that end in a backslash with the next, in place; line breaks inside become marks of their own so
-/// that the count of lines stays right.
+/// Joins lines that end in a backslash with the next, in place; line breaks inside become marks of their own
+/// so that the count of lines stays right.
 constexpr char joined_break = '\v';
 
 void join_lines(std::string& text) {
@@ -264,7 +295,7 @@ void join_lines(std::string& text) {
     }
 }
 
-} // namespace
+}   // namespace
 
 Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loading) {
     std::replace(text.begin(), text.end(), joined_break, ' ');
@@ -280,4 +311,4 @@ Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loa
     return reader.finish();
 }
 
-} // namespace rayclock
+}   // namespace rayclock

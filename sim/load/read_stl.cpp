@@ -1,5 +1,6 @@
-// STL, text and binary. Whether it is one or the other is decided by the length, which in the binary form follows
-// from the count; many binary files begin with "solid" all the same. Normals only repeat the facets and are not read.
+// STL, text and binary. Whether it is one or the other is decided by the length, which in the binary form
+// follows from the count; many binary files begin with "solid" all the same. Normals only repeat the facets
+// and are not read.
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -25,11 +26,13 @@ std::uint32_t binary_count(const std::string& bytes) {
 using Corners = std::vector<glm::vec3>;
 
 Corners binary_corners(const std::string& bytes, const Place& at, const Loading& loading) {
-    if (bytes.size() < header_bytes) at.refuse(fmt::format("this is not STL: {} bytes are too few", bytes.size()));
+    if (bytes.size() < header_bytes)
+        at.refuse(fmt::format("this is not STL: {} bytes are too few", bytes.size()));
     const std::uint32_t count = binary_count(bytes);
     const std::uint64_t needed = header_bytes + facet_bytes * std::uint64_t{count};
     if (bytes.size() < needed)
-        at.refuse(fmt::format("the file is cut off, or not STL: {} triangles take {} bytes and there are {}", count, needed, bytes.size()));
+        at.refuse(fmt::format("the file is cut off, or not STL: {} triangles take {} bytes and there are {}",
+                              count, needed, bytes.size()));
     if (count == 0) at.refuse("the file has no triangles");
     if (count > max_triangles) at.refuse(fmt::format("{} triangles; the most is {}", count, max_triangles));
     Corners corners;
@@ -39,7 +42,9 @@ Corners binary_corners(const std::string& bytes, const Place& at, const Loading&
         float corner[9];
         std::memcpy(corner, bytes.data() + header_bytes + facet_bytes * std::size_t{t} + 12, sizeof corner);
         for (const float x : corner)
-            if (!std::isfinite(x)) at.refuse(fmt::format("triangle {} has the coordinate {}, which is not a finite number", t, x));
+            if (!std::isfinite(x))
+                at.refuse(
+                    fmt::format("triangle {} has the coordinate {}, which is not a finite number", t, x));
         for (const int k : {0, 3, 6}) corners.emplace_back(corner[k], corner[k + 1], corner[k + 2]);
     }
     return corners;
@@ -69,14 +74,22 @@ private:
         const std::string_view word = take_word(rest);
         if (word.empty()) return;
         const std::string key = lower(word);
-        if (key == "solid" && state_ == State::outside) state_ = State::solid;
-        else if (key == "endsolid" && state_ == State::solid) state_ = State::outside;
-        else if (key == "facet" && state_ == State::solid) facet(rest);
-        else if (key == "outer" && state_ == State::facet) expect(rest, "loop", State::loop);
-        else if (key == "vertex" && state_ == State::loop) vertex(rest);
-        else if (key == "endloop" && state_ == State::loop) endloop();
-        else if (key == "endfacet" && state_ == State::after_loop) endfacet();
-        else at_.refuse(shown(word) + " is out of place in a text STL");
+        if (key == "solid" && state_ == State::outside)
+            state_ = State::solid;
+        else if (key == "endsolid" && state_ == State::solid)
+            state_ = State::outside;
+        else if (key == "facet" && state_ == State::solid)
+            facet(rest);
+        else if (key == "outer" && state_ == State::facet)
+            expect(rest, "loop", State::loop);
+        else if (key == "vertex" && state_ == State::loop)
+            vertex(rest);
+        else if (key == "endloop" && state_ == State::loop)
+            endloop();
+        else if (key == "endfacet" && state_ == State::after_loop)
+            endfacet();
+        else
+            at_.refuse(shown(word) + " is out of place in a text STL");
     }
 
     void expect(std::string_view& rest, std::string_view wanted, State next) {
@@ -87,19 +100,22 @@ private:
 
     void facet(std::string_view rest) {
         expect(rest, "normal", State::facet);
-        for (int i = 0; i < 3; ++i) any_number(take_word(rest), at_);  // facets without area often carry "nan"; nobody reads it
+        for (int i = 0; i < 3; ++i)
+            any_number(take_word(rest), at_);   // facets without area often carry "nan"; nobody reads it
         first_ = corners_.size();
     }
 
     void vertex(std::string_view rest) {
         glm::vec3 corner(0);
         for (int i = 0; i < 3; ++i) corner[i] = static_cast<float>(finite_number(take_word(rest), at_));
-        if (const std::string_view more = take_word(rest); !more.empty()) at_.refuse(shown(more) + " after the third coordinate");
+        if (const std::string_view more = take_word(rest); !more.empty())
+            at_.refuse(shown(more) + " after the third coordinate");
         corners_.push_back(corner);
     }
 
     void endloop() {
-        if (const std::size_t count = corners_.size() - first_; count != 3) at_.refuse(fmt::format("a facet with {} vertices instead of 3", count));
+        if (const std::size_t count = corners_.size() - first_; count != 3)
+            at_.refuse(fmt::format("a facet with {} vertices instead of 3", count));
         state_ = State::after_loop;
     }
 
@@ -111,25 +127,29 @@ private:
     std::string_view text_;
     Place at_;
     State state_ = State::outside;
-    std::size_t first_ = 0;    ///< corner of the facet that is open
+    std::size_t first_ = 0;   ///< corner of the facet that is open
     std::uint32_t facets_ = 0;
     Corners corners_;
 };
 
-} // namespace
+}   // namespace
 
 Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& loading) {
     const Place at{path.string()};
-    const bool is_binary_length = bytes.size() >= header_bytes && bytes.size() == header_bytes + facet_bytes * std::uint64_t{binary_count(bytes)};
+    const bool is_binary_length =
+        bytes.size() >= header_bytes &&
+        bytes.size() == header_bytes + facet_bytes * std::uint64_t{binary_count(bytes)};
     const std::size_t start = bytes.find_first_not_of(" \t\r\n");
     const bool says_solid = start != bytes.npos && lower(std::string_view(bytes).substr(start, 5)) == "solid";
-    const Corners corners = says_solid && !is_binary_length ? TextStl(bytes, at).read(loading) : binary_corners(bytes, at, loading);
+    const Corners corners = says_solid && !is_binary_length ? TextStl(bytes, at).read(loading)
+                                                            : binary_corners(bytes, at, loading);
     Assembly assembly(at.file, loading);
     PartBuilder builder(corners.size() / 3, false);
     for (std::size_t k = 0; k + 2 < corners.size(); k += 3)
         builder.add({glm::dvec3(corners[k])}, {glm::dvec3(corners[k + 1])}, {glm::dvec3(corners[k + 2])}, 0);
-    assembly.place(assembly.add(std::move(builder)), glm::dmat4(1), 0, [] { return Material{.name = "default"}; });
+    assembly.place(assembly.add(std::move(builder)), glm::dmat4(1), 0,
+                   [] { return Material{.name = "default"}; });
     return assembly.take();
 }
 
-} // namespace rayclock
+}   // namespace rayclock

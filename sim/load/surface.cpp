@@ -26,7 +26,7 @@ void share(Material& out) {
     out.ambient *= rest;
 }
 
-} // namespace
+}   // namespace
 
 Material material_of(const MtlSurface& in, const std::string& name) {
     Material out;
@@ -46,8 +46,8 @@ Material material_of(const MtlSurface& in, const std::string& name) {
 }
 
 bool is_out_of_range(const MtlSurface& s) {
-    return !are_fractions(s.diffuse) || !are_fractions(s.specular) || !(s.shine >= 0) || !is_fraction(s.opacity) || !(s.index > 0) ||
-           s.illumination < 0 || s.illumination > 10;
+    return !are_fractions(s.diffuse) || !are_fractions(s.specular) || !(s.shine >= 0) ||
+           !is_fraction(s.opacity) || !(s.index > 0) || s.illumination < 0 || s.illumination > 10;
 }
 
 Material material_of(const GltfSurface& in, const std::string& name) {
@@ -69,8 +69,8 @@ Material material_of(const GltfSurface& in, const std::string& name) {
 
 bool is_out_of_range(const GltfSurface& s) {
     const bool is_index = s.index >= 1 || s.index == 0;   // the format gives 0 a meaning of its own
-    return !are_fractions(glm::vec3(s.colour)) || !is_fraction(s.colour.a) || !is_fraction(s.metal) || !is_fraction(s.rough) ||
-           !is_fraction(s.transmission) || !is_index;
+    return !are_fractions(glm::vec3(s.colour)) || !is_fraction(s.colour.a) || !is_fraction(s.metal) ||
+           !is_fraction(s.rough) || !is_fraction(s.transmission) || !is_index;
 }
 
 std::vector<Light> lights_of(const std::vector<PlacedLight>& placed, const Bounds& bounds) {
@@ -89,12 +89,15 @@ std::vector<Light> lights_of(const std::vector<PlacedLight>& placed, const Bound
             light.colour /= std::max(glm::dot(to, to), 1e-6 * size * size);
         }
         const double strength = std::max({light.colour.x, light.colour.y, light.colour.z});
-        if (!(strength > 0) || !std::isfinite(strength) || !std::isfinite(glm::dot(light.position, light.position))) continue;
+        if (!(strength > 0) || !std::isfinite(strength) ||
+            !std::isfinite(glm::dot(light.position, light.position)))
+            continue;
         brightest = std::max(brightest, strength);
         lights.push_back(light);
     }
-    for (Light& light : lights) light.colour *= 1 / (brightest * std::sqrt(static_cast<double>(lights.size())));
+    for (Light& light : lights)
+        light.colour *= 1 / (brightest * std::sqrt(static_cast<double>(lights.size())));
     return lights;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -34,11 +34,11 @@ bool is_out_of_range(const GltfSurface& surface);
 struct PlacedLight {
     bool is_directional;
     glm::vec3 colour;
-    glm::dvec3 position, towards;    ///< of the node: its origin and its z axis
+    glm::dvec3 position, towards;   ///< of the node: its origin and its z axis
 };
 
-/// Our lights have no attenuation and no unit: the brightest as seen from the middle of `bounds` gets 1 / sqrt(n),
-/// the others in proportion. A directional light is put far away.
+/// Our lights have no attenuation and no unit: the brightest as seen from the middle of `bounds` gets 1 /
+/// sqrt(n), the others in proportion. A directional light is put far away.
 std::vector<Light> lights_of(const std::vector<PlacedLight>& lights, const Bounds& bounds);
 
-} // namespace rayclock
+}   // namespace rayclock

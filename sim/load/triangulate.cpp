@@ -39,13 +39,14 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 
 /// The polygon that is left, as a ring of corner numbers, and which of its corners may be ears.
 ///
-/// A corner is no ear while a spot with reflex corners lies in its triangle. Reflex corners only ever go away, so a spot that was
-/// found to lie outside need not be looked at again, and a corner waits for the spot that is in its way: with its neighbours
-/// unchanged every spot is looked at once for it, instead of once in every round. Spots lie side by side in the order of x, and
-/// many corners in one place are one spot.
+/// A corner is no ear while a spot with reflex corners lies in its triangle. Reflex corners only ever go
+/// away, so a spot that was found to lie outside need not be looked at again, and a corner waits for the spot
+/// that is in its way: with its neighbours unchanged every spot is looked at once for it, instead of once in
+/// every round. Spots lie side by side in the order of x, and many corners in one place are one spot.
 class Ring {
 public:
-    explicit Ring(const Points& points) : points_(points), corners_(points.size()), may_be_ear_((points.size() + 63) / 64, 0) {
+    explicit Ring(const Points& points)
+        : points_(points), corners_(points.size()), may_be_ear_((points.size() + 63) / 64, 0) {
         const std::uint32_t n = size();
         for (std::uint32_t i = 0; i < n; ++i) {
             corners_[i].next = (i + 1) % n;
@@ -80,7 +81,7 @@ public:
         // Cutting an ear only opens the corners beside it: a convex corner stays convex.
         for (const std::uint32_t side : {before, after}) {
             if (corners_[side].is_reflex && bend(side) > 0) no_longer_reflex(side);
-            corners_[side].looked_at = 0;    // another triangle
+            corners_[side].looked_at = 0;   // another triangle
             mark(side);
         }
     }
@@ -94,7 +95,8 @@ private:
         for (std::uint32_t i = 0; i < size(); ++i)
             if (corners_[i].is_reflex) reflex.push_back(i);
         const auto place = [&](std::uint32_t i) { return std::pair(points_[i].x, points_[i].y); };
-        std::sort(reflex.begin(), reflex.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+        std::sort(reflex.begin(), reflex.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
         for (const std::uint32_t i : reflex) {
             if (spots_.empty() || spots_.back().p != points_[i]) spots_.push_back({points_[i]});
             ++spots_.back().reflex;
@@ -103,7 +105,8 @@ private:
     }
 
     std::uint32_t first_spot(double x) const {
-        const auto found = std::lower_bound(spots_.begin(), spots_.end(), x, [](const Spot& s, double least) { return s.p.x < least; });
+        const auto found = std::lower_bound(spots_.begin(), spots_.end(), x,
+                                            [](const Spot& s, double least) { return s.p.x < least; });
         return static_cast<std::uint32_t>(found - spots_.begin());
     }
 
@@ -111,7 +114,7 @@ private:
     bool is_ear(std::uint32_t i) {
         unmark(i);
         const glm::dvec2 a = points_[previous(i)], b = points_[i], c = points_[next(i)];
-        if (!(turn(a, b, c) > 0)) return false;    // until a neighbour goes
+        if (!(turn(a, b, c) > 0)) return false;   // until a neighbour goes
         const glm::dvec2 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
         std::uint32_t& k = corners_[i].looked_at;
         for (k = std::max(k, first_spot(lo.x)); k < spots_.size() && spots_[k].p.x <= hi.x; ++k) {
@@ -129,7 +132,8 @@ private:
         return true;
     }
 
-    /// If its spot is free now, who waits for it may look again. One whose triangle has changed meanwhile does so needlessly.
+    /// If its spot is free now, who waits for it may look again. One whose triangle has changed meanwhile
+    /// does so needlessly.
     void no_longer_reflex(std::uint32_t r) {
         if (!corners_[r].is_reflex) return;
         corners_[r].is_reflex = false;
@@ -147,7 +151,7 @@ private:
     std::uint32_t marked(std::uint32_t from, std::uint32_t end) const {
         if (from >= end) return none;
         std::uint64_t word = may_be_ear_[from / 64] & ~std::uint64_t{0} << from % 64;
-        for (std::uint32_t at = from / 64; ; word = may_be_ear_[at]) {
+        for (std::uint32_t at = from / 64;; word = may_be_ear_[at]) {
             if (word != 0) {
                 const std::uint32_t i = 64 * at + static_cast<std::uint32_t>(std::countr_zero(word));
                 return i < end ? i : none;
@@ -158,15 +162,15 @@ private:
 
     struct InRing {
         std::uint32_t next = 0, previous = 0;
-        std::uint32_t looked_at = 0;    ///< of `spots_`, for this corner's triangle
-        std::uint32_t spot = none;      ///< of a reflex corner
+        std::uint32_t looked_at = 0;   ///< of `spots_`, for this corner's triangle
+        std::uint32_t spot = none;     ///< of a reflex corner
         bool is_reflex = false, is_gone = false;
     };
     /// One place, and the reflex corners there.
     struct Spot {
         glm::dvec2 p;
-        std::uint32_t reflex = 0;              ///< how many there are
-        std::uint32_t first_waiting = none;    ///< in `waiting_`: who waits until there are none
+        std::uint32_t reflex = 0;             ///< how many there are
+        std::uint32_t first_waiting = none;   ///< in `waiting_`: who waits until there are none
     };
     struct Waiting {
         std::uint32_t who, next;
@@ -176,16 +180,16 @@ private:
     std::vector<InRing> corners_;
     std::vector<Spot> spots_;
     std::vector<Waiting> waiting_;
-    std::vector<std::uint64_t> may_be_ear_;    ///< a bit for each corner
+    std::vector<std::uint64_t> may_be_ear_;   ///< a bit for each corner
 };
 
-} // namespace
+}   // namespace
 
 void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std::uint32_t, 3>>& out) {
     if (corners.size() == 3) return out.push_back({0, 1, 2});
     const Points points = flatten(corners);
     Ring ring(points);
-    std::uint32_t at = 1;  // quads split from corner 0 to corner 2, as is the custom
+    std::uint32_t at = 1;   // quads split from corner 0 to corner 2, as is the custom
     for (std::size_t left = corners.size(); left > 3; --left) {
         const std::uint32_t ear = ring.ear_from(at);
         out.push_back({ring.previous(ear), ear, ring.next(ear)});
@@ -196,4 +200,4 @@ void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std
     out.push_back({ring.previous(at), at, ring.next(at)});
 }
 
-} // namespace rayclock
+}   // namespace rayclock

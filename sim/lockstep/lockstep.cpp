@@ -21,9 +21,13 @@ namespace {
 class ListVisitor {
 public:
     std::vector<std::pair<std::string, std::string>> fields;
-    template <class T> void operator()(const char* name, const T& value, int) { fields.emplace_back(name, fmt::format("{}", value)); }
-    template <class T, std::size_t n> void operator()(const char* name, const std::array<T, n>& value, int, int count) {
-        for (int i = 0; i < count; ++i) fields.emplace_back(fmt::format("{}[{}]", name, i), fmt::format("{}", value[std::size_t(i)]));
+    template <class T> void operator()(const char* name, const T& value, int) {
+        fields.emplace_back(name, fmt::format("{}", value));
+    }
+    template <class T, std::size_t n>
+    void operator()(const char* name, const std::array<T, n>& value, int, int count) {
+        for (int i = 0; i < count; ++i)
+            fields.emplace_back(fmt::format("{}[{}]", name, i), fmt::format("{}", value[std::size_t(i)]));
     }
 };
 
@@ -40,16 +44,21 @@ template <class P> void describe(P model, P rtl, const Config& config, Divergenc
 }
 
 template <class P> std::uint32_t id_of(const P& p) {
-    if constexpr (requires { p.closest; }) return p.closest.ray;
-    else if constexpr (requires { p.ray; }) return p.ray;
-    else if constexpr (requires { p.id; }) return p.id;
-    else return 0;
+    if constexpr (requires { p.closest; })
+        return p.closest.ray;
+    else if constexpr (requires { p.ray; })
+        return p.ray;
+    else if constexpr (requires { p.id; })
+        return p.id;
+    else
+        return 0;
 }
 
 /// "the RTL makes it 1 cycle later"
 std::string later_text(const char* who, std::uint64_t cycles, bool same) {
     const std::string when = fmt::format("{} cycle{} later", cycles, cycles == 1 ? "" : "s");
-    return same ? fmt::format("{} makes it {}", who, when) : fmt::format("{} makes another transfer there, {}", who, when);
+    return same ? fmt::format("{} makes it {}", who, when)
+                : fmt::format("{} makes another transfer there, {}", who, when);
 }
 
 std::optional<CounterDifference> first_difference(const Accounts& model, const Accounts& rtl) {
@@ -59,9 +68,16 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
             const std::uint64_t m = model.units[u][c], r = rtl.units[u][c];
             if (m == r) continue;
             const Cause& cause = unit_infos[u].causes[c];
-            const char* kind = cause.kind == Kind::busy ? "busy with" : cause.kind == Kind::starved ? "starved by" : "stalled by";
-            if (first) ++first->others;
-            else first = {unit_infos[u].name, cause.kind == Kind::none ? fmt::format("code {}", c) : fmt::format("{} {}", kind, cause.name), m, r, 0};
+            const char* kind = cause.kind == Kind::busy      ? "busy with"
+                               : cause.kind == Kind::starved ? "starved by"
+                                                             : "stalled by";
+            if (first)
+                ++first->others;
+            else
+                first = {unit_infos[u].name,
+                         cause.kind == Kind::none ? fmt::format("code {}", c)
+                                                  : fmt::format("{} {}", kind, cause.name),
+                         m, r, 0};
         }
     return first;
 }
@@ -69,8 +85,12 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
 class Lockstep {
 public:
     Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed)
-        : job_(job), frames_(frames), traffic_(traffic), model_(job.config, job.khz, traffic),
-          rtl_(job.image, job.config, job.khz, traffic, seed), witness_(job.image, job.config) {}
+        : job_(job),
+          frames_(frames),
+          traffic_(traffic),
+          model_(job.config, job.khz, traffic),
+          rtl_(job.image, job.config, job.khz, traffic, seed),
+          witness_(job.image, job.config) {}
 
     LockstepResult run(const Progress& progress) {
         const auto start = std::chrono::steady_clock::now();
@@ -85,7 +105,8 @@ public:
 
 private:
     void run_frame(const FrameTrace& frame, const Progress& progress) {
-        const std::uint64_t pixels = frame.trace.rays.size(), limit = patience(job_.config, job_.khz, traffic_);
+        const std::uint64_t pixels = frame.trace.rays.size(),
+                            limit = patience(job_.config, job_.khz, traffic_);
         const std::uint64_t first = model_.cycle();
         const Accounts accounts = model_.accounts();
         const MemoryStats memory = model_.memory().stats();
@@ -96,19 +117,24 @@ private:
         while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
             cycle(hits);
             if (model_.quiet() > limit)
-                throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit, model_.cycle(), where_rays_are(model_)));
+                throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit,
+                                                     model_.cycle(), where_rays_are(model_)));
             if (progress && model_.cycle() % (1 << 14) == 0) progress("model and rtl", model_.hits(), pixels);
         }
         if (parted_) run_apart(limit, hits);
         if (progress) progress("model and rtl", pixels, pixels);
-        finish(result_.model, model_.cycle() - first, model_.hits(), model_.accounts() - accounts, model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours, frame);
-        finish(result_.rtl, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(), rtl_.memory().stats() - memory, hits.hits(), hits.colours(), frame);
-        result_.cycle_gap += model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
+        finish(result_.model, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
+               model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours, frame);
+        finish(result_.rtl, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(),
+               rtl_.memory().stats() - memory, hits.hits(), hits.colours(), frame);
+        result_.cycle_gap +=
+            model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
         if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
         if (!result_.model.partial)
             for (std::size_t i = 0; i < result_.model.hits.hits.size(); ++i)
-                result_.value_mismatches += !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i])
-                    || (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
+                result_.value_mismatches +=
+                    !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]) ||
+                    (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
         compare_counters();
         tell_nonsense();
     }
@@ -147,13 +173,20 @@ private:
         const std::uint64_t now = model_.cycle();
         model_.step([&](const Move& move) {
             last_ray_[index(move.channel)] = move.id;
-            witness_(move, [&](int pipeline, Channel c, const auto& payload) { compare(now, pipeline, c, payload); });
+            witness_(move, [&](int pipeline, Channel c, const auto& payload) {
+                compare(now, pipeline, c, payload);
+            });
         });
         for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
-            if (const std::uint32_t differ = (model_.valid_mask(p) ^ rtl_.valid_mask(p)) | (model_.fire_mask(p) ^ rtl_.fire_mask(p)))
-                part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)}, {rtl_.valid_mask(p), rtl_.fire_mask(p)});
-        if (const std::uint32_t differ = (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire()); differ && !parted_)
-            part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()}, {rtl_.shared_valid(), rtl_.shared_fire()});
+            if (const std::uint32_t differ =
+                    (model_.valid_mask(p) ^ rtl_.valid_mask(p)) | (model_.fire_mask(p) ^ rtl_.fire_mask(p)))
+                part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)},
+                     {rtl_.valid_mask(p), rtl_.fire_mask(p)});
+        if (const std::uint32_t differ =
+                (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire());
+            differ && !parted_)
+            part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()},
+                 {rtl_.shared_valid(), rtl_.shared_fire()});
         try {
             rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
         } catch (const RtlAssertion& assertion) {
@@ -173,7 +206,8 @@ private:
         pack(payload, job_.config, words_);
         ++result_.events_compared;
         const RcPort& port = rtl_.link(pipeline, c);
-        if (std::memcmp(words_.data(), port.data, std::min<std::size_t>(words_.size() * 4, port.bytes)) == 0) return;
+        if (std::memcmp(words_.data(), port.data, std::min<std::size_t>(words_.size() * 4, port.bytes)) == 0)
+            return;
         ++result_.value_mismatches;
         if (result_.first) return;
         const P got = get_data<P>(port, job_.config);
@@ -189,13 +223,17 @@ private:
     void part(std::uint64_t now, int pipeline, std::uint32_t differ, Masks model, Masks rtl) {
         parted_ = true;
         if (result_.first) return;
-        // An offer comes out of registers; whether it is accepted may hang on another offer of the same cycle.
+        // An offer comes out of registers; whether it is accepted may hang on another offer of the same
+        // cycle.
         const std::uint32_t offers = differ & (model.valid ^ rtl.valid);
         const Channel c = Channel(std::countr_zero(offers ? offers : differ));
         const auto tell = [&](const Masks& m) {
-            return m.fire & bit(c) ? "a transfer" : m.valid & bit(c) ? "an offer that is not accepted" : "no offer";
+            return m.fire & bit(c)    ? "a transfer"
+                   : m.valid & bit(c) ? "an offer that is not accepted"
+                                      : "no offer";
         };
-        result_.first = at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
+        result_.first =
+            at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
         if (!offers) result_.first->unit = unit_name(channels[index(c)].to, pipeline, c);
         result_.first->expected = tell(model);
         result_.first->got = tell(rtl);
@@ -217,14 +255,18 @@ private:
     }
 
     void seen(std::uint64_t now, const std::uint32_t* words, std::size_t bytes) {
-        const bool same = std::memcmp(watched_->words.data(), words, std::min(bytes, watched_->words.size() * 4)) == 0;
-        result_.first->later = later_text(watched_->by_rtl ? "the model" : "the RTL", now - watched_->cycle, same);
+        const bool same =
+            std::memcmp(watched_->words.data(), words, std::min(bytes, watched_->words.size() * 4)) == 0;
+        result_.first->later =
+            later_text(watched_->by_rtl ? "the model" : "the RTL", now - watched_->cycle, same);
         watched_.reset();
     }
 
     template <std::size_t i> std::uint32_t rtl_id(int pipeline, Channel c) const {
         if constexpr (i < channel_count) {
-            if (index(c) == i) return id_of(get_data<std::tuple_element_t<i, ChannelPayloads>>(rtl_.link(pipeline, c), job_.config));
+            if (index(c) == i)
+                return id_of(
+                    get_data<std::tuple_element_t<i, ChannelPayloads>>(rtl_.link(pipeline, c), job_.config));
             return rtl_id<i + 1>(pipeline, c);
         } else {
             return 0;
@@ -232,25 +274,41 @@ private:
     }
 
     Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
-        const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only && c != Channel::node_miss && c != Channel::prim_miss && c != Channel::surf_miss;
-        const Slot pixel = is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
-        return {now, unit_name(channels[index(c)].from, pipeline, c), channels[index(c)].name, id, pixel.x, pixel.y, "", "", ""};
+        const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only &&
+                            c != Channel::node_miss && c != Channel::prim_miss && c != Channel::surf_miss;
+        const Slot pixel =
+            is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
+        return {now,
+                unit_name(channels[index(c)].from, pipeline, c),
+                channels[index(c)].name,
+                id,
+                pixel.x,
+                pixel.y,
+                "",
+                "",
+                ""};
     }
 
     std::string unit_name(const char* unit, int pipeline, Channel c) const {
-        return job_.config.pipelines > 1 && index(c) < pipeline_channels ? fmt::format("{}[{}]", unit, pipeline) : unit;
+        return job_.config.pipelines > 1 && index(c) < pipeline_channels
+                   ? fmt::format("{}[{}]", unit, pipeline)
+                   : unit;
     }
 
     void run_apart(std::uint64_t limit, FrameCollector& hits) {
         while (!model_.done() && model_.quiet() <= limit) step_model();
         const std::uint64_t give_up = 4 * model_.cycle() + limit;
         try {
-            for (std::uint64_t quiet = 0; !broken_ && !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up; quiet = rtl_.moved() ? 0 : quiet + 1)
+            for (std::uint64_t quiet = 0;
+                 !broken_ && !rtl_.done() && quiet <= limit && rtl_.cycle() < give_up;
+                 quiet = rtl_.moved() ? 0 : quiet + 1)
                 step_rtl(hits);
         } catch (const RtlAssertion& assertion) {
             tell_assertion(assertion);
         }
-        if (watched_) result_.first->later = fmt::format("{} makes none there any more", watched_->by_rtl ? "the model" : "the RTL");
+        if (watched_)
+            result_.first->later =
+                fmt::format("{} makes none there any more", watched_->by_rtl ? "the model" : "the RTL");
     }
 
     void step_model() {
@@ -269,7 +327,8 @@ private:
         rtl_.settle();
         if (watched_ && !watched_->by_rtl && rtl_fires(watched_->pipeline, watched_->channel)) {
             const RcPort& port = rtl_.link(watched_->pipeline, watched_->channel);
-            if (port.bytes >= 4) seen(rtl_.cycle(), port.data, port.bytes);
+            if (port.bytes >= 4)
+                seen(rtl_.cycle(), port.data, port.bytes);
             else {
                 std::uint32_t word = 0;   // a port of up to 16 bits is shorter than a word
                 std::memcpy(&word, port.data, port.bytes);
@@ -279,9 +338,11 @@ private:
         rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
     }
 
-    void finish(FrameRun& run, std::uint64_t cycles, std::uint64_t pixels, const Accounts& accounts, const MemoryStats& memory,
-                const std::vector<Closest>& hits, const Colours& colours, const FrameTrace& frame) const {
-        static_cast<FrameTiming&>(run) = {cycles, pixels, accounts, memory, 0, pixels < frame.trace.rays.size() && !parted_};
+    void finish(FrameRun& run, std::uint64_t cycles, std::uint64_t pixels, const Accounts& accounts,
+                const MemoryStats& memory, const std::vector<Closest>& hits, const Colours& colours,
+                const FrameTrace& frame) const {
+        static_cast<FrameTiming&>(run) = {cycles, pixels, accounts,
+                                          memory, 0,      pixels < frame.trace.rays.size() && !parted_};
         run.hits = scaled(job_, frame.frame, hits);
         run.answers = hits;
         run.colours = colours;
@@ -312,16 +373,17 @@ private:
         std::uint64_t cycle;
         int pipeline;
         Channel channel;
-        bool by_rtl;                     // made it; the other is watched
+        bool by_rtl;   // made it; the other is watched
         Words words;
     };
     std::optional<Watched> watched_;
     LockstepResult result_;
 };
 
-} // namespace
+}   // namespace
 
-LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, const Progress& progress, int seed) {
+LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic,
+                            const Progress& progress, int seed) {
     return Lockstep(job, frames, traffic, seed).run(progress);
 }
 
@@ -331,4 +393,4 @@ LockstepResult run_lockstep(const Job& job, Traffic traffic, const Progress& pro
     return run_lockstep(job, frames, traffic, progress, seed);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

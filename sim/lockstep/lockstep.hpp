@@ -9,7 +9,8 @@ namespace rayclock {
 /// The first cycle in which model and RTL did not do the same.
 struct Divergence {
     std::uint64_t cycle = 0;
-    std::string unit;       ///< that drives the channel; or that accepts what comes on it, if the difference is that it does
+    std::string unit;   ///< that drives the channel; or that accepts what comes on it, if the difference is
+                        ///< that it does
     std::string channel;
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
@@ -26,22 +27,29 @@ struct CounterDifference {
 };
 
 struct LockstepResult {
-    FrameRun model, rtl;                     ///< seconds: the time of each machine's own share
-    std::uint64_t events_compared = 0;       ///< transfers (cycle, channel, payload) seen on both sides
-    std::uint64_t value_mismatches = 0;      ///< transfers whose payload differs, and pixels that differ in the end
-    std::uint64_t account_mismatches = 0;    ///< frames whose counters differ
-    std::uint64_t cycle_gap = 0;             ///< difference of the frame's cycles, or of the first cycle with other moves
-    std::optional<CounterDifference> counter;///< the first, of the first frame whose counters differ
-    bool counters_compared = false;          ///< of every frame; not if the machines parted
+    FrameRun model, rtl;                 ///< seconds: the time of each machine's own share
+    std::uint64_t events_compared = 0;   ///< transfers (cycle, channel, payload) seen on both sides
+    std::uint64_t value_mismatches =
+        0;   ///< transfers whose payload differs, and pixels that differ in the end
+    std::uint64_t account_mismatches = 0;   ///< frames whose counters differ
+    std::uint64_t cycle_gap =
+        0;   ///< difference of the frame's cycles, or of the first cycle with other moves
+    std::optional<CounterDifference> counter;   ///< the first, of the first frame whose counters differ
+    bool counters_compared = false;             ///< of every frame; not if the machines parted
     std::optional<Divergence> first;
-    bool agrees() const { return value_mismatches == 0 && account_mismatches == 0 && cycle_gap == 0 && !first; }
+    bool agrees() const {
+        return value_mismatches == 0 && account_mismatches == 0 && cycle_gap == 0 && !first;
+    }
 };
 
-/// Runs frames on model and RTL side by side and compares, in every cycle and on every channel, valid, ready and the packed
-/// payload of what moves; at the end of a frame the RTL's counters with the model's accounts. After the first difference in
-/// time each machine runs on alone, and pixels are compared. What no machine can mean, and an assertion of the RTL that fails, is
-/// a difference like any other. The result's runs are those of the last frame.
-LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
-LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
+/// Runs frames on model and RTL side by side and compares, in every cycle and on every channel, valid, ready
+/// and the packed payload of what moves; at the end of a frame the RTL's counters with the model's accounts.
+/// After the first difference in time each machine runs on alone, and pixels are compared. What no machine
+/// can mean, and an assertion of the RTL that fails, is a difference like any other. The result's runs are
+/// those of the last frame.
+LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {},
+                            const Progress& progress = {}, int seed = 1);
+LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {},
+                            int seed = 1);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -27,7 +27,8 @@ const Row count_heads{"LUTs", "LUT4", "CCU2C", "DPR16X4", "FF", "MULT18X18D", "D
 
 Row count_cells(const Count& c) {
     Row cells;
-    for (const std::uint64_t n : {c.luts(), c.lut4, c.carry, c.ram, c.ff, c.dsp, c.bram}) cells.push_back(grouped(n));
+    for (const std::uint64_t n : {c.luts(), c.lut4, c.carry, c.ram, c.ff, c.dsp, c.bram})
+        cells.push_back(grouped(n));
     return cells;
 }
 
@@ -35,8 +36,10 @@ std::string signed_text(std::uint64_t now, std::uint64_t before) {
     return now == before ? "0" : now > before ? "+" + grouped(now - before) : "-" + grouped(before - now);
 }
 Row change_cells(const Count& now, const Count& before) {
-    return {signed_text(now.luts(), before.luts()), signed_text(now.lut4, before.lut4), signed_text(now.carry, before.carry), signed_text(now.ram, before.ram),
-            signed_text(now.ff, before.ff),         signed_text(now.dsp, before.dsp),   signed_text(now.bram, before.bram)};
+    return {signed_text(now.luts(), before.luts()), signed_text(now.lut4, before.lut4),
+            signed_text(now.carry, before.carry),   signed_text(now.ram, before.ram),
+            signed_text(now.ff, before.ff),         signed_text(now.dsp, before.dsp),
+            signed_text(now.bram, before.bram)};
 }
 
 Row joined(const std::string& first, const Row& rest) {
@@ -53,7 +56,8 @@ Table count_table(const std::string& first, const std::vector<Row>& rows) {
 }
 
 std::string name_text(const Part& part, const std::string& indent) {
-    return indent + (indent.empty() ? part.name : "rc_" + part.name) + (part.times > 1 ? fmt::format(", {} of them", part.times) : "");
+    return indent + (indent.empty() ? part.name : "rc_" + part.name) +
+           (part.times > 1 ? fmt::format(", {} of them", part.times) : "");
 }
 
 /// The part and all beneath it, each indented by `step` more than what holds it.
@@ -67,8 +71,11 @@ std::vector<Row> unit_rows_of(const Areas& areas, std::size_t variant, const std
     const auto& units = areas.units[variant];
     for (const bool in_pipeline : {true, false}) {
         for (const UnitRow& unit : unit_rows())
-            if (const auto part = units.find(unit.name); part != units.end() && unit.in_pipeline == in_pipeline) add_rows(rows, part->second, "", step);
-        if (in_pipeline) rows.push_back(joined("**one pipeline**", count_cells(pipeline_count(areas, variant))));
+            if (const auto part = units.find(unit.name);
+                part != units.end() && unit.in_pipeline == in_pipeline)
+                add_rows(rows, part->second, "", step);
+        if (in_pipeline)
+            rows.push_back(joined("**one pipeline**", count_cells(pipeline_count(areas, variant))));
     }
     return rows;
 }
@@ -82,7 +89,8 @@ std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t be
         if (part == now.end()) continue;
         const Count none;
         const Count& was = old == then.end() ? none : old->second.count;
-        if (part->second.count != was) rows.push_back(joined(unit.name, change_cells(part->second.count, was)));
+        if (part->second.count != was)
+            rows.push_back(joined(unit.name, change_cells(part->second.count, was)));
     }
     return rows;
 }
@@ -90,25 +98,32 @@ std::vector<Row> changes(const Areas& areas, std::size_t variant, std::size_t be
 std::size_t before(std::size_t variant) { return variant < 2 ? 0 : 1; }
 
 std::string summary(const Areas& areas) {
-    Table table({"one pipeline", "LUTs", "FF", "MULT18X18D", "DP16KD", "more LUTs", "more FF", "more multipliers"});
+    Table table(
+        {"one pipeline", "LUTs", "FF", "MULT18X18D", "DP16KD", "more LUTs", "more FF", "more multipliers"});
     for (std::size_t v = 0; v < areas.variants.size(); ++v) {
         const Count now = pipeline_count(areas, v), was = pipeline_count(areas, before(v));
-        Row cells{areas.variants[v].name, grouped(now.luts()), grouped(now.ff), grouped(now.dsp), grouped(now.bram)};
-        if (v == 0) cells.insert(cells.end(), {"", "", ""});
-        else cells.insert(cells.end(), {signed_text(now.luts(), was.luts()), signed_text(now.ff, was.ff), signed_text(now.dsp, was.dsp)});
+        Row cells{areas.variants[v].name, grouped(now.luts()), grouped(now.ff), grouped(now.dsp),
+                  grouped(now.bram)};
+        if (v == 0)
+            cells.insert(cells.end(), {"", "", ""});
+        else
+            cells.insert(cells.end(), {signed_text(now.luts(), was.luts()), signed_text(now.ff, was.ff),
+                                       signed_text(now.dsp, was.dsp)});
         table.add(cells);
     }
     return table.markdown();
 }
 
 std::string speed_table(const std::vector<Speed>& speeds) {
-    Table table({"machine", "cycles of the frame", "rays", "model, s", "RTL, s", "model, M cycles/s", "RTL, k cycles/s", "model / RTL",
-                 "RTL's time beside the first", "compiled RTL, kB"});
+    Table table({"machine", "cycles of the frame", "rays", "model, s", "RTL, s", "model, M cycles/s",
+                 "RTL, k cycles/s", "model / RTL", "RTL's time beside the first", "compiled RTL, kB"});
     for (const Speed& s : speeds) {
         const double cycles = double(s.cycles), first = speeds[0].rtl_seconds / double(speeds[0].cycles);
-        table.add({s.name, grouped(s.cycles), grouped(std::uint64_t(s.rays)), fmt::format("{:.3f}", s.model_seconds),
-                   fmt::format("{:.2f}", s.rtl_seconds), fmt::format("{:.2f}", cycles / s.model_seconds / 1e6),
-                   fmt::format("{:.1f}", cycles / s.rtl_seconds / 1e3), fmt::format("{:.1f}", s.rtl_seconds / s.model_seconds),
+        table.add({s.name, grouped(s.cycles), grouped(std::uint64_t(s.rays)),
+                   fmt::format("{:.3f}", s.model_seconds), fmt::format("{:.2f}", s.rtl_seconds),
+                   fmt::format("{:.2f}", cycles / s.model_seconds / 1e6),
+                   fmt::format("{:.1f}", cycles / s.rtl_seconds / 1e3),
+                   fmt::format("{:.1f}", s.rtl_seconds / s.model_seconds),
                    fmt::format("{:.2f}", s.rtl_seconds / cycles / first), grouped(s.library / 1000)});
     }
     return table.markdown();
@@ -134,7 +149,7 @@ sources and the width that rc_top gives it), `setattr -mod -set keep_hierarchy 1
                        synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
 }
 
-} // namespace
+}   // namespace
 
 std::string table(const Areas& areas) {
     std::string text;
@@ -148,15 +163,26 @@ std::string table(const Areas& areas) {
 }
 
 ordered_json json(const Areas& areas, const std::vector<Speed>& speeds) {
-    ordered_json all{{"yosys", synth::yosys_version()}, {"script", synth::synth_script()}, {"variants", ordered_json::array()}, {"speed", ordered_json::array()}};
+    ordered_json all{{"yosys", synth::yosys_version()},
+                     {"script", synth::synth_script()},
+                     {"variants", ordered_json::array()},
+                     {"speed", ordered_json::array()}};
     for (std::size_t v = 0; v < areas.variants.size(); ++v) {
-        ordered_json variant{{"name", areas.variants[v].name}, {"pipeline", synth::count_json(pipeline_count(areas, v))}, {"units", ordered_json::array()}};
+        ordered_json variant{{"name", areas.variants[v].name},
+                             {"pipeline", synth::count_json(pipeline_count(areas, v))},
+                             {"units", ordered_json::array()}};
         for (const UnitRow& unit : unit_rows())
-            if (const auto part = areas.units[v].find(unit.name); part != areas.units[v].end()) variant["units"].push_back(synth::part_json(part->second));
+            if (const auto part = areas.units[v].find(unit.name); part != areas.units[v].end())
+                variant["units"].push_back(synth::part_json(part->second));
         all["variants"].push_back(variant);
     }
     for (const Speed& s : speeds)
-        all["speed"].push_back({{"name", s.name}, {"cycles", s.cycles}, {"rays", s.rays}, {"model_seconds", s.model_seconds}, {"rtl_seconds", s.rtl_seconds}, {"library_bytes", s.library}});
+        all["speed"].push_back({{"name", s.name},
+                                {"cycles", s.cycles},
+                                {"rays", s.rays},
+                                {"model_seconds", s.model_seconds},
+                                {"rtl_seconds", s.rtl_seconds},
+                                {"library_bytes", s.library}});
     return all;
 }
 
@@ -164,16 +190,24 @@ std::vector<Speed> page_speeds(const Areas& areas, const Progress& progress) {
     Whitted settings;
     settings.depth = speed_depth;
     const std::vector<Variant> machines{areas.variants[0], areas.variants[1], areas.variants.back()};
-    return measure(machines, ready_scene(speed_scene, speed_size, progress), speed_size, settings, speed_rounds, progress);
+    return measure(machines, ready_scene(speed_scene, speed_size, progress), speed_size, settings,
+                   speed_rounds, progress);
 }
 
-std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base, const std::string& command) {
-    std::string text = fmt::format("# Area\n\nWhat each unit takes of an ECP5, and what the units cost that are there only if a scene needs them.\n\nMade by `{}`; every figure is "
-                                   "counted or measured by that command, none is typed in.\nConditions: configuration `{}` but for its optional units; {}.\n\n"
-                                   "## With and without\n\n`hits` finds what camera rays meet and makes no colours. The other machines make finished pictures: `shading` has no further "
-                                   "unit,\nthe next five have one more each, the last has all. \"More\" is beside `hits` for `shading`, and beside `shading` for the others.\n"
-                                   "An LFE5U-85, the largest ECP5, has 83,640 LUTs and as many flip-flops, 156 multipliers and 208 block memories.\n\n",
-                                   command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
+std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base,
+                 const std::string& command) {
+    std::string text = fmt::format(
+        "# Area\n\nWhat each unit takes of an ECP5, and what the units cost that are there only if a scene "
+        "needs them.\n\nMade by `{}`; every figure is "
+        "counted or measured by that command, none is typed in.\nConditions: configuration `{}` but for its "
+        "optional units; {}.\n\n"
+        "## With and without\n\n`hits` finds what camera rays meet and makes no colours. The other machines "
+        "make finished pictures: `shading` has no further "
+        "unit,\nthe next five have one more each, the last has all. \"More\" is beside `hits` for `shading`, "
+        "and beside `shading` for the others.\n"
+        "An LFE5U-85, the largest ECP5, has 83,640 LUTs and as many flip-flops, 156 multipliers and 208 "
+        "block memories.\n\n",
+        command, base, synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
     text += summary(areas);
     for (const std::size_t v : {std::size_t(0), std::size_t(1), areas.variants.size() - 1}) {
         text += fmt::format("\n## Units of `{}`\n\n", areas.variants[v].name);
@@ -181,15 +215,19 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
     }
     text += "\n## Units that change\n\nBeside `shading`; all others stay as they are.\n";
     for (std::size_t v = 2; v < areas.variants.size(); ++v) {
-        text += fmt::format("\n### {}\n\n", areas.variants[v].name) + count_table("unit", changes(areas, v, 1)).markdown();
+        text += fmt::format("\n### {}\n\n", areas.variants[v].name) +
+                count_table("unit", changes(areas, v, 1)).markdown();
     }
     if (!speeds.empty()) {
-        text += fmt::format("\n## Speed of simulation\n\n{} as triangles, {}x{}, depth {}; one thread, the best of several runs that take turns on one host. `hits` draws camera rays only, so "
-                            "compare\nits cycles per second, not its seconds. Model and RTL take the same cycles, which is checked.\n\n",
-                            speed_scene, speed_size.width, speed_size.height, speed_depth);
+        text += fmt::format(
+            "\n## Speed of simulation\n\n{} as triangles, {}x{}, depth {}; one thread, the best of several "
+            "runs that take turns on one host. `hits` draws camera rays only, so "
+            "compare\nits cycles per second, not its seconds. Model and RTL take the same cycles, which is "
+            "checked.\n\n",
+            speed_scene, speed_size.width, speed_size.height, speed_depth);
         text += speed_table(speeds);
     }
     return text + how_counted();
 }
 
-} // namespace rayclock::area
+}   // namespace rayclock::area

@@ -9,10 +9,13 @@ namespace rayclock::area {
 std::string table(const Areas& areas);
 nlohmann::ordered_json json(const Areas& areas, const std::vector<Speed>& speeds);
 
-/// How fast three of the variants are simulated: without and with shading, and with all units. Throws UserError.
+/// How fast three of the variants are simulated: without and with shading, and with all units. Throws
+/// UserError.
 std::vector<Speed> page_speeds(const Areas& areas, const Progress& progress);
 
-/// As Markdown. `command` is what to type for it, `base` the configuration's name; `speeds` are those of page_speeds().
-std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base, const std::string& command);
+/// As Markdown. `command` is what to type for it, `base` the configuration's name; `speeds` are those of
+/// page_speeds().
+std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std::string& base,
+                 const std::string& command);
 
-} // namespace rayclock::area
+}   // namespace rayclock::area

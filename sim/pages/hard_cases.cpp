@@ -49,13 +49,17 @@ Zero components of a direction have no sign in whole numbers, so -0 is the same 
 
 std::string per_million(std::uint64_t count, std::uint64_t rays) {
     if (rays == 0) return "";
-    return count == 0 ? "0" : fmt::format("{:.{}f}", 1e6 * double(count) / double(rays), 1e6 * double(count) / double(rays) < 10 ? 1 : 0);
+    return count == 0 ? "0"
+                      : fmt::format("{:.{}f}", 1e6 * double(count) / double(rays),
+                                    1e6 * double(count) / double(rays) < 10 ? 1 : 0);
 }
 
 /// Leaks and double hits by test, on chosen families.
 std::string tests_table(const Plan& plan, const Outcome& outcome) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> groups{
-        {"random", {"random"}}, {"edges", {"edges"}}, {"corners", {"corners"}}, {"needles", {"needles", "slivers"}}, {"stadium", {"stadium", "far"}}, {"all closed", {}}};
+        {"random", {"random"}},          {"edges", {"edges"}},
+        {"corners", {"corners"}},        {"needles", {"needles", "slivers"}},
+        {"stadium", {"stadium", "far"}}, {"all closed", {}}};
     std::vector<std::string> head{"test"};
     for (const auto& group : groups) head.emplace_back(group.first);
     head.insert(head.end(), {"not exact", "verdict"});
@@ -65,45 +69,69 @@ std::string tests_table(const Plan& plan, const Outcome& outcome) {
         std::vector<std::string> row{name};
         for (const auto& group : groups) {
             const Counts c = sum(outcome.cells, [&](const Cell& cell) {
-                if (cell.test != name || !family(cell.family).closed || family(cell.family).leaks) return false;
-                return group.second.empty() || std::find(group.second.begin(), group.second.end(), cell.family) != group.second.end();
+                if (cell.test != name || !family(cell.family).closed || family(cell.family).leaks)
+                    return false;
+                return group.second.empty() ||
+                       std::find(group.second.begin(), group.second.end(), cell.family) != group.second.end();
             });
-            row.push_back(fmt::format("{} / {}", per_million(c.leaks, c.rays), per_million(c.double_hits, c.rays)));
+            row.push_back(
+                fmt::format("{} / {}", per_million(c.leaks, c.rays), per_million(c.double_hits, c.rays)));
         }
-        const Counts all = sum(outcome.cells, [&](const Cell& cell) { return cell.test == name && !family(cell.family).leaks; });
+        const Counts all = sum(
+            outcome.cells, [&](const Cell& cell) { return cell.test == name && !family(cell.family).leaks; });
         row.push_back(per_million(all.oracle_mismatches, all.rays));
         row.emplace_back(verdict(test, meets_demand(test, outcome.cells)));
         table.add(row);
     }
-    std::string out = "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. Baselines and controls "
-                      "get a tenth of the rays of exact and sheared; the controls have a fault each and must be noticed.\n\n" + table.markdown() + "\n";
-    for (const std::string& name : plan.tests) out += fmt::format("- `{}`: {}\n", name, named_test(name).what);
-    return out + "\n`t_junction`, a surface with seams that do not fit, is left out above: it must leak under every test.\n\n";
+    std::string out =
+        "## The tests\n\nLeaks / double hits per million rays, and decisions that are not the exact ones. "
+        "Baselines and controls "
+        "get a tenth of the rays of exact and sheared; the controls have a fault each and must be "
+        "noticed.\n\n" +
+        table.markdown() + "\n";
+    for (const std::string& name : plan.tests)
+        out += fmt::format("- `{}`: {}\n", name, named_test(name).what);
+    return out +
+           "\n`t_junction`, a surface with seams that do not fit, is left out above: it must leak under "
+           "every test.\n\n";
 }
 
 std::string bits_table(const Plan& plan, const Outcome& outcome, const std::string& test) {
-    Table table({"N", "rays", "leaks", "double hits", "oracle mismatches", "false shadows", "light leaks", "extra boxes"}, Table::words_only);
+    Table table({"N", "rays", "leaks", "double hits", "oracle mismatches", "false shadows", "light leaks",
+                 "extra boxes"},
+                Table::words_only);
     const auto add = [&](const std::string& name, const Counts& c, const std::string& shadows) {
-        table.add({name, grouped(c.rays), std::to_string(c.leaks), std::to_string(c.double_hits), std::to_string(c.oracle_mismatches), shadows,
-                   std::to_string(c.light_leaks), extra_boxes(c)});
+        table.add({name, grouped(c.rays), std::to_string(c.leaks), std::to_string(c.double_hits),
+                   std::to_string(c.oracle_mismatches), shadows, std::to_string(c.light_leaks),
+                   extra_boxes(c)});
     };
     for (const int bits : plan.bits) {
-        const Counts c = sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.bits == bits && !family(cell.family).leaks; });
+        const Counts c = sum(outcome.cells, [&](const Cell& cell) {
+            return cell.test == test && cell.bits == bits && !family(cell.family).leaks;
+        });
         add(std::to_string(bits), c, std::to_string(c.false_shadows));
     }
-    const Counts c = sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && !family(cell.family).leaks; });
+    const Counts c =
+        sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && !family(cell.family).leaks; });
     add("all", c, fmt::format("{} of {}", c.false_shadows, grouped(c.shadow_rays)));
     return fmt::format("## The {} test, by lattice\n\n{}\n", test, table.markdown());
 }
 
-std::string family_part(const Family& which, const Outcome& outcome, const std::string& test, const std::string& picture) {
-    const Counts c = sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.family == which.name; });
+std::string family_part(const Family& which, const Outcome& outcome, const std::string& test,
+                        const std::string& picture) {
+    const Counts c =
+        sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.family == which.name; });
     std::string what = which.what;
     what[0] = char(std::toupper(what[0]));
-    return fmt::format("### {}\n\n{}.\n\n![{}]({})\n\n{} rays: {} leaks, {} double hits, {} oracle mismatches{}{}.\n\n", which.name, what, which.name, picture,
-                       grouped(c.rays), which.closed ? grouped(c.leaks) : "(open surface, not counted)", which.closed ? grouped(c.double_hits) : "(likewise)", grouped(c.oracle_mismatches),
-                       c.shadow_rays > 0 ? fmt::format("; {} of {} secondary rays wrong", c.false_shadows + c.light_leaks, grouped(c.shadow_rays)) : "",
-                       c.boxes > 0 ? fmt::format("; {} extra boxes", extra_boxes(c)) : "");
+    return fmt::format(
+        "### {}\n\n{}.\n\n![{}]({})\n\n{} rays: {} leaks, {} double hits, {} oracle mismatches{}{}.\n\n",
+        which.name, what, which.name, picture, grouped(c.rays),
+        which.closed ? grouped(c.leaks) : "(open surface, not counted)",
+        which.closed ? grouped(c.double_hits) : "(likewise)", grouped(c.oracle_mismatches),
+        c.shadow_rays > 0 ? fmt::format("; {} of {} secondary rays wrong", c.false_shadows + c.light_leaks,
+                                        grouped(c.shadow_rays))
+                          : "",
+        c.boxes > 0 ? fmt::format("; {} extra boxes", extra_boxes(c)) : "");
 }
 
 std::string command_of(const Plan& plan) {
@@ -111,10 +139,11 @@ std::string command_of(const Plan& plan) {
     for (const int b : plan.bits) bits += (bits.empty() ? "" : ",") + std::to_string(b);
     std::string tests;
     for (const std::string& t : plan.tests) tests += (tests.empty() ? "" : ",") + t;
-    return fmt::format("rayclock stress --test {} --bits {} --rays {} --seed {} -o docs/hard-cases.md", plan.tests.size() == named_tests().size() ? "all" : tests, bits, plan.rays, plan.seed);
+    return fmt::format("rayclock stress --test {} --bits {} --rays {} --seed {} -o docs/hard-cases.md",
+                       plan.tests.size() == named_tests().size() ? "all" : tests, bits, plan.rays, plan.seed);
 }
 
-} // namespace
+}   // namespace
 
 void write_page(const std::string& path, const Plan& plan, const Outcome& outcome) {
     const fs::path page(path);
@@ -123,12 +152,16 @@ void write_page(const std::string& path, const Plan& plan, const Outcome& outcom
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder.string() + ": cannot be made (" + error.message() + ")");
-    std::string out = fmt::format(beginning, grouped(outcome.rays), fmt::join(plan.bits, ", "), command_of(plan));
+    std::string out =
+        fmt::format(beginning, grouped(outcome.rays), fmt::join(plan.bits, ", "), command_of(plan));
     out += tests_table(plan, outcome);
     const std::string& first = plan.tests.front();
     out += bits_table(plan, outcome, first);
-    out += fmt::format("## The families\n\nLeft the surface with some of the family's rays, right the place where one of them hits, both drawn by the generators at N = 16. "
-                       "Dots are crossings, filled where the ray enters. Figures are of the {} test.\n\n", first);
+    out += fmt::format(
+        "## The families\n\nLeft the surface with some of the family's rays, right the place where one of "
+        "them hits, both drawn by the generators at N = 16. "
+        "Dots are crossings, filled where the ray enters. Figures are of the {} test.\n\n",
+        first);
     for (const std::string& name : plan.families) {
         write_file((folder / (name + ".svg")).string(), sketch(family(name)));
         out += family_part(family(name), outcome, first, folder_name + "/" + name + ".svg");
@@ -136,4 +169,4 @@ void write_page(const std::string& path, const Plan& plan, const Outcome& outcom
     write_file(path, out.substr(0, out.size() - 1));
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -19,7 +19,7 @@ namespace rayclock::spd {
 namespace {
 
 constexpr FrameSize published_size{513, 513};
-constexpr int depth = 4;                                             // the eye ray has depth 1 in the published rules, and 5 is the deepest
+constexpr int depth = 4;   // the eye ray has depth 1 in the published rules, and 5 is the deepest
 constexpr double most_from_table = 0.10, most_between_engines = 0.01;
 
 constexpr std::array<const char*, 4> kind_names{"eye rays that hit", "reflected", "refracted", "shadow"};
@@ -42,8 +42,9 @@ constexpr Published table[] = {
 
 Kinds kinds_of(const RayCounts& c) { return {c.primary_hits, c.reflection, c.refraction, c.shadow}; }
 
-/// One ray through each corner of 512 x 512 pixels: 512 spacings instead of the 511 between the centres that span the scene's angle,
-/// and half a spacing more on each side is this picture's edge. Smaller pictures show the same.
+/// One ray through each corner of 512 x 512 pixels: 512 spacings instead of the 511 between the centres that
+/// span the scene's angle, and half a spacing more on each side is this picture's edge. Smaller pictures show
+/// the same.
 Camera corner_rays(Camera camera) {
     const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / 511;
     camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
@@ -60,21 +61,28 @@ double largest(const Kinds& a, const Kinds& b) {
     for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(deviation(a[k], b[k])));
     return most;
 }
-std::string signed_per_cent(double share) { return std::isfinite(share) ? fmt::format("{:+.3f} %", 100 * share) : "not 0"; }
+std::string signed_per_cent(double share) {
+    return std::isfinite(share) ? fmt::format("{:+.3f} %", 100 * share) : "not 0";
+}
 
 std::vector<std::string> row_of(const Counted& c, std::size_t k) {
     std::vector<std::string> row{c.scene, kind_names[k]};
-    if (c.published) row.push_back(grouped((*c.published)[k]));
-    else row.emplace_back();
+    if (c.published)
+        row.push_back(grouped((*c.published)[k]));
+    else
+        row.emplace_back();
     row.push_back(grouped(c.reference[k]));
     row.push_back(grouped(c.model[k]));
-    for (const Kinds* mine : {&c.reference, &c.model}) row.push_back(c.published ? signed_per_cent(deviation((*mine)[k], (*c.published)[k])) : "");
+    for (const Kinds* mine : {&c.reference, &c.model})
+        row.push_back(c.published ? signed_per_cent(deviation((*mine)[k], (*c.published)[k])) : "");
     row.push_back(signed_per_cent(deviation(c.model[k], c.reference[k])));
     return row;
 }
 
 Table table_of(const std::vector<Counted>& all) {
-    Table table({"scene", "rays", "published", "reference", "model", "reference, off", "model, off", "model from reference"}, 2);
+    Table table({"scene", "rays", "published", "reference", "model", "reference, off", "model, off",
+                 "model from reference"},
+                2);
     for (const Counted& c : all)
         for (std::size_t k = 0; k < kind_names.size(); ++k) table.add(row_of(c, k));
     return table;
@@ -95,16 +103,25 @@ counted for each light on the side from which the surface is seen.
 )";
 
 nlohmann::ordered_json json_of(const Counted& c) {
-    const auto rays = [](const Kinds& k) { return nlohmann::ordered_json{{"primary_hits", k[0]}, {"reflection", k[1]}, {"refraction", k[2]}, {"shadow", k[3]}}; };
-    nlohmann::ordered_json json{{"scene", c.scene}, {"published", nullptr}, {"reference", rays(c.reference)}, {"model", rays(c.model)}};
+    const auto rays = [](const Kinds& k) {
+        return nlohmann::ordered_json{
+            {"primary_hits", k[0]}, {"reflection", k[1]}, {"refraction", k[2]}, {"shadow", k[3]}};
+    };
+    nlohmann::ordered_json json{{"scene", c.scene},
+                                {"published", nullptr},
+                                {"reference", rays(c.reference)},
+                                {"model", rays(c.model)}};
     if (c.published) json["published"] = rays(*c.published);
-    json["model_from_reference"] = std::isfinite(largest(c.model, c.reference)) ? nlohmann::ordered_json(largest(c.model, c.reference)) : nlohmann::ordered_json(nullptr);
+    json["model_from_reference"] = std::isfinite(largest(c.model, c.reference))
+                                       ? nlohmann::ordered_json(largest(c.model, c.reference))
+                                       : nlohmann::ordered_json(nullptr);
     json["good"] = is_good(c);
-    json["host"] = {{"reference_seconds", c.reference_seconds}, {"record_seconds", c.model_seconds}, {"rays", c.rays}};
+    json["host"] = {
+        {"reference_seconds", c.reference_seconds}, {"record_seconds", c.model_seconds}, {"rays", c.rays}};
     return json;
 }
 
-} // namespace
+}   // namespace
 
 std::vector<std::string> published_scenes() {
     std::vector<std::string> names;
@@ -114,7 +131,8 @@ std::vector<std::string> published_scenes() {
 
 bool is_good(const Counted& c) {
     if (largest(c.model, c.reference) > most_between_engines) return false;
-    return !c.published || (largest(c.reference, *c.published) <= most_from_table && largest(c.model, *c.published) <= most_from_table);
+    return !c.published || (largest(c.reference, *c.published) <= most_from_table &&
+                            largest(c.model, *c.published) <= most_from_table);
 }
 
 Counted count(const std::string& name, FrameSize size, int threads, const Progress& progress) {
@@ -123,12 +141,14 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
         if (name == p.scene && size == published_size) c.published = p.rays;
     if (!is_builtin(name)) throw UserError(shown(name) + " is not a built-in scene; only those are counted");
     const Scene scene = make_builtin(name, Primitives::native);
-    const Camera camera = corner_rays(scene.camera ? *scene.camera : fit_camera(scene, double(size.width) / size.height));
+    const Camera camera =
+        corner_rays(scene.camera ? *scene.camera : fit_camera(scene, double(size.width) / size.height));
     const Whitted settings{.depth = depth};
     const auto start = std::chrono::steady_clock::now();
     c.reference = kinds_of(Reference(scene).whitted(camera, size, settings, threads, progress).rays);
     c.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const Job job = make_job(scene, camera, size, fitted_config(scene, settings, named_config("default")), progress, settings);
+    const Job job = make_job(scene, camera, size, fitted_config(scene, settings, named_config("default")),
+                             progress, settings);
     const FrameTrace frame = record_frame(job, job.frame, threads, progress);
     c.model = kinds_of(frame.trace.counts);
     c.rays = frame.trace.counts.all();
@@ -139,8 +159,10 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
 std::string text(const std::vector<Counted>& all) {
     std::string lines = table_of(all).text();
     for (const Counted& c : all)
-        lines += fmt::format("  {}: {} rays; reference {:.1f} s, model recorded in {:.1f} s, {:.2f} M rays/s{}\n", c.scene, grouped(c.rays), c.reference_seconds, c.model_seconds,
-                             double(c.rays) / c.model_seconds / 1e6, is_good(c) ? "" : "; TOO FAR OFF");
+        lines +=
+            fmt::format("  {}: {} rays; reference {:.1f} s, model recorded in {:.1f} s, {:.2f} M rays/s{}\n",
+                        c.scene, grouped(c.rays), c.reference_seconds, c.model_seconds,
+                        double(c.rays) / c.model_seconds / 1e6, is_good(c) ? "" : "; TOO FAR OFF");
     return lines;
 }
 
@@ -153,18 +175,24 @@ std::string page(const std::vector<Counted>& all, FrameSize size, const std::str
         between = std::max(between, largest(c.model, c.reference));
         if (!c.published) continue;
         has_published = true;
-        from_table = std::max({from_table, largest(c.reference, *c.published), largest(c.model, *c.published)});
+        from_table =
+            std::max({from_table, largest(c.reference, *c.published), largest(c.model, *c.published)});
     }
-    text += fmt::format("\nLargest deviation of the model from the reference: {:.3f} % (allowed: {:.0f} %).", 100 * between, 100 * most_between_engines);
-    if (has_published) text += fmt::format(" Largest of either from the published counts: {:.3f} % (allowed: {:.0f} %).", 100 * from_table, 100 * most_from_table);
+    text += fmt::format("\nLargest deviation of the model from the reference: {:.3f} % (allowed: {:.0f} %).",
+                        100 * between, 100 * most_between_engines);
+    if (has_published)
+        text += fmt::format(" Largest of either from the published counts: {:.3f} % (allowed: {:.0f} %).",
+                            100 * from_table, 100 * most_from_table);
     return text + "\n";
 }
 
 nlohmann::ordered_json json(const std::vector<Counted>& all, FrameSize size) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Counted& c : all) list.push_back(json_of(c));
-    return {{"frame", {{"width", size.width}, {"height", size.height}}}, {"depth", depth}, {"scenes", list},
+    return {{"frame", {{"width", size.width}, {"height", size.height}}},
+            {"depth", depth},
+            {"scenes", list},
             {"good", std::all_of(all.begin(), all.end(), is_good)}};
 }
 
-} // namespace rayclock::spd
+}   // namespace rayclock::spd

@@ -1,5 +1,6 @@
 #pragma once
-// docs/spd.md: rays of Haines' Standard Procedural Databases, by reference and model, beside the published counts.
+// docs/spd.md: rays of Haines' Standard Procedural Databases, by reference and model, beside the published
+// counts.
 #include <array>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct Counted {
     std::string scene;
     std::optional<Kinds> published;
     Kinds reference{}, model{};
-    std::uint64_t rays = 0;                  ///< of the model
+    std::uint64_t rays = 0;   ///< of the model
     double reference_seconds = 0, model_seconds = 0;
 };
 
@@ -35,4 +36,4 @@ std::string text(const std::vector<Counted>& all);
 std::string page(const std::vector<Counted>& all, FrameSize size, const std::string& command);
 nlohmann::ordered_json json(const std::vector<Counted>& all, FrameSize size);
 
-} // namespace rayclock::spd
+}   // namespace rayclock::spd

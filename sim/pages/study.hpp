@@ -1,5 +1,6 @@
 #pragma once
-// The study behind docs/speed-against-error.md: one width at a time around a configuration, and a grid of two.
+// The study behind docs/speed-against-error.md: one width at a time around a configuration, and a grid of
+// two.
 #include "sim/sweep/plot.hpp"
 
 namespace rayclock::sweep {
@@ -7,14 +8,14 @@ namespace rayclock::sweep {
 /// One parameter changed, all others held.
 struct Series {
     Axis axis;
-    std::string about;                  ///< what the parameter does, in a sentence
-    std::vector<std::size_t> points;    ///< [value]: index in Study::points
+    std::string about;                 ///< what the parameter does, in a sentence
+    std::vector<std::size_t> points;   ///< [value]: index in Study::points
 };
 
 struct Study {
-    std::vector<Point> points;          ///< every configuration once
+    std::vector<Point> points;   ///< every configuration once
     std::vector<Series> series;
-    std::vector<Axis> grid;             ///< two
+    std::vector<Axis> grid;   ///< two
     std::vector<std::size_t> grid_points;
 };
 
@@ -27,10 +28,10 @@ struct SceneStudy {
     std::size_t triangles = 0;
     FrameSize size;
     Outcome outcome;
-    std::string plot;                   ///< file name of the grid's plot, without ending
+    std::string plot;   ///< file name of the grid's plot, without ending
 };
 
 /// The grid's results alone, and its front.
 std::vector<Result> grid_results(const Study& study, const Outcome& outcome);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

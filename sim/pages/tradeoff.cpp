@@ -24,7 +24,8 @@ Table table_of(std::vector<std::string> head) { return Table(std::move(head), Ta
 
 std::string count_text(const std::optional<std::uint64_t>& n) { return n ? grouped(*n) : "-"; }
 std::string percent_text(const Result& r) {
-    return fmt::format("{:.3f} %", 100 * double(r.picture->error.pixels_other_primitive) / double(r.picture->error.pixels));
+    return fmt::format(
+        "{:.3f} %", 100 * double(r.picture->error.pixels_other_primitive) / double(r.picture->error.pixels));
 }
 std::string decibel_text(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.1f}", psnr) : "equal"; }
 
@@ -42,24 +43,31 @@ public:
     std::string grid_text(const SceneStudy& scene) const {
         const std::vector<Result> results = grid_results(study_, scene.outcome);
         const Front front = front_of(results);
-        std::string text = fmt::format("\n### {}\n\n![Error against cost and against speed of {}]({}.svg)\n\n", scene.name, scene.name, scene.plot);
-        Table table = table_of({study_.grid[0].key, study_.grid[1].key, "other primitive", "PSNR, dB", "fps", "multipliers", "flip-flops", "memory image, bytes", "front"});
+        std::string text =
+            fmt::format("\n### {}\n\n![Error against cost and against speed of {}]({}.svg)\n\n", scene.name,
+                        scene.name, scene.plot);
+        Table table = table_of({study_.grid[0].key, study_.grid[1].key, "other primitive", "PSNR, dB", "fps",
+                                "multipliers", "flip-flops", "memory image, bytes", "front"});
         for (std::size_t i = 0; i < results.size(); ++i) {
             const Result& r = results[i];
             const bool knee = front.knee && front.knee->point == i;
             if (!r.complete() || (!front.pareto[i] && !knee)) continue;
-            table.add({r.point.values[0], r.point.values[1], percent_text(r), decibel_text(r.picture->error.psnr_db), fmt::format("{:.2f}", r.fps()),
-                         count_text(r.multipliers), count_text(r.flip_flops), grouped(r.picture->memory_bytes), knee ? "**knee**" : "on it"});
+            table.add({r.point.values[0], r.point.values[1], percent_text(r),
+                       decibel_text(r.picture->error.psnr_db), fmt::format("{:.2f}", r.fps()),
+                       count_text(r.multipliers), count_text(r.flip_flops), grouped(r.picture->memory_bytes),
+                       knee ? "**knee**" : "on it"});
         }
         return text + table.markdown();
     }
 
     std::string knee_table() const {
-        Table table = table_of({"scene", "triangles", "picture", "knee of the grid", "its error", "its fps", "its multipliers", "error of `default`", "fps", "multipliers"});
+        Table table = table_of({"scene", "triangles", "picture", "knee of the grid", "its error", "its fps",
+                                "its multipliers", "error of `default`", "fps", "multipliers"});
         for (const SceneStudy& scene : scenes_) {
             const std::vector<Result> results = grid_results(study_, scene.outcome);
             const Front front = front_of(results);
-            std::vector<std::string> cells{scene.name, grouped(scene.triangles), fmt::format("{}x{}", scene.size.width, scene.size.height)};
+            std::vector<std::string> cells{scene.name, grouped(scene.triangles),
+                                           fmt::format("{}x{}", scene.size.width, scene.size.height)};
             const auto add = [&](const Result* r) {
                 cells.push_back(r && r->complete() ? percent_text(*r) : "-");
                 cells.push_back(r && r->complete() ? fmt::format("{:.1f}", r->fps()) : "-");
@@ -76,11 +84,14 @@ public:
 
     bool has_netlists() const {
         const std::vector<Result>& results = scenes_[0].outcome.results;
-        return std::any_of(results.begin(), results.end(), [](const Result& r) { return r.multipliers.has_value(); });
+        return std::any_of(results.begin(), results.end(),
+                           [](const Result& r) { return r.multipliers.has_value(); });
     }
 
 private:
-    const Result& result(const SceneStudy& scene, std::size_t point) const { return scene.outcome.results[point]; }
+    const Result& result(const SceneStudy& scene, std::size_t point) const {
+        return scene.outcome.results[point];
+    }
 
     /// The series' point that is `default`.
     std::size_t at_default(const Series& series) const {
@@ -106,7 +117,8 @@ private:
         Table table = table_of(head);
         for (std::size_t i = 0; i < series.points.size(); ++i) {
             const Result& first = result(scenes_[0], series.points[i]);
-            std::vector<std::string> cells{series.axis.values[i], count_text(first.multipliers), count_text(first.flip_flops)};
+            std::vector<std::string> cells{series.axis.values[i], count_text(first.multipliers),
+                                           count_text(first.flip_flops)};
             std::uint64_t cracks = 0;
             for (const SceneStudy& scene : scenes_) {
                 const Result& r = result(scene, series.points[i]);
@@ -116,7 +128,8 @@ private:
             cells.push_back(grouped(cracks));
             table.add(cells);
         }
-        return table.markdown() + "\nPixels with another primitive than the reference's; cracks of all scenes together.\n";
+        return table.markdown() +
+               "\nPixels with another primitive than the reference's; cracks of all scenes together.\n";
     }
 
     std::string other_table(const Series& series) const {
@@ -125,7 +138,11 @@ private:
             std::vector<std::string> cells{series.axis.values[i]};
             for (const SceneStudy& scene : scenes_) {
                 const Result& r = result(scene, series.points[i]);
-                cells.push_back(!r.complete() ? "refused" : fmt::format("{} / {:.2g} / {:.2f}", decibel_text(r.picture->error.psnr_db), r.picture->error.max_abs_depth, r.cycles_per_ray()));
+                cells.push_back(!r.complete()
+                                    ? "refused"
+                                    : fmt::format("{} / {:.2g} / {:.2f}",
+                                                  decibel_text(r.picture->error.psnr_db),
+                                                  r.picture->error.max_abs_depth, r.cycles_per_ray()));
             }
             table.add(cells);
         }
@@ -134,7 +151,8 @@ private:
 
     /// What a step to the next value brings and costs, in figures of all scenes together.
     std::string step_table(const Series& series) const {
-        Table table = table_of({"step", "bits", "multipliers", "flip-flops", "pixels with another primitive", "cycles of all frames"});
+        Table table = table_of({"step", "bits", "multipliers", "flip-flops", "pixels with another primitive",
+                                "cycles of all frames"});
         for (std::size_t i = 0; i + 1 < series.points.size(); ++i) {
             std::uint64_t before = 0, after = 0;
             double cycles_before = 0, cycles_after = 0;
@@ -149,14 +167,19 @@ private:
                 cycles_after += b.cycles();
             }
             if (!whole) continue;
-            const Result &a = result(scenes_[0], series.points[i]), &b = result(scenes_[0], series.points[i + 1]);
-            const auto growth = [](const std::optional<std::uint64_t>& from, const std::optional<std::uint64_t>& to) {
-                return from && to ? fmt::format("{:+d}", std::int64_t(*to) - std::int64_t(*from)) : std::string("-");
+            const Result &a = result(scenes_[0], series.points[i]),
+                         &b = result(scenes_[0], series.points[i + 1]);
+            const auto growth = [](const std::optional<std::uint64_t>& from,
+                                   const std::optional<std::uint64_t>& to) {
+                return from && to ? fmt::format("{:+d}", std::int64_t(*to) - std::int64_t(*from))
+                                  : std::string("-");
             };
-            table.add({series.axis.values[i] + " to " + series.axis.values[i + 1],
-                         std::to_string(std::stoi(series.axis.values[i + 1]) - std::stoi(series.axis.values[i])), growth(a.multipliers, b.multipliers),
-                         growth(a.flip_flops, b.flip_flops), grouped(before) + " to " + grouped(after),
-                         fmt::format("{:+.2f} %", 100 * (cycles_after / cycles_before - 1))});
+            table.add(
+                {series.axis.values[i] + " to " + series.axis.values[i + 1],
+                 std::to_string(std::stoi(series.axis.values[i + 1]) - std::stoi(series.axis.values[i])),
+                 growth(a.multipliers, b.multipliers), growth(a.flip_flops, b.flip_flops),
+                 grouped(before) + " to " + grouped(after),
+                 fmt::format("{:+.2f} %", 100 * (cycles_after / cycles_before - 1))});
         }
         return table.markdown() + "\nWhat the step costs and brings, of all scenes together.\n";
     }
@@ -184,14 +207,19 @@ constexpr const char* what_counts = R"(
 std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes, const std::string& command) {
     const Page page(study, scenes);
     std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
-    text += fmt::format("Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: configuration `default` but for what is varied, "
-                        "{:g} MHz, the first frame of each scene{}.\n",
-                        command, khz / 1e3, page.has_netlists() ? "; " + synth::yosys_version().substr(0, synth::yosys_version().find(" (")) : "");
+    text += fmt::format(
+        "Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: "
+        "configuration `default` but for what is varied, "
+        "{:g} MHz, the first frame of each scene{}.\n",
+        command, khz / 1e3,
+        page.has_netlists() ? "; " + synth::yosys_version().substr(0, synth::yosys_version().find(" ("))
+                            : "");
     text += what_counts;
     text += "\n## In short\n\n" + page.knee_table();
     text += "\n## One width at a time\n";
     for (const Series& series : study.series) text += page.series_text(series);
-    text += fmt::format("\n## Two at once: {} and {}\n\nA point's label is {} / {}.\n", study.grid[0].key, study.grid[1].key, study.grid[0].key, study.grid[1].key);
+    text += fmt::format("\n## Two at once: {} and {}\n\nA point's label is {} / {}.\n", study.grid[0].key,
+                        study.grid[1].key, study.grid[0].key, study.grid[1].key);
     for (const SceneStudy& scene : scenes) text += page.grid_text(scene);
     for (const SceneStudy& scene : scenes)
         if (!scene.outcome.netlist_note.empty()) return text + "\n" + scene.outcome.netlist_note + ".\n";
@@ -207,10 +235,11 @@ std::string plot_path(const std::string& page, const std::string& scene) {
     return path.replace_filename(path.stem().string() + "-" + name).string();
 }
 
-} // namespace
+}   // namespace
 
 const std::vector<std::string>& default_tradeoff_scenes() {
-    static const std::vector<std::string> scenes{"gears:8", "balls:3", "mount:8", "teapot:12", "tree:6", "rings:3"};
+    static const std::vector<std::string> scenes{"gears:8",   "balls:3", "mount:8",
+                                                 "teapot:12", "tree:6",  "rings:3"};
     return scenes;
 }
 
@@ -219,24 +248,29 @@ void check_tradeoff_paths(const std::string& path, const std::vector<std::string
     for (const std::string& name : scenes) plot::check_plot_path(plot_path(path, name));
 }
 
-void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command, jobs::Cache& cache, const Progress& progress) {
+void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command,
+                    jobs::Cache& cache, const Progress& progress) {
     const Study study = make_study(khz);
     std::vector<SceneStudy> scenes;
     for (const std::string& name : what.scenes) {
         const Scene scene = ready_scene(name, what.size, progress);
-        const Progress tell = !progress ? Progress{} : [&](std::string_view, std::uint64_t done, std::uint64_t all) {
-            progress(fmt::format("{} ({} of {})", name, scenes.size() + 1, what.scenes.size()), done, all);
-        };
+        const Progress tell =
+            !progress ? Progress{} : [&](std::string_view, std::uint64_t done, std::uint64_t all) {
+                progress(fmt::format("{} ({} of {})", name, scenes.size() + 1, what.scenes.size()), done,
+                         all);
+            };
         Outcome outcome = run({scene, what.size, study.points, what.threads, what.netlists}, cache, tell);
-        if (outcome.partial) throw UserError("interrupted: no page was written; the same command goes on where it was");
+        if (outcome.partial)
+            throw UserError("interrupted: no page was written; the same command goes on where it was");
         const std::string plot = std::filesystem::path(plot_path(path, name)).filename().string();
         scenes.push_back({scene.name, scene.triangles.size(), what.size, std::move(outcome), plot});
     }
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const std::vector<Result> results = grid_results(study, scenes[i].outcome);
-        plot::write_plot(plot_path(path, what.scenes[i]), front_plot(scenes[i].name, what.size, study.grid, results, front_of(results)));
+        plot::write_plot(plot_path(path, what.scenes[i]),
+                         front_plot(scenes[i].name, what.size, study.grid, results, front_of(results)));
     }
     write_file(path, page_text(study, scenes, command));
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

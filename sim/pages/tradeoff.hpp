@@ -18,7 +18,9 @@ const std::vector<std::string>& default_tradeoff_scenes();
 /// Fails early (UserError) if the page at `path` or its plots could not be written later.
 void check_tradeoff_paths(const std::string& path, const std::vector<std::string>& scenes);
 
-/// Runs the study on every scene, and writes the page with its plots beside it. `command` is what to type for it. Throws UserError.
-void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command, jobs::Cache& cache, const Progress& progress);
+/// Runs the study on every scene, and writes the page with its plots beside it. `command` is what to type for
+/// it. Throws UserError.
+void write_tradeoff(const std::string& path, const Tradeoff& what, const std::string& command,
+                    jobs::Cache& cache, const Progress& progress);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -6,6 +6,8 @@
 namespace rayclock {
 
 /// A path as a page may name it: where this machine keeps its files is nobody's business.
-inline std::string told_path(const std::filesystem::path& path) { return (path.is_absolute() ? path.filename() : path).string(); }
+inline std::string told_path(const std::filesystem::path& path) {
+    return (path.is_absolute() ? path.filename() : path).string();
+}
 
-} // namespace rayclock
+}   // namespace rayclock

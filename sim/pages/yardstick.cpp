@@ -13,10 +13,10 @@ namespace rayclock {
 namespace {
 
 struct Published {
-    const char* scene;      // ours
-    const char* stands_for; // theirs, and why
-    const char* saarcor;    // frames per second at 90 MHz, 512x384
-    const char* rpu;        // at 66 MHz, 512x384
+    const char* scene;        // ours
+    const char* stands_for;   // theirs, and why
+    const char* saarcor;      // frames per second at 90 MHz, 512x384
+    const char* rpu;          // at 66 MHz, 512x384
 };
 
 // FOUND: read in an abstract or in the press of the time; (m): remembered from the paper, not found.
@@ -33,12 +33,15 @@ struct Size {
 };
 constexpr Size sizes[] = {{{512, 384}, "512x384"}, {{1024, 768}, "1024x768"}};
 
-std::string hits_text(const FrameRun& run, Unit cache) { return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate()); }
+std::string hits_text(const FrameRun& run, Unit cache) {
+    return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate());
+}
 
 std::string machine_table(const char* config_name, int khz, int threads, const Progress& progress) {
     const Config config = load_config({config_name, {}});
-    Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits", "bytes/ray", "memory MB/s (of peak)",
-                 "bound, reached", "published fps, 512x384"}, Table::words_only);
+    Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits",
+                 "bytes/ray", "memory MB/s (of peak)", "bound, reached", "published fps, 512x384"},
+                Table::words_only);
     for (const Published& row : rows)
         for (const Size& size : sizes) {
             const Scene scene = ready_scene(row.scene, size.pixels, progress);
@@ -48,13 +51,18 @@ std::string machine_table(const char* config_name, int khz, int threads, const P
             const FrameRun run = frame_run(frames[0], replay(config, khz, frames, {}, progress)[0]);
             if (run.partial) throw UserError("interrupted: no page was written");
             const Bound bound = bound_of(config, khz, run);
-            const double fps = per_second(run, khz), rays = double(run.pixels), rate = fps * double(bytes_read(run));
+            const double fps = per_second(run, khz), rays = double(run.pixels),
+                         rate = fps * double(bytes_read(run));
             const char* published = std::string_view(config_name) == "rpu" ? row.rpu : row.saarcor;
-            table.add({fmt::format("{} for {}", row.scene, row.stands_for), grouped(scene.triangles.size()), size.name, fmt::format("{:.1f}", fps),
-                       fmt::format("{:.1f}", double(run.cycles) / rays), hits_text(run, Unit::node_cache), hits_text(run, Unit::prim_cache),
+            table.add({fmt::format("{} for {}", row.scene, row.stands_for), grouped(scene.triangles.size()),
+                       size.name, fmt::format("{:.1f}", fps),
+                       fmt::format("{:.1f}", double(run.cycles) / rays), hits_text(run, Unit::node_cache),
+                       hits_text(run, Unit::prim_cache),
                        fmt::format("{:.0f}", double(bytes_read(run)) / rays),
-                       fmt::format("{:.0f} ({:.0f} %)", rate / 1e6, 100 * rate / peak_bytes_per_second(config, khz)),
-                       fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100), size.pixels.width == 512 ? published : ""});
+                       fmt::format("{:.0f} ({:.0f} %)", rate / 1e6,
+                                   100 * rate / peak_bytes_per_second(config, khz)),
+                       fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100),
+                       size.pixels.width == 512 ? published : ""});
         }
     return table.markdown();
 }
@@ -82,28 +90,36 @@ constexpr FinishedRow finished_rows[] = {
 
 /// Whole pictures: shadows of all lights, up to 4 bounces, as Haines counts rays.
 std::string finished_table(int threads, const Progress& progress) {
-    Table table({"scene", "configuration, MHz, pipelines", "fps", "Mrays/s", "rays/pixel", "cycles/ray", "node, primitive, surface hits",
-                 "bytes/ray", "bound, reached", "shade busy", "published fps, 512x384"}, Table::words_only);
+    Table table({"scene", "configuration, MHz, pipelines", "fps", "Mrays/s", "rays/pixel", "cycles/ray",
+                 "node, primitive, surface hits", "bytes/ray", "bound, reached", "shade busy",
+                 "published fps, 512x384"},
+                Table::words_only);
     for (const FinishedRow& row : finished_rows) {
         const FrameSize size{512, 384};
         const ConfigChoice choice{row.config, {fmt::format("pipelines={}", row.pipelines), "stack_depth=64"}};
         Finish finish;
         finish.depth = 4;
         const Request request = request_of(row.scene, choice, finish, 1, size, progress);
-        const Job job = make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
+        const Job job =
+            make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
         std::vector<FrameTrace> frames;
         frames.push_back(record_frame(job, job.frame, threads, progress));
-        const FrameRun run = frame_run(frames[0], replay(job.config, 1000 * row.mhz, frames, {}, progress)[0]);
+        const FrameRun run =
+            frame_run(frames[0], replay(job.config, 1000 * row.mhz, frames, {}, progress)[0]);
         if (run.partial) throw UserError("interrupted: no page was written");
         const Bound bound = bound_of(job.config, 1000 * row.mhz, run);
         const double fps = per_second(run, 1000 * row.mhz), rays = rays_of(run);
         const auto hits = [&](Unit cache) { return 100 * cache_account(run, cache).hit_rate(); };
-        const double busy = double(run.accounts.units[index(Unit::shade)][0]) / double(run.cycles * std::uint64_t(row.pipelines));
-        table.add({fmt::format("{}: {}", row.scene, row.stands_for), fmt::format("{}, {}, {}", row.config, row.mhz, row.pipelines),
-                   fmt::format("{:.1f}", fps), fmt::format("{:.1f}", fps * rays / 1e6), fmt::format("{:.2f}", rays / double(run.pixels)),
+        const double busy = double(run.accounts.units[index(Unit::shade)][0]) /
+                            double(run.cycles * std::uint64_t(row.pipelines));
+        table.add({fmt::format("{}: {}", row.scene, row.stands_for),
+                   fmt::format("{}, {}, {}", row.config, row.mhz, row.pipelines), fmt::format("{:.1f}", fps),
+                   fmt::format("{:.1f}", fps * rays / 1e6), fmt::format("{:.2f}", rays / double(run.pixels)),
                    fmt::format("{:.1f}", double(run.cycles) / rays),
-                   fmt::format("{:.1f}, {:.1f}, {:.1f} %", hits(Unit::node_cache), hits(Unit::prim_cache), hits(Unit::surf_cache)),
-                   fmt::format("{:.1f}", double(bytes_read(run)) / rays), fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100),
+                   fmt::format("{:.1f}, {:.1f}, {:.1f} %", hits(Unit::node_cache), hits(Unit::prim_cache),
+                               hits(Unit::surf_cache)),
+                   fmt::format("{:.1f}", double(bytes_read(run)) / rays),
+                   fmt::format("{}, {:.0f} %", bound.unit, bound.reached * 100),
                    fmt::format("{:.0f} %", 100 * busy), row.published});
     }
     return table.markdown();
@@ -134,20 +150,25 @@ constexpr const char* sources = R"(
   are 61 cycles a pixel (arithmetic).
 )";
 
-} // namespace
+}   // namespace
 
 std::string yardstick_page(int threads, const Progress& progress) {
     std::string page = intro;
     page += "\n## `saarcor` at 90 MHz\n\n" + machine_table("saarcor", 90000, threads, progress);
     page += "\n## `rpu` at 66 MHz\n\n" + machine_table("rpu", 66000, threads, progress);
-    page += "\n## For comparison: `default` at 66 MHz\n\nEight children a node, 16 KB of each cache, DDR3; the published column is SaarCOR's "
-            "at 90 MHz.\n\n";
+    page +=
+        "\n## For comparison: `default` at 66 MHz\n\nEight children a node, 16 KB of each cache, DDR3; the "
+        "published column is SaarCOR's "
+        "at 90 MHz.\n\n";
     page += machine_table("default", 66000, threads, progress);
-    page += "\n## Finished pictures\n\nThe chip makes the colours: shadow rays to every light, reflection and refraction as the scene's "
-            "materials have them, four bounces (Haines' depth 5), one sample a pixel, 512x384. Spheres are spheres, other round things "
-            "triangles.\n\n";
+    page +=
+        "\n## Finished pictures\n\nThe chip makes the colours: shadow rays to every light, reflection and "
+        "refraction as the scene's "
+        "materials have them, four bounces (Haines' depth 5), one sample a pixel, 512x384. Spheres are "
+        "spheres, other round things "
+        "triangles.\n\n";
     page += finished_table(threads, progress);
     return page + sources;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

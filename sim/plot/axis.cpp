@@ -18,7 +18,7 @@ std::string label_of(double value) {
 
 constexpr double room = 0.06;   // of the side, beyond the outermost values
 
-} // namespace
+}   // namespace
 
 Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_(logarithmic) {
     double lo = 1e300, hi = -1e300;
@@ -32,18 +32,25 @@ Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_
         hi = std::max(hi, v);
     }
     if (hi < lo) lo = hi = 1;
-    if (logarithmic) make_logarithmic(std::log10(lo), std::log10(hi), zero);
-    else make_linear(lo, hi);
+    if (logarithmic)
+        make_logarithmic(std::log10(lo), std::log10(hi), zero);
+    else
+        make_linear(lo, hi);
 }
 
 void Scale::make_linear(double lo, double hi) {
-    const double middle = (lo + hi) / 2, least = std::max(std::abs(middle) * 0.002, 1e-9);   // equal values are not torn apart
+    const double middle = (lo + hi) / 2,
+                 least = std::max(std::abs(middle) * 0.002, 1e-9);   // equal values are not torn apart
     const double half = std::max((hi - lo) / 2, least) / (1 - 2 * room);
     lo_ = middle - half;
     hi_ = middle + half;
     const double rough = (hi_ - lo_) / 6, decade = std::pow(10, std::floor(std::log10(rough)));
-    const double step = decade * (rough <= decade * 1.5 ? 1 : rough <= decade * 3 ? 2 : rough <= decade * 7 ? 5 : 10);
-    for (double at = std::ceil(lo_ / step); at * step <= hi_; ++at) ticks_.push_back({at * step, label_of(at * step)});
+    const double step = decade * (rough <= decade * 1.5 ? 1
+                                  : rough <= decade * 3 ? 2
+                                  : rough <= decade * 7 ? 5
+                                                        : 10);
+    for (double at = std::ceil(lo_ / step); at * step <= hi_; ++at)
+        ticks_.push_back({at * step, label_of(at * step)});
 }
 
 void Scale::make_logarithmic(double lo, double hi, bool zero) {
@@ -67,4 +74,4 @@ double Scale::place(double value) const {
     return (at - lo_) / (hi_ - lo_);
 }
 
-} // namespace rayclock::plot
+}   // namespace rayclock::plot

@@ -17,8 +17,8 @@ struct Panel {
     std::vector<Mark> marks;
 };
 
-/// Panels side by side. Points of the front are dark and joined by a line, all others pale; the knee has a ring. Points of a
-/// front are always labelled if there is room at all, others if nothing is covered by it.
+/// Panels side by side. Points of the front are dark and joined by a line, all others pale; the knee has a
+/// ring. Points of a front are always labelled if there is room at all, others if nothing is covered by it.
 Drawing chart(const std::string& title, const std::string& note, const std::vector<Panel>& panels);
 
-} // namespace rayclock::plot
+}   // namespace rayclock::plot

@@ -32,12 +32,12 @@ struct Ring {
 };
 enum class Anchor { start, middle, end };
 struct Text {
-    Place base;                 ///< of the baseline at the anchor
-    std::string text;           ///< printable ASCII
-    double size = 12;           ///< height of a capital letter and a third
+    Place base;         ///< of the baseline at the anchor
+    std::string text;   ///< printable ASCII
+    double size = 12;   ///< height of a capital letter and a third
     Colour colour{};
     Anchor anchor = Anchor::start;
-    bool upright = false;       ///< reads from below to above
+    bool upright = false;   ///< reads from below to above
 };
 using Shape = std::variant<Line, Disc, Ring, Text>;
 
@@ -57,4 +57,4 @@ void write_plot(const std::string& name, const Drawing& drawing);
 /// Fails early (UserError) if write_plot() could not write it.
 void check_plot_path(const std::string& name);
 
-} // namespace rayclock::plot
+}   // namespace rayclock::plot

@@ -12,25 +12,33 @@ namespace {
 
 std::uint64_t count_of(Unit unit, const FrameRun& run) {
     switch (unit) {
-    case Unit::trav:
-    case Unit::node_cache:
-    case Unit::box:
-    case Unit::list: return run.visits;
-    case Unit::prim_cache:
-    case Unit::tri: return run.triangle_tests;
-    case Unit::memory: return run.memory.reads;
-    case Unit::l2: return cache_account(run, Unit::l2).accesses;
-    default: return run.accounts.units[index(unit)][0];   // one a cycle
+        case Unit::trav:
+        case Unit::node_cache:
+        case Unit::box:
+        case Unit::list: return run.visits;
+        case Unit::prim_cache:
+        case Unit::tri: return run.triangle_tests;
+        case Unit::memory: return run.memory.reads;
+        case Unit::l2: return cache_account(run, Unit::l2).accesses;
+        default: return run.accounts.units[index(unit)][0];   // one a cycle
     }
 }
 
-} // namespace
+}   // namespace
 
 std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run) {
     std::vector<UnitAccount> accounts;
     for (std::size_t u = 0; u < unit_count; ++u) {
         if (!is_there(Unit(u), config)) continue;
-        UnitAccount account{unit_infos[u].name, u < pipeline_units ? config.pipelines : 1, count_of(Unit(u), run), 0, 0, 0, {}, {}, {}};
+        UnitAccount account{unit_infos[u].name,
+                            u < pipeline_units ? config.pipelines : 1,
+                            count_of(Unit(u), run),
+                            0,
+                            0,
+                            0,
+                            {},
+                            {},
+                            {}};
         for (std::size_t i = 0; i < cause_count; ++i) {
             const Cause& cause = unit_infos[u].causes[i];
             const std::uint64_t cycles = run.accounts.units[u][i];
@@ -70,9 +78,11 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
 
 std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     const Bound bound = bound_of(config, khz, run);
-    const char* work = bound.unit == "trav" ? "node visits, one a cycle and pipeline" : bound.unit == "tri" ? "triangle tests, one a cycle and pipeline"
-                                                                                                              : "the memory's data bus";
-    std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work, bound.unit == "memory" ? "s" : "", bound.reached * 100);
+    const char* work = bound.unit == "trav"  ? "node visits, one a cycle and pipeline"
+                       : bound.unit == "tri" ? "triangle tests, one a cycle and pipeline"
+                                             : "the memory's data bus";
+    std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work,
+                                   bound.unit == "memory" ? "s" : "", bound.reached * 100);
     // What keeps the unit that bounds it from working in every cycle.
     const std::string unit = bound.unit == "trav" ? "box" : bound.unit;
     std::vector<UnitAccount::Part> losses;
@@ -87,8 +97,9 @@ std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     std::string rest;
     for (const auto& loss : losses)
         if (double(loss.cycles) > 0.005 * double(cycles))
-            rest += fmt::format("{} {} in {:.1f} %", rest.empty() ? "; " + unit : " and", loss.cause, 100.0 * double(loss.cycles) / double(cycles));
+            rest += fmt::format("{} {} in {:.1f} %", rest.empty() ? "; " + unit : " and", loss.cause,
+                                100.0 * double(loss.cycles) / double(cycles));
     return text + rest + (rest.empty() ? "" : " of the cycles");
 }
 
-} // namespace rayclock
+}   // namespace rayclock

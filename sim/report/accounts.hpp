@@ -6,7 +6,8 @@
 
 namespace rayclock {
 
-/// What a unit did in every cycle of a frame, summed over the pipelines: busy + starved + stalled = instances * cycles.
+/// What a unit did in every cycle of a frame, summed over the pipelines: busy + starved + stalled = instances
+/// * cycles.
 struct UnitAccount {
     struct Part {
         std::string cause;
@@ -14,7 +15,7 @@ struct UnitAccount {
     };
     std::string unit;
     int instances = 1;
-    std::uint64_t count = 0;     ///< pieces of work done
+    std::uint64_t count = 0;   ///< pieces of work done
     std::uint64_t busy = 0, starved = 0, stalled = 0;
     std::vector<Part> busy_by, starved_by, stalled_by;
 };
@@ -23,18 +24,18 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run
 /// Look-ups of a cache.
 struct CacheAccount {
     std::uint64_t accesses = 0, hits = 0;
-    std::uint64_t merged = 0;    ///< of the others: the line was on its way already
+    std::uint64_t merged = 0;   ///< of the others: the line was on its way already
     double hit_rate() const { return accesses ? double(hits) / double(accesses) : 0; }
 };
 CacheAccount cache_account(const FrameRun& run, Unit cache);
 
-/// The least cycles that the machine can need for a frame's work: a node and a triangle a cycle in each pipeline, and what the
-/// memory's data bus can carry.
+/// The least cycles that the machine can need for a frame's work: a node and a triangle a cycle in each
+/// pipeline, and what the memory's data bus can carry.
 struct Bound {
     double nodes = 0, triangles = 0, memory = 0;   ///< cycles
-    std::string unit;            ///< "trav", "tri" or "memory": the largest of the three
-    double cycles = 0;           ///< of it
-    double reached = 0;          ///< bound / cycles of the frame
+    std::string unit;                              ///< "trav", "tri" or "memory": the largest of the three
+    double cycles = 0;                             ///< of it
+    double reached = 0;                            ///< bound / cycles of the frame
 };
 Bound bound_of(const Config& config, int khz, const FrameRun& run);
 /// The memory's peak, bytes per second; 64 bytes every mem_interval cycles for the ideal one.
@@ -44,6 +45,8 @@ double peak_bytes_per_second(const Config& config, int khz);
 std::string bottleneck(const Config& config, int khz, const FrameRun& run);
 
 inline std::uint64_t bytes_read(const FrameTiming& run) { return run.memory.reads * 64; }
-inline double per_second(const FrameTiming& run, int khz) { return run.cycles ? khz * 1e3 / double(run.cycles) : 0; }   ///< frames
+inline double per_second(const FrameTiming& run, int khz) {
+    return run.cycles ? khz * 1e3 / double(run.cycles) : 0;
+}   ///< frames
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -17,8 +17,10 @@ namespace {
 /// A line that is drawn again and again, and gone in the end.
 void draw(const BuildStep& step) {
     const std::string left = step.left ? fmt::format(", about {:.0f} s left", *step.left) : "";
-    if (step.stage.empty()) std::fputs("\r\033[K", stderr);
-    else fmt::print(stderr, "\r\033[Kbuilding {}: {}, {:.0f} s{}", step.what, step.stage, step.seconds, left);
+    if (step.stage.empty())
+        std::fputs("\r\033[K", stderr);
+    else
+        fmt::print(stderr, "\r\033[Kbuilding {}: {}, {:.0f} s{}", step.what, step.stage, step.seconds, left);
     std::fflush(stderr);
 }
 
@@ -26,20 +28,24 @@ void draw(const BuildStep& step) {
 class Lines {
 public:
     void tell(const BuildStep& step) {
-        if (step.stage.empty()) said_.erase(step.what);
+        if (step.stage.empty())
+            said_.erase(step.what);
         else if (said_.insert(step.what).second)
-            fmt::print(stderr, "rayclock: building {}, once for all runs; this may take a minute\n", step.what);
+            fmt::print(stderr, "rayclock: building {}, once for all runs; this may take a minute\n",
+                       step.what);
     }
 
 private:
     std::set<std::string> said_;
 };
 
-} // namespace
+}   // namespace
 
 void show_builds() {
-    if (isatty(STDERR_FILENO)) report_builds(draw);
-    else report_builds([lines = Lines()](const BuildStep& step) mutable { lines.tell(step); });
+    if (isatty(STDERR_FILENO))
+        report_builds(draw);
+    else
+        report_builds([lines = Lines()](const BuildStep& step) mutable { lines.tell(step); });
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -3,7 +3,8 @@
 
 namespace rayclock {
 
-/// From now on builds of RTL are told on standard error: a line that moves on a terminal, otherwise one at the beginning.
+/// From now on builds of RTL are told on standard error: a line that moves on a terminal, otherwise one at
+/// the beginning.
 void show_builds();
 
-} // namespace rayclock
+}   // namespace rayclock

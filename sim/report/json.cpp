@@ -11,7 +11,8 @@ namespace rayclock {
 
 using nlohmann::ordered_json;
 
-FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitFrame& reference, const Picture& reference_picture) {
+FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitFrame& reference,
+                       const Picture& reference_picture) {
     FrameError error;
     error.pixels = frame.hits.size();
     for (std::size_t i = 0; i < frame.hits.size(); ++i) {
@@ -29,22 +30,37 @@ FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame
 }
 
 ordered_json scene_json(const Scene& scene) {
-    return {{"name", scene.name}, {"triangles", scene.triangles.size()}, {"spheres", scene.spheres.size()}, {"planes", scene.planes.size()}};
+    return {{"name", scene.name},
+            {"triangles", scene.triangles.size()},
+            {"spheres", scene.spheres.size()},
+            {"planes", scene.planes.size()}};
 }
 
 ordered_json config_json_object(const Config& config) {
     ordered_json json{{"name", config.name}};
-    for (const Parameter& p : parameters()) json[p.key] = p.names ? ordered_json(value_text(config, p)) : ordered_json(config.*p.member);
+    for (const Parameter& p : parameters())
+        json[p.key] = p.names ? ordered_json(value_text(config, p)) : ordered_json(config.*p.member);
     return json;
 }
 
 ordered_json compile_json(const CompileReport& r) {
-    return {{"triangles", r.triangles}, {"collapsed", r.collapsed}, {"nodes", r.nodes}, {"leaves", r.leaves}, {"depth", r.depth},
-            {"stack_need", r.stack_need}, {"bytes", r.bytes}, {"pitch", std::max({r.pitch.x, r.pitch.y, r.pitch.z})}, {"pitches", {r.pitch.x, r.pitch.y, r.pitch.z}}, {"seconds", r.seconds}};
+    return {{"triangles", r.triangles},
+            {"collapsed", r.collapsed},
+            {"nodes", r.nodes},
+            {"leaves", r.leaves},
+            {"depth", r.depth},
+            {"stack_need", r.stack_need},
+            {"bytes", r.bytes},
+            {"pitch", std::max({r.pitch.x, r.pitch.y, r.pitch.z})},
+            {"pitches", {r.pitch.x, r.pitch.y, r.pitch.z}},
+            {"seconds", r.seconds}};
 }
 
 ordered_json rays_json(const FrameRun& run) {
-    return {{"primary", run.rays.primary}, {"shadow", run.rays.shadow}, {"reflection", run.rays.reflection}, {"refraction", run.rays.refraction}};
+    return {{"primary", run.rays.primary},
+            {"shadow", run.rays.shadow},
+            {"reflection", run.rays.reflection},
+            {"refraction", run.rays.refraction}};
 }
 
 ordered_json work_json(const FrameRun& run) {
@@ -57,13 +73,25 @@ ordered_json clock_json(const Config& config, const ClockRun& run) {
     const Bound bound = bound_of(config, run.khz, frame);
     ordered_json frames = ordered_json::array();
     for (const FrameRun& f : run.frames)
-        frames.push_back({{"cycles", f.cycles}, {"fps", per_second(f, run.khz)}, {"dram_bytes", bytes_read(f)},
-                          {"node_hit_rate", cache_account(f, Unit::node_cache).hit_rate()}, {"prim_hit_rate", cache_account(f, Unit::prim_cache).hit_rate()}});
-    return {{"mhz", run.khz / 1e3}, {"cycles", frame.cycles}, {"fps", fps}, {"mrays_per_s", fps * rays_of(frame) / 1e6},
-            {"dram_bytes", bytes_read(frame)}, {"dram_gb_per_s", gb}, {"dram_share_of_peak", gb * 1e9 / peak_bytes_per_second(config, run.khz)},
-            {"bytes_per_ray", rays_of(frame) > 0 ? double(bytes_read(frame)) / rays_of(frame) : 0}, {"bound", bound.unit},
-            {"bounds", {{"trav", bound.nodes}, {"tri", bound.triangles}, {"memory", bound.memory}}}, {"bound_reached", bound.reached},
-            {"bottleneck", bottleneck(config, run.khz, frame)}, {"units", units_json(config, frame)}, {"memory", memory_json(config, run.khz, frame)},
+        frames.push_back({{"cycles", f.cycles},
+                          {"fps", per_second(f, run.khz)},
+                          {"dram_bytes", bytes_read(f)},
+                          {"node_hit_rate", cache_account(f, Unit::node_cache).hit_rate()},
+                          {"prim_hit_rate", cache_account(f, Unit::prim_cache).hit_rate()}});
+    return {{"mhz", run.khz / 1e3},
+            {"cycles", frame.cycles},
+            {"fps", fps},
+            {"mrays_per_s", fps * rays_of(frame) / 1e6},
+            {"dram_bytes", bytes_read(frame)},
+            {"dram_gb_per_s", gb},
+            {"dram_share_of_peak", gb * 1e9 / peak_bytes_per_second(config, run.khz)},
+            {"bytes_per_ray", rays_of(frame) > 0 ? double(bytes_read(frame)) / rays_of(frame) : 0},
+            {"bound", bound.unit},
+            {"bounds", {{"trav", bound.nodes}, {"tri", bound.triangles}, {"memory", bound.memory}}},
+            {"bound_reached", bound.reached},
+            {"bottleneck", bottleneck(config, run.khz, frame)},
+            {"units", units_json(config, frame)},
+            {"memory", memory_json(config, run.khz, frame)},
             {"frames", frames}};
 }
 
@@ -75,8 +103,13 @@ ordered_json units_json(const Config& config, const FrameRun& run) {
         return object;
     };
     for (const UnitAccount& a : unit_accounts(config, run))
-        json[a.unit] = {{"instances", a.instances}, {"count", a.count}, {"busy", a.busy}, {"starved", a.starved}, {"stalled", parts(a.stalled_by)},
-                        {"busy_with", parts(a.busy_by)}, {"starved_by", parts(a.starved_by)}};
+        json[a.unit] = {{"instances", a.instances},
+                        {"count", a.count},
+                        {"busy", a.busy},
+                        {"starved", a.starved},
+                        {"stalled", parts(a.stalled_by)},
+                        {"busy_with", parts(a.busy_by)},
+                        {"starved_by", parts(a.starved_by)}};
     return json;
 }
 
@@ -90,12 +123,17 @@ ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
     add("prim_cache", Unit::prim_cache);
     if (config.shading) add("surf_cache", Unit::surf_cache);
     if (config.l2_sets > 0) add("l2", Unit::l2);
-    json["dram"] = {{"reads", run.memory.reads}, {"row_hits", run.memory.row_hits}, {"row_conflicts", run.memory.row_conflicts},
-                    {"refreshes", run.memory.refreshes}, {"peak_gb_per_s", peak_bytes_per_second(config, khz) / 1e9}};
+    json["dram"] = {{"reads", run.memory.reads},
+                    {"row_hits", run.memory.row_hits},
+                    {"row_conflicts", run.memory.row_conflicts},
+                    {"refreshes", run.memory.refreshes},
+                    {"peak_gb_per_s", peak_bytes_per_second(config, khz) / 1e9}};
     return json;
 }
 
-ordered_json decibel(double psnr_db) { return std::isfinite(psnr_db) ? ordered_json(psnr_db) : ordered_json(nullptr); }
+ordered_json decibel(double psnr_db) {
+    return std::isfinite(psnr_db) ? ordered_json(psnr_db) : ordered_json(nullptr);
+}
 
 ordered_json causes_json(const PixelCauses& causes) {
     ordered_json json;
@@ -105,8 +143,11 @@ ordered_json causes_json(const PixelCauses& causes) {
 
 ordered_json error_json(const std::optional<FrameError>& e, const std::optional<Judgement>& j) {
     if (!e) return nullptr;
-    ordered_json json{{"pixels", e->pixels}, {"pixels_other_primitive", e->pixels_other_primitive}, {"psnr_db", decibel(e->psnr_db)},
-                      {"depth_pixels", e->depth_pixels}, {"max_abs_depth", e->max_abs_depth}};
+    ordered_json json{{"pixels", e->pixels},
+                      {"pixels_other_primitive", e->pixels_other_primitive},
+                      {"psnr_db", decibel(e->psnr_db)},
+                      {"depth_pixels", e->depth_pixels},
+                      {"max_abs_depth", e->max_abs_depth}};
     if (!j) return json;
     json["pixels_on_edge"] = j->on_edge;
     json["causes"] = causes_json(j->causes);
@@ -118,22 +159,36 @@ ordered_json error_json(const std::optional<FrameError>& e, const std::optional<
 ordered_json judge_json(const std::optional<Judgement>& j) {
     if (!j) return nullptr;
     ordered_json faults = ordered_json::array();
-    for (const PictureFault& f : j->faults) faults.push_back({{"pixel", {f.x, f.y}}, {"ray", f.ray}, {"what", f.what}});
-    return {{"rays", {{"camera", j->rays.primary}, {"shadow", j->rays.shadow}, {"reflection", j->rays.reflection}, {"refraction", j->rays.refraction}}},
-            {"colours", j->colours}, {"wrong", j->wrong}, {"widest_colour_bound", j->widest * std::exp2(-unit_bits)}, {"faults", faults}, {"seconds", j->seconds}};
+    for (const PictureFault& f : j->faults)
+        faults.push_back({{"pixel", {f.x, f.y}}, {"ray", f.ray}, {"what", f.what}});
+    return {{"rays",
+             {{"camera", j->rays.primary},
+              {"shadow", j->rays.shadow},
+              {"reflection", j->rays.reflection},
+              {"refraction", j->rays.refraction}}},
+            {"colours", j->colours},
+            {"wrong", j->wrong},
+            {"widest_colour_bound", j->widest * std::exp2(-unit_bits)},
+            {"faults", faults},
+            {"seconds", j->seconds}};
 }
 
 ordered_json divergence_json(const std::optional<Divergence>& d) {
     if (!d) return nullptr;
-    return {{"cycle", d->cycle}, {"unit", d->unit}, {"channel", d->channel}, {"ray", d->ray}, {"pixel", {d->x, d->y}},
-            {"expected", d->expected}, {"got", d->got}, {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)}, {"wave", nullptr}};
+    return {
+        {"cycle", d->cycle},     {"unit", d->unit},
+        {"channel", d->channel}, {"ray", d->ray},
+        {"pixel", {d->x, d->y}}, {"expected", d->expected},
+        {"got", d->got},         {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)},
+        {"wave", nullptr}};
 }
 
 ordered_json counter_json(const std::optional<CounterDifference>& c) {
     if (!c) return nullptr;
-    return {{"unit", c->unit}, {"cause", c->cause}, {"model", c->model}, {"rtl", c->rtl}, {"others", c->others}};
+    return {
+        {"unit", c->unit}, {"cause", c->cause}, {"model", c->model}, {"rtl", c->rtl}, {"others", c->others}};
 }
 
 std::string digest_text(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-} // namespace rayclock
+}   // namespace rayclock

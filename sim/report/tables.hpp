@@ -21,4 +21,4 @@ std::string error_line(const char* who, const FrameError& error);
 /// Why pixels differ, and what the oracle says.
 std::string cause_lines(const Judgement& judgement);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -24,11 +24,12 @@ namespace {
 /// An empty corner takes a single blank.
 std::string markdown_row(const std::vector<std::string>& cells) {
     std::string line = "|";
-    for (std::size_t c = 0; c < cells.size(); ++c) line += (c == 0 && cells[c].empty() ? "" : " " + cells[c]) + " |";
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        line += (c == 0 && cells[c].empty() ? "" : " " + cells[c]) + " |";
     return line + "\n";
 }
 
-} // namespace
+}   // namespace
 
 std::string Table::markdown() const {
     std::string text = markdown_row(rows_[0]) + "|";
@@ -49,7 +50,8 @@ std::string Table::text(int indent) const {
     for (const auto& row : rows_) {
         std::string line(std::size_t(indent), ' ');
         for (std::size_t c = 0; c < row.size(); ++c)
-            line += (c ? "  " : "") + (c < left_ ? fmt::format("{:<{}}", row[c], width[c]) : fmt::format("{:>{}}", row[c], width[c]));
+            line += (c ? "  " : "") + (c < left_ ? fmt::format("{:<{}}", row[c], width[c])
+                                                 : fmt::format("{:>{}}", row[c], width[c]));
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }
@@ -66,7 +68,8 @@ Progress terminal_progress() {
     const auto state = std::make_shared<State>();
     return [state](std::string_view what, std::uint64_t done, std::uint64_t total) {
         const auto now = Clock::now();
-        if (const std::string_view work = what.substr(0, what.find(',')); state->what != work) *state = {std::string(work), now, {}};
+        if (const std::string_view work = what.substr(0, what.find(',')); state->what != work)
+            *state = {std::string(work), now, {}};
         const bool end = done >= total;
         if (!end && now - state->drawn < std::chrono::milliseconds(100)) return;
         state->drawn = now;
@@ -75,8 +78,8 @@ Progress terminal_progress() {
             std::fprintf(stderr, "\r\033[K");
         } else {
             const double share = total ? double(done) / double(total) : 0;
-            std::fprintf(stderr, "\r\033[K%.*s: %3.0f %%, %.0f s left", int(what.size()), what.data(), share * 100,
-                         done ? seconds * (1 - share) / share : 0.0);
+            std::fprintf(stderr, "\r\033[K%.*s: %3.0f %%, %.0f s left", int(what.size()), what.data(),
+                         share * 100, done ? seconds * (1 - share) / share : 0.0);
         }
         std::fflush(stderr);
     };
@@ -90,4 +93,4 @@ void write_file(const std::string& path, const std::string& text) {
     write_bytes(path, text);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -32,7 +32,7 @@ std::string text_of(const JsonValue& value, const Parameter& p) {
     return value.raw().dump();
 }
 
-} // namespace
+}   // namespace
 
 Config parse_config(const std::string& path, std::string_view text) {
     const Json json = parse_json(path, text);
@@ -52,8 +52,10 @@ Config parse_config(const std::string& path, std::string_view text) {
     for (const Parameter& p : parameters()) {
         const auto value = in.find(p.key);
         if (!value && !like)
-            Place{path}.refuse(fmt::format("{} is missing; a configuration states every parameter, or names one to start from "
-                                           "under \"like\"", p.key));
+            Place{path}.refuse(fmt::format(
+                "{} is missing; a configuration states every parameter, or names one to start from "
+                "under \"like\"",
+                p.key));
         if (value) set_parameter(config, p.key, text_of(*value, p), printable(path));
     }
     return config;
@@ -66,7 +68,8 @@ Config load_config(const ConfigChoice& choice) {
     std::error_code error;
     if (std::filesystem::is_directory(name, error)) Place{name}.refuse("is a folder, not a configuration");
     constexpr std::uint64_t most_bytes = 1 << 20;
-    const Config config = named || !file ? named_config(name) : parse_config(name, read_file(name, {}, most_bytes));
+    const Config config =
+        named || !file ? named_config(name) : parse_config(name, read_file(name, {}, most_bytes));
     return with_settings(config, choice.set, printable(name));
 }
 
@@ -80,4 +83,4 @@ Config with_settings(Config config, const std::vector<std::string>& set, const s
     return config;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

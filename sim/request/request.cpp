@@ -16,7 +16,8 @@ namespace {
 Whitted settings_of(const Finish& f, std::uint64_t seed) {
     Whitted w;
     const auto within = [](const char* option, double value, double lo, double hi) {
-        if (!(value >= lo && value <= hi)) throw UserError(fmt::format("{} must lie in {}..{}, not {}", option, lo, hi, value));
+        if (!(value >= lo && value <= hi))
+            throw UserError(fmt::format("{} must lie in {}..{}, not {}", option, lo, hi, value));
     };
     if (f.depth) within("--depth", *f.depth, 0, most_depth), w.depth = *f.depth;
     if (f.aa) within("--aa", *f.aa, 1, most_aa), w.aa = *f.aa;
@@ -27,14 +28,16 @@ Whitted settings_of(const Finish& f, std::uint64_t seed) {
     return w;
 }
 
-} // namespace
+}   // namespace
 
 Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
     constexpr std::size_t most = 20;
     std::vector<std::string> notes;
     Scene scene = load_scene(spec, progress, primitives, &notes);
-    for (std::size_t i = 0; i < std::min(notes.size(), most); ++i) std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
-    if (notes.size() > most) std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
+    for (std::size_t i = 0; i < std::min(notes.size(), most); ++i)
+        std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
+    if (notes.size() > most)
+        std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
     return scene;
 }
 
@@ -44,12 +47,13 @@ Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progr
     return scene;
 }
 
-Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish, std::uint64_t seed, FrameSize size,
-                   const Progress& progress) {
+Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
+                   std::uint64_t seed, FrameSize size, const Progress& progress) {
     Request r;
     r.settings = settings_of(finish, seed);
     // A setting may name units that only a chip with shading has: they are set once it is known to be one.
-    const bool by_hand = std::any_of(config.set.begin(), config.set.end(), [](const std::string& item) { return item.starts_with("shading="); });
+    const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
+                                     [](const std::string& item) { return item.starts_with("shading="); });
     r.config = finish.is_asked() && !by_hand ? load_config({config.name, {}}) : load_config(config);
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
@@ -64,4 +68,4 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     return r;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -15,15 +15,18 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         return fmt::format("        add(\"{}\", {}, {}, &{}, sizeof {});\n", n, valid, ready, data, data);
     };
     switch (p.kind) {
-    case PortKind::in: return line("&top." + n + "_valid_i", "&top." + n + "_ready_o", "top." + n + "_i");
-    case PortKind::out: return line("&top." + n + "_valid_o", "&top." + n + "_ready_i", "top." + n + "_o");
-    case PortKind::fixed: return line("nullptr", "nullptr", "top." + n + "_i");
-    case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
-    case PortKind::granted: return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
-    case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
-    case PortKind::tap: break;
+        case PortKind::in: return line("&top." + n + "_valid_i", "&top." + n + "_ready_o", "top." + n + "_i");
+        case PortKind::out:
+            return line("&top." + n + "_valid_o", "&top." + n + "_ready_i", "top." + n + "_o");
+        case PortKind::fixed: return line("nullptr", "nullptr", "top." + n + "_i");
+        case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
+        case PortKind::granted:
+            return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
+        case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
+        case PortKind::tap: break;
     }
-    return fmt::format("        tap(\"{}\", \"TOP.{}{}\", \"{}\", \"{}\", \"{}\");\n", n, module, p.path, p.valid, p.ready, p.data);
+    return fmt::format("        tap(\"{}\", \"TOP.{}{}\", \"{}\", \"{}\", \"{}\");\n", n, module, p.path,
+                       p.valid, p.ready, p.data);
 }
 
 /// The links and counters inside rc_top.
@@ -31,21 +34,29 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
     using enum PortKind;
     std::vector<PortSpec> taps;
     const auto tally = [&](const char* unit, const std::string& path, const std::string& index) {
-        taps.push_back({fmt::format("tally.{}{}", unit, index), tap, fmt::format("{}.u_{}_tally", path, unit), "rc_tally", "", "", "count_q"});
+        taps.push_back({fmt::format("tally.{}{}", unit, index), tap, fmt::format("{}.u_{}_tally", path, unit),
+                        "rc_tally", "", "", "count_q"});
     };
     for (int p = 0; p < config.pipelines; ++p) {
-        const std::string index = fmt::format("[{}]", p), path = fmt::format(".gen_pipeline[{}].u_pipeline", p);
-        const auto add = [&](const std::string& name, const std::string& valid, const std::string& ready, const std::string& data) {
+        const std::string index = fmt::format("[{}]", p),
+                          path = fmt::format(".gen_pipeline[{}].u_pipeline", p);
+        const auto add = [&](const std::string& name, const std::string& valid, const std::string& ready,
+                             const std::string& data) {
             taps.push_back({name + index, tap, path, "rc_pipeline", valid, ready, data});
         };
-        for (const char* name : {"slot", "ray", "node_req", "box_req", "box_rsp", "prim_req", "tri_req", "tri_rsp", "step"})
+        for (const char* name :
+             {"slot", "ray", "node_req", "box_req", "box_rsp", "prim_req", "tri_req", "tri_rsp", "step"})
             add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
         for (const char* name : {"node_miss", "prim_miss", "hit"})
-            add(name, fmt::format("{}_valid_o", name), fmt::format("{}_ready_i", name), fmt::format("{}_o", name));
-        for (const char* name : {"tile", "node_fill", "prim_fill"}) add(name, fmt::format("{}_fires_i", name), "", fmt::format("{}_i", name));
-        for (const char* unit : {"sched", "raygen", "trav", "node_cache", "box", "list", "prim_cache", "tri"}) tally(unit, path, index);
+            add(name, fmt::format("{}_valid_o", name), fmt::format("{}_ready_i", name),
+                fmt::format("{}_o", name));
+        for (const char* name : {"tile", "node_fill", "prim_fill"})
+            add(name, fmt::format("{}_fires_i", name), "", fmt::format("{}_i", name));
+        for (const char* unit : {"sched", "raygen", "trav", "node_cache", "box", "list", "prim_cache", "tri"})
+            tally(unit, path, index);
         if (!config.shading) continue;
-        for (const char* name : {"closest", "surf_req", "surf_rsp", "spawn"}) add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
+        for (const char* name : {"closest", "surf_req", "surf_rsp", "spawn"})
+            add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
         add("surf_miss", "surf_miss_valid_o", "surf_miss_ready_i", "surf_miss_o");
         add("surf_fill", "surf_fill_fires_i", "", "surf_fill_i");
         for (const char* unit : {"surf_cache", "shade"}) tally(unit, path + ".gen_shade", index);
@@ -62,35 +73,46 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
 /// Arithmetic cells have no reset.
 bool has_reset(const std::string& module) { return module != "rc_unit" && module != "rc_power"; }
 
-} // namespace
+}   // namespace
 
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
     using enum PortKind;
     if (module == "rc_top") {
         std::vector<PortSpec> ports = taps_of_top(config);
-        for (const PortSpec& p : {PortSpec{"frame", fixed}, {"start", fixed}, {"mem_req", out}, {"mem_rsp", listen}, {"hit_ready", fixed}})
+        for (const PortSpec& p : {PortSpec{"frame", fixed},
+                                  {"start", fixed},
+                                  {"mem_req", out},
+                                  {"mem_rsp", listen},
+                                  {"hit_ready", fixed}})
             ports.push_back(p);
         return ports;
     }
-    if (module == "rc_dispatch") return {{"frame", fixed}, {"start", fixed}, {"want", fixed}, {"tile_fires", plain}, {"tile", plain}, {"cause", plain}};
-    if (module == "rc_sched") return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out}, {"pixel", in}, {"hit", out}, {"cause", plain}};
+    if (module == "rc_dispatch")
+        return {{"frame", fixed},      {"start", fixed}, {"want", fixed},
+                {"tile_fires", plain}, {"tile", plain},  {"cause", plain}};
+    if (module == "rc_sched")
+        return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out},
+                {"pixel", in},    {"hit", out},     {"cause", plain}};
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav")
-        return {{"frame", fixed}, {"ray", in}, {"step", in}, {"node_req", out}, {"node_rsp", in}, {"box_req", out}, {"done", out}};
+        return {{"frame", fixed}, {"ray", in},      {"step", in}, {"node_req", out},
+                {"node_rsp", in}, {"box_req", out}, {"done", out}};
     if (module == "rc_box" || module == "rc_tri") return {{"req", in}, {"rsp", out}};
     if (module == "rc_list")
-        return {{"ray", listen}, {"box_rsp", in}, {"prim_req", out}, {"prim_rsp", in}, {"tri_req", out}, {"tri_rsp", in},
-                {"step", out}, {"done", in}, {"closest", out}};
+        return {{"ray", listen}, {"box_rsp", in}, {"prim_req", out}, {"prim_rsp", in}, {"tri_req", out},
+                {"tri_rsp", in}, {"step", out},   {"done", in},      {"closest", out}};
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
     if (module == "rc_shade")
-        return {{"frame", fixed}, {"slot", listen}, {"ray", listen}, {"closest", in}, {"surf_req", out}, {"surf_rsp", in}, {"surf_waits", fixed},
-                {"spawn", out}, {"pixel", out}, {"cause", plain}};
+        return {{"frame", fixed}, {"slot", listen},      {"ray", listen}, {"closest", in}, {"surf_req", out},
+                {"surf_rsp", in}, {"surf_waits", fixed}, {"spawn", out},  {"pixel", out},  {"cause", plain}};
     if (module == "rc_unit") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
     if (module == "rc_pass")
-        return {{"frame", fixed}, {"valid", fixed}, {"ray", fixed}, {"state", fixed}, {"hit", fixed}, {"o", fixed}, {"d", fixed},
-                {"surface", fixed}, {"top", fixed}, {"end_valid", plain}, {"end_ray", plain}, {"end_state", plain}, {"leave", plain},
-                {"spawn", plain}, {"pixel", plain}, {"push", plain}, {"pushed", plain}};
+        return {{"frame", fixed}, {"valid", fixed},     {"ray", fixed},     {"state", fixed},
+                {"hit", fixed},   {"o", fixed},         {"d", fixed},       {"surface", fixed},
+                {"top", fixed},   {"end_valid", plain}, {"end_ray", plain}, {"end_state", plain},
+                {"leave", plain}, {"spawn", plain},     {"pixel", plain},   {"push", plain},
+                {"pushed", plain}};
     if (module == "rc_power") return {{"valid", fixed}, {"c", fixed}, {"n", fixed}, {"power", plain}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }
@@ -161,19 +183,23 @@ unsigned ports(void* handle, const RcPort** list) {{
 }}
 }}
 extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
-)", module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset");
+)",
+                       module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset");
 }
 
 std::string adapter_vlt(const std::string& module, const Config& config) {
     std::set<std::string> lines;
     for (const PortSpec& p : ports_of(module, config))
         for (const std::string& signal : {p.valid, p.ready, p.data})
-            if (!signal.empty()) lines.insert(fmt::format("public_flat_rd -module \"{}\" -var \"{}\"\n", p.module, signal));
+            if (!signal.empty())
+                lines.insert(fmt::format("public_flat_rd -module \"{}\" -var \"{}\"\n", p.module, signal));
     std::string text = "`verilator_config\n";
     for (const std::string& line : lines) text += line;
-    // Several pipelines share their code, which is then a module of its own: names in it hide those around them.
-    if (module == "rc_top" && config.pipelines > 1) text += "no_inline -module \"rc_pipeline\"\nlint_off -rule VARHIDDEN\n";
+    // Several pipelines share their code, which is then a module of its own: names in it hide those around
+    // them.
+    if (module == "rc_top" && config.pipelines > 1)
+        text += "no_inline -module \"rc_pipeline\"\nlint_off -rule VARHIDDEN\n";
     return text;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

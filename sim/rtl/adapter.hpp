@@ -8,27 +8,30 @@ namespace rayclock {
 
 /// How a link of a module looks in Verilog.
 enum class PortKind {
-    in,      ///< <name>_valid_i, <name>_ready_o, <name>_i
-    out,     ///< <name>_valid_o, <name>_ready_i, <name>_o
-    fixed,   ///< <name>_i alone
-    listen,  ///< <name>_fires_i, <name>_i: always accepted
-    granted, ///< <name>_ready_o, <name>_fires_i, <name>_i: comes only where there is room
-    plain,   ///< <name>_o alone: what the module does
-    tap,     ///< signals of an instance inside; see PortSpec
+    in,        ///< <name>_valid_i, <name>_ready_o, <name>_i
+    out,       ///< <name>_valid_o, <name>_ready_i, <name>_o
+    fixed,     ///< <name>_i alone
+    listen,    ///< <name>_fires_i, <name>_i: always accepted
+    granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: comes only where there is room
+    plain,     ///< <name>_o alone: what the module does
+    tap,       ///< signals of an instance inside; see PortSpec
 };
 struct PortSpec {
     std::string name;
     PortKind kind;
-    /// Of a tap: the instance's path under the top, its module, and the names of its signals; empty: there is none.
+    /// Of a tap: the instance's path under the top, its module, and the names of its signals; empty: there is
+    /// none.
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
 
-/// The links of a module that can be built on its own: rc_top or a unit. Throws std::logic_error for any other name.
-/// Of rc_top they include every channel of pipeline p as "<channel>[p]" and every unit's counters as "tally.<unit>[p]".
+/// The links of a module that can be built on its own: rc_top or a unit. Throws std::logic_error for any
+/// other name. Of rc_top they include every channel of pipeline p as "<channel>[p]" and every unit's counters
+/// as "tally.<unit>[p]".
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config);
 
-/// C++ text of the library's side of sim/rtl/abi.hpp, and the Verilator configuration that makes the taps visible.
+/// C++ text of the library's side of sim/rtl/abi.hpp, and the Verilator configuration that makes the taps
+/// visible.
 std::string adapter_source(const std::string& module, const Config& config);
 std::string adapter_vlt(const std::string& module, const Config& config);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -29,7 +29,9 @@ public:
     ~Report() {
         if (told_) tell("", {});
     }
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
     void tell(const char* stage, std::optional<double> left) {
         told_ = true;
         const std::lock_guard lock(reporter_mutex);
@@ -58,10 +60,11 @@ std::string entry_begin(const Config& config, const std::string& module) {
 
 std::string made_by() {
     const RtlTools& tools = rtl_tools();
-    return fmt::format("verilator {}, {}\ncompiler {}\n", tools.verilator, tools.verilator_root, tools.compiler);
+    return fmt::format("verilator {}, {}\ncompiler {}\n", tools.verilator, tools.verilator_root,
+                       tools.compiler);
 }
 
-} // namespace
+}   // namespace
 
 void report_builds(std::function<void(const BuildStep&)> next) {
     const std::lock_guard lock(reporter_mutex);
@@ -93,7 +96,8 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
     if (is_whole(entry)) return {library_of(entry), true, 0};   // somebody else has just built it
     clear_place(entry);
     WorkFolder work(entry);
-    make_library(work.path(), config, module, [&](const char* stage, std::optional<double> left) { report.tell(stage, left); });
+    make_library(work.path(), config, module,
+                 [&](const char* stage, std::optional<double> left) { report.tell(stage, left); });
     seal(work.path(), made_by());
     work.publish(entry);
     return {library_of(entry), false, report.seconds()};
@@ -104,4 +108,4 @@ void forget_rtl(const RtlBuild& build) {
     if (lock.take()) clear_place(build.library.parent_path());
 }
 
-} // namespace rayclock
+}   // namespace rayclock

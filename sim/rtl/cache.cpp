@@ -35,14 +35,17 @@ const char* variable(const char* name) {
     return value && *value ? value : nullptr;
 }
 
-/// Anybody may make a folder of a known name among the temporary files, and what is loaded from it runs as this user.
+/// Anybody may make a folder of a known name among the temporary files, and what is loaded from it runs as
+/// this user.
 fs::path private_temporary() {
     const fs::path folder = fs::temp_directory_path() / fmt::format("rayclock-{}", geteuid());
-    struct stat status{};
+    struct stat status {};
     mkdir(folder.c_str(), 0700);
-    if (lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & 022) == 0)
+    if (lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() &&
+        (status.st_mode & 022) == 0)
         return folder;
-    throw UserError(fmt::format("{}: HOME is not set, and this folder is not yours alone{}", folder.string(), cure));
+    throw UserError(
+        fmt::format("{}: HOME is not set, and this folder is not yours alone{}", folder.string(), cure));
 }
 
 bool is_plain_file(const fs::path& path) {
@@ -64,13 +67,15 @@ std::string seal_of(const std::string& library) {
     return fmt::format("rayclock RTL 1\nsize {}\nhash {:016x}\n", library.size(), hash_of(library));
 }
 
-/// The entry that a lock or a work folder belongs to, or empty if the name is none of ours: module-hash-hash.(lock|number).
+/// The entry that a lock or a work folder belongs to, or empty if the name is none of ours:
+/// module-hash-hash.(lock|number).
 std::string entry_of(const std::string& name) {
     const std::size_t dot = name.find('.'), dash = name.find('-');
     if (dot == std::string::npos || dash > dot || !name.starts_with("rc_")) return {};
     const std::string end = name.substr(dot + 1), hash = name.substr(dash + 1, dot - dash - 1);
     if (end != "lock" && end.find_first_not_of("0123456789-") != std::string::npos) return {};
-    if (end.empty() || hash.size() < 16 || hash.find_first_not_of("0123456789abcdef-") != std::string::npos) return {};
+    if (end.empty() || hash.size() < 16 || hash.find_first_not_of("0123456789abcdef-") != std::string::npos)
+        return {};
     return name.substr(0, dot);
 }
 
@@ -79,7 +84,8 @@ void sweep(const fs::path& cache) {
     std::error_code error;
     std::multimap<std::string, fs::path> left;
     for (fs::directory_iterator it(cache, error), end; !error && it != end; it.increment(error))
-        if (const std::string entry = entry_of(it->path().filename()); !entry.empty()) left.emplace(entry, it->path());
+        if (const std::string entry = entry_of(it->path().filename()); !entry.empty())
+            left.emplace(entry, it->path());
     for (auto it = left.begin(); it != left.end();) {
         const std::string entry = it->first;
         BuildLock lock(cache / entry);
@@ -92,21 +98,27 @@ void sweep(const fs::path& cache) {
     }
 }
 
-} // namespace
+}   // namespace
 
 CachePlace cache_place() {
-    if (const char* chosen = variable("RAYCLOCK_CACHE")) return {fs::absolute(chosen).lexically_normal(), "RAYCLOCK_CACHE", {}};
+    if (const char* chosen = variable("RAYCLOCK_CACHE"))
+        return {fs::absolute(chosen).lexically_normal(), "RAYCLOCK_CACHE", {}};
     // A relative path there is to be ignored, says the XDG specification.
-    if (const char* xdg = variable("XDG_CACHE_HOME"); xdg && fs::path(xdg).is_absolute()) return {fs::path(xdg) / "rayclock", "XDG_CACHE_HOME", {}};
-    if (const char* home = variable("HOME"); home && fs::path(home).is_absolute()) return {fs::path(home) / ".cache/rayclock", "HOME", {}};
+    if (const char* xdg = variable("XDG_CACHE_HOME"); xdg && fs::path(xdg).is_absolute())
+        return {fs::path(xdg) / "rayclock", "XDG_CACHE_HOME", {}};
+    if (const char* home = variable("HOME"); home && fs::path(home).is_absolute())
+        return {fs::path(home) / ".cache/rayclock", "HOME", {}};
     const fs::path folder = private_temporary();
-    return {folder, "", "HOME is not set, so built RTL is kept in " + folder.string() + ", among temporary files; RAYCLOCK_CACHE names a better folder"};
+    return {folder, "",
+            "HOME is not set, so built RTL is kept in " + folder.string() +
+                ", among temporary files; RAYCLOCK_CACHE names a better folder"};
 }
 
 fs::path rtl_cache() {
     const CachePlace place = cache_place();
     static std::once_flag said;
-    if (!place.warning.empty()) std::call_once(said, [&] { fmt::print(stderr, "rayclock: {}\n", place.warning); });
+    if (!place.warning.empty())
+        std::call_once(said, [&] { fmt::print(stderr, "rayclock: {}\n", place.warning); });
     return place.folder;
 }
 
@@ -142,7 +154,9 @@ fs::path whole_entry(const std::string& begin) {
     std::error_code error;
     std::set<fs::path> entries;
     for (fs::directory_iterator it(rtl_cache(), error), end; !error && it != end; it.increment(error))
-        if (const std::string name = it->path().filename(); name.starts_with(begin) && name.find('.') == std::string::npos) entries.insert(it->path());
+        if (const std::string name = it->path().filename();
+            name.starts_with(begin) && name.find('.') == std::string::npos)
+            entries.insert(it->path());
     for (const fs::path& entry : entries)
         if (is_whole(entry)) return entry;
     return {};
@@ -170,11 +184,14 @@ bool BuildLock::take() {
     for (int attempt = 0; file_ < 0; ++attempt) {
         file_ = open(path_.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
         const int reason = errno;
-        struct stat here{}, there{};
+        struct stat here {
+        }, there{};
         const bool ordinary = file_ >= 0 && fstat(file_, &here) == 0 && S_ISREG(here.st_mode);
         if (ordinary && flock(file_, LOCK_EX | LOCK_NB) == 0) {
             // Whoever had it has removed the file: then this is the lock of nothing.
-            if (lstat(path_.c_str(), &there) == 0 && there.st_ino == here.st_ino && there.st_dev == here.st_dev) return true;
+            if (lstat(path_.c_str(), &there) == 0 && there.st_ino == here.st_ino &&
+                there.st_dev == here.st_dev)
+                return true;
         } else if (ordinary) {
             close(std::exchange(file_, -1));
             return false;
@@ -217,4 +234,4 @@ void WorkFolder::publish(const fs::path& entry) {
     path_.clear();
 }
 
-} // namespace rayclock
+}   // namespace rayclock

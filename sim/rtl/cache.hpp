@@ -1,7 +1,8 @@
 #pragma once
-// The folder of built libraries. An entry is a folder with a library and a seal, which holds the library's size and hash, so
-// that whatever happened to the disk is noticed before anything is loaded. Entries appear whole, by a rename. Whoever builds
-// one holds its lock; what a dead builder has left is swept by the next program.
+// The folder of built libraries. An entry is a folder with a library and a seal, which holds the library's
+// size and hash, so that whatever happened to the disk is noticed before anything is loaded. Entries appear
+// whole, by a rename. Whoever builds one holds its lock; what a dead builder has left is swept by the next
+// program.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -14,8 +15,8 @@ struct CachePlace {
     std::string from;               ///< RAYCLOCK_CACHE, XDG_CACHE_HOME, HOME, or nothing of these
     std::string warning;            ///< a sentence if it is no good place
 };
-/// $RAYCLOCK_CACHE, $XDG_CACHE_HOME/rayclock or ~/.cache/rayclock. Without a home it is a folder of temporary files that must
-/// belong to this user alone; throws UserError if it does not.
+/// $RAYCLOCK_CACHE, $XDG_CACHE_HOME/rayclock or ~/.cache/rayclock. Without a home it is a folder of temporary
+/// files that must belong to this user alone; throws UserError if it does not.
 CachePlace cache_place();
 /// Its folder. A warning is said on standard error, once.
 std::filesystem::path rtl_cache();
@@ -77,4 +78,4 @@ private:
     std::filesystem::path path_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

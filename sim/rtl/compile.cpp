@@ -30,10 +30,12 @@ extern const char* const abi_text;   // sim/rtl/abi.hpp
 namespace {
 
 // --x-assign/--x-initial unique: registers without reset start at seeded random values.
-const Words verilator_flags{"--cc", "-Wall", "--assert", "-O3", "--x-assign", "unique", "--x-initial", "unique", "--prefix", "Vrc"};
+const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
+                            "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
 const Words compiler_flags{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
 constexpr std::size_t parts = 2;   // compiled at the same time
-constexpr std::uintmax_t support_bytes = 1'100'000;   // Verilator's own sources take as long as so much of what it makes
+constexpr std::uintmax_t support_bytes =
+    1'100'000;   // Verilator's own sources take as long as so much of what it makes
 
 Words operator+(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -50,18 +52,22 @@ std::string text_of(const fs::path& path) {
 /// The tools' own words, or the cause if they are known for it.
 [[noreturn]] void failed(const std::string& what, const fs::path& folder, const std::string& log) {
     if (log.find("No space left on device") != std::string::npos)
-        throw UserError(folder.parent_path().string() + ": no space is left for the RTL; set RAYCLOCK_CACHE to a folder with more");
+        throw UserError(folder.parent_path().string() +
+                        ": no space is left for the RTL; set RAYCLOCK_CACHE to a folder with more");
     throw std::runtime_error(what + " failed:\n" + log.substr(0, 2000));
 }
 
-/// Runs commands at the same time in a folder, each with its output in a log there. The first that fails ends all others.
+/// Runs commands at the same time in a folder, each with its output in a log there. The first that fails ends
+/// all others.
 struct Job {
     Words words;
     std::string log;
 };
-void run(const fs::path& folder, const std::vector<Job>& jobs, const std::string& what, const std::function<void()>& meanwhile) {
+void run(const fs::path& folder, const std::vector<Job>& jobs, const std::string& what,
+         const std::function<void()>& meanwhile) {
     std::vector<std::unique_ptr<Process>> running;
-    for (const Job& job : jobs) running.push_back(std::make_unique<Process>(Command{job.words, folder, folder / job.log, folder}));
+    for (const Job& job : jobs)
+        running.push_back(std::make_unique<Process>(Command{job.words, folder, folder / job.log, folder}));
     for (std::size_t left = jobs.size(); left > 0;) {
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             if (!running[i] || !running[i]->ended()) continue;
@@ -75,8 +81,8 @@ void run(const fs::path& folder, const std::vector<Job>& jobs, const std::string
     }
 }
 
-/// Copies of the sources, under names that no tool trips over, in a folder that tools are run in: they see no path of the
-/// user's. Returns the names that Verilator is given.
+/// Copies of the sources, under names that no tool trips over, in a folder that tools are run in: they see no
+/// path of the user's. Returns the names that Verilator is given.
 Words stage_sources(const fs::path& folder, const Config& config) {
     Words files;
     for (const RtlText& source : rtl_texts()) {
@@ -90,10 +96,12 @@ Words stage_sources(const fs::path& folder, const Config& config) {
     return files;
 }
 
-void verilate(const fs::path& folder, const Config& config, const std::string& module, const std::function<void()>& meanwhile) {
+void verilate(const fs::path& folder, const Config& config, const std::string& module,
+              const std::function<void()>& meanwhile) {
     const Words files = stage_sources(folder, config);
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
-    const Words words = Words{"verilator"} + verilator_flags + Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
+    const Words words = Words{"verilator"} + verilator_flags +
+                        Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
     const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
     run(folder, {{words, "verilator.log"}}, what, meanwhile);
     if (const std::string log = text_of(folder / "verilator.log"); log.find("%Warning") != std::string::npos)
@@ -113,19 +121,23 @@ void write_parts(const fs::path& folder, const Config& config, const std::string
         sizes[part] += size;
         texts[part] += fmt::format("#include \"{}\"\n", file);
     }
-    for (const char* part : {"verilated", "verilated_threads"}) texts[0] += fmt::format("#include \"{}.cpp\"\n", part);
+    for (const char* part : {"verilated", "verilated_threads"})
+        texts[0] += fmt::format("#include \"{}.cpp\"\n", part);
     for (std::size_t i = 0; i < parts; ++i) write_text(folder / fmt::format("part{}.cpp", i), texts[i]);
     write_text(folder / "abi.hpp", abi_text);
 }
 
 void compile(const fs::path& folder, const std::string& module, const std::function<void()>& meanwhile) {
-    const std::string include = rtl_tools().verilator_root + "/include", what = "the C++ compiler on the verilated " + module;
-    const Words common = Words{"c++"} + compiler_flags + Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
+    const std::string include = rtl_tools().verilator_root + "/include",
+                      what = "the C++ compiler on the verilated " + module;
+    const Words common = Words{"c++"} + compiler_flags +
+                         Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
     std::vector<Job> jobs;
     Words link = Words{"c++", "-shared"};
     for (std::size_t i = 0; i < parts; ++i) {
         const std::string object = fmt::format("part{}.o", i);
-        jobs.push_back({common + Words{fmt::format("part{}.cpp", i), "-o", object}, fmt::format("compiler{}.log", i)});
+        jobs.push_back(
+            {common + Words{fmt::format("part{}.cpp", i), "-o", object}, fmt::format("compiler{}.log", i)});
         link.push_back(object);
     }
     run(folder, jobs, what, meanwhile);
@@ -142,37 +154,43 @@ void tidy(const fs::path& folder) {
     for (const fs::path& path : rest) fs::remove_all(path);
 }
 
-} // namespace
+}   // namespace
 
 std::string ingredients(const Config& config, const std::string& module) {
-    std::string all = rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
+    std::string all =
+        rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
     for (const Words& flags : {verilator_flags, compiler_flags})
         for (const std::string& flag : flags) all += " " + flag;
     for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
     return all;
 }
 
-void make_library(const fs::path& folder, const Config& config, const std::string& module, const Working& working) {
+void make_library(const fs::path& folder, const Config& config, const std::string& module,
+                  const Working& working) {
     // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions.md).
     constexpr double compiler_share = 6;
     using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
+    const auto seconds_since = [](Clock::time_point t) {
+        return std::chrono::duration<double>(Clock::now() - t).count();
+    };
     const auto start = Clock::now();
     verilate(folder, config, module, [&] { working("Verilator", {}); });
     const double expected = seconds_since(start) * compiler_share;
     write_parts(folder, config, module);
     const auto compiling = Clock::now();
-    compile(folder, module, [&] { working("the C++ compiler", std::max(0.0, expected - seconds_since(compiling))); });
+    compile(folder, module,
+            [&] { working("the C++ compiler", std::max(0.0, expected - seconds_since(compiling))); });
     tidy(folder);
 }
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {
     const Words files = stage_sources(folder, config);
-    Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder, folder / "lint.log", folder});
+    Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
+                  folder / "lint.log", folder});
     while (!lint.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     std::string found = text_of(folder / "lint.log");
     while (!found.empty() && found.back() == '\n') found.pop_back();
     return found;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -8,7 +8,7 @@ namespace {
 
 volatile std::sig_atomic_t interrupt_seen = 0;
 
-} // namespace
+}   // namespace
 
 void catch_interrupts() {
     std::signal(SIGINT, [](int) {
@@ -19,4 +19,4 @@ void catch_interrupts() {
 
 bool interrupted() { return interrupt_seen != 0; }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int parent_died = SIGUSR1;   // from the kernel, while the parent may still be seen dying; SIGTERM comes from the parent
+constexpr int parent_died =
+    SIGUSR1;   // from the kernel, while the parent may still be seen dying; SIGTERM comes from the parent
 constexpr int could_not_start = 127, ended_by_signal = 126;   // exit codes of the guard, as of a shell
 
 /// All that is needed after fork(), where no memory may be asked for: another thread may have held the lock.
@@ -35,8 +36,10 @@ struct Plan {
     sigset_t signals;   ///< blocked before
 
     explicit Plan(const Command& command)
-        : program(find_program(command.words.at(0)).string()), folder(command.folder.string()),
-          output(command.output.empty() ? "/dev/null" : command.output.string()), litter(command.litter.string()),
+        : program(find_program(command.words.at(0)).string()),
+          folder(command.folder.string()),
+          output(command.output.empty() ? "/dev/null" : command.output.string()),
+          litter(command.litter.string()),
           words(command.words) {
         if (program.empty()) throw UserError(command.words[0] + " is not installed, or not in PATH");
         for (char** v = environ; *v; ++v)
@@ -52,7 +55,8 @@ struct Plan {
 [[noreturn]] void become_program(const Plan& plan) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const int in = open("/dev/null", O_RDONLY), out = open(plan.output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
+    const int in = open("/dev/null", O_RDONLY),
+              out = open(plan.output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
     if (in < 0 || out < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(out, 2) < 0) _exit(could_not_start);
     if (!plan.folder.empty() && chdir(plan.folder.c_str()) != 0) _exit(could_not_start);
     for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD}) std::signal(s, SIG_DFL);
@@ -63,8 +67,9 @@ struct Plan {
     _exit(could_not_start);
 }
 
-/// Kills the program's group and waits for its members: whatever loses its parent comes to the guard. A member may have
-/// left the group on purpose, as a compiler's server does; it is not waited for longer than two seconds.
+/// Kills the program's group and waits for its members: whatever loses its parent comes to the guard. A
+/// member may have left the group on purpose, as a compiler's server does; it is not waited for longer than
+/// two seconds.
 void end_group(pid_t program) {
     kill(-program, SIGKILL);
     for (int i = 0; i < 400; ++i) {
@@ -76,8 +81,8 @@ void end_group(pid_t program) {
     }
 }
 
-/// The guard: starts the program, and ends it when the kernel says that the parent is dead, or the parent asks for it.
-/// It holds the parent's open files, and so its locks, until the litter is gone.
+/// The guard: starts the program, and ends it when the kernel says that the parent is dead, or the parent
+/// asks for it. It holds the parent's open files, and so its locks, until the litter is gone.
 [[noreturn]] void guard(const Plan& plan) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, parent_died);
@@ -91,8 +96,10 @@ void end_group(pid_t program) {
     bool orphan = getppid() != plan.parent, stop = orphan;   // it died before the kernel was told to say so
     const pid_t program = stop ? -1 : fork();
     if (program == 0) become_program(plan);
-    if (program > 0) setpgid(program, program);   // both do, so that neither comes too late
-    else if (!stop) _exit(could_not_start);
+    if (program > 0)
+        setpgid(program, program);   // both do, so that neither comes too late
+    else if (!stop)
+        _exit(could_not_start);
     while (!stop) {
         const int signal = sigwaitinfo(&awaited, nullptr);
         orphan = signal == parent_died;
@@ -108,7 +115,7 @@ void end_group(pid_t program) {
     _exit(ended_by_signal);
 }
 
-} // namespace
+}   // namespace
 
 Process::Process(const Command& command) {
     Plan plan(command);
@@ -118,7 +125,9 @@ Process::Process(const Command& command) {
     guard_ = fork();
     if (guard_ == 0) guard(plan);
     pthread_sigmask(SIG_SETMASK, &plan.signals, nullptr);
-    if (guard_ < 0) throw std::runtime_error(fmt::format("{}: cannot be started ({})", command.words[0], std::strerror(errno)));
+    if (guard_ < 0)
+        throw std::runtime_error(
+            fmt::format("{}: cannot be started ({})", command.words[0], std::strerror(errno)));
 }
 
 Process::~Process() {
@@ -132,7 +141,9 @@ bool Process::ended() {
     int status = 0;
     const pid_t done = waitpid(guard_, &status, WNOHANG);
     if (done == 0 || (done < 0 && errno == EINTR)) return false;
-    code_ = done == guard_ && WIFEXITED(status) && WEXITSTATUS(status) != ended_by_signal ? WEXITSTATUS(status) : -1;
+    code_ = done == guard_ && WIFEXITED(status) && WEXITSTATUS(status) != ended_by_signal
+                ? WEXITSTATUS(status)
+                : -1;
     guard_ = -1;
     return true;
 }
@@ -163,10 +174,11 @@ std::string output_of(const std::vector<std::string>& words) {
     while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::array<char, 4096> block;
     ssize_t got = 0;   // the program has opened it anew: here it still stands at its beginning
-    while (process.code() == 0 && (got = read(file, block.data(), block.size())) > 0) text.append(block.data(), std::size_t(got));
+    while (process.code() == 0 && (got = read(file, block.data(), block.size())) > 0)
+        text.append(block.data(), std::size_t(got));
     close(file);
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

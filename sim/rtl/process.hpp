@@ -10,15 +10,18 @@ namespace rayclock {
 
 /// What to run, and where.
 struct Command {
-    std::vector<std::string> words;   ///< the program, as a path or a name in PATH, and its arguments: no shell sees them
-    std::filesystem::path folder;     ///< to run in, and where it keeps its temporary files; empty: this program's
-    std::filesystem::path output;     ///< what it prints goes there
-    std::filesystem::path litter;     ///< removed if this program dies meanwhile; may be empty
+    std::vector<std::string>
+        words;   ///< the program, as a path or a name in PATH, and its arguments: no shell sees them
+    std::filesystem::path
+        folder;   ///< to run in, and where it keeps its temporary files; empty: this program's
+    std::filesystem::path output;   ///< what it prints goes there
+    std::filesystem::path litter;   ///< removed if this program dies meanwhile; may be empty
 };
 
-/// A running program with all that it has started. They end when this object does, and when this program dies, however it
-/// dies: a guard, which is a process of its own, stands between and is told by the kernel. Ctrl-C at a terminal reaches this
-/// program alone. The thread that starts a process must stay until it has ended.
+/// A running program with all that it has started. They end when this object does, and when this program
+/// dies, however it dies: a guard, which is a process of its own, stands between and is told by the kernel.
+/// Ctrl-C at a terminal reaches this program alone. The thread that starts a process must stay until it has
+/// ended.
 class Process {
 public:
     /// Throws UserError if there is no such program, std::runtime_error if it cannot be started.
@@ -40,7 +43,8 @@ private:
 /// The path of a program in PATH, or empty if there is none. A name with a slash is a path.
 std::filesystem::path find_program(const std::string& name);
 
-/// What a short command prints on both outputs, without the last line's end, or empty if it fails or is not there.
+/// What a short command prints on both outputs, without the last line's end, or empty if it fails or is not
+/// there.
 std::string output_of(const std::vector<std::string>& words);
 
-} // namespace rayclock
+}   // namespace rayclock

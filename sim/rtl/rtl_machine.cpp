@@ -8,19 +8,32 @@
 namespace rayclock {
 
 RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
-    : config_(config), channels_there_(config.shading ? pipeline_channels : plain_channels), image_(image), decoder_(image, config), rtl_(config, "rc_top", seed), links_(std::size_t(config.pipelines)),
-      start_(&rtl_.port("start")), mem_req_(&rtl_.port("mem_req")), mem_rsp_(&rtl_.port("mem_rsp")), hit_ready_(&rtl_.port("hit_ready")),
-      memory_(config, khz, traffic), valid_(links_.size()), fire_(links_.size()), under_way_(std::size_t(1) << config.mem_id_bits()) {
+    : config_(config),
+      channels_there_(config.shading ? pipeline_channels : plain_channels),
+      image_(image),
+      decoder_(image, config),
+      rtl_(config, "rc_top", seed),
+      links_(std::size_t(config.pipelines)),
+      start_(&rtl_.port("start")),
+      mem_req_(&rtl_.port("mem_req")),
+      mem_rsp_(&rtl_.port("mem_rsp")),
+      hit_ready_(&rtl_.port("hit_ready")),
+      memory_(config, khz, traffic),
+      valid_(links_.size()),
+      fire_(links_.size()),
+      under_way_(std::size_t(1) << config.mem_id_bits()) {
     for (int p = 0; p < config.pipelines; ++p) {
         auto& links = links_[std::size_t(p)];
         links.fill(nullptr);
-        for (std::size_t c = 0; c < channels_there_; ++c) links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
+        for (std::size_t c = 0; c < channels_there_; ++c)
+            links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
         sinks_.emplace_back(traffic, p);
     }
     links_[0][index(Channel::mem_req)] = mem_req_;
     links_[0][index(Channel::mem_rsp)] = mem_rsp_;
     if (config.l2_sets > 0)
-        for (const Channel c : {Channel::l2_req, Channel::l2_rsp}) links_[0][index(c)] = &rtl_.port(channels[index(c)].name);
+        for (const Channel c : {Channel::l2_req, Channel::l2_rsp})
+            links_[0][index(c)] = &rtl_.port(channels[index(c)].name);
     std::memset(start_->data, 0, start_->bytes);
     std::memset(hit_ready_->data, 0, hit_ready_->bytes);
     *mem_req_->ready = *mem_rsp_->valid = 0;
@@ -46,13 +59,15 @@ void RtlMachine::start(const Frame& frame) {
 
 void RtlMachine::drive() {
     unsigned char ready = 0;
-    for (std::size_t p = 0; p < sinks_.size(); ++p) ready |= static_cast<unsigned char>(unsigned(sinks_[p].ready()) << p);
+    for (std::size_t p = 0; p < sinks_.size(); ++p)
+        ready |= static_cast<unsigned char>(unsigned(sinks_[p].ready()) << p);
     std::memcpy(hit_ready_->data, &ready, 1);
     *mem_req_->ready = memory_.ready();
     *mem_rsp_->valid = memory_.valid();
     if (!memory_.valid()) return;
     const Memory::Answer answer = memory_.answer();
-    std::memcpy(mem_rsp_->data, image_.line(answer.addr), line_bytes);   // MemRsp: the line at the bottom, the id above
+    std::memcpy(mem_rsp_->data, image_.line(answer.addr),
+                line_bytes);   // MemRsp: the line at the bottom, the id above
     mem_rsp_->data[line_bytes / 4] = answer.id;
 }
 
@@ -90,9 +105,11 @@ std::optional<Memory::Answer> RtlMachine::request() {
     if (!(shared_fire_ & bit(Channel::mem_req))) return {};
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
     // Long lines end at the next multiple of their length.
-    const std::uint32_t line = std::uint32_t(std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
+    const std::uint32_t line = std::uint32_t(
+        std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
     if (req.addr / line > (image_.lines() - 1) / line)
-        complain(0, Channel::mem_req, fmt::format("line {}, and the memory image has {}", req.addr, image_.lines()));
+        complain(0, Channel::mem_req,
+                 fmt::format("line {}, and the memory image has {}", req.addr, image_.lines()));
     if (under_way_[req.id]) {
         complain(0, Channel::mem_req, fmt::format("id {}, whose last request is not answered yet", req.id));
         return {};
@@ -101,27 +118,34 @@ std::optional<Memory::Answer> RtlMachine::request() {
     return Memory::Answer{req.id, req.addr};
 }
 
-/// Whether the hit is one of the picture that was not there yet. A primitive that the scene lacks is taken from it.
+/// Whether the hit is one of the picture that was not there yet. A primitive that the scene lacks is taken
+/// from it.
 bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
     const auto refuse = [&](const std::string& what) {
         complain(pipeline, Channel::hit, what);
         return false;
     };
-    if (hit.x >= width_ || hit.y >= pixels_ / width_) return refuse(fmt::format("pixel ({}, {}) outside the picture", hit.x, hit.y));
+    if (hit.x >= width_ || hit.y >= pixels_ / width_)
+        return refuse(fmt::format("pixel ({}, {}) outside the picture", hit.x, hit.y));
     std::uint8_t& given = given_[std::size_t(hit.y) * width_ + hit.x];
     if (given) return refuse(fmt::format("pixel ({}, {}) for the second time", hit.x, hit.y));
     given = 1;
     if (hit.closest.found && hit.closest.prim >= image_.primitives) {
-        complain(pipeline, Channel::hit, fmt::format("primitive {}, and the scene has {}", hit.closest.prim, image_.primitives));
+        complain(pipeline, Channel::hit,
+                 fmt::format("primitive {}, and the scene has {}", hit.closest.prim, image_.primitives));
         hit.closest = {};
     }
     return true;
 }
 
 void RtlMachine::count_boxes(int pipeline) {
-    const std::uint32_t line = get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Channel::node_req)], config_).addr;
-    if (line < image_.lines()) box_tests_ += std::uint64_t(decoder_.node(line).children);
-    else complain(pipeline, Channel::node_req, fmt::format("line {}, and the memory image has {}", line, image_.lines()));
+    const std::uint32_t line =
+        get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Channel::node_req)], config_).addr;
+    if (line < image_.lines())
+        box_tests_ += std::uint64_t(decoder_.node(line).children);
+    else
+        complain(pipeline, Channel::node_req,
+                 fmt::format("line {}, and the memory image has {}", line, image_.lines()));
 }
 
 void RtlMachine::clock() {
@@ -132,7 +156,9 @@ void RtlMachine::clock() {
         rays_.primary += fire_[p] >> index(Channel::slot) & 1;
         if (fire_[p] & bit(Channel::spawn)) {
             const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Channel::spawn)], config_).kind;
-            ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary : ends_at_any(kind) ? rays_.shadow : rays_.reflection);
+            ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary
+               : ends_at_any(kind)                    ? rays_.shadow
+                                                      : rays_.reflection);
         }
         if (fire_[p] & bit(Channel::node_req)) count_boxes(int(p));
     }
@@ -150,7 +176,8 @@ Accounts RtlMachine::read_counters() const {
         for (std::size_t i = 0; i < cause_count; ++i) sums.units[unit][i] += counts[i];
     };
     for (std::size_t u = 0; u < pipeline_units; ++u)
-        for (int p = 0; is_there(Unit(u), config_) && p < config_.pipelines; ++p) add(u, fmt::format("tally.{}[{}]", unit_infos[u].name, p));
+        for (int p = 0; is_there(Unit(u), config_) && p < config_.pipelines; ++p)
+            add(u, fmt::format("tally.{}[{}]", unit_infos[u].name, p));
     add(index(Unit::dispatch), "tally.dispatch");
     add(index(Unit::memport), "tally.memport");
     if (config_.l2_sets > 0) add(index(Unit::l2), "tally.l2");
@@ -167,4 +194,4 @@ Accounts RtlMachine::accounts() const {
     return sums;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

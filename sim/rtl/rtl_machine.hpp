@@ -20,8 +20,8 @@ public:
     /// A new frame; what lies in the caches stays.
     void start(const Frame& frame);
 
-    /// First half of a cycle: drives memory's answer and the sinks' ready; then the masks and data() tell what the cycle moves.
-    /// Second half: the clock edge; hits go to `take`.
+    /// First half of a cycle: drives memory's answer and the sinks' ready; then the masks and data() tell
+    /// what the cycle moves. Second half: the clock edge; hits go to `take`.
     void settle();
     template <class Take> void clock(Take&& take) {
         for (int p = 0; p < config_.pipelines; ++p) {
@@ -36,9 +36,10 @@ public:
         clock(take);
     }
 
-    /// The first thing the RTL said that no machine can mean: a line beyond the memory image, a request whose id is under way,
-    /// a pixel that is not there or has come already, a primitive that the scene lacks. It is not passed on: memory gives
-    /// zeros or no answer, the pixel is dropped or holds nothing, and the machine runs on.
+    /// The first thing the RTL said that no machine can mean: a line beyond the memory image, a request whose
+    /// id is under way, a pixel that is not there or has come already, a primitive that the scene lacks. It
+    /// is not passed on: memory gives zeros or no answer, the pixel is dropped or holds nothing, and the
+    /// machine runs on.
     struct Nonsense {
         int pipeline = 0;
         Channel channel{};
@@ -92,4 +93,4 @@ private:
     Accounts at_start_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

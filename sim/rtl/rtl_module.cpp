@@ -26,13 +26,14 @@ struct Opened {
     }
 };
 
-} // namespace
+}   // namespace
 
 RtlModule::RtlModule(const Config& config, const std::string& module, int seed)
     : reset_cycles_(4 + std::max({config.node_sets, config.prim_sets, config.l2_sets})) {
     RtlBuild build = build_rtl(config, module);
     Opened opened(build);
-    if (!opened.module && build.was_cached) {   // whole, but of another machine or of a program that went wrong
+    if (!opened.module &&
+        build.was_cached) {   // whole, but of another machine or of a program that went wrong
         forget_rtl(build);
         build = build_rtl(config, module);
         opened = Opened(build);
@@ -71,6 +72,8 @@ void RtlModule::clock() {
     if (module_->eval(handle_, 1)) throw RtlAssertion();
 }
 
-void copy_words(const RcPort& port, const Words& words) { std::memcpy(port.data, words.data(), port.bytes < 4 * words.size() ? port.bytes : 4 * words.size()); }
+void copy_words(const RcPort& port, const Words& words) {
+    std::memcpy(port.data, words.data(), port.bytes < 4 * words.size() ? port.bytes : 4 * words.size());
+}
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -14,7 +14,8 @@ struct RtlAssertion : std::runtime_error {
     RtlAssertion() : std::runtime_error("an assertion of the RTL failed, see the line above") {}
 };
 
-/// A module of the RTL under Verilator, out of reset and ready to run. Registers without reset start at random.
+/// A module of the RTL under Verilator, out of reset and ready to run. Registers without reset start at
+/// random.
 class RtlModule {
 public:
     /// Builds what is not yet built. Throws as build_rtl() does.
@@ -25,7 +26,8 @@ public:
     /// The link called `name`. Outputs and taps are good after settle(), inputs are set before it.
     const RcPort& port(const std::string& name) const;
 
-    /// Holds reset: four full cycles, or as many as the largest cache takes to clear its sets. Static inputs are set before it.
+    /// Holds reset: four full cycles, or as many as the largest cache takes to clear its sets. Static inputs
+    /// are set before it.
     void reset();
 
     /// Lets inputs through to outputs; no clock edge.
@@ -46,8 +48,8 @@ private:
 template <class P> void set_data(const RcPort& port, const P& payload, const Config& config);
 template <class P> P get_data(const RcPort& port, const Config& config) {
     if (port.bytes >= 4) return unpack<P>(port.data, config);
-    // A port of up to 16 bits is shorter than a word, and its payload fits one. GCC 14 cannot know that, and warns of words
-    // beyond it (array-bounds): so there is room for every member.
+    // A port of up to 16 bits is shorter than a word, and its payload fits one. GCC 14 cannot know that, and
+    // warns of words beyond it (array-bounds): so there is room for every member.
     std::array<std::uint32_t, sizeof(P) / sizeof(std::uint32_t) + 1> words{};
     std::memcpy(words.data(), port.data, port.bytes);
     return unpack<P>(words.data(), config);
@@ -58,4 +60,4 @@ template <class P> void set_data(const RcPort& port, const P& payload, const Con
     copy_words(port, pack(payload, config));
 }
 
-} // namespace rayclock
+}   // namespace rayclock

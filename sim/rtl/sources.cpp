@@ -55,7 +55,7 @@ std::string safe_name(const fs::path& file, std::set<std::string>& taken) {
     return name;
 }
 
-} // namespace
+}   // namespace
 
 fs::path rtl_sources() {
     if (const char* chosen = chosen_folder()) return chosen;
@@ -70,8 +70,11 @@ std::string rtl_sources_problem() {
                                              : "; set RAYCLOCK_RTL to the folder rtl of rayclock's sources";
     std::error_code error;
     const fs::file_status status = fs::status(folder, error);
-    if (status.type() == fs::file_type::not_found) return name + " does not exist, and the RTL is built from it" + cure;
-    if (error) return fmt::format("{} cannot be read ({}), and the RTL is built from it{}", name, error.message(), cure);
+    if (status.type() == fs::file_type::not_found)
+        return name + " does not exist, and the RTL is built from it" + cure;
+    if (error)
+        return fmt::format("{} cannot be read ({}), and the RTL is built from it{}", name, error.message(),
+                           cure);
     if (!fs::is_directory(status)) return name + " is no folder, and the RTL is built from it" + cure;
     for (const char* file : {"rc_top.sv", "lint.vlt"})
         if (!is_file(folder / file)) return fmt::format("{} has no file {} in it{}", name, file, cure);
@@ -82,9 +85,12 @@ std::vector<fs::path> rtl_files() {
     if (const std::string problem = rtl_sources_problem(); !problem.empty()) throw UserError(problem);
     std::vector<fs::path> files;
     std::error_code error;
-    for (fs::recursive_directory_iterator it(rtl_sources(), error), end; !error && it != end; it.increment(error))
-        if (it->path().extension() == ".sv" && it->path().filename() != "rc_pkg.sv") files.push_back(it->path());
-    if (error) throw UserError(fmt::format("{}: cannot be read ({})", rtl_sources().string(), error.message()));
+    for (fs::recursive_directory_iterator it(rtl_sources(), error), end; !error && it != end;
+         it.increment(error))
+        if (it->path().extension() == ".sv" && it->path().filename() != "rc_pkg.sv")
+            files.push_back(it->path());
+    if (error)
+        throw UserError(fmt::format("{}: cannot be read ({})", rtl_sources().string(), error.message()));
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -99,4 +105,4 @@ std::vector<RtlText> rtl_texts() {
     return texts;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

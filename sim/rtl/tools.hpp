@@ -24,10 +24,11 @@ struct TriedTool {
 };
 const std::vector<TriedTool>& tried_tools();
 
-/// "5.006", "clang 14" or "12" (of GCC, the first number alone) from a version line of that tool; empty if there is none in it.
+/// "5.006", "clang 14" or "12" (of GCC, the first number alone) from a version line of that tool; empty if
+/// there is none in it.
 std::string short_version(const std::string& tool, const std::string& line);
 
 /// A sentence if this version was not tried; otherwise empty.
 std::string untried(const std::string& tool, const std::string& line);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -16,15 +16,18 @@ Vec3i fitted(const Vec3l& v, int dir_bits, Rng& rng) {
     const std::int64_t limit = most(dir_bits);
     Vec3i d{};
     if (size <= limit) {
-        const std::int64_t room = limit / size, factor = rng.below(3) == 0 ? room : 1 + std::int64_t(rng.next() % std::uint64_t(room));
+        const std::int64_t room = limit / size,
+                           factor =
+                               rng.below(3) == 0 ? room : 1 + std::int64_t(rng.next() % std::uint64_t(room));
         for (std::size_t k = 0; k < 3; ++k) d[k] = std::int32_t(v[k] * factor);
         return d;
     }
-    for (std::size_t k = 0; k < 3; ++k) d[k] = std::int32_t(std::llround(double(v[k]) * double(limit) / double(size)));
+    for (std::size_t k = 0; k < 3; ++k)
+        d[k] = std::int32_t(std::llround(double(v[k]) * double(limit) / double(size)));
     return d;
 }
 
-} // namespace
+}   // namespace
 
 Weights weights(Target target, Rng& rng) {
     if (target == Target::any) target = Target(rng.below(3));
@@ -43,11 +46,15 @@ Weights weights(Target target, Rng& rng) {
 Vec3i towards(const Vec3i& o, const oracle::Corners& t, const Weights& w, int dir_bits, Rng& rng) {
     const std::int64_t sum = w.a + w.b + w.c;
     Vec3l way{};
-    for (std::size_t k = 0; k < 3; ++k) way[k] = std::int64_t(w.a) * t.a[k] + std::int64_t(w.b) * t.b[k] + std::int64_t(w.c) * t.c[k] - sum * o[k];
+    for (std::size_t k = 0; k < 3; ++k)
+        way[k] =
+            std::int64_t(w.a) * t.a[k] + std::int64_t(w.b) * t.b[k] + std::int64_t(w.c) * t.c[k] - sum * o[k];
     return fitted(way, dir_bits, rng);
 }
 
-Vec3i towards(const Vec3i& o, const Vec3i& point, int dir_bits, Rng& rng) { return towards(o, {point, point, point}, {1, 0, 0}, dir_bits, rng); }
+Vec3i towards(const Vec3i& o, const Vec3i& point, int dir_bits, Rng& rng) {
+    return towards(o, {point, point, point}, {1, 0, 0}, dir_bits, rng);
+}
 
 Vec3i any_direction(int dir_bits, Rng& rng) {
     const int limit = most(dir_bits);
@@ -72,7 +79,8 @@ Vec3i outside(const Mesh& mesh, int coord_bits, Rng& rng) {
     Vec3i o{};
     for (std::size_t k = 0; k < 3; ++k) {
         const int size = mesh.hi[k] - mesh.lo[k] + 1;
-        const int lo = near ? std::max(-limit, mesh.lo[k] - size / 4 - 1) : -limit, hi = near ? std::min(limit, mesh.hi[k] + size / 4 + 1) : limit;
+        const int lo = near ? std::max(-limit, mesh.lo[k] - size / 4 - 1) : -limit,
+                  hi = near ? std::min(limit, mesh.hi[k] + size / 4 + 1) : limit;
         o[k] = lo + rng.below(hi - lo + 1);
         if (k != axis) continue;
         const int below = mesh.lo[k] - lo, above = hi - mesh.hi[k];
@@ -96,4 +104,4 @@ double scale(int coord_bits, int least, Rng& rng) {
     return size;
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -14,8 +14,8 @@ struct Weights {
 enum class Target { corner, edge, inside, any };
 Weights weights(Target target, Rng& rng);
 
-/// Direction from o to a point of a triangle: exactly along it, times a random factor, where that fits M bits; the nearest
-/// direction of full length where it does not.
+/// Direction from o to a point of a triangle: exactly along it, times a random factor, where that fits M
+/// bits; the nearest direction of full length where it does not.
 Vec3i towards(const Vec3i& o, const oracle::Corners& t, const Weights& w, int dir_bits, Rng& rng);
 /// The same to a lattice point.
 Vec3i towards(const Vec3i& o, const Vec3i& point, int dir_bits, Rng& rng);
@@ -34,4 +34,4 @@ std::function<Shot(Rng&)> from_outside(const Mesh& mesh, Target target, int coor
 /// A half size for a mesh, one of several scales: from the whole lattice down to `least` lattice steps.
 double scale(int coord_bits, int least, Rng& rng);
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

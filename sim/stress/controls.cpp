@@ -16,7 +16,9 @@ struct Edges {
 };
 Edges edges(const Vec3i& o, const Vec3i& d, const PrimData& t, Number keep = ~Number(0)) {
     const auto from = oracle::triple<Number>(o), along = oracle::triple<Number>(d);
-    const auto a = oracle::way(from, oracle::triple<Number>(t.a)), b = oracle::way(from, oracle::triple<Number>(t.b)), c = oracle::way(from, oracle::triple<Number>(t.c));
+    const auto a = oracle::way(from, oracle::triple<Number>(t.a)),
+               b = oracle::way(from, oracle::triple<Number>(t.b)),
+               c = oracle::way(from, oracle::triple<Number>(t.c));
     const auto kept = [&](oracle::Triple<Number> area) {
         for (Number& x : area) x &= keep;
         return area;
@@ -43,13 +45,14 @@ void dropped_bit(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best&,
     out.closer = ahead(e) && ((e.bc > 0 && e.ca > 0 && e.ab > 0) || (e.bc < 0 && e.ca < 0 && e.ab < 0));
 }
 /// Triangles whose determinant is small are taken for edge-on: 2^-30 of the largest there is.
-void epsilon(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best& best, const Config& c, TriRsp& out) {
+void epsilon(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best& best, const Config& c,
+             TriRsp& out) {
     const Int128 size = edges(o, d, t).size(), least = Int128(1) << (2 * c.coord_bits + c.dir_bits - 30);
     tri_test(o, d, t, best, c, out);
     if (size < least && -size < least) out.closer = 0;
 }
 
-} // namespace
+}   // namespace
 
 void shrink_boxes(MemoryImage& image, const Config& config) {
     const auto shrink = [&](const auto& self, std::uint32_t line) -> void {
@@ -71,13 +74,19 @@ void shrink_boxes(MemoryImage& image, const Config& config) {
 
 const std::vector<NamedTest>& controls() {
     static const std::vector<NamedTest> all{
-        {"inclusive", "control: >= for the tie rule. Must hit twice", inclusive, Walks::no, PrimitiveTest::exact, Demand::double_hits},
-        {"exclusive", "control: > for the tie rule. Must leak", exclusive, Walks::no, PrimitiveTest::exact, Demand::leaks},
-        {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", dropped_bit, Walks::no, PrimitiveTest::exact, Demand::leaks},
-        {"epsilon", "control: |det| < 2^-30 of the largest is no hit. Must leak", epsilon, Walks::no, PrimitiveTest::exact, Demand::leaks},
-        {"inward_boxes", "control: the exact test in child boxes rounded inwards. Must miss what the oracle hits", tri_test, Walks::small_boxes, PrimitiveTest::exact, Demand::mismatches},
+        {"inclusive", "control: >= for the tie rule. Must hit twice", inclusive, Walks::no,
+         PrimitiveTest::exact, Demand::double_hits},
+        {"exclusive", "control: > for the tie rule. Must leak", exclusive, Walks::no, PrimitiveTest::exact,
+         Demand::leaks},
+        {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", dropped_bit, Walks::no,
+         PrimitiveTest::exact, Demand::leaks},
+        {"epsilon", "control: |det| < 2^-30 of the largest is no hit. Must leak", epsilon, Walks::no,
+         PrimitiveTest::exact, Demand::leaks},
+        {"inward_boxes",
+         "control: the exact test in child boxes rounded inwards. Must miss what the oracle hits", tri_test,
+         Walks::small_boxes, PrimitiveTest::exact, Demand::mismatches},
     };
     return all;
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -4,9 +4,10 @@
 
 namespace rayclock::stress {
 
-/// Makes every child box of every node smaller by one plane on each side where it has the room: rounding inwards.
+/// Makes every child box of every node smaller by one plane on each side where it has the room: rounding
+/// inwards.
 void shrink_boxes(MemoryImage& image, const Config& config);
 
 const std::vector<NamedTest>& controls();
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -19,7 +19,9 @@ Case with_rays(Mesh mesh, const std::function<std::function<Shot(Rng&)>(const Me
 Case aimed(Mesh mesh, Target target, int n, int m) {
     return with_rays(std::move(mesh), [=](const Mesh& kept) { return from_outside(kept, target, n, m); });
 }
-const oracle::Corners& any_triangle(const Mesh& mesh, Rng& rng) { return mesh.triangles[std::size_t(rng.below(int(mesh.triangles.size())))]; }
+const oracle::Corners& any_triangle(const Mesh& mesh, Rng& rng) {
+    return mesh.triangles[std::size_t(rng.below(int(mesh.triangles.size())))];
+}
 
 Mesh ball(int level, int n, Rng& rng) {
     Mesh mesh;
@@ -27,7 +29,9 @@ Mesh ball(int level, int n, Rng& rng) {
     return mesh;
 }
 
-Case random_rays(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rng), Target::inside, n, m); }
+Case random_rays(int n, int m, Rng& rng) {
+    return aimed(ball(1 + rng.below(3), n, rng), Target::inside, n, m);
+}
 Case edges(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rng), Target::edge, n, m); }
 Case corners(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rng), Target::corner, n, m); }
 
@@ -38,7 +42,8 @@ Case fan(int n, int m, Rng& rng) {
         return [&kept, n, m](Rng& from) {
             const Vec3i o = outside(kept, n, from);
             const oracle::Corners& t = any_triangle(kept, from);   // its first corner is an apex
-            return Shot{o, towards(o, t, from.below(2) ? Weights{1, 0, 0} : weights(Target::edge, from), m, from), 0};
+            return Shot{
+                o, towards(o, t, from.below(2) ? Weights{1, 0, 0} : weights(Target::edge, from), m, from), 0};
         };
     });
 }
@@ -58,8 +63,10 @@ Case seams(int n, int m, Rng& rng, bool slivers) {
         return [&kept, n, m](Rng& from) {
             const Vec3i o = outside(kept, n, from);
             const int all = int(kept.triangles.size());
-            const oracle::Corners& t = kept.triangles[std::size_t(from.below(2) ? all - 1 - from.below(std::min(all, 200)) : from.below(all))];
-            return Shot{o, towards(o, t, weights(from.below(2) ? Target::edge : Target::any, from), m, from), 0};
+            const oracle::Corners& t = kept.triangles[std::size_t(
+                from.below(2) ? all - 1 - from.below(std::min(all, 200)) : from.below(all))];
+            return Shot{o, towards(o, t, weights(from.below(2) ? Target::edge : Target::any, from), m, from),
+                        0};
         };
     });
 }
@@ -69,17 +76,21 @@ Case t_junctions(int n, int m, Rng& rng) { return seams(n, m, rng, false); }
 /// In a triangle's plane: from a lattice point of the plane outside the mesh, along two edges' combination.
 Case edge_on(int n, int m, Rng& rng) {
     Mesh mesh;
-    if (rng.below(2)) mesh.add(cube(4), std::floor(scale(n, 24, rng) / 4) * 2);
-    else mesh = ball(2, n, rng);
+    if (rng.below(2))
+        mesh.add(cube(4), std::floor(scale(n, 24, rng) / 4) * 2);
+    else
+        mesh = ball(2, n, rng);
     return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
         return [&kept, n, m](Rng& from) {
             const oracle::Corners& t = any_triangle(kept, from);
-            const int p = from.below(9) - 4, q = from.below(9) - 4, r = from.below(5) - 2, s = from.below(5) - 2;
+            const int p = from.below(9) - 4, q = from.below(9) - 4, r = from.below(5) - 2,
+                      s = from.below(5) - 2;
             Shot shot;
             Vec3i there{};
             for (std::size_t k = 0; k < 3; ++k) {
                 const int e = t.b[k] - t.a[k], f = t.c[k] - t.a[k];
-                shot.o[k] = std::clamp(t.a[k] + p * e + q * f, -most(n), most(n));   // clamped: no longer in the plane, and as good
+                shot.o[k] = std::clamp(t.a[k] + p * e + q * f, -most(n),
+                                       most(n));   // clamped: no longer in the plane, and as good
                 there[k] = t.a[k] + r * e + s * f;
             }
             shot.d = towards(shot.o, there, m, from);
@@ -102,8 +113,11 @@ Case on_surface(int n, int m, Rng& rng) {
             const oracle::Corners &t = any_triangle(kept, from), &other = any_triangle(kept, from);
             const Weights w = weights(Target::any, from);
             Shot shot;
-            for (std::size_t k = 0; k < 3; ++k) shot.o[k] = (w.a * t.a[k] + w.b * t.b[k] + w.c * t.c[k]) / (w.a + w.b + w.c);
-            shot.d = from.below(4) == 0 ? any_direction(m, from) : towards(shot.o, from.below(3) ? other : t, weights(Target::any, from), m, from);
+            for (std::size_t k = 0; k < 3; ++k)
+                shot.o[k] = (w.a * t.a[k] + w.b * t.b[k] + w.c * t.c[k]) / (w.a + w.b + w.c);
+            shot.d = from.below(4) == 0
+                         ? any_direction(m, from)
+                         : towards(shot.o, from.below(3) ? other : t, weights(Target::any, from), m, from);
             return shot;
         };
     });
@@ -115,7 +129,8 @@ Case ties(int n, int m, Rng& rng) {
     const std::size_t count = mesh.triangles.size();
     for (std::size_t i = count; i-- > 0;) {
         const oracle::Corners& t = mesh.triangles[i];
-        mesh.triangles.push_back(rng.below(2) ? oracle::Corners{t.b, t.c, t.a} : oracle::Corners{t.c, t.b, t.a});
+        mesh.triangles.push_back(rng.below(2) ? oracle::Corners{t.b, t.c, t.a}
+                                              : oracle::Corners{t.c, t.b, t.a});
     }
     return aimed(std::move(mesh), Target::any, n, m);
 }
@@ -156,7 +171,8 @@ Case grid(int n, int m, Rng& rng) {
         return [&kept, n, m, step](Rng& from) {
             Shot shot{{}, axis_direction(m, from), 0};
             for (std::size_t k = 0; k < 3; ++k) {
-                shot.o[k] = kept.lo[k] + step * from.below(squares + 1) + (from.below(4) == 0 ? from.below(step) : 0);
+                shot.o[k] =
+                    kept.lo[k] + step * from.below(squares + 1) + (from.below(4) == 0 ? from.below(step) : 0);
                 if (shot.d[k] > 0) shot.o[k] = -most(n);
                 if (shot.d[k] < 0) shot.o[k] = most(n);
             }
@@ -200,7 +216,8 @@ Case stadium(int n, int m, Rng& rng) {
                 for (auto& x : shot.o) x = from.below(2 * most(n) - 1) - most(n) + 1;
             while (std::abs(shot.o[0] - first.a[0]) < most(n) / 8);   // in the cube, not in the ball
             const int all = int(kept.triangles.size());
-            const oracle::Corners& t = kept.triangles[std::size_t(from.below(8) == 0 ? from.below(12) : 12 + from.below(all - 12))];
+            const oracle::Corners& t =
+                kept.triangles[std::size_t(from.below(8) == 0 ? from.below(12) : 12 + from.below(all - 12))];
             shot.d = towards(shot.o, t, weights(Target::any, from), m, from);
             return shot;
         };
@@ -231,12 +248,14 @@ Case largest(int n, int m, Rng& rng) {
             const int limit = most(n), far = most(m);
             Shot shot;
             for (std::size_t k = 0; k < 3; ++k) {
-                const int places[] = {-limit - 1, limit, -limit, 0, from.below(2 * limit) - limit}, ways[] = {far, -far - 1, -far, 0, far - 1};
+                const int places[] = {-limit - 1, limit, -limit, 0, from.below(2 * limit) - limit},
+                          ways[] = {far, -far - 1, -far, 0, far - 1};
                 shot.o[k] = places[from.below(5)];
                 shot.d[k] = ways[from.below(5)];
                 if (shot.o[k] == -limit - 1) shot.inside = 0;
             }
-            if (shot.d == Vec3i{} || from.below(2)) shot.d = towards(shot.o, any_triangle(kept, from), weights(Target::any, from), m, from);
+            if (shot.d == Vec3i{} || from.below(2))
+                shot.d = towards(shot.o, any_triangle(kept, from), weights(Target::any, from), m, from);
             return shot;
         };
     });
@@ -271,15 +290,17 @@ Case deep(int n, int m, Rng& rng) {
         return [&kept, n, m](Rng& from) {
             const oracle::Corners& t = any_triangle(kept, from);
             Shot shot{outside(kept, n, from), {}, 0};
-            if (from.below(2)) shot.o = {most(n), most(n) / 2 + from.below(most(n) / 8), -most(n)};   // along the row
+            if (from.below(2))
+                shot.o = {most(n), most(n) / 2 + from.below(most(n) / 8), -most(n)};   // along the row
             shot.d = towards(shot.o, t, weights(Target::any, from), m, from);
             return shot;
         };
     });
 }
 
-/// The quad (-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0) and rays from (0, 0, 10) through its diagonal, among them that to
-/// (0.30458447, 0.30458447, -0.9024725), which float32 loses (three.js, pull request 33661).
+/// The quad (-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0) and rays from (0, 0, 10) through its diagonal,
+/// among them that to (0.30458447, 0.30458447, -0.9024725), which float32 loses (three.js, pull request
+/// 33661).
 Case quad(int n, int m, Rng& rng) {
     Mesh mesh;
     const double unit = std::floor(scale(n, 60, rng) / 10);
@@ -297,31 +318,43 @@ Case quad(int n, int m, Rng& rng) {
     });
 }
 
-} // namespace
+}   // namespace
 
 const std::vector<Family>& families() {
     static const std::vector<Family> all{
-        {"random", "a closed ball of 80 to 1,280 triangles, rays at the insides of triangles", true, false, random_rays},
+        {"random", "a closed ball of 80 to 1,280 triangles, rays at the insides of triangles", true, false,
+         random_rays},
         {"edges", "the ball, rays through shared edges", true, false, edges},
         {"corners", "the ball, rays through shared corners", true, false, corners},
-        {"fan", "two cones of 16 to 128 triangles each: corners of that valence, and edges that meet there", true, false, fan},
-        {"needles", "a spindle one to six lattice steps thin: triangles that are nearly lines, or quite", true, false, needles},
-        {"slivers", "the ball with edges cut on one side and the seam closed by triangles without area", true, false, slivers},
+        {"fan", "two cones of 16 to 128 triangles each: corners of that valence, and edges that meet there",
+         true, false, fan},
+        {"needles", "a spindle one to six lattice steps thin: triangles that are nearly lines, or quite",
+         true, false, needles},
+        {"slivers", "the ball with edges cut on one side and the seam closed by triangles without area", true,
+         false, slivers},
         {"edge_on", "rays in the plane of a triangle, seen edge-on (det = 0)", true, false, edge_on},
-        {"on_surface", "rays that start on a corner, an edge or a plane of the surface: t = 0 is no hit", false, false, on_surface},
-        {"ties", "every triangle twice, in another order: equal t goes to the lower number", false, false, ties},
+        {"on_surface", "rays that start on a corner, an edge or a plane of the surface: t = 0 is no hit",
+         false, false, on_surface},
+        {"ties", "every triangle twice, in another order: equal t goes to the lower number", false, false,
+         ties},
         {"coplanar", "three tessellations of one rectangle in one plane", false, false, coplanar},
-        {"axis", "rays along the axes, both ways, through corners and edges: two components of d are zero", true, false, axis_parallel},
+        {"axis", "rays along the axes, both ways, through corners and edges: two components of d are zero",
+         true, false, axis_parallel},
         {"grid", "a cube of whole squares and a grid of rays along the axes", true, false, grid},
-        {"flat_boxes", "boxes without thickness, and rays inside the planes of boxes' faces", false, false, flat_boxes},
+        {"flat_boxes", "boxes without thickness, and rays inside the planes of boxes' faces", false, false,
+         flat_boxes},
         {"stadium", "a ball in a cube 1,000 to 100,000 times as large", true, false, stadium},
-        {"far", "a small ball in one corner of the lattice, seen from the opposite one", true, false, far_off},
-        {"largest", "bodies as large as the lattice; largest coordinates and directions", true, false, largest},
+        {"far", "a small ball in one corner of the lattice, seen from the opposite one", true, false,
+         far_off},
+        {"largest", "bodies as large as the lattice; largest coordinates and directions", true, false,
+         largest},
         {"shells", "four balls in each other, one lattice step apart", true, false, shells},
         {"concave", "a cog: concave edges and corners", true, false, concave},
         {"deep", "ever smaller bodies in a row: as deep a tree as the lattice allows", true, false, deep},
-        {"quad", "the diagonal of a square, where float32 Moeller-Trumbore is known to lose rays", true, false, quad},
-        {"t_junction", "negative control: edges cut on one side, a lattice step off. Must leak", true, true, t_junctions},
+        {"quad", "the diagonal of a square, where float32 Moeller-Trumbore is known to lose rays", true,
+         false, quad},
+        {"t_junction", "negative control: edges cut on one side, a lattice step off. Must leak", true, true,
+         t_junctions},
     };
     return all;
 }
@@ -335,4 +368,4 @@ const Family& family(const std::string& name) {
     throw UserError("--family: no family is called " + shown(name) + did_you_mean(name, names));
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -23,9 +23,9 @@ struct Case {
 
 struct Family {
     const char* name;
-    const char* what;     ///< one sentence for the page
-    bool closed;          ///< leaks and double hits are counted
-    bool leaks;           ///< negative control: it must leak
+    const char* what;   ///< one sentence for the page
+    bool closed;        ///< leaks and double hits are counted
+    bool leaks;         ///< negative control: it must leak
     Case (*make)(int coord_bits, int dir_bits, Rng& rng);
 };
 
@@ -33,4 +33,4 @@ const std::vector<Family>& families();
 /// Throws UserError.
 const Family& family(const std::string& name);
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -22,12 +22,14 @@ bool share_corner(const oracle::Corners& s, const oracle::Corners& t) {
 int sense_of(const Vec3i& d, const oracle::Corners& t) {
     using Number = std::int64_t;
     const auto a = oracle::triple<Number>(t.a);
-    const auto normal = oracle::area(oracle::way(a, oracle::triple<Number>(t.b)), oracle::way(a, oracle::triple<Number>(t.c)));
+    const auto normal = oracle::area(oracle::way(a, oracle::triple<Number>(t.b)),
+                                     oracle::way(a, oracle::triple<Number>(t.c)));
     return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), normal) < 0 ? 1 : -1;
 }
 
-/// The direction fills its bits, as a camera's do. Shorter ones reach the largest t before the scene ends: what lies beyond is
-/// looked into whether it is met or not, which is sound and says nothing about the rounding.
+/// The direction fills its bits, as a camera's do. Shorter ones reach the largest t before the scene ends:
+/// what lies beyond is looked into whether it is met or not, which is sound and says nothing about the
+/// rounding.
 bool full_length(const Vec3i& d, const Config& config) {
     const int half = 1 << (config.dir_bits - 2);
     return std::abs(d[0]) >= half || std::abs(d[1]) >= half || std::abs(d[2]) >= half;
@@ -37,7 +39,8 @@ bool full_length(const Vec3i& d, const Config& config) {
 template <class Hits> void drop_grazing(Hits& hits, const std::vector<oracle::Corners>& triangles) {
     for (std::size_t i = 0; i < hits.size(); ++i)
         for (std::size_t j = i + 1; j < hits.size(); ++j)
-            if (hits[i].sense != hits[j].sense && share_corner(triangles[hits[i].primitive], triangles[hits[j].primitive])) {
+            if (hits[i].sense != hits[j].sense &&
+                share_corner(triangles[hits[i].primitive], triangles[hits[j].primitive])) {
                 hits.erase(hits.begin() + std::ptrdiff_t(j));
                 hits.erase(hits.begin() + std::ptrdiff_t(i--));
                 break;
@@ -46,16 +49,18 @@ template <class Hits> void drop_grazing(Hits& hits, const std::vector<oracle::Co
 
 std::vector<PrimData> numbered(const std::vector<oracle::Corners>& corners) {
     std::vector<PrimData> triangles;
-    for (std::size_t i = 0; i < corners.size(); ++i) triangles.push_back({corners[i].a, corners[i].b, corners[i].c, std::uint32_t(i)});
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        triangles.push_back({corners[i].a, corners[i].b, corners[i].c, std::uint32_t(i)});
     return triangles;
 }
 
-} // namespace
+}   // namespace
 
 Counts& Counts::operator+=(const Counts& other) {
     const auto fields = [](auto& c) {
-        return std::array{&c.rays, &c.leaks, &c.double_hits, &c.oracle_mismatches, &c.crossings, &c.walked, &c.boxes,
-                          &c.boxes_extra, &c.boxes_lost, &c.shadow_rays, &c.false_shadows, &c.light_leaks};
+        return std::array{&c.rays,       &c.leaks,       &c.double_hits,   &c.oracle_mismatches,
+                          &c.crossings,  &c.walked,      &c.boxes,         &c.boxes_extra,
+                          &c.boxes_lost, &c.shadow_rays, &c.false_shadows, &c.light_leaks};
     };
     const auto mine = fields(*this);
     const auto theirs = fields(other);
@@ -64,7 +69,12 @@ Counts& Counts::operator+=(const Counts& other) {
 }
 
 Judge::Judge(const Case& subject, const Config& config, const NamedTest& test, bool closed)
-    : mesh_(subject.mesh), config_(config), test_(test), closed_(closed), surface_(mesh_.triangles, test.margin), triangles_(numbered(mesh_.triangles)) {
+    : mesh_(subject.mesh),
+      config_(config),
+      test_(test),
+      closed_(closed),
+      surface_(mesh_.triangles, test.margin),
+      triangles_(numbered(mesh_.triangles)) {
     std::vector<PrimData> kept = triangles_;
     std::erase_if(kept, [&](const PrimData& t) { return !rayclock::counts(t, config); });
     if (test.walks == Walks::no || kept.empty()) return;
@@ -92,19 +102,23 @@ void Judge::judge(const Shot& shot, Counts& counts) {
             if (hit.before(closest_)) closest_ = hit;
         }
         if (answer_.closer) {
-            const int sense = test_.sense ? test_.sense(shot.o, shot.d, mesh_.triangles[i], config_) : crossed ? hit.sense : sense_of(shot.d, mesh_.triangles[i]);
+            const int sense = test_.sense ? test_.sense(shot.o, shot.d, mesh_.triangles[i], config_)
+                              : crossed   ? hit.sense
+                                          : sense_of(shot.d, mesh_.triangles[i]);
             found_.push_back({i, sense});
             balance += sense;
         }
         agree = agree && crossed == (answer_.closer != 0);
     }
-    const bool walked = walk_ && counts.rays % walk_every == 0, look = walked && counts.rays % (walk_every * look_every) == 0 && full_length(shot.d, config_);
+    const bool walked = walk_ && counts.rays % walk_every == 0,
+               look = walked && counts.rays % (walk_every * look_every) == 0 && full_length(shot.d, config_);
     ++counts.rays;
     counts.crossings += truth_.size();
     counts.walked += walked;
     const std::uint64_t before = counts.leaks + counts.double_hits;
     if (!agree && closed_ && !test_.sense) compare_hits(counts);
-    if (closed_ && shot.inside && balance != 0 && counts.leaks + counts.double_hits == before && clear_of_bounds(shot.o))
+    if (closed_ && shot.inside && balance != 0 && counts.leaks + counts.double_hits == before &&
+        clear_of_bounds(shot.o))
         ++(found_.size() > truth_.size() && test_.sense ? counts.double_hits : counts.leaks);
     if (walked && !walk_agrees(shot, look, counts)) agree = false;
     counts.oracle_mismatches += !agree;
@@ -113,7 +127,9 @@ void Judge::judge(const Shot& shot, Counts& counts) {
 /// True for tests that do not move corners.
 bool Judge::clear_of_bounds(const Vec3i& o) const {
     bool clear = true;
-    for (std::size_t k = 0; k < 3; ++k) clear = clear && (test_.margin == 0 || (std::abs(o[k] - mesh_.lo[k]) > 2 * test_.margin && std::abs(o[k] - mesh_.hi[k]) > 2 * test_.margin));
+    for (std::size_t k = 0; k < 3; ++k)
+        clear = clear && (test_.margin == 0 || (std::abs(o[k] - mesh_.lo[k]) > 2 * test_.margin &&
+                                                std::abs(o[k] - mesh_.hi[k]) > 2 * test_.margin));
     return clear;
 }
 
@@ -129,7 +145,10 @@ void Judge::compare_hits(Counts& counts) {
     for (const Hit& t : truth_)
         if (!take([&](const Hit& f) { return f.primitive == t.primitive; })) missing.push_back(t);
     std::erase_if(missing, [&](const Hit& t) {
-        return take([&](const Hit& f) { return f.sense == t.sense && share_corner(mesh_.triangles[f.primitive], mesh_.triangles[t.primitive]); });
+        return take([&](const Hit& f) {
+            return f.sense == t.sense &&
+                   share_corner(mesh_.triangles[f.primitive], mesh_.triangles[t.primitive]);
+        });
     });
     drop_grazing(missing, mesh_.triangles);
     drop_grazing(found_, mesh_.triangles);
@@ -145,14 +164,16 @@ bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
         const WideNode& node = decoder_->node(walk_->node());
         const bool leaves = walk_->test_node();
         if (look) look_at_boxes(shot, node, counts);
-        if (leaves)
-            do walk_->test_triangle(); while (walk_->advance());
+        if (leaves) do
+                walk_->test_triangle();
+            while (walk_->advance());
     }
     const Closest closest = walk_->closest();
     return within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
 }
 
-/// Each child that the ray was told to look into, and each that it was not, against exact arithmetic on the same box.
+/// Each child that the ray was told to look into, and each that it was not, against exact arithmetic on the
+/// same box.
 void Judge::look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts) const {
     const BoxRsp& told = walk_->boxes();
     const auto wide = [](const Vec3i& v) { return oracle::LatticeVec{v[0], v[1], v[2]}; };
@@ -171,4 +192,4 @@ void Judge::look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts
     }
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -9,7 +9,8 @@
 
 namespace rayclock::stress {
 
-/// In which sense a ray passes a triangle, as oracle::Passage has it, in the eyes of a test that moves corners.
+/// In which sense a ray passes a triangle, as oracle::Passage has it, in the eyes of a test that moves
+/// corners.
 using Sense = int (*)(const Vec3i& o, const Vec3i& d, const oracle::Corners& triangle, const Config& config);
 
 /// Whether rays go through the tree as well, and through which.
@@ -27,18 +28,21 @@ struct Counts {
     std::uint64_t boxes_extra = 0;         ///< of these, such as the ray does not meet
     std::uint64_t boxes_lost = 0;          ///< child boxes that it meets, and was not told
     std::uint64_t shadow_rays = 0;         ///< secondary rays from the surface
-    std::uint64_t false_shadows = 0;       ///< of these said to be blocked, though truly free; see sim/stress/shadows.hpp
-    std::uint64_t light_leaks = 0;         ///< and the other way round
+    std::uint64_t false_shadows =
+        0;   ///< of these said to be blocked, though truly free; see sim/stress/shadows.hpp
+    std::uint64_t light_leaks = 0;   ///< and the other way round
     Counts& operator+=(const Counts& other);
     friend bool operator==(const Counts&, const Counts&) = default;
 };
 
 /// What a test's counts must be.
 enum class Demand {
-    truth,         ///< what the oracle says: nothing leaks, nothing is hit twice, no decision is another
-    watertight,    ///< nothing leaks or is hit twice
+    truth,        ///< what the oracle says: nothing leaks, nothing is hit twice, no decision is another
+    watertight,   ///< nothing leaks or is hit twice
     nothing,
-    double_hits, leaks, mismatches,   ///< controls: there must be some
+    double_hits,
+    leaks,
+    mismatches,   ///< controls: there must be some
 };
 
 /// A test by name.
@@ -49,26 +53,29 @@ struct NamedTest {
     Walks walks = Walks::no;
     PrimitiveTest primitive_test = PrimitiveTest::exact;
     Demand demand = Demand::nothing;
-    Sense sense = nullptr;      ///< that of the exact normal
-    int margin = 0;             ///< lattice steps by which it may be off
+    Sense sense = nullptr;   ///< that of the exact normal
+    int margin = 0;          ///< lattice steps by which it may be off
 };
 /// True for tests that the hardware has: exact and sheared. Baselines and controls are there for comparison.
-inline bool in_machine(const NamedTest& test) { return test.demand == Demand::truth || test.demand == Demand::watertight; }
+inline bool in_machine(const NamedTest& test) {
+    return test.demand == Demand::truth || test.demand == Demand::watertight;
+}
 
 /// Judges a test on one surface.
 ///
-/// For each ray the triangles that it may meet are put to the oracle and to the test, each by itself. Where they disagree: a
-/// crossing that the oracle finds counts as found if the test hits that triangle, or one that shares a corner with it and is
-/// passed in the same sense, each hit once; what is left over of the oracle's is a leak, of the test's a double hit. Two of
-/// opposite sense that share a corner are no matter (the ray grazes, and the test sees the outline elsewhere). And on a closed
-/// surface crossings inwards less crossings outwards must be minus the number of bodies around the origin: if not, and nothing
-/// was counted, the surface itself lets the ray through, a leak. A test that moves corners (it has a `sense` of its own) has
-/// another surface than the oracle, so for it this sum alone decides: a leak if it found fewer hits than the oracle, a double hit
-/// if not. Its origin must be clear of the surface by more than it moves.
+/// For each ray the triangles that it may meet are put to the oracle and to the test, each by itself. Where
+/// they disagree: a crossing that the oracle finds counts as found if the test hits that triangle, or one
+/// that shares a corner with it and is passed in the same sense, each hit once; what is left over of the
+/// oracle's is a leak, of the test's a double hit. Two of opposite sense that share a corner are no matter
+/// (the ray grazes, and the test sees the outline elsewhere). And on a closed surface crossings inwards less
+/// crossings outwards must be minus the number of bodies around the origin: if not, and nothing was counted,
+/// the surface itself lets the ray through, a leak. A test that moves corners (it has a `sense` of its own)
+/// has another surface than the oracle, so for it this sum alone decides: a leak if it found fewer hits than
+/// the oracle, a double hit if not. Its origin must be clear of the surface by more than it moves.
 ///
-/// Every `walk_every`th ray is walked through the tree as well, and its closest hit is compared with the oracle's, its stack
-/// with the depth that compilation promised; of these
-/// every `look_every`th, if its direction fills its bits, is asked which child boxes it was told to look into.
+/// Every `walk_every`th ray is walked through the tree as well, and its closest hit is compared with the
+/// oracle's, its stack with the depth that compilation promised; of these every `look_every`th, if its
+/// direction fills its bits, is asked which child boxes it was told to look into.
 class Judge {
 public:
     Judge(const Case& subject, const Config& config, const NamedTest& test, bool closed);
@@ -104,4 +111,4 @@ private:
     std::unique_ptr<Walk> walk_;
 };
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

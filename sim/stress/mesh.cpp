@@ -32,7 +32,7 @@ private:
 
 double unit_random(Rng& rng) { return double(rng.next() >> 11) * 0x1p-53; }
 
-} // namespace
+}   // namespace
 
 Shape sphere(int level) {
     const Scene scene = make_icosphere(level);
@@ -67,7 +67,8 @@ Shape cube(int n) {
                         p[(axis + 2) % 3] = j + v;
                         return grid.at(p, {2.0 * p[0] / n - 1, 2.0 * p[1] / n - 1, 2.0 * p[2] / n - 1});
                     };
-                    const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+                    const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1),
+                                        d = corner(0, 1);
                     const bool outwards = side == n;
                     shape.faces.push_back(outwards ? Face{a, b, c} : Face{a, c, b});
                     shape.faces.push_back(outwards ? Face{a, c, d} : Face{a, d, c});
@@ -101,7 +102,9 @@ Shape plate(int n, bool other_diagonal) {
     Grid grid(shape);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            const auto corner = [&](int u, int v) { return grid.at({i + u, j + v, 0}, {2.0 * (i + u) / n - 1, 2.0 * (j + v) / n - 1, 0}); };
+            const auto corner = [&](int u, int v) {
+                return grid.at({i + u, j + v, 0}, {2.0 * (i + u) / n - 1, 2.0 * (j + v) / n - 1, 0});
+            };
             const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
             shape.faces.push_back(other_diagonal ? Face{a, b, d} : Face{a, b, c});
             shape.faces.push_back(other_diagonal ? Face{b, c, d} : Face{a, c, d});
@@ -111,9 +114,12 @@ Shape plate(int n, bool other_diagonal) {
 
 Shape turned(const Shape& shape, Rng& rng) {
     // A random unit quaternion (Shoemake 1992) as three columns.
-    const double u = unit_random(rng), v = 2 * std::numbers::pi * unit_random(rng), w = 2 * std::numbers::pi * unit_random(rng);
-    const double x = std::sqrt(1 - u) * std::sin(v), y = std::sqrt(1 - u) * std::cos(v), z = std::sqrt(u) * std::sin(w), s = std::sqrt(u) * std::cos(w);
-    const glm::dvec3 i{1 - 2 * (y * y + z * z), 2 * (x * y + s * z), 2 * (x * z - s * y)}, j{2 * (x * y - s * z), 1 - 2 * (x * x + z * z), 2 * (y * z + s * x)};
+    const double u = unit_random(rng), v = 2 * std::numbers::pi * unit_random(rng),
+                 w = 2 * std::numbers::pi * unit_random(rng);
+    const double x = std::sqrt(1 - u) * std::sin(v), y = std::sqrt(1 - u) * std::cos(v),
+                 z = std::sqrt(u) * std::sin(w), s = std::sqrt(u) * std::cos(w);
+    const glm::dvec3 i{1 - 2 * (y * y + z * z), 2 * (x * y + s * z), 2 * (x * z - s * y)},
+        j{2 * (x * y - s * z), 1 - 2 * (x * x + z * z), 2 * (y * z + s * x)};
     const glm::dvec3 k = glm::cross(i, j);
     Shape result = shape;
     for (glm::dvec3& p : result.points) p = p.x * i + p.y * j + p.z * k;
@@ -143,8 +149,10 @@ bool Mesh::closed() const {
     std::map<std::pair<Vec3i, Vec3i>, int> balance;   // by place: corners that coincide are one
     for (const oracle::Corners& t : triangles)
         for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
-            if (p < q) ++balance[{p, q}];
-            else if (q < p) --balance[{q, p}];
+            if (p < q)
+                ++balance[{p, q}];
+            else if (q < p)
+                --balance[{q, p}];
         }
     return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
@@ -176,4 +184,4 @@ void cut_edges(Mesh& mesh, int count, bool slivers, Rng& rng) {
     }
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

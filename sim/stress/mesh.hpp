@@ -18,7 +18,8 @@ struct Shape {
 };
 /// The icosahedron, every face cut in four `level` times; on the unit sphere.
 Shape sphere(int level);
-/// Two apexes at z = -1 and 1 over a ring of `sides` points of the given radius: corners of high valence, needles if thin.
+/// Two apexes at z = -1 and 1 over a ring of `sides` points of the given radius: corners of high valence,
+/// needles if thin.
 Shape bipyramid(int sides, double radius);
 /// The cube from -1 to 1, with n x n squares of two triangles a face.
 Shape cube(int n);
@@ -35,14 +36,16 @@ struct Mesh {
     std::vector<oracle::Corners> triangles;
     Vec3i lo{}, hi{};   ///< bounds
 
-    /// Adds a shape scaled and moved; every point goes to the nearest lattice point, so what was closed is closed.
+    /// Adds a shape scaled and moved; every point goes to the nearest lattice point, so what was closed is
+    /// closed.
     void add(const Shape& shape, double scale, const glm::dvec3& centre = glm::dvec3{0});
     /// Each edge of a triangle is met by the opposite edge of another, as often: no border anywhere.
     bool closed() const;
 };
 
-/// Cuts triangles in two at the middle of an edge, on one side only. With `slivers` a triangle without area closes the seam
-/// and the middle lies on the edge exactly; without, the middle is moved off by a lattice step: a T-junction, which leaks.
+/// Cuts triangles in two at the middle of an edge, on one side only. With `slivers` a triangle without area
+/// closes the seam and the middle lies on the edge exactly; without, the middle is moved off by a lattice
+/// step: a T-junction, which leaks.
 void cut_edges(Mesh& mesh, int count, bool slivers, Rng& rng);
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -11,8 +11,12 @@ namespace {
 using nlohmann::ordered_json;
 
 std::vector<std::string> figures(const Counts& c) {
-    return {grouped(c.rays), grouped(c.leaks), grouped(c.double_hits), grouped(c.oracle_mismatches),
-            c.shadow_rays > 0 ? grouped(c.false_shadows) : "", c.shadow_rays > 0 ? grouped(c.light_leaks) : "",
+    return {grouped(c.rays),
+            grouped(c.leaks),
+            grouped(c.double_hits),
+            grouped(c.oracle_mismatches),
+            c.shadow_rays > 0 ? grouped(c.false_shadows) : "",
+            c.shadow_rays > 0 ? grouped(c.light_leaks) : "",
             extra_boxes(c)};
 }
 std::vector<std::string> row(const std::string& name, const Counts& c) {
@@ -36,19 +40,22 @@ void add_figures(ordered_json& json, const Counts& c) {
     json["boxes_lost"] = c.boxes_lost;
 }
 
-} // namespace
+}   // namespace
 
 const char* verdict(const NamedTest& test, bool met) {
     switch (test.demand) {
-    case Demand::truth: return met ? "every decision is the exact one" : "WRONG: not every decision is the exact one";
-    case Demand::watertight: return met ? "watertight" : "WRONG: not watertight";
-    case Demand::nothing: return "a baseline: nothing is demanded";
-    default: return met ? "a control: noticed" : "WRONG: this control was not noticed";
+        case Demand::truth:
+            return met ? "every decision is the exact one" : "WRONG: not every decision is the exact one";
+        case Demand::watertight: return met ? "watertight" : "WRONG: not watertight";
+        case Demand::nothing: return "a baseline: nothing is demanded";
+        default: return met ? "a control: noticed" : "WRONG: this control was not noticed";
     }
 }
 
 std::string extra_boxes(const Counts& c) {
-    return c.boxes > c.boxes_extra ? fmt::format("{:.2f} %", 100.0 * double(c.boxes_extra) / double(c.boxes - c.boxes_extra)) : "";
+    return c.boxes > c.boxes_extra
+               ? fmt::format("{:.2f} %", 100.0 * double(c.boxes_extra) / double(c.boxes - c.boxes_extra))
+               : "";
 }
 
 std::string text(const Plan& plan, const Outcome& outcome) {
@@ -56,19 +63,28 @@ std::string text(const Plan& plan, const Outcome& outcome) {
     for (const std::string& name : plan.tests) {
         const NamedTest& test = named_test(name);
         const auto of_test = [&](const Cell& cell) { return cell.test == name; };
-        Table table({"family", "rays", "leaks", "double hits", "oracle mismatches", "false shadows", "light leaks", "extra boxes"});
+        Table table({"family", "rays", "leaks", "double hits", "oracle mismatches", "false shadows",
+                     "light leaks", "extra boxes"});
         for (const std::string& family : plan.families)
-            table.add(row(family, sum(outcome.cells, [&](const Cell& cell) { return of_test(cell) && cell.family == family; })));
+            table.add(row(family, sum(outcome.cells, [&](const Cell& cell) {
+                              return of_test(cell) && cell.family == family;
+                          })));
         if (plan.bits.size() > 1)
             for (const int bits : plan.bits)
-                table.add(row(fmt::format("all sound, N = {}", bits), sum(outcome.cells, [&](const Cell& cell) { return of_test(cell) && cell.bits == bits && !stress::family(cell.family).leaks; })));
+                table.add(
+                    row(fmt::format("all sound, N = {}", bits), sum(outcome.cells, [&](const Cell& cell) {
+                            return of_test(cell) && cell.bits == bits && !stress::family(cell.family).leaks;
+                        })));
         const bool told = outcome.partial || sum(outcome.cells, of_test).rays == 0;
-        out += fmt::format("{}: {}\n{}  {}\n\n", name, test.what, table.text(), told ? "unfinished" : verdict(test, meets_demand(test, outcome.cells)));
+        out += fmt::format("{}: {}\n{}  {}\n\n", name, test.what, table.text(),
+                           told ? "unfinished" : verdict(test, meets_demand(test, outcome.cells)));
     }
-    out += fmt::format("{} rays in {:.1f} s, {:.2f} M rays/s a core{}{}\n", grouped(outcome.rays - outcome.rays_before), outcome.seconds,
-                       double(outcome.rays - outcome.rays_before) / 1e6 / std::max(1e-9, outcome.core_seconds),
-                       outcome.rays_before > 0 ? fmt::format("; {} were done before", grouped(outcome.rays_before)) : "",
-                       outcome.partial ? "; PARTIAL: interrupted" : "");
+    out += fmt::format(
+        "{} rays in {:.1f} s, {:.2f} M rays/s a core{}{}\n", grouped(outcome.rays - outcome.rays_before),
+        outcome.seconds,
+        double(outcome.rays - outcome.rays_before) / 1e6 / std::max(1e-9, outcome.core_seconds),
+        outcome.rays_before > 0 ? fmt::format("; {} were done before", grouped(outcome.rays_before)) : "",
+        outcome.partial ? "; PARTIAL: interrupted" : "");
     return out;
 }
 
@@ -81,9 +97,17 @@ ordered_json json(const Plan& plan, const Outcome& outcome) {
     }
     add_figures(total, sum(outcome.cells, [](const Cell&) { return true; }));
     for (const std::string& name : plan.tests)
-        verdicts[name] = outcome.partial ? ordered_json(nullptr) : ordered_json(meets_demand(named_test(name), outcome.cells));
-    return {{"seed", plan.seed}, {"tests", tests}, {"total", total}, {"good", verdicts}, {"partial", outcome.partial},
-            {"host", {{"seconds", outcome.seconds}, {"rays_per_core_second", double(outcome.rays - outcome.rays_before) / std::max(1e-9, outcome.core_seconds)}}}};
+        verdicts[name] = outcome.partial ? ordered_json(nullptr)
+                                         : ordered_json(meets_demand(named_test(name), outcome.cells));
+    return {{"seed", plan.seed},
+            {"tests", tests},
+            {"total", total},
+            {"good", verdicts},
+            {"partial", outcome.partial},
+            {"host",
+             {{"seconds", outcome.seconds},
+              {"rays_per_core_second",
+               double(outcome.rays - outcome.rays_before) / std::max(1e-9, outcome.core_seconds)}}}};
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

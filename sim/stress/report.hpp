@@ -22,4 +22,4 @@ template <class Wanted> Counts sum(const std::vector<Cell>& cells, const Wanted&
     return counts;
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

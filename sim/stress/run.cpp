@@ -48,7 +48,8 @@ Counts run_batch(const Plan& plan, const Cell& cell, std::uint64_t batch, std::u
     Judge judge(subject, config, test, which.closed);
     Counts counts;
     for (std::uint64_t i = 0; i < rays; ++i) judge.judge(subject.shoot(rng), counts);
-    if (test.demand == Demand::truth && which.closed && !which.leaks) add_shadows(subject.mesh, cell.bits, rng.next(), rays / shadow_every, counts);
+    if (test.demand == Demand::truth && which.closed && !which.leaks)
+        add_shadows(subject.mesh, cell.bits, rng.next(), rays / shadow_every, counts);
     return counts;
 }
 
@@ -84,7 +85,7 @@ Work make_work(const Plan& plan) {
     return work;
 }
 
-} // namespace
+}   // namespace
 
 Config format_of(int bits, std::uint64_t batch) {
     Config config;
@@ -99,7 +100,9 @@ Config format_of(int bits, std::uint64_t batch) {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// Rays of each cell after so many units.
 std::vector<std::uint64_t> rays_after(const Work& work, std::uint64_t units) {
@@ -111,9 +114,11 @@ std::vector<std::uint64_t> rays_after(const Work& work, std::uint64_t units) {
 /// What an earlier run has done: the number of its units. Their counts are in the cells then.
 std::uint64_t go_on(const Plan& plan, Work& work) {
     std::error_code error;
-    const bool is_new = std::filesystem::status(plan.state, error).type() == std::filesystem::file_type::not_found;
+    const bool is_new =
+        std::filesystem::status(plan.state, error).type() == std::filesystem::file_type::not_found;
     if (plan.state.empty() || is_new) return 0;
-    return read_state(plan, work.cells, work.units.size(), [&](std::uint64_t units) { return rays_after(work, units); });
+    return read_state(plan, work.cells, work.units.size(),
+                      [&](std::uint64_t units) { return rays_after(work, units); });
 }
 
 /// What came of a unit, and the processor time that it took.
@@ -123,11 +128,12 @@ struct Made {
     double seconds = 0;
 };
 
-} // namespace
+}   // namespace
 
 Outcome run(const Plan& plan, const Progress& progress) {
     Work work = make_work(plan);
-    const std::uint64_t first = go_on(plan, work), end = std::min<std::uint64_t>(work.units.size(), plan.stop_after);
+    const std::uint64_t first = go_on(plan, work),
+                        end = std::min<std::uint64_t>(work.units.size(), plan.stop_after);
     Outcome outcome;
     std::uint64_t rays_all = 0;
     for (std::size_t u = 0; u < work.units.size(); ++u) {
@@ -155,10 +161,14 @@ Outcome run(const Plan& plan, const Progress& progress) {
         ++added;
         done_rays += made.counts.rays;
         outcome.core_seconds += made.seconds;
-        if (progress) progress(fmt::format("rays, {:.2f} M/s", double(done_rays - outcome.rays_before) / 1e6 / seconds_since(start)), done_rays, rays_all);
+        if (progress)
+            progress(fmt::format("rays, {:.2f} M/s",
+                                 double(done_rays - outcome.rays_before) / 1e6 / seconds_since(start)),
+                     done_rays, rays_all);
         if (seconds_since(saved) > seconds_between_saves) save();
     };
-    jobs::in_order(plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
+    jobs::in_order(
+        plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
     save();
 
     outcome.partial = added < work.units.size();
@@ -168,4 +178,4 @@ Outcome run(const Plan& plan, const Progress& progress) {
     return outcome;
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

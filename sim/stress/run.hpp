@@ -19,18 +19,21 @@ struct Cell {
 const NamedTest& named_test(const std::string& name);
 /// All there are; first those of the machine and the baselines, then the controls.
 const std::vector<NamedTest>& named_tests();
-/// Whether the counts of a test's all families, but for those that must leak, are as demanded; and on those that must, whether they do.
+/// Whether the counts of a test's all families, but for those that must leak, are as demanded; and on those
+/// that must, whether they do.
 bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells);
 
 struct Plan {
     std::vector<std::string> tests{"exact"};
     std::vector<int> bits{12, 14, 16, 18, 20};
     std::vector<std::string> families;
-    std::uint64_t rays = 1'000'000;   ///< for each test of the machine, a tenth for others; shared evenly by lattices and families
+    std::uint64_t rays = 1'000'000;   ///< for each test of the machine, a tenth for others; shared evenly by
+                                      ///< lattices and families
     std::uint64_t seed = 1;
     int threads = 0;
-    std::uint64_t stop_after = ~std::uint64_t(0);   ///< batches, those of earlier runs included: a part of the run, as if interrupted
-    std::string state;                ///< file to go on from and to write to, or empty
+    std::uint64_t stop_after = ~std::uint64_t(
+        0);              ///< batches, those of earlier runs included: a part of the run, as if interrupted
+    std::string state;   ///< file to go on from and to write to, or empty
 };
 
 struct Outcome {
@@ -41,11 +44,12 @@ struct Outcome {
     bool partial = false;
 };
 
-/// The same counts for the same plan, whatever the threads and however often it was stopped. Throws UserError if the state is of
-/// another plan.
+/// The same counts for the same plan, whatever the threads and however often it was stopped. Throws UserError
+/// if the state is of another plan.
 Outcome run(const Plan& plan, const Progress& progress = {});
 
-/// Configuration of a lattice of `bits` for the given batch: direction widths alternate, the largest that the rules allow first.
+/// Configuration of a lattice of `bits` for the given batch: direction widths alternate, the largest that the
+/// rules allow first.
 Config format_of(int bits, std::uint64_t batch);
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

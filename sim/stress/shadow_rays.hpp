@@ -1,5 +1,6 @@
 #pragma once
-// Where cameras stand, what they look at and where lights hang, drawn at random around a mesh so that it hurts.
+// Where cameras stand, what they look at and where lights hang, drawn at random around a mesh so that it
+// hurts.
 #include <algorithm>
 #include <vector>
 
@@ -21,7 +22,8 @@ inline Vec3i inside_lattice(const Vec3i& p, int bits) {
 
 class ShadowRays {
 public:
-    ShadowRays(const std::vector<oracle::Corners>& mesh, const MeshBounds& bounds, int coord_bits, std::uint64_t seed)
+    ShadowRays(const std::vector<oracle::Corners>& mesh, const MeshBounds& bounds, int coord_bits,
+               std::uint64_t seed)
         : mesh_(mesh), bounds_(bounds), bits_(coord_bits), rng_(seed) {}
 
     int below(int n) { return rng_.below(n); }
@@ -36,16 +38,19 @@ public:
         return near(at, reach);
     }
 
-    /// A point to look at, doubled so that edges' middles are exact: a corner, a middle, or inside a triangle.
+    /// A point to look at, doubled so that edges' middles are exact: a corner, a middle, or inside a
+    /// triangle.
     Vec3i target() {
         const oracle::Corners& t = any_triangle();
         const int weights[][3] = {{2, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
         Vec3i at{};
         if (const int kind = below(8); kind < 4) {
-            for (std::size_t k = 0; k < 3; ++k) at[k] = weights[kind][0] * t.a[k] + weights[kind][1] * t.b[k] + weights[kind][2] * t.c[k];
+            for (std::size_t k = 0; k < 3; ++k)
+                at[k] = weights[kind][0] * t.a[k] + weights[kind][1] * t.b[k] + weights[kind][2] * t.c[k];
         } else {
             const std::int64_t u = below(1025), v = below(1025 - int(u));
-            for (std::size_t k = 0; k < 3; ++k) at[k] = int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512);
+            for (std::size_t k = 0; k < 3; ++k)
+                at[k] = int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512);
         }
         return at;
     }
@@ -53,23 +58,26 @@ public:
     /// For what was hit near `hit` on triangle t.
     Vec3i light(const oracle::Corners& t, const Vec3i& hit) {
         switch (below(7)) {
-        case 0: return any_point();
-        case 1: return point_in_bounds();
-        case 2: {
-            const int reach = 2 << below(5);
-            return near(hit, reach);
-        }
-        case 3: {
-            const Vec3i at = corner();
-            return near(at, below(2));
-        }
-        case 4: return inside_lattice({bounds_.hi[0] + 3, below(2) != 0 ? bounds_.hi[1] + 3 : bounds_.lo[1] - 3, 7}, bits_);
-        default: {   // in the triangle's plane or a little off it
-            const int u = between(-3, 3), v = between(-3, 3), reach = below(3);
-            Vec3i at;
-            for (std::size_t k = 0; k < 3; ++k) at[k] = t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);
-            return near(at, reach);
-        }
+            case 0: return any_point();
+            case 1: return point_in_bounds();
+            case 2: {
+                const int reach = 2 << below(5);
+                return near(hit, reach);
+            }
+            case 3: {
+                const Vec3i at = corner();
+                return near(at, below(2));
+            }
+            case 4:
+                return inside_lattice(
+                    {bounds_.hi[0] + 3, below(2) != 0 ? bounds_.hi[1] + 3 : bounds_.lo[1] - 3, 7}, bits_);
+            default: {   // in the triangle's plane or a little off it
+                const int u = between(-3, 3), v = between(-3, 3), reach = below(3);
+                Vec3i at;
+                for (std::size_t k = 0; k < 3; ++k)
+                    at[k] = t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);
+                return near(at, reach);
+            }
         }
     }
 
@@ -85,7 +93,9 @@ private:
         return p;
     }
     Vec3i near(const Vec3i& p, int reach) {
-        return inside_lattice({p[0] + between(-reach, reach), p[1] + between(-reach, reach), p[2] + between(-reach, reach)}, bits_);
+        return inside_lattice(
+            {p[0] + between(-reach, reach), p[1] + between(-reach, reach), p[2] + between(-reach, reach)},
+            bits_);
     }
     Vec3i corner() {
         const oracle::Corners& t = any_triangle();
@@ -99,4 +109,4 @@ private:
     Rng rng_;
 };
 
-} // namespace rayclock
+}   // namespace rayclock

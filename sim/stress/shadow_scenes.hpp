@@ -16,4 +16,4 @@ struct ShadowScene {
 };
 const std::vector<ShadowScene>& shadow_scenes();
 
-} // namespace rayclock
+}   // namespace rayclock

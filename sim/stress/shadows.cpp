@@ -23,7 +23,7 @@ struct CameraHit {
     oracle::Place at;
     std::array<double, 3> near{};   ///< the same, nearly
     std::uint32_t u = 0, v = 0;
-    int facing = 0;                 ///< the side from which the ray came
+    int facing = 0;   ///< the side from which the ray came
 };
 
 /// A secondary ray, the same for all schemes: to a light, or along a direction.
@@ -39,7 +39,7 @@ struct Start {
     std::uint32_t excluded = no_primitive;
 };
 
-} // namespace
+}   // namespace
 
 /// One series of rays.
 class ShadowProbe {
@@ -51,7 +51,9 @@ public:
     }
     ShadowCounts run(std::uint64_t rays) {
         // A mesh that no ray hits must not hold us for ever.
-        for (std::uint64_t tries = 0; counts_.rays < rays && tries < 100 * rays && !world_.mesh().empty(); ++tries) one_hit(rays);
+        for (std::uint64_t tries = 0; counts_.rays < rays && tries < 100 * rays && !world_.mesh().empty();
+             ++tries)
+            one_hit(rays);
         return counts_;
     }
 
@@ -83,7 +85,9 @@ private:
     }
 
     Vec3i nearest(const CameraHit& hit) const {
-        return inside_lattice({int(std::lround(hit.near[0])), int(std::lround(hit.near[1])), int(std::lround(hit.near[2]))}, config_.coord_bits);
+        return inside_lattice(
+            {int(std::lround(hit.near[0])), int(std::lround(hit.near[1])), int(std::lround(hit.near[2]))},
+            config_.coord_bits);
     }
 
     /// A ray towards a light or where it would be, or nothing if that is seen edge-on.
@@ -119,13 +123,18 @@ private:
         const int side = to.light ? side_of_point(prim, *to.light) : side_of_direction(prim, to.direction);
         const Start start = begin(hit, prim, to.facing);
         const bool blocked = side != to.facing || is_blocked(start, to);
-        const Sight::Answer at_hit = truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
-        const oracle::Place own{{start.at.at[0], start.at.at[1], start.at.at[2]}, Int128(1) << start.at.frac_bits};
+        const Sight::Answer at_hit =
+            truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
+        const oracle::Place own{{start.at.at[0], start.at.at[1], start.at.at[2]},
+                                Int128(1) << start.at.frac_bits};
         // Only a point of the surface may stand for the hit.
-        if (scheme_.kind != OriginScheme::Kind::surface || !oracle::in_plane(own, triangle(hit.primitive))) return judge(blocked, at_hit);
-        const Sight::Answer at_own = truth({own, to.light, to.direction}, hit.primitive, to.facing, place(start.at));
+        if (scheme_.kind != OriginScheme::Kind::surface || !oracle::in_plane(own, triangle(hit.primitive)))
+            return judge(blocked, at_hit);
+        const Sight::Answer at_own =
+            truth({own, to.light, to.direction}, hit.primitive, to.facing, place(start.at));
         judge(blocked, at_own);
-        if (at_own == Sight::Answer::either || blocked == (at_own == Sight::Answer::blocked)) judge_moved(blocked, at_hit);
+        if (at_own == Sight::Answer::either || blocked == (at_own == Sight::Answer::blocked))
+            judge_moved(blocked, at_hit);
     }
     void judge(bool blocked, Sight::Answer answer) {
         counts_.either += answer == Sight::Answer::either;
@@ -141,7 +150,8 @@ private:
         using Kind = OriginScheme::Kind;
         const int bits = scheme_.frac_bits;
         if (scheme_.kind == Kind::surface)
-            return {surface_point(prim, inner_weights(hit.u, hit.v, config_.bary_bits, bits), bits), no_primitive};
+            return {surface_point(prim, inner_weights(hit.u, hit.v, config_.bary_bits, bits), bits),
+                    no_primitive};
         if (scheme_.kind == Kind::epsilon) return {lifted(hit, prim, facing), no_primitive};
         Vec3i at = nearest(hit);
         if (scheme_.kind == Kind::pushed) push(at, prim, facing);
@@ -167,7 +177,8 @@ private:
         const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         const double step = facing * 1e-4 * double(1 << config_.coord_bits);
         SurfacePoint at{{}, most_origin_bits};
-        for (std::size_t k = 0; k < 3; ++k) at.at[k] = std::llround((hit.near[k] + step * n[k] / length) * (1 << most_origin_bits));
+        for (std::size_t k = 0; k < 3; ++k)
+            at.at[k] = std::llround((hit.near[k] + step * n[k] / length) * (1 << most_origin_bits));
         return at;
     }
 
@@ -176,9 +187,11 @@ private:
         return {double(at.at[0]) / one, double(at.at[1]) / one, double(at.at[2]) / one};
     }
     /// Where to look for triangles to: the light, or a point beyond the lattice (a direction is not zero).
-    std::array<double, 3> end(const std::array<double, 3>& from, const std::optional<Vec3i>& light, const Vec3i& d) const {
+    std::array<double, 3> end(const std::array<double, 3>& from, const std::optional<Vec3i>& light,
+                              const Vec3i& d) const {
         if (light) return {double((*light)[0]), double((*light)[1]), double((*light)[2])};
-        const double far = double(2 << config_.coord_bits) / double(std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}));
+        const double far = double(2 << config_.coord_bits) /
+                           double(std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}));
         return {from[0] + far * d[0], from[1] + far * d[1], from[2] + far * d[2]};
     }
 
@@ -189,14 +202,17 @@ private:
         world_.around_.along(from, end(from, to.light, to.direction), [&](std::uint32_t number) {
             if (number == start.excluded) return true;
             const PrimData prim = prim_of(triangle(number), number);
-            blocked = to.light ? shadow_test(*to.light, inwards, start.at.frac_bits, prim) : bounce_test(start.at, to.direction, prim).has_value();
+            blocked = to.light ? shadow_test(*to.light, inwards, start.at.frac_bits, prim)
+                               : bounce_test(start.at, to.direction, prim).has_value();
             return !blocked;
         });
         return blocked;
     }
-    Sight::Answer truth(const oracle::Path& path, std::uint32_t primitive, int facing, const std::array<double, 3>& from) const {
+    Sight::Answer truth(const oracle::Path& path, std::uint32_t primitive, int facing,
+                        const std::array<double, 3>& from) const {
         Sight sight(path, triangle(primitive), facing);
-        world_.around_.along(from, end(from, path.to, path.direction), [&](std::uint32_t number) { return sight.look(triangle(number)); });
+        world_.around_.along(from, end(from, path.to, path.direction),
+                             [&](std::uint32_t number) { return sight.look(triangle(number)); });
         return sight.answer();
     }
 
@@ -209,10 +225,10 @@ private:
 
 std::string OriginScheme::name() const {
     switch (kind) {
-    case Kind::excluded: return "nearest, own triangle excluded";
-    case Kind::pushed: return "nearest, pushed off the plane";
-    case Kind::epsilon: return "epsilon along the normal";
-    default: return "on the surface, B = " + std::to_string(frac_bits);
+        case Kind::excluded: return "nearest, own triangle excluded";
+        case Kind::pushed: return "nearest, pushed off the plane";
+        case Kind::epsilon: return "epsilon along the normal";
+        default: return "on the surface, B = " + std::to_string(frac_bits);
     }
 }
 
@@ -226,7 +242,8 @@ ShadowCounts& ShadowCounts::operator+=(const ShadowCounts& other) {
     return *this;
 }
 
-Shadows::Shadows(std::vector<oracle::Corners> mesh, int coord_bits) : surface_(mesh), around_(mesh), coord_bits_(coord_bits) {
+Shadows::Shadows(std::vector<oracle::Corners> mesh, int coord_bits)
+    : surface_(mesh), around_(mesh), coord_bits_(coord_bits) {
     const int most = 1 << coord_bits;
     bounds_ = {{most, most, most}, {-most, -most, -most}};
     for (const Corners& t : this->mesh())
@@ -241,8 +258,9 @@ ShadowCounts Shadows::count(std::uint64_t seed, std::uint64_t rays, const Origin
     return ShadowProbe(*this, seed, scheme).run(rays);
 }
 
-ShadowCounts shadow_counts(const std::vector<oracle::Corners>& mesh, int coord_bits, std::uint64_t seed, std::uint64_t rays, const OriginScheme& scheme) {
+ShadowCounts shadow_counts(const std::vector<oracle::Corners>& mesh, int coord_bits, std::uint64_t seed,
+                           std::uint64_t rays, const OriginScheme& scheme) {
     return Shadows(mesh, coord_bits).count(seed, rays, scheme);
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,6 @@
 #pragma once
-// How often a scheme of secondary-ray origins is wrong: false self-shadows and leaks of light, judged exactly.
+// How often a scheme of secondary-ray origins is wrong: false self-shadows and leaks of light, judged
+// exactly.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,15 +24,17 @@ struct OriginScheme {
     std::string name() const;
 };
 
-/// A ray goes from where a camera ray hit to a light, or without end along a direction, as reflected and refracted ones do; it
-/// leaves on the side from which the surface was seen, or on the other. The scheme's answer, blocked or free, is compared with the
-/// truth about the point that it stands for: for `surface` its point of the surface, for the others the exact hit P.
+/// A ray goes from where a camera ray hit to a light, or without end along a direction, as reflected and
+/// refracted ones do; it leaves on the side from which the surface was seen, or on the other. The scheme's
+/// answer, blocked or free, is compared with the truth about the point that it stands for: for `surface` its
+/// point of the surface, for the others the exact hit P.
 struct ShadowCounts {
     std::uint64_t rays = 0;
     std::uint64_t false_shadows = 0;   ///< said to be blocked, truly free
     std::uint64_t light_leaks = 0;     ///< said to be free, truly blocked
     std::uint64_t either = 0;          ///< the way touches edges or surfaces so that both answers are right
-    std::uint64_t moved_shadows = 0;   ///< `surface` only: blocked at its point, as said, but free at P: a shadow's border, or another surface, lies between
+    std::uint64_t moved_shadows = 0;   ///< `surface` only: blocked at its point, as said, but free at P: a
+                                       ///< shadow's border, or another surface, lies between
     std::uint64_t moved_leaks = 0;     ///< the other way round
     ShadowCounts& operator+=(const ShadowCounts& other);
 };
@@ -41,9 +44,9 @@ class Shadows {
 public:
     Shadows(std::vector<oracle::Corners> mesh, int coord_bits);
 
-    /// Camera rays aimed at corners, edges and insides of triangles; lights inside, outside, in or near the plane of the
-    /// surface hit, on corners of the mesh and close by. The same seed gives the same rays for every scheme. Fewer rays than
-    /// asked for only if the mesh is hardly ever hit.
+    /// Camera rays aimed at corners, edges and insides of triangles; lights inside, outside, in or near the
+    /// plane of the surface hit, on corners of the mesh and close by. The same seed gives the same rays for
+    /// every scheme. Fewer rays than asked for only if the mesh is hardly ever hit.
     ShadowCounts count(std::uint64_t seed, std::uint64_t rays, const OriginScheme& scheme) const;
 
     const std::vector<oracle::Corners>& mesh() const { return surface_.triangles(); }
@@ -58,7 +61,7 @@ private:
 };
 
 /// The same in one call.
-ShadowCounts shadow_counts(const std::vector<oracle::Corners>& mesh, int coord_bits, std::uint64_t seed, std::uint64_t rays,
-                           const OriginScheme& scheme = {});
+ShadowCounts shadow_counts(const std::vector<oracle::Corners>& mesh, int coord_bits, std::uint64_t seed,
+                           std::uint64_t rays, const OriginScheme& scheme = {});
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -21,7 +21,8 @@ glm::dvec3 place(const Vec3i& p) { return {p[0], p[1], p[2]}; }
 /// Parallel projection: what lies towards the viewer, and where a point comes to lie in the picture.
 struct View {
     glm::dvec3 towards = glm::normalize(glm::dvec3{0.35, -0.8, 0.5});
-    glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{0, 0, 1}, towards)), up = glm::cross(towards, right);
+    glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{0, 0, 1}, towards)),
+               up = glm::cross(towards, right);
     glm::dvec2 centre{0};
     double half = 1;   ///< lattice steps from the middle of the panel to its border
     int left = 0;      ///< of the panel
@@ -77,7 +78,9 @@ std::string edges(const View& view, const Mesh& mesh, bool closed) {
 struct Ray {
     Shot shot;
     std::vector<oracle::ExactHit> hits;   ///< nearest first
-    glm::dvec3 at(const oracle::ExactHit& hit) const { return place(shot.o) + place(shot.d) * (double(hit.num) / double(hit.den)); }
+    glm::dvec3 at(const oracle::ExactHit& hit) const {
+        return place(shot.o) + place(shot.d) * (double(hit.num) / double(hit.den));
+    }
 };
 
 std::vector<Ray> some_rays(const Case& subject, const oracle::Surface& surface, Rng& rng) {
@@ -87,7 +90,9 @@ std::vector<Ray> some_rays(const Case& subject, const oracle::Surface& surface, 
         Ray ray{subject.shoot(rng), {}};
         surface.candidates(ray.shot.o, ray.shot.d, found);
         for (const std::uint32_t i : found)
-            if (const auto hit = oracle::exact_hit(ray.shot.o, ray.shot.d, subject.mesh.triangles[i], i); hit.primitive == i) ray.hits.push_back(hit);
+            if (const auto hit = oracle::exact_hit(ray.shot.o, ray.shot.d, subject.mesh.triangles[i], i);
+                hit.primitive == i)
+                ray.hits.push_back(hit);
         std::sort(ray.hits.begin(), ray.hits.end(), [](const auto& a, const auto& b) { return a.before(b); });
         if (!ray.hits.empty()) rays.push_back(std::move(ray));
     }
@@ -99,11 +104,14 @@ std::string draw(const View& view, const std::vector<Ray>& rays) {
     const double beyond = 4 * view.half;
     for (const Ray& ray : rays) {
         const glm::dvec3 along = glm::normalize(place(ray.shot.d));
-        out += fmt::format("<path d=\"{}\" stroke=\"#0072b2\" stroke-width=\"1.1\"/>\n", segment(view, place(ray.shot.o), ray.at(ray.hits.back()) + beyond * along));
+        out += fmt::format("<path d=\"{}\" stroke=\"#0072b2\" stroke-width=\"1.1\"/>\n",
+                           segment(view, place(ray.shot.o), ray.at(ray.hits.back()) + beyond * along));
         for (const oracle::ExactHit& hit : ray.hits) {
             const glm::dvec2 p = view(ray.at(hit));
             if (p.x < view.left || p.x > view.left + panel || p.y < 0 || p.y > panel) continue;
-            out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\" stroke=\"#d55e00\"/>\n", p.x, p.y, hit.sense > 0 ? "#d55e00" : "white");
+            out += fmt::format(
+                "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\" stroke=\"#d55e00\"/>\n", p.x, p.y,
+                hit.sense > 0 ? "#d55e00" : "white");
         }
     }
     return out;
@@ -120,12 +128,13 @@ Place smallest(const Mesh& mesh, const std::vector<Ray>& rays) {
         for (const oracle::ExactHit& hit : ray.hits) {
             const oracle::Corners& t = mesh.triangles[hit.primitive];
             for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)})
-                if (const double edge = glm::distance(place(p), place(q)); best.edge == 0 || edge < best.edge) best = {ray.at(hit), edge};
+                if (const double edge = glm::distance(place(p), place(q)); best.edge == 0 || edge < best.edge)
+                    best = {ray.at(hit), edge};
         }
     return best;
 }
 
-} // namespace
+}   // namespace
 
 std::string sketch(const Family& family) {
     Rng rng(11);
@@ -140,12 +149,16 @@ std::string sketch(const Family& family) {
     const Place hard = smallest(subject.mesh, rays);
     near.centre = near.flat(hard.at);
     near.half = std::max(2.5 * hard.edge, 3.0);
-    std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
-                                  "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n", 2 * panel + 10, panel);
+    std::string out = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+        2 * panel + 10, panel);
     for (const View* view : {&whole, &near})
         out += edges(*view, subject.mesh, family.closed) + draw(*view, rays) +
-               fmt::format("<rect x=\"{}.5\" y=\"0.5\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#bbb\"/>\n", view->left, panel - 1, panel - 1);
+               fmt::format(
+                   "<rect x=\"{}.5\" y=\"0.5\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#bbb\"/>\n",
+                   view->left, panel - 1, panel - 1);
     return out + "</svg>\n";
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -15,13 +15,17 @@ namespace rayclock::stress {
 
 namespace {
 
-/// The sense in which the sheared test passes a triangle: that of the triangle's rounded corners in the ray's plane.
+/// The sense in which the sheared test passes a triangle: that of the triangle's rounded corners in the ray's
+/// plane.
 int sheared_sense(const Vec3i& o, const Vec3i& d, const oracle::Corners& t, const Config& config) {
     const Shear shear = shear_of(d, config);
     const std::size_t z = shear.axis, x = (z + 1) % 3, y = (z + 2) % 3;
     const auto corner = [&](const Vec3i& p) {
-        const std::int64_t height = std::int64_t(p[z]) - o[z], half = std::int64_t(1) << (config.slope_frac_bits() - 1);
-        const auto moved = [&](std::size_t k, std::int32_t slope) { return std::int64_t(p[k]) - o[k] + ((half - slope * height) >> config.slope_frac_bits()); };
+        const std::int64_t height = std::int64_t(p[z]) - o[z], half = std::int64_t(1)
+                                                                      << (config.slope_frac_bits() - 1);
+        const auto moved = [&](std::size_t k, std::int32_t slope) {
+            return std::int64_t(p[k]) - o[k] + ((half - slope * height) >> config.slope_frac_bits());
+        };
         return std::array{moved(x, shear.slope[0]), moved(y, shear.slope[1])};
     };
     const auto a = corner(t.a), b = corner(t.b), c = corner(t.c);
@@ -29,18 +33,23 @@ int sheared_sense(const Vec3i& o, const Vec3i& d, const oracle::Corners& t, cons
     return up != (shear.neg != 0) ? -1 : 1;
 }
 
-} // namespace
+}   // namespace
 
 const std::vector<NamedTest>& named_tests() {
     static const std::vector<NamedTest> all = [] {
         std::vector<NamedTest> list{
-            {"exact", "edge functions in whole numbers", tri_test, Walks::tree, PrimitiveTest::exact, Demand::truth},
-            {"sheared", "corners rounded in the ray's plane, then edge functions in whole numbers", sheared_test, Walks::no, PrimitiveTest::sheared,
-             Demand::watertight, sheared_sense, 2},
-            {"unit24", "SaarCOR's and RPU's map to the unit triangle, in 24-bit floating point", unit24_test, Walks::no, PrimitiveTest::unit24, Demand::nothing, nullptr, 2},
-            {"moller", "Moeller and Trumbore in float32", moller_test, Walks::no, PrimitiveTest::moller, Demand::nothing, nullptr, 2},
-            {"woop", "Woop's watertight test in float32, without its double-precision fallback", woop_test, Walks::no, PrimitiveTest::woop, Demand::nothing, nullptr, 2},
-            {"truncated", "Moeller and Trumbore in Q.16 with truncated products", truncated_test, Walks::no, PrimitiveTest::truncated, Demand::nothing, nullptr, 2},
+            {"exact", "edge functions in whole numbers", tri_test, Walks::tree, PrimitiveTest::exact,
+             Demand::truth},
+            {"sheared", "corners rounded in the ray's plane, then edge functions in whole numbers",
+             sheared_test, Walks::no, PrimitiveTest::sheared, Demand::watertight, sheared_sense, 2},
+            {"unit24", "SaarCOR's and RPU's map to the unit triangle, in 24-bit floating point", unit24_test,
+             Walks::no, PrimitiveTest::unit24, Demand::nothing, nullptr, 2},
+            {"moller", "Moeller and Trumbore in float32", moller_test, Walks::no, PrimitiveTest::moller,
+             Demand::nothing, nullptr, 2},
+            {"woop", "Woop's watertight test in float32, without its double-precision fallback", woop_test,
+             Walks::no, PrimitiveTest::woop, Demand::nothing, nullptr, 2},
+            {"truncated", "Moeller and Trumbore in Q.16 with truncated products", truncated_test, Walks::no,
+             PrimitiveTest::truncated, Demand::nothing, nullptr, 2},
         };
         list.insert(list.end(), controls().begin(), controls().end());
         return list;
@@ -63,15 +72,17 @@ bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells) {
         if (cell.test == test.name) (family(cell.family).leaks ? leaky : sound) += cell.counts;
     const bool leaks_where_it_must = leaky.rays == 0 || leaky.leaks > 0;
     switch (test.demand) {
-    case Demand::truth: return leaks_where_it_must && sound.leaks == 0 && sound.double_hits == 0 && sound.oracle_mismatches == 0 && sound.boxes_lost == 0 &&
-                                sound.false_shadows == 0 && sound.light_leaks == 0;
-    case Demand::watertight: return leaks_where_it_must && sound.leaks == 0 && sound.double_hits == 0;
-    case Demand::nothing: return true;
-    case Demand::double_hits: return sound.double_hits > 0;
-    case Demand::leaks: return sound.leaks > 0;
-    case Demand::mismatches: return sound.oracle_mismatches > 0;
+        case Demand::truth:
+            return leaks_where_it_must && sound.leaks == 0 && sound.double_hits == 0 &&
+                   sound.oracle_mismatches == 0 && sound.boxes_lost == 0 && sound.false_shadows == 0 &&
+                   sound.light_leaks == 0;
+        case Demand::watertight: return leaks_where_it_must && sound.leaks == 0 && sound.double_hits == 0;
+        case Demand::nothing: return true;
+        case Demand::double_hits: return sound.double_hits > 0;
+        case Demand::leaks: return sound.leaks > 0;
+        case Demand::mismatches: return sound.oracle_mismatches > 0;
     }
     return false;
 }
 
-} // namespace rayclock::stress
+}   // namespace rayclock::stress

@@ -32,36 +32,45 @@ std::vector<std::string> parts(const std::string& text, char separator) {
 
 std::vector<std::string> range(const std::string& list, const std::string& text) {
     const std::vector<std::string> ends = parts(list, ':');
-    if (ends.size() > 3) throw UserError("--axis: " + shown(list) + " in " + shown(text) + " is not from:to:step");
-    const int from = whole(ends[0], text), to = whole(ends[1], text), step = ends.size() == 3 ? whole(ends[2], text) : 1;
-    if (step < 1 || to < from) throw UserError("--axis: " + shown(list) + " in " + shown(text) + " is not from:to:step with a step above 0");
+    if (ends.size() > 3)
+        throw UserError("--axis: " + shown(list) + " in " + shown(text) + " is not from:to:step");
+    const int from = whole(ends[0], text), to = whole(ends[1], text),
+              step = ends.size() == 3 ? whole(ends[2], text) : 1;
+    if (step < 1 || to < from)
+        throw UserError("--axis: " + shown(list) + " in " + shown(text) +
+                        " is not from:to:step with a step above 0");
     std::vector<std::string> values;
-    for (long long value = from; value <= to && values.size() <= most_points; value += step) values.push_back(std::to_string(value));
+    for (long long value = from; value <= to && values.size() <= most_points; value += step)
+        values.push_back(std::to_string(value));
     return values;
 }
 
 /// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
-constexpr std::array timing_only{"contexts",  "raygen_queue", "box_queue", "tri_queue",  "cache_queue", "pipelines",  "tile_bits",
-                                 "node_sets", "node_ways",    "node_line", "node_mshrs", "prim_sets",   "prim_ways",  "prim_line",
-                                 "prim_mshrs", "l2_sets",     "l2_ways",   "l2_line",    "l2_mshrs",    "dram",       "mem_latency",
-                                 "mem_interval", "lights",   "bounces",      "shade_queue", "surf_sets",  "surf_ways",  "surf_line",
-                                 "surf_mshrs"};
+constexpr std::array timing_only{"contexts",    "raygen_queue", "box_queue", "tri_queue", "cache_queue",
+                                 "pipelines",   "tile_bits",    "node_sets", "node_ways", "node_line",
+                                 "node_mshrs",  "prim_sets",    "prim_ways", "prim_line", "prim_mshrs",
+                                 "l2_sets",     "l2_ways",      "l2_line",   "l2_mshrs",  "dram",
+                                 "mem_latency", "mem_interval", "lights",    "bounces",   "shade_queue",
+                                 "surf_sets",   "surf_ways",    "surf_line", "surf_mshrs"};
 
-} // namespace
+}   // namespace
 
 Axis parse_axis(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         throw UserError("--axis: " + shown(text) + " is not key=values, for example contexts=16,32,64");
     const std::string list = text.substr(equals + 1);
-    return {text.substr(0, equals), list.find(':') != std::string::npos ? range(list, text) : parts(list, ',')};
+    return {text.substr(0, equals),
+            list.find(':') != std::string::npos ? range(list, text) : parts(list, ',')};
 }
 
-std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz, int (*clock)(const std::string&)) {
+std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,
+                               int (*clock)(const std::string&)) {
     std::size_t count = 1;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b)
-            if (axes[a].key == axes[b].key) throw UserError("--axis: " + shown(axes[a].key) + " is given twice");
+            if (axes[a].key == axes[b].key)
+                throw UserError("--axis: " + shown(axes[a].key) + " is given twice");
         count *= axes[a].values.size();
         if (count > most_points) throw UserError(fmt::format("--axis: more than {} points", most_points));
     }
@@ -75,8 +84,10 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
         for (std::size_t a = axes.size(); a-- > 0; rest /= axes[a].values.size()) {
             index[a] = rest % axes[a].values.size();
             const std::string& value = point.values[a] = axes[a].values[index[a]];
-            if (axes[a].key == "clock") point.khz = clock(value);
-            else set_parameter(point.config, axes[a].key, value, "--axis");
+            if (axes[a].key == "clock")
+                point.khz = clock(value);
+            else
+                set_parameter(point.config, axes[a].key, value, "--axis");
         }
         try {
             check_config(point.config, "--axis");
@@ -89,7 +100,9 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
     for (std::size_t a = 0; a < axes.size(); ++a)
         for (std::size_t v = 0; v < axes[a].values.size(); ++v)
             if (legal[a][v] == 0)
-                throw UserError(std::find_if(points.begin(), points.end(), [&](const Point& p) { return p.values[a] == axes[a].values[v]; })->refused);
+                throw UserError(std::find_if(points.begin(), points.end(), [&](const Point& p) {
+                                    return p.values[a] == axes[a].values[v];
+                                })->refused);
     return points;
 }
 
@@ -101,4 +114,4 @@ std::string trace_format(const Config& config) {
     return text;
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -10,7 +10,7 @@ namespace rayclock::sweep {
 constexpr std::size_t most_points = 10000;
 
 struct Axis {
-    std::string key;                    ///< a parameter of the configuration, or clock
+    std::string key;   ///< a parameter of the configuration, or clock
     std::vector<std::string> values;
 };
 
@@ -18,17 +18,18 @@ struct Axis {
 Axis parse_axis(const std::string& text);
 
 struct Point {
-    std::vector<std::string> values;    ///< [axis]
+    std::vector<std::string> values;   ///< [axis]
     Config config;
     int khz = 0;
-    std::string refused;                ///< the sentence, if these values do not go together
+    std::string refused;   ///< the sentence, if these values do not go together
 };
 
-/// The grid, the last axis fastest. `clock` reads a value of the axis `clock`, in kHz. A combination that is no legal
-/// configuration is a refused point; a value that is legal in no combination is a UserError.
-std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz, int (*clock)(const std::string&));
+/// The grid, the last axis fastest. `clock` reads a value of the axis `clock`, in kHz. A combination that is
+/// no legal configuration is a refused point; a value that is legal in no combination is a UserError.
+std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,
+                               int (*clock)(const std::string&));
 
 /// What decides a frame's rays, as text: configurations that agree here share one trace.
 std::string trace_format(const Config& config);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -28,7 +28,8 @@ bool plane_is_farther(const Vec3i& o, const Vec3i& d, const Corners& t, const or
         ab[k] = std::int64_t(t.b[k]) - t.a[k];
         ac[k] = std::int64_t(t.c[k]) - t.a[k];
     }
-    for (std::size_t k = 0; k < 3; ++k) n[k] = ab[(k + 1) % 3] * ac[(k + 2) % 3] - ab[(k + 2) % 3] * ac[(k + 1) % 3];
+    for (std::size_t k = 0; k < 3; ++k)
+        n[k] = ab[(k + 1) % 3] * ac[(k + 2) % 3] - ab[(k + 2) % 3] * ac[(k + 1) % 3];
     Int128 num = 0, den = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         num += n[k] * (std::int64_t(t.a[k]) - o[k]);
@@ -49,19 +50,22 @@ bool is_crack(const oracle::Surface& surface, const Vec3i& o, const Vec3i& d, co
     return !touch(found, surface.triangles()[hit.primitive]) && plane_is_farther(o, d, found, hit);
 }
 
-} // namespace
+}   // namespace
 
-std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector<Closest>& hits, int threads) {
+std::uint64_t count_cracks(const Scene& scene, const Job& job, const std::vector<Closest>& hits,
+                           int threads) {
     const oracle::Surface surface(oracle::snapped(scene, job.image.lattice));
     const std::uint32_t width = job.frame.width, height = job.frame.height;
     std::atomic<std::uint64_t> cracks = 0;
     jobs::for_each(height, threads, [&](std::size_t y) {
         std::uint64_t mine = 0;
         for (std::uint32_t x = 0; x < width; ++x)
-            mine += is_crack(surface, job.frame.eye, pixel_direction(x, std::uint32_t(y), job.frame, job.config), hits[y * width + x]);
+            mine +=
+                is_crack(surface, job.frame.eye, pixel_direction(x, std::uint32_t(y), job.frame, job.config),
+                         hits[y * width + x]);
         cracks += mine;
     });
     return cracks;
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -16,19 +16,27 @@ bool dominates(const std::vector<double>& a, const std::vector<double>& b) {
     return better;
 }
 
-std::optional<double> error_of(const Result& r) { return r.complete() ? std::optional(double(r.picture->error.pixels_other_primitive)) : std::nullopt; }
-std::optional<double> speed_of(const Result& r) { return r.complete() ? std::optional(r.fps()) : std::nullopt; }
-std::optional<double> bytes_of(const Result& r) { return r.complete() ? std::optional(double(r.picture->memory_bytes)) : std::nullopt; }
+std::optional<double> error_of(const Result& r) {
+    return r.complete() ? std::optional(double(r.picture->error.pixels_other_primitive)) : std::nullopt;
+}
+std::optional<double> speed_of(const Result& r) {
+    return r.complete() ? std::optional(r.fps()) : std::nullopt;
+}
+std::optional<double> bytes_of(const Result& r) {
+    return r.complete() ? std::optional(double(r.picture->memory_bytes)) : std::nullopt;
+}
 std::optional<double> multipliers_of(const Result& r) {
     return r.complete() && r.multipliers ? std::optional(double(*r.multipliers)) : std::nullopt;
 }
 
-} // namespace
+}   // namespace
 
 std::vector<bool> front(const std::vector<Figures>& points) {
     std::vector<bool> on(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-        on[i] = points[i] && std::none_of(points.begin(), points.end(), [&](const Figures& other) { return other && dominates(*other, *points[i]); });
+        on[i] = points[i] && std::none_of(points.begin(), points.end(), [&](const Figures& other) {
+                    return other && dominates(*other, *points[i]);
+                });
     return on;
 }
 
@@ -43,13 +51,16 @@ std::optional<PlaneKnee> knee_of(const std::vector<Figures>& points) {
             hi[k] = std::max(hi[k], (*points[i])[k]);
         }
     }
-    if (lo.empty() || !(hi[0] > lo[0]) || !(hi[1] > lo[1])) return std::nullopt;   // less than two different points
+    if (lo.empty() || !(hi[0] > lo[0]) || !(hi[1] > lo[1]))
+        return std::nullopt;   // less than two different points
     std::optional<PlaneKnee> knee;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!on[i]) continue;
-        const double x = ((*points[i])[0] - lo[0]) / (hi[0] - lo[0]), y = ((*points[i])[1] - lo[1]) / (hi[1] - lo[1]);
+        const double x = ((*points[i])[0] - lo[0]) / (hi[0] - lo[0]),
+                     y = ((*points[i])[1] - lo[1]) / (hi[1] - lo[1]);
         const double distance = (1 - x - y) / std::sqrt(2.0);
-        if (distance > 1e-12 && (!knee || distance > knee->distance)) knee = {i, distance};   // the ends have rounding errors only
+        if (distance > 1e-12 && (!knee || distance > knee->distance))
+            knee = {i, distance};   // the ends have rounding errors only
     }
     return knee;
 }
@@ -66,7 +77,8 @@ std::vector<Figures> figures_in(const std::vector<Result>& results, const std::v
 }
 
 Front front_of(const std::vector<Result>& results) {
-    const bool netlists = std::any_of(results.begin(), results.end(), [](const Result& r) { return multipliers_of(r).has_value(); });
+    const bool netlists = std::any_of(results.begin(), results.end(),
+                                      [](const Result& r) { return multipliers_of(r).has_value(); });
     Front f;
     f.measures = {{"pixels_other_primitive", 1, error_of},
                   netlists ? Measure{"multipliers", 1, multipliers_of} : Measure{"memory_bytes", 1, bytes_of},
@@ -85,4 +97,4 @@ Front front_of(const std::vector<Result>& results) {
     return f;
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

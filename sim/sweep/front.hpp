@@ -11,13 +11,14 @@ namespace rayclock::sweep {
 /// One point's figures, turned so that less is better in each; nothing if the point has not all of them.
 using Figures = std::optional<std::vector<double>>;
 
-/// Whether each point is on the front: it has figures, and no other point is as good in all of them and better in one. So equal
-/// points are all on it, or none is.
+/// Whether each point is on the front: it has figures, and no other point is as good in all of them and
+/// better in one. So equal points are all on it, or none is.
 std::vector<bool> front(const std::vector<Figures>& points);
 
-/// The knee of a front in a plane: both figures are divided by their range over the front, so that its ends lie at (0, 1) and
-/// (1, 0), and the point is taken that lies farthest below the chord between them; of equal ones the first. Nothing if fewer than three
-/// different points are on the front, or none lies below the chord.
+/// The knee of a front in a plane: both figures are divided by their range over the front, so that its ends
+/// lie at (0, 1) and (1, 0), and the point is taken that lies farthest below the chord between them; of equal
+/// ones the first. Nothing if fewer than three different points are on the front, or none lies below the
+/// chord.
 struct PlaneKnee {
     std::size_t point = 0;
     double distance = 0;   ///< from the chord, 0 to sqrt(1/2)
@@ -26,23 +27,24 @@ std::optional<PlaneKnee> knee_of(const std::vector<Figures>& points);
 
 /// A figure that the front weighs.
 struct Measure {
-    std::string key;                       ///< column
-    double sign = 1;                       ///< -1: more is better
+    std::string key;   ///< column
+    double sign = 1;   ///< -1: more is better
     std::optional<double> (*value)(const Result&);
 };
 
-/// A front over a sweep. Speed is fps, error is pixels_other_primitive, cost is multipliers, or memory_bytes if no point has
-/// multipliers. If some have, those without are no hardware and not on the front.
+/// A front over a sweep. Speed is fps, error is pixels_other_primitive, cost is multipliers, or memory_bytes
+/// if no point has multipliers. If some have, those without are no hardware and not on the front.
 struct Front {
-    std::vector<Measure> measures;         ///< error, cost, speed
-    std::vector<bool> pareto;              ///< [point], in all three measures
-    /// The knee is that of the first pair of measures whose own front has one: error and cost, error and speed, cost and speed.
+    std::vector<Measure> measures;   ///< error, cost, speed
+    std::vector<bool> pareto;        ///< [point], in all three measures
+    /// The knee is that of the first pair of measures whose own front has one: error and cost, error and
+    /// speed, cost and speed.
     std::optional<PlaneKnee> knee;
-    std::array<std::size_t, 2> plane{};    ///< the pair's measures
+    std::array<std::size_t, 2> plane{};   ///< the pair's measures
 };
 Front front_of(const std::vector<Result>& results);
 
 /// Figures of all points in some measures.
 std::vector<Figures> figures_in(const std::vector<Result>& results, const std::vector<Measure>& measures);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -16,7 +16,8 @@ void add(Digest& digest, const glm::dvec3& v) {
 }
 void add(Digest& digest, const Material& m) {
     add(digest, m.colour);
-    for (const double x : {m.ambient, m.diffuse, m.highlight, m.shine, m.mirror, m.transmit, m.index}) add(digest, x);
+    for (const double x : {m.ambient, m.diffuse, m.highlight, m.shine, m.mirror, m.transmit, m.index})
+        add(digest, x);
 }
 void add(Digest& digest, const Light& light) {
     add(digest, light.position);
@@ -31,7 +32,7 @@ template <class Item> void add_all(Digest& digest, const std::vector<Item>& item
     for (const Item& item : items) add(digest, item);
 }
 
-} // namespace
+}   // namespace
 
 std::string scene_digest(const Scene& scene) {
     Digest digest;
@@ -49,4 +50,4 @@ std::string scene_digest(const Scene& scene) {
     return fmt::format("{:016x}", digest.value());
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -40,7 +40,8 @@ plot::Panel panel_of(const std::vector<Result>& results, const Front& front, std
     for (std::size_t i = 0; i < results.size(); ++i) {
         const auto a = across.value(results[i]), b = up.value(results[i]);
         if (!a || !b) continue;
-        panel.marks.push_back({*a * horizontal.factor, *b * vertical.factor, label_of(results[i]), on[i], front.knee && front.knee->point == i});
+        panel.marks.push_back({*a * horizontal.factor, *b * vertical.factor, label_of(results[i]), on[i],
+                               front.knee && front.knee->point == i});
     }
     return panel;
 }
@@ -55,9 +56,10 @@ bool differ(const std::vector<Result>& results, const Measure& m) {
     return false;
 }
 
-} // namespace
+}   // namespace
 
-plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front) {
+plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
+                         const std::vector<Result>& results, const Front& front) {
     std::vector<std::string> keys;
     for (const Axis& axis : axes) keys.push_back(axis.key);
     std::vector<plot::Panel> panels;
@@ -72,7 +74,9 @@ plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::ve
     }
     std::string note = fmt::format("labels: {}; line: the panel's own front", fmt::join(keys, " / "));
     if (front.knee) note += fmt::format("; ring: the knee, {}", name_of(axes, results[front.knee->point]));
-    return plot::chart(fmt::format("{}, {}x{} pixels, {} configurations", scene, size.width, size.height, results.size()), note, panels);
+    return plot::chart(
+        fmt::format("{}, {}x{} pixels, {} configurations", scene, size.width, size.height, results.size()),
+        note, panels);
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

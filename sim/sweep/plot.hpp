@@ -4,8 +4,9 @@
 
 namespace rayclock::sweep {
 
-/// Error against cost and error against speed, each with its own front, and the knee of the sweep. A single panel, cost against
-/// speed, if all errors are equal. Labels are the values of the axes.
-plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
+/// Error against cost and error against speed, each with its own front, and the knee of the sweep. A single
+/// panel, cost against speed, if all errors are equal. Labels are the values of the axes.
+plot::Drawing front_plot(const std::string& scene, FrameSize size, const std::vector<Axis>& axes,
+                         const std::vector<Result>& results, const Front& front);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

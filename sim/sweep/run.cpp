@@ -34,7 +34,8 @@ PictureFigures picture_of(const ordered_json& json) {
     PictureFigures p;
     p.error.pixels = json.at("pixels").get<std::uint64_t>();
     p.error.pixels_other_primitive = json.at("pixels_other_primitive").get<std::uint64_t>();
-    p.error.psnr_db = json.at("psnr_db").is_null() ? std::numeric_limits<double>::infinity() : json.at("psnr_db").get<double>();
+    p.error.psnr_db = json.at("psnr_db").is_null() ? std::numeric_limits<double>::infinity()
+                                                   : json.at("psnr_db").get<double>();
     p.error.depth_pixels = json.at("depth_pixels").get<std::uint64_t>();
     p.error.max_abs_depth = json.at("max_abs_depth").get<double>();
     p.cracks = json.at("cracks").get<std::uint64_t>();
@@ -76,15 +77,18 @@ struct Traced {
 
 class Runner {
 public:
-    Runner(const Plan& plan, jobs::Cache& cache, const Progress& progress) : plan_(plan), cache_(cache), progress_(progress) {
-        scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene), plan.size.width, plan.size.height);
+    Runner(const Plan& plan, jobs::Cache& cache, const Progress& progress)
+        : plan_(plan), cache_(cache), progress_(progress) {
+        scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene),
+                                 plan.size.width, plan.size.height);
         cores_ = jobs::threads_of(plan.threads);
         for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}});
     }
 
     Outcome run() {
         find_known();
-        const std::size_t open = std::size_t(std::count_if(groups_.begin(), groups_.end(), [](const auto& g) { return needs_trace(g.second); }));
+        const std::size_t open = std::size_t(std::count_if(
+            groups_.begin(), groups_.end(), [](const auto& g) { return needs_trace(g.second); }));
         inner_threads_ = std::max(1, cores_ / std::clamp(int(open), 1, cores_));
         if (plan_.netlists) plan_netlists();
         for (auto& [format, group] : groups_)
@@ -97,9 +101,12 @@ public:
 
 private:
     static bool needs_trace(const Group& group) {
-        return std::any_of(group.results.begin(), group.results.end(), [](const Result* r) { return !r->refused() && !r->complete(); });
+        return std::any_of(group.results.begin(), group.results.end(),
+                           [](const Result* r) { return !r->refused() && !r->complete(); });
     }
-    std::string frame_key(const Result& r) const { return fmt::format("{}khz {} {}", scene_key_, r.point.khz, timing_of(r.point.config)); }
+    std::string frame_key(const Result& r) const {
+        return fmt::format("{}khz {} {}", scene_key_, r.point.khz, timing_of(r.point.config));
+    }
 
     /// Fills in what the cache has, and counts what is left.
     void find_known() {
@@ -110,8 +117,10 @@ private:
             if (group.results.empty()) group.key = scene_key_ + format;
             group.results.push_back(&r);
             if (auto frame = cache_.find("frame", frame_key(r), frame_of)) {
-                if (const auto* refused = std::get_if<std::string>(&*frame)) r.point.refused = *refused;
-                else r.clock = std::get<ordered_json>(*frame);
+                if (const auto* refused = std::get_if<std::string>(&*frame))
+                    r.point.refused = *refused;
+                else
+                    r.clock = std::get<ordered_json>(*frame);
             }
         }
         for (auto& [format, group] : groups_)
@@ -128,7 +137,8 @@ private:
         for (Result& r : outcome_.results) {
             if (r.refused() || !synth::exists_in_rtl(r.point.config)) continue;
             if (synth::yosys_version().empty()) {
-                outcome_.netlist_note = "Yosys is not installed, so multipliers and flip-flops are not counted";
+                outcome_.netlist_note =
+                    "Yosys is not installed, so multipliers and flip-flops are not counted";
                 return;
             }
             wanted[synth::netlist_key(r.point.config)].push_back(&r);
@@ -156,7 +166,8 @@ private:
                 stopped();
                 return;
             }
-            cache_.keep("netlist", key, {{"multipliers", netlist->multipliers}, {"flip_flops", netlist->flip_flops}});
+            cache_.keep("netlist", key,
+                        {{"multipliers", netlist->multipliers}, {"flip_flops", netlist->flip_flops}});
             set_netlist(results, *netlist);
         } catch (const std::runtime_error& e) {
             const std::lock_guard lock(mutex_);
@@ -185,7 +196,8 @@ private:
         Traced traced;
         const Config& config = group.results[0]->point.config;
         try {
-            traced.job = {config, {}, compile_scene(plan_.scene, plan_.scene.camera->eye, config), plan_.size};
+            traced.job = {
+                config, {}, compile_scene(plan_.scene, plan_.scene.camera->eye, config), plan_.size};
         } catch (const UserError& e) {
             for (Result* r : group.results)
                 if (!r->refused()) refuse(*r, e.what());
@@ -202,15 +214,20 @@ private:
         jobs::for_each(group.results.size(), cores_, [&](std::size_t i) {
             Result& r = *group.results[i];
             if (r.refused()) return;
-            if (r.clock.is_null()) time(r, traced);
-            else tell(1);
+            if (r.clock.is_null())
+                time(r, traced);
+            else
+                tell(1);
         });
     }
 
     PictureFigures compare_picture(const Traced& traced) {
-        std::call_once(reference_once_, [this] { reference_ = Reference(plan_.scene).frame(*plan_.scene.camera, plan_.size, cores_); });
+        std::call_once(reference_once_, [this] {
+            reference_ = Reference(plan_.scene).frame(*plan_.scene.camera, plan_.size, cores_);
+        });
         return {frame_error(plan_.scene, hits_of(traced.job, traced.frames[0]), reference_),
-                count_cracks(plan_.scene, traced.job, traced.frames[0].trace.hits, inner_threads_), traced.job.image.report.bytes};
+                count_cracks(plan_.scene, traced.job, traced.frames[0].trace.hits, inner_threads_),
+                traced.job.image.report.bytes};
     }
 
     void time(Result& r, const Traced& traced) {
@@ -221,7 +238,8 @@ private:
             refuse(r, e.what());
             return;
         }
-        const FrameRun run = frame_run(traced.frames[0], replay(r.point.config, r.point.khz, traced.frames)[0]);
+        const FrameRun run =
+            frame_run(traced.frames[0], replay(r.point.config, r.point.khz, traced.frames)[0]);
         if (run.partial) {
             stopped();
             return;
@@ -251,8 +269,10 @@ private:
     std::size_t done_ = 0, all_ = 0;
 };
 
-} // namespace
+}   // namespace
 
-Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress) { return Runner(plan, cache, progress).run(); }
+Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress) {
+    return Runner(plan, cache, progress).run();
+}
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

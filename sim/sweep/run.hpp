@@ -15,10 +15,11 @@ struct PictureFigures {
     std::uint64_t memory_bytes = 0;   ///< of the memory image
 };
 
-/// One point with what came of it. A figure is missing if the point is refused, or the run was interrupted before it.
+/// One point with what came of it. A figure is missing if the point is refused, or the run was interrupted
+/// before it.
 struct Result {
     Point point;
-    nlohmann::ordered_json clock;                  ///< as clock_json() gives it, or null
+    nlohmann::ordered_json clock;   ///< as clock_json() gives it, or null
     std::optional<PictureFigures> picture;
     std::optional<std::uint64_t> multipliers, flip_flops;
 
@@ -30,22 +31,22 @@ struct Result {
 };
 
 struct Plan {
-    const Scene& scene;               ///< with a camera
+    const Scene& scene;   ///< with a camera
     FrameSize size;
     std::vector<Point> points;
-    int threads = 0;                  ///< 0: all cores
-    bool netlists = true;             ///< count multipliers and flip-flops
+    int threads = 0;        ///< 0: all cores
+    bool netlists = true;   ///< count multipliers and flip-flops
 };
 
 struct Outcome {
-    std::vector<Result> results;      ///< [point]
-    std::size_t traces = 0;           ///< different formats
-    std::size_t known = 0;            ///< points that the cache had
-    std::string netlist_note;         ///< why multipliers and flip-flops are missing, or empty
-    bool partial = false;             ///< interrupted before everything was done
+    std::vector<Result> results;   ///< [point]
+    std::size_t traces = 0;        ///< different formats
+    std::size_t known = 0;         ///< points that the cache had
+    std::string netlist_note;      ///< why multipliers and flip-flops are missing, or empty
+    bool partial = false;          ///< interrupted before everything was done
 };
 
 /// Stops early when interrupted(); what was done is in the cache.
 Outcome run(const Plan& plan, jobs::Cache& cache, const Progress& progress);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -11,24 +11,51 @@ namespace rayclock::sweep {
 using nlohmann::ordered_json;
 
 const std::vector<std::string>& columns() {
-    static const std::vector<std::string> all{"cycles", "fps", "cycles_per_ray", "node_hit_rate", "prim_hit_rate", "bytes_per_ray", "bound", "bound_reached",
-                                              "pixels_other_primitive", "percent_other_primitive", "psnr_db", "max_abs_depth", "cracks", "memory_bytes",
-                                              "multipliers", "flip_flops", "pareto", "knee"};
+    static const std::vector<std::string> all{"cycles",
+                                              "fps",
+                                              "cycles_per_ray",
+                                              "node_hit_rate",
+                                              "prim_hit_rate",
+                                              "bytes_per_ray",
+                                              "bound",
+                                              "bound_reached",
+                                              "pixels_other_primitive",
+                                              "percent_other_primitive",
+                                              "psnr_db",
+                                              "max_abs_depth",
+                                              "cracks",
+                                              "memory_bytes",
+                                              "multipliers",
+                                              "flip_flops",
+                                              "pareto",
+                                              "knee"};
     return all;
 }
 
 std::vector<std::string> cells(const Result& r, bool pareto, bool knee) {
-    const auto count = [](const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : std::string(); };
+    const auto count = [](const std::optional<std::uint64_t>& n) {
+        return n ? std::to_string(*n) : std::string();
+    };
     if (!r.complete()) return std::vector<std::string>(columns().size());
     const ordered_json& frame = r.clock.at("frames").at(0);
     const FrameError& error = r.picture->error;
-    return {fmt::format("{:.0f}", r.cycles()), fmt::format("{:.3f}", r.fps()), fmt::format("{:.3f}", r.cycles_per_ray()),
-            fmt::format("{:.4f}", frame.at("node_hit_rate").get<double>()), fmt::format("{:.4f}", frame.at("prim_hit_rate").get<double>()),
-            fmt::format("{:.2f}", r.clock.at("bytes_per_ray").get<double>()), r.clock.at("bound").get<std::string>(),
-            fmt::format("{:.3f}", r.clock.at("bound_reached").get<double>()), std::to_string(error.pixels_other_primitive),
+    return {fmt::format("{:.0f}", r.cycles()),
+            fmt::format("{:.3f}", r.fps()),
+            fmt::format("{:.3f}", r.cycles_per_ray()),
+            fmt::format("{:.4f}", frame.at("node_hit_rate").get<double>()),
+            fmt::format("{:.4f}", frame.at("prim_hit_rate").get<double>()),
+            fmt::format("{:.2f}", r.clock.at("bytes_per_ray").get<double>()),
+            r.clock.at("bound").get<std::string>(),
+            fmt::format("{:.3f}", r.clock.at("bound_reached").get<double>()),
+            std::to_string(error.pixels_other_primitive),
             fmt::format("{:.4f}", 100 * double(error.pixels_other_primitive) / double(error.pixels)),
-            std::isfinite(error.psnr_db) ? fmt::format("{:.2f}", error.psnr_db) : "", fmt::format("{:.4g}", error.max_abs_depth),
-            std::to_string(r.picture->cracks), std::to_string(r.picture->memory_bytes), count(r.multipliers), count(r.flip_flops), pareto ? "1" : "0",
+            std::isfinite(error.psnr_db) ? fmt::format("{:.2f}", error.psnr_db) : "",
+            fmt::format("{:.4g}", error.max_abs_depth),
+            std::to_string(r.picture->cracks),
+            std::to_string(r.picture->memory_bytes),
+            count(r.multipliers),
+            count(r.flip_flops),
+            pareto ? "1" : "0",
             knee ? "1" : "0"};
 }
 
@@ -50,17 +77,19 @@ std::vector<std::string> row(const Result& r, const Front& front, std::size_t i)
     return all;
 }
 
-} // namespace
+}   // namespace
 
 std::string name_of(const std::vector<Axis>& axes, const Result& r) {
     std::string name;
-    for (std::size_t a = 0; a < axes.size(); ++a) name += fmt::format("{}{} {}", a ? ", " : "", axes[a].key, r.point.values[a]);
+    for (std::size_t a = 0; a < axes.size(); ++a)
+        name += fmt::format("{}{} {}", a ? ", " : "", axes[a].key, r.point.values[a]);
     return name;
 }
 
 std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front) {
     std::string text = fmt::format("{}\n", fmt::join(head(axes), ","));
-    for (std::size_t i = 0; i < results.size(); ++i) text += fmt::format("{}\n", fmt::join(row(results[i], front, i), ","));
+    for (std::size_t i = 0; i < results.size(); ++i)
+        text += fmt::format("{}\n", fmt::join(row(results[i], front, i), ","));
     return text;
 }
 
@@ -74,17 +103,22 @@ std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Fr
         on_front += front.pareto[i];
     }
     std::string text = table.text();
-    text += fmt::format("  Pareto front of {}, {} and {}: {} points", front.measures[0].key, front.measures[1].key, front.measures[2].key, on_front);
+    text += fmt::format("  Pareto front of {}, {} and {}: {} points", front.measures[0].key,
+                        front.measures[1].key, front.measures[2].key, on_front);
     if (front.knee)
-        text += fmt::format("; knee of {} against {}: {}", front.measures[front.plane[0]].key, front.measures[front.plane[1]].key,
+        text += fmt::format("; knee of {} against {}: {}", front.measures[front.plane[0]].key,
+                            front.measures[front.plane[1]].key,
                             name_of(axes, outcome.results[front.knee->point]));
     text += "\n";
     if (!outcome.netlist_note.empty()) text += "  " + outcome.netlist_note + "\n";
     return text;
 }
 
-ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front) {
-    const auto count = [](const std::optional<std::uint64_t>& n) { return n ? ordered_json(*n) : ordered_json(nullptr); };
+ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                         const Front& front) {
+    const auto count = [](const std::optional<std::uint64_t>& n) {
+        return n ? ordered_json(*n) : ordered_json(nullptr);
+    };
     ordered_json rows = ordered_json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
         const Result& r = results[i];
@@ -107,12 +141,16 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
     return rows;
 }
 
-ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front) {
+ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                       const Front& front) {
     if (!front.knee) return nullptr;
     ordered_json values;
-    for (std::size_t a = 0; a < axes.size(); ++a) values[axes[a].key] = results[front.knee->point].point.values[a];
-    return {{"point", front.knee->point}, {"values", values}, {"of", {front.measures[front.plane[0]].key, front.measures[front.plane[1]].key}},
+    for (std::size_t a = 0; a < axes.size(); ++a)
+        values[axes[a].key] = results[front.knee->point].point.values[a];
+    return {{"point", front.knee->point},
+            {"values", values},
+            {"of", {front.measures[front.plane[0]].key, front.measures[front.plane[1]].key}},
             {"distance", front.knee->distance}};
 }
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -11,10 +11,12 @@ std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
 
 std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
 std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Front& front);
-nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
-nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);
+nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                                   const Front& front);
+nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
+                                 const Front& front);
 
 /// "coord_bits 16, dir_bits 18".
 std::string name_of(const std::vector<Axis>& axes, const Result& result);
 
-} // namespace rayclock::sweep
+}   // namespace rayclock::sweep

@@ -16,9 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The multiplier steps of synth_ecp5. Products that are never wanted in the same cycle share a multiplier; that is looked for
-// within each module, before all become one, which finds the same and takes a thirtieth of the time. No bit of a register is
-// counted that is constant, unused or part of a memory's port. Then `stat` counts.
+// The multiplier steps of synth_ecp5. Products that are never wanted in the same cycle share a multiplier;
+// that is looked for within each module, before all become one, which finds the same and takes a thirtieth of
+// the time. No bit of a register is counted that is constant, unused or part of a memory's port. Then `stat`
+// counts.
 constexpr const char* script = R"(hierarchy -check -top rc_pipeline
 proc
 opt_expr
@@ -47,7 +48,7 @@ Netlist counts_of(const std::string& text) {
     return counts;
 }
 
-} // namespace
+}   // namespace
 
 bool exists_in_rtl(const Config& config) {
     try {
@@ -59,8 +60,8 @@ bool exists_in_rtl(const Config& config) {
 }
 
 std::string netlist_key(const Config& config) {
-    return fmt::format("package {} rtl {} script {} {} pipelines {}", jobs::hash_text(rc_package(config)), rtl_digest(), jobs::hash_text(script), yosys_version(),
-                       config.pipelines);
+    return fmt::format("package {} rtl {} script {} {} pipelines {}", jobs::hash_text(rc_package(config)),
+                       rtl_digest(), jobs::hash_text(script), yosys_version(), config.pipelines);
 }
 
 std::optional<Netlist> count_netlist(const Config& config, const fs::path& work) {
@@ -72,4 +73,4 @@ std::optional<Netlist> count_netlist(const Config& config, const fs::path& work)
     return counts;
 }
 
-} // namespace rayclock::synth
+}   // namespace rayclock::synth

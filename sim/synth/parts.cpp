@@ -36,9 +36,12 @@ void merge(Part& part, const Part& more) {
     part.times += more.times;
     part.count += more.count;
     for (const Part& p : more.parts) {
-        const auto at = std::lower_bound(part.parts.begin(), part.parts.end(), p, [](const Part& a, const Part& b) { return a.name < b.name; });
-        if (at != part.parts.end() && at->name == p.name) merge(*at, p);
-        else part.parts.insert(at, p);
+        const auto at = std::lower_bound(part.parts.begin(), part.parts.end(), p,
+                                         [](const Part& a, const Part& b) { return a.name < b.name; });
+        if (at != part.parts.end() && at->name == p.name)
+            merge(*at, p);
+        else
+            part.parts.insert(at, p);
     }
 }
 
@@ -54,7 +57,8 @@ Part part_of_module(const ordered_json& modules, const std::string& type) {
     for (const auto& [cell, number] : modules.at(type).at("num_cells_by_type").items()) {
         const auto n = number.get<std::uint64_t>();
         add_cells(part.count, cell, n);
-        const std::string type_beneath = cell.starts_with("$") ? cell : "\\" + cell;   // as Yosys names a module, and where it is used
+        const std::string type_beneath =
+            cell.starts_with("$") ? cell : "\\" + cell;   // as Yosys names a module, and where it is used
         if (modules.contains(type_beneath)) {
             const Part inner = scaled(part_of_module(modules, type_beneath), n);
             part.count += inner.count;
@@ -69,33 +73,42 @@ Part part_of_module(const ordered_json& modules, const std::string& type) {
 std::string elaborate(const Config& c, const std::string& unit) {
     const std::string command = "hierarchy -check -top rc_" + unit;
     if (unit != "arbiter") return command + "\n";
-    return fmt::format("{} -chparam Sources {} -chparam Width {}\n", command, c.clients() * c.pipelines, c.client_id_bits() - c.client_bits() + c.addr_bits);
+    return fmt::format("{} -chparam Sources {} -chparam Width {}\n", command, c.clients() * c.pipelines,
+                       c.client_id_bits() - c.client_bits() + c.addr_bits);
 }
 
 constexpr const char* read_flags = "-defer ";   // only what the top module needs is elaborated
 
-} // namespace
+}   // namespace
 
 const std::vector<std::string>& cells() {
     static const std::vector<std::string> names{
-        "divide", "sqrt",    "unit",   "power",  "sample", "recip", "slope",  "stack", "slab",    "rank",   "edges",  "shear",   "hitdiv",
-        "sphere", "contexts", "pass",  "surf",   "corners", "ball", "angles", "light", "bounce", "snell",  "schlick", "finish", "turnout"};
+        "divide", "sqrt",   "unit",  "power",  "sample", "recip",    "slope",  "stack",  "slab",
+        "rank",   "edges",  "shear", "hitdiv", "sphere", "contexts", "pass",   "surf",   "corners",
+        "ball",   "angles", "light", "bounce", "snell",  "schlick",  "finish", "turnout"};
     return names;
 }
 
 std::string synth_script() {
-    // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests' (tests/synth).
-    return fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -run :check\ntee -q -o stat.json stat -json\n", fmt::join(cells(), "* *rc_"));
+    // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests'
+    // (tests/synth).
+    return fmt::format(
+        "setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -run :check\ntee -q -o stat.json stat "
+        "-json\n",
+        fmt::join(cells(), "* *rc_"));
 }
 
-std::optional<std::string> shape_of(const Config& config, const std::string& unit, const std::filesystem::path& work) {
+std::optional<std::string> shape_of(const Config& config, const std::string& unit,
+                                    const std::filesystem::path& work) {
     const YosysFolder folder(work);
-    const std::string tidy = "proc\nopt_expr\nopt_clean\nsetattr -unset src\nsetattr -mod -unset src\nwrite_rtlil shape.il\n";
+    const std::string tidy =
+        "proc\nopt_expr\nopt_clean\nsetattr -unset src\nsetattr -mod -unset src\nwrite_rtlil shape.il\n";
     if (!folder.run(config, read_flags, elaborate(config, unit) + tidy)) return std::nullopt;
     return jobs::hash_text(folder.text("shape.il"));
 }
 
-std::optional<Part> synthesize(const Config& config, const std::string& unit, const std::filesystem::path& work) {
+std::optional<Part> synthesize(const Config& config, const std::string& unit,
+                               const std::filesystem::path& work) {
     const YosysFolder folder(work);
     if (!folder.run(config, read_flags, elaborate(config, unit) + synth_script())) return std::nullopt;
     return parts_of_stat(folder.text("stat.json"), unit);
@@ -104,18 +117,23 @@ std::optional<Part> synthesize(const Config& config, const std::string& unit, co
 Part parts_of_stat(const std::string& stat, const std::string& top) {
     // After the modules Yosys 0.23 draws their hierarchy, which is no JSON.
     const std::size_t end = stat.find("\n   },");
-    const ordered_json modules = ordered_json::parse(end == std::string::npos ? stat : stat.substr(0, end) + "}}").at("modules");
+    const ordered_json modules =
+        ordered_json::parse(end == std::string::npos ? stat : stat.substr(0, end) + "}}").at("modules");
     for (const auto& [name, module] : modules.items())
         if (module_name(name) == top) return part_of_module(modules, name);
     throw std::runtime_error("yosys counted no module rc_" + top);
 }
 
 ordered_json count_json(const Count& c) {
-    return {{"luts", c.luts()}, {"lut4", c.lut4}, {"ccu2c", c.carry}, {"dpr16x4", c.ram}, {"ff", c.ff}, {"mult18x18d", c.dsp}, {"dp16kd", c.bram}};
+    return {{"luts", c.luts()}, {"lut4", c.lut4},      {"ccu2c", c.carry}, {"dpr16x4", c.ram},
+            {"ff", c.ff},       {"mult18x18d", c.dsp}, {"dp16kd", c.bram}};
 }
 
 ordered_json part_json(const Part& part) {
-    ordered_json json{{"name", part.name}, {"times", part.times}, {"count", count_json(part.count)}, {"parts", ordered_json::array()}};
+    ordered_json json{{"name", part.name},
+                      {"times", part.times},
+                      {"count", count_json(part.count)},
+                      {"parts", ordered_json::array()}};
     for (const Part& p : part.parts) json["parts"].push_back(part_json(p));
     return json;
 }
@@ -123,10 +141,13 @@ ordered_json part_json(const Part& part) {
 Part part_of(const ordered_json& json) {
     const ordered_json& c = json.at("count");
     const auto number = [&](const char* key) { return c.at(key).get<std::uint64_t>(); };
-    Part part{json.at("name").get<std::string>(), json.at("times").get<std::uint64_t>(),
-              {number("lut4"), number("ccu2c"), number("dpr16x4"), number("ff"), number("mult18x18d"), number("dp16kd")}, {}};
+    Part part{json.at("name").get<std::string>(),
+              json.at("times").get<std::uint64_t>(),
+              {number("lut4"), number("ccu2c"), number("dpr16x4"), number("ff"), number("mult18x18d"),
+               number("dp16kd")},
+              {}};
     for (const ordered_json& p : json.at("parts")) part.parts.push_back(part_of(p));
     return part;
 }
 
-} // namespace rayclock::synth
+}   // namespace rayclock::synth

@@ -24,9 +24,12 @@ struct Count {
         lut4 += o.lut4, carry += o.carry, ram += o.ram, ff += o.ff, dsp += o.dsp, bram += o.bram;
         return *this;
     }
-    friend Count operator*(std::uint64_t n, const Count& c) { return {n * c.lut4, n * c.carry, n * c.ram, n * c.ff, n * c.dsp, n * c.bram}; }
+    friend Count operator*(std::uint64_t n, const Count& c) {
+        return {n * c.lut4, n * c.carry, n * c.ram, n * c.ff, n * c.dsp, n * c.bram};
+    }
     friend bool operator==(const Count&, const Count&) = default;
-    /// Places of LUTs: 2 for a CCU2C and 6 for a DPR16X4, which fill one slice and three (Lattice, ECP5 data sheet).
+    /// Places of LUTs: 2 for a CCU2C and 6 for a DPR16X4, which fill one slice and three (Lattice, ECP5 data
+    /// sheet).
     std::uint64_t luts() const { return lut4 + 2 * carry + 6 * ram; }
 };
 
@@ -42,19 +45,23 @@ nlohmann::ordered_json part_json(const Part& part);
 Part part_of(const nlohmann::ordered_json& json);
 nlohmann::ordered_json count_json(const Count& count);
 
-/// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate. Names without rc_.
+/// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate.
+/// Names without rc_.
 const std::vector<std::string>& cells();
 
 /// What is done with a module once its hierarchy stands.
 std::string synth_script();
 
-/// What the module looks like before synthesis, as a hash: the same for configurations that do not differ in it. Nothing if interrupted().
-std::optional<std::string> shape_of(const Config& config, const std::string& unit, const std::filesystem::path& work);
+/// What the module looks like before synthesis, as a hash: the same for configurations that do not differ in
+/// it. Nothing if interrupted().
+std::optional<std::string> shape_of(const Config& config, const std::string& unit,
+                                    const std::filesystem::path& work);
 
 /// Nothing if interrupted().
-std::optional<Part> synthesize(const Config& config, const std::string& unit, const std::filesystem::path& work);
+std::optional<Part> synthesize(const Config& config, const std::string& unit,
+                               const std::filesystem::path& work);
 
 /// What `stat -json` says of the unit's module and those beneath it.
 Part parts_of_stat(const std::string& stat, const std::string& unit);
 
-} // namespace rayclock::synth
+}   // namespace rayclock::synth

@@ -31,8 +31,8 @@ std::string text_of(const fs::path& path) {
     return text.str();
 }
 
-/// Runs a program in a folder, its output in `log` there; the exit code, or -1 if it could not be started or was stopped. Not
-/// std::system(), which makes this program deaf to Ctrl-C.
+/// Runs a program in a folder, its output in `log` there; the exit code, or -1 if it could not be started or
+/// was stopped. Not std::system(), which makes this program deaf to Ctrl-C.
 int run_in(const fs::path& folder, std::vector<std::string> words, const char* log) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -57,7 +57,7 @@ int run_in(const fs::path& folder, std::vector<std::string> words, const char* l
     }
 }
 
-} // namespace
+}   // namespace
 
 const std::string& yosys_version() {
     static const std::string version = [] {
@@ -94,7 +94,8 @@ YosysFolder::~YosysFolder() {
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
     std::ofstream(path_ / "rc_pkg.sv") << rc_package(config);
     std::string commands = "read_verilog -sv rc_pkg.sv\n";
-    for (const fs::path& file : rtl_files()) commands += fmt::format("read_verilog -sv {}\"{}\"\n", read_flags, fs::absolute(file).string());
+    for (const fs::path& file : rtl_files())
+        commands += fmt::format("read_verilog -sv {}\"{}\"\n", read_flags, fs::absolute(file).string());
     return run(commands + script);
 }
 
@@ -108,4 +109,4 @@ bool YosysFolder::run(const std::string& script) const {
 
 std::string YosysFolder::text(const char* file) const { return text_of(path_ / file); }
 
-} // namespace rayclock::synth
+}   // namespace rayclock::synth

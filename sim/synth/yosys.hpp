@@ -20,8 +20,9 @@ public:
     ~YosysFolder();
     YosysFolder(const YosysFolder&) = delete;
 
-    /// Reads the package of a configuration and all sources (with `read_flags`, as for read_verilog), then runs the script in this folder.
-    /// False if interrupted() meanwhile; std::runtime_error with the tool's words if it fails.
+    /// Reads the package of a configuration and all sources (with `read_flags`, as for read_verilog), then
+    /// runs the script in this folder. False if interrupted() meanwhile; std::runtime_error with the tool's
+    /// words if it fails.
     bool run(const Config& config, const std::string& read_flags, const std::string& script) const;
     /// The script alone.
     bool run(const std::string& script) const;
@@ -33,4 +34,4 @@ private:
     std::filesystem::path path_;
 };
 
-} // namespace rayclock::synth
+}   // namespace rayclock::synth

@@ -13,8 +13,9 @@ void disturb(TortureCase& t, int number) {
         int dram, latency, interval, khz;
         Traffic traffic;
     };
-    static const Disturbance all[] = {{0, 1, 1, 66000, {}},        {0, 40, 3, 66000, {60, 0, 5}}, {2, 8, 1, 66000, {0, 60, 6}},
-                                      {0, 7, 1, 66000, {15, 85, 7}}, {1, 8, 1, 200000, {}},         {3, 8, 1, 33000, {9, 20, 8}}};
+    static const Disturbance all[] = {{0, 1, 1, 66000, {}},         {0, 40, 3, 66000, {60, 0, 5}},
+                                      {2, 8, 1, 66000, {0, 60, 6}}, {0, 7, 1, 66000, {15, 85, 7}},
+                                      {1, 8, 1, 200000, {}},        {3, 8, 1, 33000, {9, 20, 8}}};
     const Disturbance& d = all[std::size_t(number) % std::size(all)];
     t.job.config.dram = d.dram, t.job.config.mem_latency = d.latency, t.job.config.mem_interval = d.interval;
     t.job.khz = d.khz;
@@ -51,8 +52,8 @@ public:
     }
 
 private:
-    /// Frames that differ in everything: eye, angle, lights, depth, threshold, contrast, background, size, and the root if the
-    /// tree has a second node to begin with.
+    /// Frames that differ in everything: eye, angle, lights, depth, threshold, contrast, background, size,
+    /// and the root if the tree has a second node to begin with.
     void add_soup(int number, const Size* sizes) {
         const std::vector<PrimData> prims = soup(config_, dice_, 8 + 12 * (number % 3));
         TortureCase t = begin("soup " + std::to_string(number + 1), image_of(prims, config_, dice_, "soup"));
@@ -77,10 +78,12 @@ private:
         for (PrimData& prim : prims)
             for (Vec3i* corner : {&prim.a, &prim.b, &prim.c}) *corner = turned(*corner, turn);
         // In any order, so that of two at the same distance the lower number may come second.
-        for (std::size_t i = prims.size(); i-- > 1;) std::swap(prims[i], prims[std::size_t(dice_.below(int(i) + 1))]);
+        for (std::size_t i = prims.size(); i-- > 1;)
+            std::swap(prims[i], prims[std::size_t(dice_.below(int(i) + 1))]);
         TortureCase t = begin("corners " + std::to_string(step), image_of(prims, config_, dice_, "mesh"));
         t.frames.push_back(corner_view(config_, {9, 9}, step));
-        for (Vec3l* part : {&t.frames[0].corner, &t.frames[0].right, &t.frames[0].down}) *part = turned(*part, turn);
+        for (Vec3l* part : {&t.frames[0].corner, &t.frames[0].right, &t.frames[0].down})
+            *part = turned(*part, turn);
         t.frames[0].eye = turned(t.frames[0].eye, turn);
         shade(t.frames.back(), t.job.image, 1);
         // From a point of the mesh itself: what is met at a distance of nought does not count.
@@ -90,12 +93,15 @@ private:
         t.frames.push_back(on_it);
         t.frames.push_back(diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
         shade(t.frames.back(), t.job.image, 1);
-        for (Frame& frame : t.frames)   // lights in the plane of the mesh, from which they are on neither side
-            for (std::size_t i = 0; i < frame.shade.lights; i += 2) frame.shade.place[3 * i + std::size_t(turn + 2) % 3] = 0;
+        for (Frame& frame :
+             t.frames)   // lights in the plane of the mesh, from which they are on neither side
+            for (std::size_t i = 0; i < frame.shade.lights; i += 2)
+                frame.shade.place[3 * i + std::size_t(turn + 2) % 3] = 0;
         end(std::move(t));
     }
 
-    /// Primitives of a few lattice steps and directions of a few units: products are small, and differ by one or not at all.
+    /// Primitives of a few lattice steps and directions of a few units: products are small, and differ by one
+    /// or not at all.
     void add_specks() {
         const std::vector<PrimData> prims = specks(config_, dice_, 40);
         TortureCase t = begin("specks", image_of(prims, config_, dice_, "specks"));
@@ -109,7 +115,8 @@ private:
     void add_panes() {
         const std::vector<PrimData> prims = panes(config_, 6);
         TortureCase t = begin("panes", image_of(prims, config_, dice_, "panes", Look::clear));
-        // From between the first two panes a ray goes to and fro, and leaves one behind at each turn: as many as can wait.
+        // From between the first two panes a ray goes to and fro, and leaves one behind at each turn: as many
+        // as can wait.
         for (const double spread : {0.4, 0.01, 3e-6, 3e-7, 0.1}) {
             Frame frame = pane_view(config_, {6, 4}, spread);
             if (spread == 0.1) frame.eye[2] = (prims[0].a[2] + prims[2].a[2]) / 2;
@@ -117,7 +124,8 @@ private:
             frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
             t.frames.push_back(frame);
         }
-        // Thresholds that a weight of one half, or a quarter, reaches with what rounding is allowed, and not with less.
+        // Thresholds that a weight of one half, or a quarter, reaches with what rounding is allowed, and not
+        // with less.
         for (std::uint32_t depth = 0; depth < 2; ++depth) {
             Frame frame = t.frames[0];
             frame.shade.threshold = (1u << (unit_bits - depth)) + 3 * (depth + 1);
@@ -153,7 +161,8 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Mirrors that send all but every ray straight along an axis: rounded, some directions are longer than one.
+    /// Mirrors that send all but every ray straight along an axis: rounded, some directions are longer than
+    /// one.
     void add_axes() {
         const Vec3i normals[] = {{1, 0, 2}, {2, 1, 3}, {-1, 2, 4}};
         std::vector<PrimData> prims;
@@ -189,7 +198,8 @@ private:
             shade(frame, t.job.image, 1);
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
             // One light is bright, so that all of them together do not make everything white.
-            const std::size_t bright = i % 2 == 0 ? frame.shade.lights - 1 : std::size_t(i) % frame.shade.lights;
+            const std::size_t bright =
+                i % 2 == 0 ? frame.shade.lights - 1 : std::size_t(i) % frame.shade.lights;
             for (std::size_t k = 0; k < 3 * frame.shade.lights; ++k)
                 if (k / 3 != bright) frame.shade.colour[k] >>= 6;
             for (std::size_t k = 0; k < 3; ++k)   // of the last one a single bit, the highest
@@ -241,8 +251,9 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Balls whose surfaces go through points of a mesh that are hit exactly, and lie so far inside a triangle that rays from
-    /// there begin there: shadow rays from within the ball end on its surface, those from straight above touch it where they end.
+    /// Balls whose surfaces go through points of a mesh that are hit exactly, and lie so far inside a
+    /// triangle that rays from there begin there: shadow rays from within the ball end on its surface, those
+    /// from straight above touch it where they end.
     void add_contacts() {
         const std::int32_t step = 40, radius = step / 4;
         std::vector<PrimData> prims = mesh(step, 6);
@@ -254,8 +265,10 @@ private:
         frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
         for (std::size_t i = 0; i < frame.shade.lights; ++i) {
             Vec3i place = points[i % 3];
-            if (i < 2) place[0] -= radius, place[2] = 1 + std::int32_t(i);
-            else place[2] = step * std::int32_t(i);
+            if (i < 2)
+                place[0] -= radius, place[2] = 1 + std::int32_t(i);
+            else
+                place[2] = step * std::int32_t(i);
             frame.shade.near[i] = 1, frame.shade.clear[i] = 0;
             std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
         }
@@ -266,7 +279,8 @@ private:
         end(std::move(t), 0);
     }
 
-    /// Planes that meet far beyond the lattice: rays come back from there, or miss it, or see lights behind the surface.
+    /// Planes that meet far beyond the lattice: rays come back from there, or miss it, or see lights behind
+    /// the surface.
     void add_planes() {
         std::vector<PrimData> prims = soup(config_, dice_, 8);
         for (const PrimData& plane : walls(config_)) prims.push_back(plane);
@@ -294,7 +308,8 @@ private:
     }
 
     void shade(Frame& frame, const MemoryImage& image, int samples) {
-        if (config_.shading) frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
+        if (config_.shading)
+            frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
     }
 
     TortureCase begin(const std::string& name, MemoryImage image) {
@@ -323,8 +338,8 @@ private:
     Dice dice_;
 };
 
-} // namespace
+}   // namespace
 
 std::vector<TortureCase> cases_of(const Config& config) { return Cases(config).make(); }
 
-} // namespace rayclock::torture
+}   // namespace rayclock::torture

@@ -6,4 +6,4 @@ namespace rayclock::torture {
 
 std::vector<TortureCase> cases_of(const Config& config);
 
-} // namespace rayclock::torture
+}   // namespace rayclock::torture

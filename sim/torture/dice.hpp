@@ -18,10 +18,10 @@ public:
     std::uint32_t share(int bits) {
         const std::uint32_t one = 1u << bits;
         switch (rng_.below(6)) {
-        case 0: return 0;
-        case 1: return one;
-        case 2: return one / 2;
-        default: return std::uint32_t(rng_.next() % (one + 1));
+            case 0: return 0;
+            case 1: return one;
+            case 2: return one / 2;
+            default: return std::uint32_t(rng_.next() % (one + 1));
         }
     }
     std::array<std::uint32_t, 3> colour(int bits) { return {share(bits), share(bits), share(bits)}; }
@@ -45,4 +45,4 @@ private:
 
 inline std::int32_t most_of(int bits) { return (1 << (bits - 1)) - 1; }
 
-} // namespace rayclock::torture
+}   // namespace rayclock::torture

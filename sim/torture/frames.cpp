@@ -17,14 +17,18 @@ Vec3d at(const Vec3d& corner, const Vec3d& right, const Vec3d& down, double x, d
     return d;
 }
 
-/// Sets the pixel map so that no direction, nor a step alone, exceeds 2^(M-1) - 1, halves of a pixel around included.
+/// Sets the pixel map so that no direction, nor a step alone, exceeds 2^(M-1) - 1, halves of a pixel around
+/// included.
 void aim(Frame& frame, const Vec3d& middle, Vec3d right, Vec3d down, double shrink, const Config& config) {
     Vec3d corner;
-    for (std::size_t k = 0; k < 3; ++k) corner[k] = middle[k] - 0.5 * (frame.width - 1) * right[k] - 0.5 * (frame.height - 1) * down[k];
+    for (std::size_t k = 0; k < 3; ++k)
+        corner[k] = middle[k] - 0.5 * (frame.width - 1) * right[k] - 0.5 * (frame.height - 1) * down[k];
     double m = std::max({largest(right), largest(down), 1e-9});
     for (const double x : {-0.5, frame.width - 0.5})
-        for (const double y : {-0.5, frame.height - 0.5}) m = std::max(m, largest(at(corner, right, down, x, y)));
-    const double limit = double(std::int64_t(most_of(config.dir_bits)) << guard_bits) - frame.width - frame.height;
+        for (const double y : {-0.5, frame.height - 0.5})
+            m = std::max(m, largest(at(corner, right, down, x, y)));
+    const double limit =
+        double(std::int64_t(most_of(config.dir_bits)) << guard_bits) - frame.width - frame.height;
     const double scale = limit / m * shrink;
     for (std::size_t k = 0; k < 3; ++k) {
         frame.corner[k] = std::llround(corner[k] * scale);
@@ -33,7 +37,7 @@ void aim(Frame& frame, const Vec3d& middle, Vec3d right, Vec3d down, double shri
     }
 }
 
-} // namespace
+}   // namespace
 
 Frame view(const std::vector<PrimData>& prims, const Config& config, Size size, int shorter, Dice& dice) {
     const std::int32_t most = most_of(config.coord_bits);
@@ -49,7 +53,8 @@ Frame view(const std::vector<PrimData>& prims, const Config& config, Size size, 
     Vec3d middle, right, down;
     for (std::size_t k = 0; k < 3; ++k) middle[k] = target[k] - frame.eye[k];
     if (largest(middle) == 0) middle = {1, 0, 0};
-    const double spread = largest(middle) * std::ldexp(1.0, at_the_end ? 2 : dice.between(-4, 2)) / size.width;
+    const double spread =
+        largest(middle) * std::ldexp(1.0, at_the_end ? 2 : dice.between(-4, 2)) / size.width;
     for (std::size_t k = 0; k < 3; ++k) {
         right[k] = spread * dice.between(-16, 16) / 16;
         down[k] = spread * dice.between(-16, 16) / 16;
@@ -65,7 +70,9 @@ Frame corner_view(const Config& config, Size size, std::int32_t step) {
     std::int32_t height = 1;
     while (height * 4 <= most_of(config.coord_bits) && height * 2 <= most_of(config.dir_bits)) height *= 2;
     frame.eye = {0, 0, height};
-    const auto steps = [&](std::uint32_t pixels) { return -std::int64_t(pixels / 2) * step * (std::int64_t(1) << guard_bits); };
+    const auto steps = [&](std::uint32_t pixels) {
+        return -std::int64_t(pixels / 2) * step * (std::int64_t(1) << guard_bits);
+    };
     frame.corner = {steps(size.width), steps(size.height), -(std::int64_t(height) << guard_bits)};
     frame.right = {std::int64_t(step) << guard_bits, 0, 0};
     frame.down = {0, std::int64_t(step) << guard_bits, 0};
@@ -107,7 +114,8 @@ Frame mirror_view(const Config& config, Size size, const Vec3i& normal, std::int
     const std::int32_t away = most_of(config.coord_bits) / 64;
     for (std::size_t k = 0; k < 3; ++k) frame.eye[k] += v[k] * away / 4;
     const double spread = 1e-4 * largest({double(v[0]), double(v[1]), double(v[2])});
-    aim(frame, {double(-v[0]), double(-v[1]), double(-v[2])}, {spread / size.width, 0, 0}, {0, spread / size.height, 0}, 1, config);
+    aim(frame, {double(-v[0]), double(-v[1]), double(-v[2])}, {spread / size.width, 0, 0},
+        {0, spread / size.height, 0}, 1, config);
     return frame;
 }
 
@@ -136,13 +144,15 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     s.seed = std::uint32_t(dice.below(1 << 30));
     s.background = dice.colour(unit_bits);
     s.lights = std::uint32_t(dice.between(1, config.lights));
-    for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {   // those beyond are there, and do not shine
+    for (std::size_t i = 0; i < std::size_t(config.lights);
+         ++i) {   // those beyond are there, and do not shine
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);
         const Vec3i place = dice.point(most_of(s.near[i] ? config.coord_bits : config.light_bits()));
         std::copy(place.begin(), place.end(), s.place.begin() + std::ptrdiff_t(3 * i));
-        for (std::size_t k = 0; k < 3; ++k) s.colour[3 * i + k] = std::min(dice.share(strength_bits), (1u << strength_bits) - 1);
+        for (std::size_t k = 0; k < 3; ++k)
+            s.colour[3 * i + k] = std::min(dice.share(strength_bits), (1u << strength_bits) - 1);
     }
     return s;
 }
 
-} // namespace rayclock::torture
+}   // namespace rayclock::torture

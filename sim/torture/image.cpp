@@ -18,7 +18,9 @@ PrimData triangle(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
 }
 
 PrimData sphere(const Vec3i& centre, std::uint64_t square, int bits) {
-    const auto field = [bits](std::uint64_t part) { return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits)); };
+    const auto field = [bits](std::uint64_t part) {
+        return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits));
+    };
     PrimData s;
     s.kind = std::uint32_t(PrimKind::sphere);
     s.a = centre;
@@ -35,21 +37,25 @@ PrimData plane(const Vec3i& a, const Vec3i& b, const Vec3i& c) {
 PrimData random_triangle(Dice& dice, std::int32_t most) {
     const Vec3i a = dice.point(most);
     const std::int32_t reach = std::max(1, most >> (2 * dice.below(5)));
-    Vec3i b = dice.near(a, reach, most), c = dice.percent(20) ? dice.near(b, 1, most) : dice.near(a, reach, most);
+    Vec3i b = dice.near(a, reach, most),
+          c = dice.percent(20) ? dice.near(b, 1, most) : dice.near(a, reach, most);
     if (dice.percent(15)) b = dice.point(most), c = dice.point(most);
     return triangle(a, b, c);
 }
 
 PrimData random_sphere(Dice& dice, const Config& config, std::int32_t most) {
     const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> (3 * dice.below(3)))));
-    const std::uint64_t square = dice.percent(50) ? radius * radius : radius * radius + std::uint64_t(dice.below(int(radius) + 1));
-    return sphere(dice.percent(50) ? dice.near({}, most / 2, most) : dice.point(most), square, config.coord_bits);
+    const std::uint64_t square =
+        dice.percent(50) ? radius * radius : radius * radius + std::uint64_t(dice.below(int(radius) + 1));
+    return sphere(dice.percent(50) ? dice.near({}, most / 2, most) : dice.point(most), square,
+                  config.coord_bits);
 }
 
 /// What the surface's type holds, with edges of whole 2^fine steps; see Surface::fine.
 std::uint32_t fine_of(const PrimData& t, const Config& config) {
     std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+        bits |= std::uint32_t(t.b[k] - t.a[k]) | std::uint32_t(t.c[k] - t.a[k]);
     const int least = bits == 0 ? most_fine : __builtin_ctz(bits);
     return std::uint32_t(std::clamp(std::min(least, config.bary_bits - config.origin_bits), 0, most_fine));
 }
@@ -61,20 +67,28 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     if (flat) s.fine = fine_of(prim, config);
     s.smooth = look != Look::clear && config.smooth && flat && dice.percent(40);
     for (auto& x : s.normal) x = s.smooth ? dice.number(most_of(corner_bits)) : 0;
-    if (s.kind == std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them apart
+    if (s.kind ==
+        std::uint32_t(PrimKind::plane))   // phases of its squares, and the bits that tell them apart
         for (std::size_t side : {0u, 1u}) {
             s.normal[side] = dice.number(most_of(corner_bits));
             s.normal[2 + side] = dice.between(-1, config.bary_bits + corner_bits - 1);
         }
     s.checkered = dice.percent(50), s.schlick = dice.percent(30);
     s.colour = dice.colour(share_bits), s.other = dice.colour(share_bits);
-    s.ambient = dice.share(share_bits), s.diffuse = dice.share(share_bits), s.highlight = dice.share(share_bits);
+    s.ambient = dice.share(share_bits), s.diffuse = dice.share(share_bits),
+    s.highlight = dice.share(share_bits);
     s.mirror = dice.percent(60) ? dice.share(unit_bits) : 0;
     s.transmit = config.refraction && dice.percent(50) ? dice.share(unit_bits) : 0;
     const std::uint32_t one = 1u << share_bits;
-    if (look == Look::clear) s.mirror = 1u << (unit_bits - 1), s.transmit = config.refraction ? s.mirror : 0, s.ambient = 100, s.diffuse = s.highlight = s.schlick = 0;
-    if (look == Look::shiny) s.mirror = s.transmit = 0, s.highlight = one, s.shine = std::uint32_t(dice.below(1 << dice.between(6, shine_bits)));
-    if (look == Look::bright) s.mirror = s.transmit = s.diffuse = s.highlight = 0, s.ambient = one, s.colour = {one, one * (s.a[0] & 1), one}, s.other = {};
+    if (look == Look::clear)
+        s.mirror = 1u << (unit_bits - 1), s.transmit = config.refraction ? s.mirror : 0, s.ambient = 100,
+        s.diffuse = s.highlight = s.schlick = 0;
+    if (look == Look::shiny)
+        s.mirror = s.transmit = 0, s.highlight = one,
+        s.shine = std::uint32_t(dice.below(1 << dice.between(6, shine_bits)));
+    if (look == Look::bright)
+        s.mirror = s.transmit = s.diffuse = s.highlight = 0, s.ambient = one,
+        s.colour = {one, one * (s.a[0] & 1), one}, s.other = {};
     s.r0 = dice.share(unit_bits);
     s.shine = std::uint32_t(dice.below(1 << dice.between(1, shine_bits)));
     s.enter = std::uint32_t(dice.percent(25) ? 1 << index_frac : dice.between(2000, 8000));
@@ -82,7 +96,7 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     return s;
 }
 
-} // namespace
+}   // namespace
 
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
@@ -120,7 +134,8 @@ std::vector<PrimData> spans(const Config& config, Dice& dice, int count) {
 
 PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
     const std::int32_t side = most_of(config.coord_bits) / 64;
-    const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side}, two{0, normal[2] * side, -normal[1] * side};
+    const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side},
+                two{0, normal[2] * side, -normal[1] * side};
     const auto corner = [&](std::int32_t x, std::int32_t y) {
         Vec3i p;
         for (std::size_t k = 0; k < 3; ++k) p[k] = place[k] + x * one[k] + y * two[k];
@@ -134,7 +149,8 @@ std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
     std::vector<PrimData> all;
     for (int i = 0; i < count; ++i) {
         const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> dice.between(2, 5))));
-        all.push_back(sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)), config.coord_bits));
+        all.push_back(sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)),
+                             config.coord_bits));
     }
     return all;
 }
@@ -145,7 +161,8 @@ PrimData ball(const Config& config, const Vec3i& centre, std::int32_t radius) {
 
 std::vector<PrimData> beads(const Config& config, Dice& dice, int count) {
     std::vector<PrimData> all;
-    for (int i = 0; i < count; ++i) all.push_back(sphere(dice.near({}, 6, 6), std::uint64_t(dice.between(1, 9)), config.coord_bits));
+    for (int i = 0; i < count; ++i)
+        all.push_back(sphere(dice.near({}, 6, 6), std::uint64_t(dice.between(1, 9)), config.coord_bits));
     return all;
 }
 
@@ -156,7 +173,8 @@ std::vector<PrimData> specks(const Config& config, Dice& dice, int count) {
         const Vec3i a = place(), b = place(), c = place();
         PrimData next = triangle(a, b, c);
         if (dice.percent(40)) next.b[2] = next.c[2] = next.a[2];
-        if (config.spheres && dice.percent(25)) next = sphere(a, std::uint64_t(dice.between(1, 16)), config.coord_bits);
+        if (config.spheres && dice.percent(25))
+            next = sphere(a, std::uint64_t(dice.between(1, 16)), config.coord_bits);
         if (counts(next, config)) all.push_back(next);
     }
     return all;
@@ -169,8 +187,10 @@ std::vector<PrimData> mesh(std::int32_t step, int side) {
             const int at = again ? side * side - 1 - i : i;
             const std::int32_t x = (at % side - side / 2) * step, y = (at / side - side / 2) * step;
             const Vec3i a{x, y, 0}, b{x + step, y, 0}, c{x + step, y + step, 0}, d{x, y + step, 0};
-            if (again) all.push_back(triangle(a, b, d)), all.push_back(triangle(c, d, b));
-            else all.push_back(triangle(a, b, c)), all.push_back(triangle(d, a, c));
+            if (again)
+                all.push_back(triangle(a, b, d)), all.push_back(triangle(c, d, b));
+            else
+                all.push_back(triangle(a, b, c)), all.push_back(triangle(d, a, c));
         }
     return all;
 }
@@ -179,14 +199,17 @@ std::vector<PrimData> panes(const Config& config, int count) {
     const std::int32_t most = most_of(config.coord_bits), side = most / 2;
     std::vector<PrimData> all;
     for (int i = 0; i < count; ++i) {
-        const std::int32_t z = most / 4 - i * (most / (2 * count)), tilt = i % 3 == 0 ? 0 : i % 3 == 1 ? most / 32 : most / 700;
+        const std::int32_t z = most / 4 - i * (most / (2 * count)), tilt = i % 3 == 0   ? 0
+                                                                           : i % 3 == 1 ? most / 32
+                                                                                        : most / 700;
         const Vec3i a{-side, -side, z}, b{side, -side, z + tilt}, c{side, side, z + tilt}, d{-side, side, z};
         all.push_back(triangle(a, b, c)), all.push_back(triangle(a, c, d));
     }
     return all;
 }
 
-MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name, Look look) {
+MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
+                     Look look) {
     std::vector<PrimData> numbered = prims;
     for (std::size_t i = 0; i < numbered.size(); ++i) numbered[i].prim = std::uint32_t(i);
     MemoryImage image = compile_triangles(numbered, config, name);
@@ -198,8 +221,9 @@ MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, D
     image.words.resize((first + numbered.size()) * words_per_line, 0);
     Words scratch;
     for (std::size_t i = 0; i < numbered.size(); ++i)
-        write_payload(random_surface(numbered[i], config, dice, look), config, &image.words[(first + i) * words_per_line], scratch);
+        write_payload(random_surface(numbered[i], config, dice, look), config,
+                      &image.words[(first + i) * words_per_line], scratch);
     return image;
 }
 
-} // namespace rayclock::torture
+}   // namespace rayclock::torture

@@ -1,12 +1,13 @@
 #pragma once
-// Memory images that no scene gives: primitives at the ends of the lattice, on top of each other, edge on; surfaces of any share.
+// Memory images that no scene gives: primitives at the ends of the lattice, on top of each other, edge on;
+// surfaces of any share.
 #include "model/accel/memory_image.hpp"
 #include "sim/torture/dice.hpp"
 
 namespace rayclock::torture {
 
-/// Triangles of all sizes, needles, spheres that touch each other or fill the lattice, a floor and a slanted plane: what of these
-/// the chip has.
+/// Triangles of all sizes, needles, spheres that touch each other or fill the lattice, a floor and a slanted
+/// plane: what of these the chip has.
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count);
 
 /// Planes that are all but parallel to each other or to an axis.
@@ -29,16 +30,17 @@ std::vector<PrimData> beads(const Config& config, Dice& dice, int count);
 /// Triangles and spheres of a few lattice steps, all within 3 of the middle.
 std::vector<PrimData> specks(const Config& config, Dice& dice, int count);
 
-/// A square mesh in the plane z = 0, twice, numbered against each other: every hit at a corner or an edge has many that tie.
-/// `step` from corner to corner, `side` squares a side.
+/// A square mesh in the plane z = 0, twice, numbered against each other: every hit at a corner or an edge has
+/// many that tie. `step` from corner to corner, `side` squares a side.
 std::vector<PrimData> mesh(std::int32_t step, int side);
 
 /// Large half-transparent squares, one behind the other: every ray leaves one ray waiting at each.
 std::vector<PrimData> panes(const Config& config, int count);
 
-/// Surfaces, if the chip shades: of any share; half mirror and half glass; of colours that are 0 or 1 without any light; or
-/// with highlights of any sharpness and no mirror.
+/// Surfaces, if the chip shades: of any share; half mirror and half glass; of colours that are 0 or 1 without
+/// any light; or with highlights of any sharpness and no mirror.
 enum class Look { any, clear, bright, shiny };
-MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name, Look look = Look::any);
+MemoryImage image_of(const std::vector<PrimData>& prims, const Config& config, Dice& dice, const char* name,
+                     Look look = Look::any);
 
-} // namespace rayclock::torture
+}   // namespace rayclock::torture

@@ -22,7 +22,7 @@ struct Victim {
     }
 };
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the validator notices a box that is rounded inward") {
     Victim victim;
@@ -74,7 +74,9 @@ TEST_CASE("the validator notices a damaged triangle") {
     SECTION("corners swapped") { std::swap(triangle.a, triangle.b); }
     SECTION("another triangle's number") { triangle.prim = triangle.prim == 0 ? 1 : 0; }
     SECTION("number that does not exist") { triangle.prim = 200; }
-    SECTION("coordinate outside the symmetric lattice") { triangle.a[0] = -(1 << (victim.config.coord_bits - 1)); }
+    SECTION("coordinate outside the symmetric lattice") {
+        triangle.a[0] = -(1 << (victim.config.coord_bits - 1));
+    }
     victim.put(triangle, half_line * words_per_half);
     CHECK_FALSE(victim.sound());
 }
@@ -82,7 +84,9 @@ TEST_CASE("the validator notices a damaged triangle") {
 TEST_CASE("the validator notices stray bits, lines and figures") {
     Victim victim;
     SECTION("bit above a node") { victim.image.words[15] |= 1u << 31; }
-    SECTION("line that nothing leads to") { victim.image.words.resize(victim.image.words.size() + words_per_line, 0); }
+    SECTION("line that nothing leads to") {
+        victim.image.words.resize(victim.image.words.size() + words_per_line, 0);
+    }
     SECTION("part of a line") { victim.image.words.pop_back(); }
     SECTION("last line missing") { victim.image.words.resize(victim.image.words.size() - words_per_line); }
     SECTION("nothing at all") { victim.image.words.clear(); }

@@ -40,10 +40,15 @@ TEST_CASE("the walk finds what a search through all triangles finds") {
 }
 
 TEST_CASE("visits per camera ray stay where they were measured") {
-    // 512 x 384, every fourth pixel across and down, width 8, one triangle a leaf; 5 % of room for a change of taste.
-    const auto [spec, visits, tests] = GENERATE(table<const char*, double, double>(
-        {{"gears:8", 4.58, 3.67}, {"balls:3", 3.74, 2.98}, {"rings:3", 8.13, 22.2}, {"mount:8", 4.23, 1.63},
-         {"tetra:8", 2.63, 1.01}, {"teapot:12", 3.14, 1.3}, {"tree:6", 2.12, 2.45}}));
+    // 512 x 384, every fourth pixel across and down, width 8, one triangle a leaf; 5 % of room for a change
+    // of taste.
+    const auto [spec, visits, tests] = GENERATE(table<const char*, double, double>({{"gears:8", 4.58, 3.67},
+                                                                                    {"balls:3", 3.74, 2.98},
+                                                                                    {"rings:3", 8.13, 22.2},
+                                                                                    {"mount:8", 4.23, 1.63},
+                                                                                    {"tetra:8", 2.63, 1.01},
+                                                                                    {"teapot:12", 3.14, 1.3},
+                                                                                    {"tree:6", 2.12, 2.45}}));
     const Scene scene = make_builtin(spec);
     const Config config;
     const MemoryImage image = compile_scene(scene, scene.camera->eye, config);

@@ -1,4 +1,5 @@
-// A node's planes: outward, by less than a step, and no coarser than they must be; for every two children of a small lattice.
+// A node's planes: outward, by less than a step, and no coarser than they must be; for every two children of
+// a small lattice.
 #include <catch2/catch.hpp>
 
 #include "model/accel/encode.hpp"
@@ -21,11 +22,12 @@ std::vector<Interval> all_intervals(int bits) {
 /// Whether the quantised planes of a child along an axis are right for the real ones.
 bool outward(const Node& node, std::size_t child, std::size_t axis, const Interval& real) {
     const std::int64_t step = std::int64_t(1) << node.exp[axis];
-    const std::int64_t lo = dequantised(node, node.lo[3 * child + axis], axis), hi = dequantised(node, node.hi[3 * child + axis], axis);
+    const std::int64_t lo = dequantised(node, node.lo[3 * child + axis], axis),
+                       hi = dequantised(node, node.hi[3 * child + axis], axis);
     return lo <= real.lo && real.lo - lo < step && hi >= real.hi && hi - real.hi < step;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a node's boxes are outward by less than a step, for every two intervals") {
     Config config;
@@ -37,7 +39,8 @@ TEST_CASE("a node's boxes are outward by less than a step, for every two interva
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
             // Three pairs at once, one an axis.
-            const std::array<Interval, 3> first{all[i], all[j], all[(i + j) % n]}, second{all[j], all[(2 * i + j) % n], all[i]};
+            const std::array<Interval, 3> first{all[i], all[j], all[(i + j) % n]},
+                second{all[j], all[(2 * i + j) % n], all[i]};
             std::array<NodeChild, 2> children;
             for (std::size_t k = 0; k < 3; ++k) {
                 children[0].box.lo[k] = first[k].lo, children[0].box.hi[k] = first[k].hi;
@@ -45,11 +48,14 @@ TEST_CASE("a node's boxes are outward by less than a step, for every two interva
             }
             const Node node = encode_node(children, 0, config);
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::int32_t extent = std::max(first[k].hi, second[k].hi) - std::min(first[k].lo, second[k].lo);
+                const std::int32_t extent =
+                    std::max(first[k].hi, second[k].hi) - std::min(first[k].lo, second[k].lo);
                 const std::int32_t most = (1 << config.box_bits) - 1;
                 wrong += !outward(node, 0, k, first[k]) || !outward(node, 1, k, second[k]);
-                wrong += node.hi[k] > std::uint32_t(most) || node.hi[3 + k] > std::uint32_t(most) || node.org[k] != std::min(first[k].lo, second[k].lo);
-                wrong += node.exp[k] > 0 && most << (node.exp[k] - 1) >= extent;   // a finer exponent would have done
+                wrong += node.hi[k] > std::uint32_t(most) || node.hi[3 + k] > std::uint32_t(most) ||
+                         node.org[k] != std::min(first[k].lo, second[k].lo);
+                wrong += node.exp[k] > 0 &&
+                         most << (node.exp[k] - 1) >= extent;   // a finer exponent would have done
             }
         }
     REQUIRE(n == 528);

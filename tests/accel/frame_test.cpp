@@ -20,8 +20,8 @@ Config with_dir_bits(int bits) {
     return config;
 }
 
-/// A pixel's direction: its largest component and that of the sum that it was made from, the power of two between the two, and
-/// how far it is off from the double direction times the scale and that power.
+/// A pixel's direction: its largest component and that of the sum that it was made from, the power of two
+/// between the two, and how far it is off from the double direction times the scale and that power.
 struct Seen {
     std::int64_t largest = 0, sum = 0;
     double power = 1, error = 0;
@@ -47,17 +47,18 @@ PixelRays in_steps(PixelRays rays, const Lattice& lattice) {
 }
 
 bool fits(const Vec3l& v, int bits) {
-    return std::all_of(v.begin(), v.end(), [bits](std::int64_t x) { return std::abs(x) < std::int64_t(1) << (bits - 1); });
+    return std::all_of(v.begin(), v.end(),
+                       [bits](std::int64_t x) { return std::abs(x) < std::int64_t(1) << (bits - 1); });
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("every pixel's direction fits and points where the camera does") {
     const int bits = GENERATE(12, 16, 18, 20, 24);
     const double fov = GENERATE(1.0, 45.0, 120.0, 179.0);
-    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{2, 1}, FrameSize{1, 2}, FrameSize{2, 2}, FrameSize{3, 5},
-                                    FrameSize{512, 384}, FrameSize{641, 359}, FrameSize{16384, 1}, FrameSize{1, 16384},
-                                    FrameSize{16384, 16384});
+    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{2, 1}, FrameSize{1, 2}, FrameSize{2, 2},
+                                    FrameSize{3, 5}, FrameSize{512, 384}, FrameSize{641, 359},
+                                    FrameSize{16384, 1}, FrameSize{1, 16384}, FrameSize{16384, 16384});
     if (size.width == 16384 && size.height == 1 && fov > 1) return;   // refused, see below
     const Config config = with_dir_bits(bits);
     const Camera camera{{3, 4, 5}, {-1, 0.5, 0.25}, {0.1, 1, 0.2}, fov};
@@ -78,8 +79,9 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
     for (int k = 1; k < 3; ++k)
         if (std::abs(rays.corner[k]) > std::abs(rays.corner[axis])) axis = k;
     const double scale = double(frame.corner[std::size_t(axis)]) / rays.corner[axis] / (1 << guard_bits);
-    // Half from raygen's rounding, one if that would be too large; (1 + x + y) / 2 guard units from the registers', before they are
-    // moved up; as much again for what the scale found above may be off, seen at pixels up to m / |corner| times as long.
+    // Half from raygen's rounding, one if that would be too large; (1 + x + y) / 2 guard units from the
+    // registers', before they are moved up; as much again for what the scale found above may be off, seen at
+    // pixels up to m / |corner| times as long.
     const double off = 2.0 * (size.width + size.height) / (1 << guard_bits);
 
     std::mt19937 draw{std::uint32_t(bits)};
@@ -91,7 +93,8 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
         const Seen pixel = look(rays, frame, scale, x, y, config);
         longest = std::max(longest, pixel.sum);
         shortest = std::min(shortest, pixel.largest);
-        is_near = is_near && pixel.error <= (pixel.largest == (1 << (bits - 1)) - 1 ? 1 : 0.5) + pixel.power * off;
+        is_near =
+            is_near && pixel.error <= (pixel.largest == (1 << (bits - 1)) - 1 ? 1 : 0.5) + pixel.power * off;
     }
     CHECK(longest < std::int64_t(1) << (config.guard_dir_bits() - 1));
     CHECK(is_near);
@@ -99,16 +102,22 @@ TEST_CASE("every pixel's direction fits and points where the camera does") {
 }
 
 TEST_CASE("a camera that is too wide is refused, and no other") {
-    const auto make = [](double fov, FrameSize size, int bits) { make_frame({{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, fov}, size, Lattice{}, with_dir_bits(bits)); };
+    const auto make = [](double fov, FrameSize size, int bits) {
+        make_frame({{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, fov}, size, Lattice{}, with_dir_bits(bits));
+    };
     for (const int bits : {12, 20, 24})
         for (const double fov : {1.0, 110.0, 140.0, 160.0, 175.0})
-            for (const FrameSize size : {FrameSize{512, 384}, FrameSize{384, 512}, FrameSize{1920, 240}, FrameSize{60, 1920}, FrameSize{1, 1}})
+            for (const FrameSize size : {FrameSize{512, 384}, FrameSize{384, 512}, FrameSize{1920, 240},
+                                         FrameSize{60, 1920}, FrameSize{1, 1}})
                 CHECK_NOTHROW(make(fov, size, bits));
     CHECK_NOTHROW(make(179.9, {512, 384}, 20));
-    // Straight ahead z is 1; beside it, at the picture's end, x is w / h tan(fov / 2), which may be 2^16: 22.9 x 2862.
+    // Straight ahead z is 1; beside it, at the picture's end, x is w / h tan(fov / 2), which may be
+    // 2^16: 22.9 x 2862.
     CHECK_NOTHROW(make(90, {16384, 1}, 20));
     CHECK_NOTHROW(make(175, {2800, 1}, 20));
-    CHECK_THROWS_WITH(make(175, {2900, 1}, 20), Catch::Contains("175 degrees") && Catch::Contains("2900 x 1") && Catch::Contains("dir_bits"));
+    CHECK_THROWS_WITH(make(175, {2900, 1}, 20), Catch::Contains("175 degrees") &&
+                                                    Catch::Contains("2900 x 1") &&
+                                                    Catch::Contains("dir_bits"));
     CHECK_THROWS_WITH(make(160, {16384, 1}, 20), Catch::Contains("160 degrees"));
     CHECK_THROWS_WITH(make(179.999, {512, 384}, 20), Catch::Contains("179.999 degrees"));
 }
@@ -131,7 +140,8 @@ TEST_CASE("small pictures are right in every pixel") {
 
 TEST_CASE("every sample's direction fits, half a pixel around the outer pixels' middles") {
     const double fov = GENERATE(1.0, 120.0, 179.0);
-    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{2, 1}, FrameSize{1, 2}, FrameSize{3, 5}, FrameSize{512, 384}, FrameSize{16384, 16384});
+    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{2, 1}, FrameSize{1, 2}, FrameSize{3, 5},
+                                    FrameSize{512, 384}, FrameSize{16384, 16384});
     Config config = with_dir_bits(GENERATE(12, 20, 24));
     config.shading = config.supersampling = 1;
     const Frame frame = make_frame({{3, 4, 5}, {-1, 0.5, 0.25}, {0.1, 1, 0.2}, fov}, size, Lattice{}, config);
@@ -139,11 +149,12 @@ TEST_CASE("every sample's direction fits, half a pixel around the outer pixels' 
     for (const Vec3l& v : {frame.corner, frame.right, frame.down}) CHECK(fits(v, config.guard_dir_bits()));
     const std::int64_t most = (std::int64_t(1) << (config.dir_bits - 1)) - 1;
     std::int64_t largest = 0;
-    for (const std::int64_t x : {-128, 256 * size.width - 129})      // in 1/256 of a pixel
+    for (const std::int64_t x : {-128, 256 * size.width - 129})   // in 1/256 of a pixel
         for (const std::int64_t y : {-128, 256 * size.height - 129})
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int64_t sum = 256 * frame.corner[k] + x * frame.right[k] + y * frame.down[k];
-                largest = std::max(largest, std::abs((sum + (std::int64_t(1) << (guard_bits + 7))) >> (guard_bits + 8)));
+                largest = std::max(
+                    largest, std::abs((sum + (std::int64_t(1) << (guard_bits + 7))) >> (guard_bits + 8)));
             }
     CHECK(largest <= most);
     if (size.width > 2 && size.height > 2) CHECK(double(largest) > 0.98 * double(most));
@@ -160,7 +171,8 @@ TEST_CASE("what a configuration's addresses and numbers cannot tell is refused i
         narrow.*member = enough;
         REQUIRE_NOTHROW(compile_scene(scene, eye, narrow));
         narrow.*member = enough - 1;
-        CHECK_THROWS_WITH(compile_scene(scene, eye, narrow), Catch::Contains(word) && Catch::Contains("--set " + std::string(word) + "="));
+        CHECK_THROWS_WITH(compile_scene(scene, eye, narrow),
+                          Catch::Contains(word) && Catch::Contains("--set " + std::string(word) + "="));
     };
     refuses(&Config::addr_bits, std::bit_width(image.lines() - 1), "addr_bits");
     refuses(&Config::prim_bits, int(std::bit_width(scene.triangles.size() - 1)), "prim_bits");
@@ -169,5 +181,6 @@ TEST_CASE("what a configuration's addresses and numbers cannot tell is refused i
     camera.eye = eye;
     config.pixel_bits = 8;
     CHECK_NOTHROW(make_frame(camera, {256, 3}, image.lattice, config));
-    CHECK_THROWS_WITH(make_frame(camera, {3, 257}, image.lattice, config), Catch::Contains("--set pixel_bits=9"));
+    CHECK_THROWS_WITH(make_frame(camera, {3, 257}, image.lattice, config),
+                      Catch::Contains("--set pixel_bits=9"));
 }

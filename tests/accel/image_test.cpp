@@ -40,15 +40,17 @@ std::string error_of(const Scene& scene, const Config& config) {
     return "";
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the image holds the scene, soundly") {
     const int bits = GENERATE(12, 16, 18, 20), width = GENERATE(2, 4, 8), leaf = GENERATE(1, 2, 4, 6);
     const Config config = shape(bits, width, leaf);
-    for (const Scene& scene : {soup(1, 0.5, 1), soup(2, 0.5, 2), soup(9, 0.5, 3), soup(1000, 0.1, 4), soup(300, 3, 5),
-                               sheet(20), single(), coincident(1000), needles(400, 6), extremes(), vanishing(60)}) {
+    for (const Scene& scene :
+         {soup(1, 0.5, 1), soup(2, 0.5, 2), soup(9, 0.5, 3), soup(1000, 0.1, 4), soup(300, 3, 5), sheet(20),
+          single(), coincident(1000), needles(400, 6), extremes(), vanishing(60)}) {
         const MemoryImage image = compile_scene(scene, eye, config);
-        INFO(scene.name << " of " << scene.triangles.size() << ", " << bits << " bits, width " << width << ", leaf " << leaf);
+        INFO(scene.name << " of " << scene.triangles.size() << ", " << bits << " bits, width " << width
+                        << ", leaf " << leaf);
         CHECK(all_of(check_image(image, config, &scene)) == "");
         std::uint64_t found = 0;
         for_each_triangle(image, config, [&](const PrimData&) { ++found; });
@@ -72,14 +74,17 @@ TEST_CASE("one triangle is a root with one leaf") {
 
 TEST_CASE("boxes are as tight as the format allows") {
     const Config config = shape(18, 8, 1);
-    const std::array<NodeChild, 2> children{NodeChild{{{-5, 0, 7}, {250, 0, 300}}, 1}, NodeChild{{{-4, 0, 7}, {10, 0, 8}}, 2}};
+    const std::array<NodeChild, 2> children{NodeChild{{{-5, 0, 7}, {250, 0, 300}}, 1},
+                                            NodeChild{{{-4, 0, 7}, {10, 0, 8}}, 2}};
     const Node node = encode_node(children, 77, config);
     CHECK(node.org == Vec3i{-5, 0, 7});
     CHECK(node.exp == std::array<std::uint32_t, 3>{0, 0, 1});
     CHECK(node.base == 77);
     CHECK(node.kind == std::array<std::uint32_t, max_width>{2, 3});
-    CHECK(std::vector<std::uint32_t>(node.lo.begin(), node.lo.begin() + 6) == std::vector<std::uint32_t>{0, 0, 0, 1, 0, 0});
-    CHECK(std::vector<std::uint32_t>(node.hi.begin(), node.hi.begin() + 6) == std::vector<std::uint32_t>{255, 0, 147, 15, 0, 1});
+    CHECK(std::vector<std::uint32_t>(node.lo.begin(), node.lo.begin() + 6) ==
+          std::vector<std::uint32_t>{0, 0, 0, 1, 0, 0});
+    CHECK(std::vector<std::uint32_t>(node.hi.begin(), node.hi.begin() + 6) ==
+          std::vector<std::uint32_t>{255, 0, 147, 15, 0, 1});
     const std::array<NodeChild, 1> wider{NodeChild{{{0, 0, 0}, {256, 510, 511}}, 1}};
     CHECK(encode_node(wider, 0, config).exp == std::array<std::uint32_t, 3>{1, 1, 2});
 }
@@ -99,9 +104,9 @@ TEST_CASE("the same bytes for every number of threads") {
 TEST_CASE("triangles without area on the lattice are left out and counted") {
     const Config config = shape(12, 8, 1);
     Scene scene = soup(50, 0.5, 12);
-    add(scene, {0, 0, 0}, {1, 0, 0}, {0.3, 0, 0});           // collinear
-    add(scene, {0, 0, 0}, {1e-6, 0, 0}, {0, 1e-6, 0});       // smaller than a step
-    add(scene, {0, 0, 0}, {0, 0, 0}, {1, 0, 0});             // a corner twice
+    add(scene, {0, 0, 0}, {1, 0, 0}, {0.3, 0, 0});       // collinear
+    add(scene, {0, 0, 0}, {1e-6, 0, 0}, {0, 1e-6, 0});   // smaller than a step
+    add(scene, {0, 0, 0}, {0, 0, 0}, {1, 0, 0});         // a corner twice
     add(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const MemoryImage image = compile_scene(scene, eye, config);
     CHECK(image.report.triangles == 54);
@@ -112,15 +117,18 @@ TEST_CASE("triangles without area on the lattice are left out and counted") {
 TEST_CASE("what cannot be compiled is refused in one sentence") {
     Scene dust = named("dust");
     for (int i = 0; i < 3; ++i) add(dust, {0, 0, 0}, {1e-6, 0, 0}, {0, 1e-6, 0});
-    CHECK_THAT(error_of(dust, shape(12, 8, 1)), Catch::Contains("dust: all 3 triangles vanish on a lattice of 12 bits"));
+    CHECK_THAT(error_of(dust, shape(12, 8, 1)),
+               Catch::Contains("dust: all 3 triangles vanish on a lattice of 12 bits"));
 
     Config shallow = shape(18, 2, 1);
     shallow.stack_depth = 2;
-    CHECK_THAT(error_of(soup(1000, 0.1, 4), shallow), Catch::Contains("soup: ") && Catch::Contains("--set stack_depth=16"));
+    CHECK_THAT(error_of(soup(1000, 0.1, 4), shallow),
+               Catch::Contains("soup: ") && Catch::Contains("--set stack_depth=16"));
     CHECK(error_of(soup(1000, 0.1, 4), shape(18, 2, 1)) == "");
 
     CHECK_NOTHROW(check_lines(1 << 24, Config{}, "vast"));
-    CHECK_THROWS_WITH(check_lines((1 << 24) + 1, Config{}, "vast"), Catch::StartsWith("vast: ") && Catch::Contains("2^24 lines"));
+    CHECK_THROWS_WITH(check_lines((1 << 24) + 1, Config{}, "vast"),
+                      Catch::StartsWith("vast: ") && Catch::Contains("2^24 lines"));
 }
 
 TEST_CASE("progress reaches its end") {

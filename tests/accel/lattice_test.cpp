@@ -15,17 +15,20 @@ double off(const Lattice& lattice, const glm::dvec3& point) {
     const Vec3i k = lattice.snap(point);
     double worst = 0;
     for (int a = 0; a < 3; ++a)
-        worst = std::max(worst, std::abs((lattice.centre[a] + lattice.pitch[a] * k[std::size_t(a)] - point[a]) / lattice.pitch[a]));
+        worst =
+            std::max(worst, std::abs((lattice.centre[a] + lattice.pitch[a] * k[std::size_t(a)] - point[a]) /
+                                     lattice.pitch[a]));
     return worst;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("every vertex lies within half a pitch of its lattice point") {
     const int bits = GENERATE(12, 16, 18, 20);
     const std::int32_t largest = (1 << (bits - 1)) - 1;
     for (Scene scene : {soup(500, 0.1, 7), sheet(10), needles(100, 3), extremes(), single(), coincident(3)}) {
-        const glm::dvec3 shift = GENERATE(glm::dvec3{0}, glm::dvec3{1000, -20, 3}, glm::dvec3{-1e6, 1e6, 1e6});
+        const glm::dvec3 shift =
+            GENERATE(glm::dvec3{0}, glm::dvec3{1000, -20, 3}, glm::dvec3{-1e6, 1e6, 1e6});
         for (glm::dvec3& v : scene.vertices) v += shift;
         const glm::dvec3 eye = scene.vertices[0] + glm::dvec3{2, 3, -5};
         const Lattice lattice = fit_lattice(scene, eye, bits);
@@ -88,7 +91,9 @@ TEST_CASE("degenerate extents have a lattice") {
             Scene scene = named("far");
             add(scene, {-size, 0, 0}, {size, 0, 0}, {0, size, 0});
             const Lattice lattice = fit_lattice(scene, {0, 0, size}, 20);
-            for (int a = 0; a < 3; ++a) CHECK((std::isfinite(lattice.pitch[a]) && lattice.pitch[a] > 0 && std::isfinite(lattice.centre[a])));
+            for (int a = 0; a < 3; ++a)
+                CHECK((std::isfinite(lattice.pitch[a]) && lattice.pitch[a] > 0 &&
+                       std::isfinite(lattice.centre[a])));
             for (const glm::dvec3& v : scene.vertices)
                 for (const std::int32_t x : lattice.snap(v)) CHECK(std::abs(x) < 1 << 19);
         }

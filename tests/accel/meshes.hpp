@@ -79,7 +79,9 @@ inline Scene needles(int n, std::uint32_t seed) {
 /// Triangles between the corners of the scene's cube: the largest coordinates there are.
 inline Scene extremes() {
     Scene scene = named("extremes");
-    const auto corner = [](int i) { return 1e9 * glm::dvec3{i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1}; };
+    const auto corner = [](int i) {
+        return 1e9 * glm::dvec3{i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+    };
     for (int a = 0; a < 8; ++a)
         for (int b = a + 1; b < 8; ++b)
             for (int c = b + 1; c < 8; ++c) add(scene, corner(a), corner(b), corner(c));
@@ -90,8 +92,9 @@ inline Scene extremes() {
 inline Scene vanishing(int n) {
     Scene scene = named("vanishing");
     double size = 1;
-    for (int i = 0; i < n; ++i, size *= 0.9) add(scene, {0, 0, 0}, {size, 0, 0.1 * size}, {0, size, 0.2 * size});
+    for (int i = 0; i < n; ++i, size *= 0.9)
+        add(scene, {0, 0, 0}, {size, 0, 0.1 * size}, {0, size, 0.2 * size});
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,4 +1,5 @@
-// rayclock area on units that Yosys has done in a second: what is counted, what is found again, what is refused.
+// rayclock area on units that Yosys has done in a second: what is counted, what is found again, what is
+// refused.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
@@ -17,13 +18,14 @@ const json& part_of(const json& variant, const std::string& name) {
     return variant;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("area counts the units of every machine, each different one once, and finds them again") {
     const Folder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
     const auto area = [&](const char* report) {
-        return run_program({"area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
+        return run_program(
+            {"area", "--config", "small", "--unit", "sched,dispatch", "--json", folder.name(report)}, cache);
     };
     const Outcome first = area("a.json");
     INFO(first.err);
@@ -36,8 +38,10 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     CHECK(report["variants"][7]["name"] == "all units");
     for (const json& variant : report["variants"]) {
         CHECK(variant["units"].size() == 2);
-        const json &sched = part_of(variant, "sched")["count"], &dispatch = part_of(variant, "dispatch")["count"];
-        // Which tile is next: two counters of the picture's size in tiles, and little else. No multiplier, no memory.
+        const json &sched = part_of(variant, "sched")["count"],
+                   &dispatch = part_of(variant, "dispatch")["count"];
+        // Which tile is next: two counters of the picture's size in tiles, and little else. No multiplier, no
+        // memory.
         CHECK(dispatch["ff"].get<int>() >= 16);
         CHECK(dispatch["ff"].get<int>() <= 40);
         CHECK(dispatch["mult18x18d"] == 0);
@@ -45,7 +49,8 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
         CHECK(dispatch["dpr16x4"] == 0);
         // The pixel of each context: a memory.
         CHECK(sched["dpr16x4"].get<int>() > 0);
-        CHECK(sched["luts"] == sched["lut4"].get<int>() + 2 * sched["ccu2c"].get<int>() + 6 * sched["dpr16x4"].get<int>());
+        CHECK(sched["luts"] ==
+              sched["lut4"].get<int>() + 2 * sched["ccu2c"].get<int>() + 6 * sched["dpr16x4"].get<int>());
         // Of the two only sched is one for each pipeline.
         CHECK(variant["pipeline"] == sched);
         CHECK(part_of(variant, "dispatch") == part_of(report["variants"][0], "dispatch"));
@@ -65,9 +70,12 @@ TEST_CASE("area refuses what makes no sense") {
     check_refused(run_program({"area", "--config", "smal"}), {"'smal'", "small"});
     check_refused(run_program({"area", "--set", "contexts=0"}), {"contexts"});
     check_refused(run_program({"area", "--set", "primitive_test=sheared"}), {"primitive_test=exact"});
-    check_refused(run_program({"area", "--unit", "sched", "-o", folder.name("page.md")}), {"--unit", "--output"});
+    check_refused(run_program({"area", "--unit", "sched", "-o", folder.name("page.md")}),
+                  {"--unit", "--output"});
     check_refused(run_program({"area", "-o", folder.name("none/page.md")}), {"none/page.md"});
     check_refused(run_program({"area", "--json", folder.name("none/a.json")}), {"none/a.json"});
     check_refused(run_program({"area", "--threads", "-1"}), {"--threads"});
-    check_refused(run_program({"area", "--unit", "sched"}, {"PATH=/nonexistent", "RAYCLOCK_CACHE=" + folder.name("cache")}), {"yosys is not installed"});
+    check_refused(run_program({"area", "--unit", "sched"},
+                              {"PATH=/nonexistent", "RAYCLOCK_CACHE=" + folder.name("cache")}),
+                  {"yosys is not installed"});
 }

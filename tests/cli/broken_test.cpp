@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A copy of the project's RTL in `folder` with one text replaced; it must be there exactly once.
-std::string broken_rtl(const Folder& folder, const std::string& file, const std::string& old, const std::string& fresh) {
+std::string broken_rtl(const Folder& folder, const std::string& file, const std::string& old,
+                       const std::string& fresh) {
     const std::string copy = folder.name("rtl");
     fs::copy(RAYCLOCK_SOURCE_DIR "/rtl", copy, fs::copy_options::recursive);
     std::string text = bytes_of(copy + "/" + file);
@@ -23,18 +24,22 @@ std::string broken_rtl(const Folder& folder, const std::string& file, const std:
     return copy;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("verify names the first divergence of wrong RTL: a value") {
     const Folder folder;
     // u of every hit is one too large.
-    const std::string rtl = broken_rtl(folder, "isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (B+1)'(1) + {");
-    const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")};
+    const std::string rtl =
+        broken_rtl(folder, "isect/rc_hitdiv.sv", "assign u_o = {", "assign u_o = (B+1)'(1) + {");
+    const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
+                                               "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string file = folder.name("report.json");
-    const Outcome outcome = run_program({"verify", "tetra:3", "--size", "24x18", "--json", file}, environment);
+    const Outcome outcome =
+        run_program({"verify", "tetra:3", "--size", "24x18", "--json", file}, environment);
     INFO(outcome.out << outcome.err);
     CHECK(outcome.code == 1);
-    CHECK(outcome.err == "rayclock: building the RTL of 'default', once for all runs; this may take a minute\n");
+    CHECK(outcome.err ==
+          "rayclock: building the RTL of 'default', once for all runs; this may take a minute\n");
     CHECK(outcome.out.find("FIRST DIVERGENCE at cycle ") != std::string::npos);
     CHECK(outcome.out.find("unit tri, channel tri_rsp") != std::string::npos);
     CHECK(outcome.out.find("FAILED") != std::string::npos);
@@ -57,14 +62,17 @@ TEST_CASE("verify names the first divergence of wrong RTL: a value") {
     CHECK(d.contains("wave"));
 
     // The frame of the wrong RTL is what render shows; it does not stop.
-    CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--engine", "rtl", "-o", folder.name("x.png")}, environment).code == 0);
+    CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--engine", "rtl", "-o", folder.name("x.png")},
+                      environment)
+              .code == 0);
 }
 
 TEST_CASE("RTL that cannot be built is an error, and leaves nothing in the cache") {
     const Folder folder;
     const std::string rtl = broken_rtl(folder, "trav/rc_rank.sv", "endmodule", "endmodul");
     fs::create_directory(folder.name("cache"));
-    const Outcome outcome = run_program({"verify", "tetra:1", "--size", "8x8"}, {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});
+    const Outcome outcome = run_program({"verify", "tetra:1", "--size", "8x8"},
+                                        {"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")});
     CHECK(outcome.code == 1);
     CHECK(outcome.err.find("rc_rank.sv") != std::string::npos);
     for (const auto& [name, bytes] : folder.contents())

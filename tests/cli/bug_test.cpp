@@ -13,9 +13,11 @@ using nlohmann::json;
 namespace {
 
 /// A copy of rtl/ in which `from`, which must be there once, is `to`.
-std::string faulty_rtl(const Folder& folder, const std::string& file, const std::string& from, const std::string& to) {
+std::string faulty_rtl(const Folder& folder, const std::string& file, const std::string& from,
+                       const std::string& to) {
     const std::string copy = folder.name("rtl");
-    std::filesystem::copy(std::string(RAYCLOCK_SOURCE_DIR) + "/rtl", copy, std::filesystem::copy_options::recursive);
+    std::filesystem::copy(std::string(RAYCLOCK_SOURCE_DIR) + "/rtl", copy,
+                          std::filesystem::copy_options::recursive);
     std::string text = bytes_of(copy + "/" + file);
     const std::size_t at = text.find(from);
     REQUIRE(at != std::string::npos);
@@ -24,13 +26,16 @@ std::string faulty_rtl(const Folder& folder, const std::string& file, const std:
     return copy;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a rounding fault in the RTL is a bug, and the exit code says so", "[slow]") {
     const Folder folder;
-    const std::string rtl = faulty_rtl(folder, "isect/rc_hitdiv.sv", "t_down + {{(T-1){1'b0}}, t_up}", "t_down + {{(T-1){1'b0}}, t_up && 1'b0}");
-    const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl, "RAYCLOCK_CACHE=" + folder.name("cache")};
-    const std::vector<std::string> frame{"teapot:3", "--size", "24x18", "--config", "small", "--clock", "66", "--json", "-"};
+    const std::string rtl = faulty_rtl(folder, "isect/rc_hitdiv.sv", "t_down + {{(T-1){1'b0}}, t_up}",
+                                       "t_down + {{(T-1){1'b0}}, t_up && 1'b0}");
+    const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
+                                               "RAYCLOCK_CACHE=" + folder.name("cache")};
+    const std::vector<std::string> frame{"teapot:3", "--size", "24x18",  "--config", "small",
+                                         "--clock",  "66",     "--json", "-"};
 
     std::vector<std::string> simulate{"simulate", "--engine", "rtl"};
     simulate.insert(simulate.end(), frame.begin(), frame.end());

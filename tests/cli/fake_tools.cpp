@@ -10,13 +10,16 @@ namespace rayclock::test {
 namespace fs = std::filesystem;
 
 std::string FakeTools::compiler(const std::string& script, const std::string& version) {
-    return "case \"$1\" in --version) echo 'c++ (Fake) " + version + "'; exit;; -dumpmachine) echo fake; exit;; esac\n"
+    return "case \"$1\" in --version) echo 'c++ (Fake) " + version +
+           "'; exit;; -dumpmachine) echo fake; exit;; esac\n"
            "echo \"$@\" >> \"$FAKE/calls\"\n"
-           "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done\n" + script + "\n";
+           "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done\n" +
+           script + "\n";
 }
 
 std::string FakeTools::verilator(const std::string& version) {
-    return "case \"$1\" in --version) echo 'Verilator " + version + " fake'; exit;; --getenv) echo \"$FAKE/root\"; exit;; esac\n"
+    return "case \"$1\" in --version) echo 'Verilator " + version +
+           " fake'; exit;; --getenv) echo \"$FAKE/root\"; exit;; esac\n"
            "echo \"$@\" >> \"$FAKE/verilated\"\n/bin/mkdir obj && echo > obj/Vrc.cpp\n";
 }
 
@@ -30,7 +33,8 @@ FakeTools::FakeTools(const std::string& cache) : cache_(cache) {
 }
 
 std::vector<std::string> FakeTools::environment() const {
-    return {"PATH=" + path("bin"), "FAKE=" + path("."), "RAYCLOCK_RTL=" + path("rtl"), "RAYCLOCK_CACHE=" + cache(), "VERILATOR_ROOT="};
+    return {"PATH=" + path("bin"), "FAKE=" + path("."), "RAYCLOCK_RTL=" + path("rtl"),
+            "RAYCLOCK_CACHE=" + cache(), "VERILATOR_ROOT="};
 }
 
 void FakeTools::replace(const std::string& tool, const std::string& script) const {
@@ -59,4 +63,4 @@ std::string FakeTools::entry() const {
     return cache() + "/" + all[0];
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,5 +1,6 @@
 #pragma once
-// A Verilator and a compiler that make nothing, at once, so that what happens around them can be tried quickly.
+// A Verilator and a compiler that make nothing, at once, so that what happens around them can be tried
+// quickly.
 #include <string>
 #include <vector>
 
@@ -7,7 +8,8 @@
 
 namespace rayclock::test {
 
-/// Programs in a folder `bin` that is all of PATH, a cache, and RTL of a few lines. The library that is "built" is a line of text.
+/// Programs in a folder `bin` that is all of PATH, a cache, and RTL of a few lines. The library that is
+/// "built" is a line of text.
 class FakeTools {
 public:
     explicit FakeTools(const std::string& cache = "cache");
@@ -31,8 +33,10 @@ public:
     /// Names in the cache, without locks.
     std::vector<std::string> names() const;
 
-    /// As the compiler, says its version and records its arguments, then runs `script`, in which $out is what it must make.
-    static std::string compiler(const std::string& script = "echo built > \"$out\"", const std::string& version = "12.2.0");
+    /// As the compiler, says its version and records its arguments, then runs `script`, in which $out is what
+    /// it must make.
+    static std::string compiler(const std::string& script = "echo built > \"$out\"",
+                                const std::string& version = "12.2.0");
     static std::string verilator(const std::string& version = "5.006");
 
 private:
@@ -40,4 +44,4 @@ private:
     std::string cache_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -12,7 +12,8 @@ using nlohmann::json;
 
 TEST_CASE("figures writes a page that shows every picture it made, and each number that it has") {
     const Folder folder;
-    const Outcome outcome = run_program({"figures", "-o", folder.name("page"), "--size", "32x24", "--engine", "reference,model", "--json", folder.name("numbers.json")});
+    const Outcome outcome = run_program({"figures", "-o", folder.name("page"), "--size", "32x24", "--engine",
+                                         "reference,model", "--json", folder.name("numbers.json")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.err.empty());
@@ -37,7 +38,8 @@ TEST_CASE("figures writes a page that shows every picture it made, and each numb
     }
     for (const char* scene : {"spheres", "balls:3", "mount:5", "gears:2"})
         for (const char* engine : {"reference", "model"}) {
-            const json &depths = numbers["cutoffs"][scene][engine]["depths"], &thresholds = numbers["cutoffs"][scene][engine]["thresholds"];
+            const json &depths = numbers["cutoffs"][scene][engine]["depths"],
+                       &thresholds = numbers["cutoffs"][scene][engine]["thresholds"];
             INFO(scene << ", " << engine);
             CHECK(depths.back()["depth"] == 15);
             CHECK(depths.back()["rmse"] == 0);
@@ -46,13 +48,16 @@ TEST_CASE("figures writes a page that shows every picture it made, and each numb
             CHECK(thresholds.back()["rays"] < thresholds.front()["rays"]);
             for (std::size_t k = 1; k < depths.size(); ++k) CHECK(depths[k]["rays"] >= depths[k - 1]["rays"]);
         }
-    // With 8x8 samples the plane has less noise than with one; an adaptive picture has no more samples than 4x4 everywhere.
-    for (const json& p : numbers["adaptive"]["plane"]["model"]) CHECK(p["samples"].get<int>() <= 16 * 32 * 24);
+    // With 8x8 samples the plane has less noise than with one; an adaptive picture has no more samples than
+    // 4x4 everywhere.
+    for (const json& p : numbers["adaptive"]["plane"]["model"])
+        CHECK(p["samples"].get<int>() <= 16 * 32 * 24);
     CHECK(numbers["plane"].size() == 12);
     CHECK(numbers["square"].size() == 12);
     for (const char* scene : {"balls:2", "mount:4", "gears:1"}) {
         const json& share = numbers["test_share"][scene];
-        CHECK(share["reference"]["with"]["tests"].get<double>() < 0.5 * share["reference"]["without"]["tests"].get<double>());
+        CHECK(share["reference"]["with"]["tests"].get<double>() <
+              0.5 * share["reference"]["without"]["tests"].get<double>());
         CHECK(share["reference"]["without"]["search_share"].get<double>() < 1);
         CHECK(share["model"]["tri_busy"].get<double>() <= 1);
         CHECK(share["model"]["tests"].get<double>() < share["model"]["tests_without"].get<double>());
@@ -61,7 +66,8 @@ TEST_CASE("figures writes a page that shows every picture it made, and each numb
 
 TEST_CASE("figures refuses what it cannot do") {
     const Folder folder;
-    check_refused(run_program({"figures", "-o", folder.name("page"), "--engine", "model,chip"}), {"--engine", "'chip'", "reference, model or rtl"});
+    check_refused(run_program({"figures", "-o", folder.name("page"), "--engine", "model,chip"}),
+                  {"--engine", "'chip'", "reference, model or rtl"});
     check_refused(run_program({"figures", "-o", folder.name("page"), "--size", "0x5"}), {"picture"});
     const std::string file = folder.write("file", "no folder");
     check_refused(run_program({"figures", "-o", file, "--size", "16x12"}), {file, "folder"});
@@ -70,7 +76,9 @@ TEST_CASE("figures refuses what it cannot do") {
 
 TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %") {
     const Folder folder;
-    const Outcome outcome = run_program({"counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size", "96x96", "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
+    const Outcome outcome =
+        run_program({"counts", "balls:2", "gears:1", "mount:4", "teapot:4", "tetra:4", "--size", "96x96",
+                     "-o", folder.name("spd.md"), "--json", folder.name("spd.json")});
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     const json report = json::parse(bytes_of(folder.name("spd.json")));

@@ -1,4 +1,5 @@
-// Bad files in, outputs that cannot be written: exit code 2, one sentence, and no file is left behind or touched.
+// Bad files in, outputs that cannot be written: exit code 2, one sentence, and no file is left behind or
+// touched.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -29,8 +30,10 @@ void check_input(const std::vector<BadFile>& cases, const std::vector<std::vecto
         const auto before = folder.contents();
         for (std::vector<std::string> arguments : commands) {
             for (std::string& argument : arguments)
-                if (argument == "FILE") argument = file;
-                else if (argument.ends_with(".json") || argument.ends_with(".png") || argument == "pictures") argument = folder.name(argument);
+                if (argument == "FILE")
+                    argument = file;
+                else if (argument.ends_with(".json") || argument.ends_with(".png") || argument == "pictures")
+                    argument = folder.name(argument);
             INFO(bad.name << " with rayclock " << arguments[0]);
             std::vector<std::string> words = bad.words;
             words.push_back(bad.name);
@@ -58,7 +61,7 @@ std::string all_but_one() {
 }
 const std::string every_key = all_but_one();
 
-} // namespace
+}   // namespace
 
 TEST_CASE("scene files that make no sense") {
     check_input({{"empty.obj", "", {"empty"}},
@@ -67,8 +70,11 @@ TEST_CASE("scene files that make no sense") {
                  {"beyond.obj", corners + "f 1 2 9\n", {"9"}},
                  {"noface.obj", corners, {}},
                  {"text.obj", "Dear Sir or Madam,\nthis is not a mesh.\n", {}},
-                 {"truncated.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n", {}},
+                 {"truncated.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+                  "float z\nelement face 1\n"
+                  "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
+                  {}},
                  {"truncated.glb", std::string("glTF\2\0\0\0\xff\0\0\0", 12), {}},
                  {"noise.stl", std::string(200, '\xa5'), {}},
                  {"broken.json", "{ \"meshes\": [", {}},
@@ -76,7 +82,8 @@ TEST_CASE("scene files that make no sense") {
                  {"picture.gif", "GIF89a", {}}},
                 {scene_commands[0], scene_commands[1], scene_commands[3]});
     // The reference needs no lattice, so a triangle without area is no reason to refuse.
-    check_input({{"empty.obj", "", {"empty"}}, {"beyond.obj", corners + "f 1 2 9\n", {"9"}}}, {scene_commands[2]});
+    check_input({{"empty.obj", "", {"empty"}}, {"beyond.obj", corners + "f 1 2 9\n", {"9"}}},
+                {scene_commands[2]});
 }
 
 TEST_CASE("a directory, a device or nothing in place of a scene") {
@@ -90,23 +97,26 @@ TEST_CASE("a directory, a device or nothing in place of a scene") {
 
 TEST_CASE("configuration files that make no sense") {
     const std::vector<std::vector<std::string>> commands{
-        {"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"}, {"config", "FILE"}, {"rtl", "--config", "FILE"}};
-    check_input({{"empty.json", "", {}},
-                 {"text.json", "coord_bits = 18", {}},
-                 {"list.json", "[1, 2]", {"object"}},
-                 {"unknown.json", R"({"like": "default", "contxts": 4})", {"'contxts'", "did you mean 'contexts'"}},
-                 {"missing.json", "{" + every_key + "}", {"pixel_bits", "missing"}},
-                 {"type.json", R"({"like": "default", "contexts": "4"})", {"contexts"}},
-                 {"fraction.json", R"({"like": "default", "contexts": 4.5})", {"contexts", "4.5"}},
-                 {"bool.json", R"({"like": "default", "contexts": true})", {"contexts", "true"}},
-                 {"power.json", R"({"like": "default", "contexts": 5})", {"power of two", "5"}},
-                 {"range.json", R"({"like": "default", "coord_bits": 21})", {"coord_bits", "21"}},
-                 {"sum.json", R"({"like": "default", "coord_bits": 20, "dir_bits": 23})", {"62", "63"}},
-                 {"like.json", R"({"like": "defualt"})", {"'defualt'", "did you mean 'default'"}},
-                 {"liketype.json", R"({"like": 4})", {"like"}},
-                 {"name.json", R"({"like": "small", "name": 7})", {"name", "7"}},
-                 {"null.json", R"({"like": "small", "contexts": null})", {"contexts"}}},
-                commands);
+        {"simulate", "tetra:1", "--config", "FILE", "--json", "report.json"},
+        {"config", "FILE"},
+        {"rtl", "--config", "FILE"}};
+    check_input(
+        {{"empty.json", "", {}},
+         {"text.json", "coord_bits = 18", {}},
+         {"list.json", "[1, 2]", {"object"}},
+         {"unknown.json", R"({"like": "default", "contxts": 4})", {"'contxts'", "did you mean 'contexts'"}},
+         {"missing.json", "{" + every_key + "}", {"pixel_bits", "missing"}},
+         {"type.json", R"({"like": "default", "contexts": "4"})", {"contexts"}},
+         {"fraction.json", R"({"like": "default", "contexts": 4.5})", {"contexts", "4.5"}},
+         {"bool.json", R"({"like": "default", "contexts": true})", {"contexts", "true"}},
+         {"power.json", R"({"like": "default", "contexts": 5})", {"power of two", "5"}},
+         {"range.json", R"({"like": "default", "coord_bits": 21})", {"coord_bits", "21"}},
+         {"sum.json", R"({"like": "default", "coord_bits": 20, "dir_bits": 23})", {"62", "63"}},
+         {"like.json", R"({"like": "defualt"})", {"'defualt'", "did you mean 'default'"}},
+         {"liketype.json", R"({"like": 4})", {"like"}},
+         {"name.json", R"({"like": "small", "name": 7})", {"name", "7"}},
+         {"null.json", R"({"like": "small", "contexts": null})", {"contexts"}}},
+        commands);
     const Folder folder;
     check_refused(run_program({"simulate", "tetra:1", "--config", folder.name("none.json")}), {"none.json"});
     check_refused(run_program({"simulate", "tetra:1", "--config", folder.name("")}), {"folder"});
@@ -145,10 +155,14 @@ TEST_CASE("outputs that cannot be written") {
     if (::geteuid() != 0) {   // permission bits do not bind root
         fs::create_directory(folder.name("locked"));
         fs::permissions(folder.name("locked"), fs::perms::owner_read | fs::perms::owner_exec);
-        check_refused(run_program({"simulate", "tetra:1", "--size", "8x8", "--json", folder.name("locked/x.json")}), {"locked"});
-        check_refused(run_program({"render", "tetra:1", "--size", "8x8", "-o", folder.name("locked/x.png")}), {"locked"});
+        check_refused(
+            run_program({"simulate", "tetra:1", "--size", "8x8", "--json", folder.name("locked/x.json")}),
+            {"locked"});
+        check_refused(run_program({"render", "tetra:1", "--size", "8x8", "-o", folder.name("locked/x.png")}),
+                      {"locked"});
     }
-    check_refused(run_program({"simulate", "tetra:1", "--json", "/proc/rayclock.json"}), {"/proc/rayclock.json"});
+    check_refused(run_program({"simulate", "tetra:1", "--json", "/proc/rayclock.json"}),
+                  {"/proc/rayclock.json"});
 }
 
 TEST_CASE("a report that cannot be written in the end is said") {

@@ -20,15 +20,16 @@ json simulate(std::vector<std::string> arguments) {
 }
 
 /// A scene of one sphere on a plane, with parts replaced.
-std::string sphere_scene(const std::string& sphere, const std::string& material, const std::string& eye, const std::string& lights) {
-    return R"({"camera":{"eye":)" + eye + R"(,"at":[0,0,-9],"up":[0,1,0],"fov_degrees":50},"lights":)" + lights + R"(,"materials":{"m":{)" + material +
-        R"(},"floor":{"colour":[1,1,1]}},"spheres":[)" + sphere +
-        R"(],"planes":[{"point":[0,-1,0],"u":[1,0,0],"v":[0,0,-1],"material":"floor"}]})";
+std::string sphere_scene(const std::string& sphere, const std::string& material, const std::string& eye,
+                         const std::string& lights) {
+    return R"({"camera":{"eye":)" + eye + R"(,"at":[0,0,-9],"up":[0,1,0],"fov_degrees":50},"lights":)" +
+           lights + R"(,"materials":{"m":{)" + material + R"(},"floor":{"colour":[1,1,1]}},"spheres":[)" +
+           sphere + R"(],"planes":[{"point":[0,-1,0],"u":[1,0,0],"v":[0,0,-1],"material":"floor"}]})";
 }
 constexpr const char* ball = R"({"centre":[0,0,-4],"radius":1,"material":"m"})";
 constexpr const char* lamp = R"([{"position":[3,4,0]}])";
 
-} // namespace
+}   // namespace
 
 TEST_CASE("options of finished pictures that make no sense") {
     const auto refused = [](std::vector<std::string> arguments, const std::vector<std::string>& words) {
@@ -51,13 +52,19 @@ TEST_CASE("options of finished pictures that make no sense") {
 
 TEST_CASE("a machine without the units that a scene needs refuses it by name") {
     const Folder folder;
-    const std::string glass = folder.write("glass.json", sphere_scene(ball, R"("colour":[1,1,1],"transmit":0.9,"index":1.5)", "[0,0,3]", lamp));
+    const std::string glass = folder.write(
+        "glass.json", sphere_scene(ball, R"("colour":[1,1,1],"transmit":0.9,"index":1.5)", "[0,0,3]", lamp));
     check_refused(run_program({"simulate", glass, "--set", "shading=1"}), {"spheres"});
     check_refused(run_program({"simulate", glass, "--set", "shading=1", "--set", "spheres=1"}), {"planes"});
-    check_refused(run_program({"simulate", glass, "--set", "shading=1", "--set", "spheres=1", "--set", "planes=1"}), {"transmits", "refraction"});
-    check_refused(run_program({"simulate", glass, "--depth", "9", "--set", "bounces=3"}), {"depth 9", "bounces"});
-    check_refused(run_program({"simulate", glass, "--aa", "2", "--set", "supersampling=0"}), {"4 samples", "supersampling"});
-    check_refused(run_program({"simulate", "balls:1", "--depth", "1", "--set", "lights=2"}), {"3 lights", "lights"});
+    check_refused(
+        run_program({"simulate", glass, "--set", "shading=1", "--set", "spheres=1", "--set", "planes=1"}),
+        {"transmits", "refraction"});
+    check_refused(run_program({"simulate", glass, "--depth", "9", "--set", "bounces=3"}),
+                  {"depth 9", "bounces"});
+    check_refused(run_program({"simulate", glass, "--aa", "2", "--set", "supersampling=0"}),
+                  {"4 samples", "supersampling"});
+    check_refused(run_program({"simulate", "balls:1", "--depth", "1", "--set", "lights=2"}),
+                  {"3 lights", "lights"});
 }
 
 TEST_CASE("odd but sound scenes are drawn, and the reference agrees") {
@@ -66,14 +73,23 @@ TEST_CASE("odd but sound scenes are drawn, and the reference agrees") {
         std::string scene;
         double least;   ///< PSNR
     };
-    const std::string mirror = R"("colour":[1,0.9,0.8],"mirror":0.5)", glass = R"("colour":[1,1,1],"diffuse":0.1,"transmit":0.8,"index":)";
+    const std::string mirror = R"("colour":[1,0.9,0.8],"mirror":0.5)",
+                      glass = R"("colour":[1,1,1],"diffuse":0.1,"transmit":0.8,"index":)";
     const Odd odd = GENERATE_COPY(
-        Odd{"no light", sphere_scene(ball, mirror, "[0,0,3]", "[]"), 40}, Odd{"light inside the sphere", sphere_scene(ball, mirror, "[0,0,3]", R"([{"position":[0,0,-4]}])"), 40},
-        Odd{"camera inside the sphere", sphere_scene(ball, glass + "1.3", "[0,0,-4]", lamp), 30}, Odd{"index 1", sphere_scene(ball, glass + "1", "[0,0,3]", lamp), 35},
+        Odd{"no light", sphere_scene(ball, mirror, "[0,0,3]", "[]"), 40},
+        Odd{"light inside the sphere", sphere_scene(ball, mirror, "[0,0,3]", R"([{"position":[0,0,-4]}])"),
+            40},
+        Odd{"camera inside the sphere", sphere_scene(ball, glass + "1.3", "[0,0,-4]", lamp), 30},
+        Odd{"index 1", sphere_scene(ball, glass + "1", "[0,0,3]", lamp), 35},
         Odd{"index 15", sphere_scene(ball, glass + "15", "[0,0,3]", lamp), 35},
-        Odd{"a huge sphere", sphere_scene(R"({"centre":[0,0,-1000],"radius":900,"material":"m"})", mirror, "[0,0,3]", lamp), 30},
-        Odd{"a light very far away", sphere_scene(ball, mirror, "[0,0,3]", R"([{"position":[3e6,4e6,0]}])"), 35},
-        Odd{"a black mirror", sphere_scene(ball, R"("colour":[0,0,0],"ambient":0,"diffuse":0,"mirror":1)", "[0,0,3]", lamp), 35});
+        Odd{"a huge sphere",
+            sphere_scene(R"({"centre":[0,0,-1000],"radius":900,"material":"m"})", mirror, "[0,0,3]", lamp),
+            30},
+        Odd{"a light very far away", sphere_scene(ball, mirror, "[0,0,3]", R"([{"position":[3e6,4e6,0]}])"),
+            35},
+        Odd{"a black mirror",
+            sphere_scene(ball, R"("colour":[0,0,0],"ambient":0,"diffuse":0,"mirror":1)", "[0,0,3]", lamp),
+            35});
     INFO(odd.what);
     const Folder folder;
     const json report = simulate({folder.write("odd.json", odd.scene), "--depth", "4"});
@@ -85,7 +101,10 @@ TEST_CASE("odd but sound scenes are drawn, and the reference agrees") {
 }
 
 TEST_CASE("depth, threshold and samples do what they say") {
-    const auto rays = [](const json& report) { return report["rays"]["reflection"].get<std::uint64_t>() + report["rays"]["refraction"].get<std::uint64_t>(); };
+    const auto rays = [](const json& report) {
+        return report["rays"]["reflection"].get<std::uint64_t>() +
+               report["rays"]["refraction"].get<std::uint64_t>();
+    };
     const json none = simulate({"spheres", "--depth", "0"}), some = simulate({"spheres", "--depth", "5"});
     CHECK(rays(none) == 0);
     CHECK(none["rays"]["shadow"] > 0);
@@ -97,11 +116,13 @@ TEST_CASE("depth, threshold and samples do what they say") {
     const json adaptive = simulate({"plane", "--depth", "0", "--aa", "3", "--contrast", "0.1"});
     CHECK(adaptive["rays"]["primary"] > 4 * 48 * 36);
     CHECK(adaptive["rays"]["primary"] < 9 * 48 * 36);
-    CHECK(simulate({"plane", "--aa", "2", "--jittered", "--seed", "2"})["digest"] != simulate({"plane", "--aa", "2", "--jittered", "--seed", "3"})["digest"]);
+    CHECK(simulate({"plane", "--aa", "2", "--jittered", "--seed", "2"})["digest"] !=
+          simulate({"plane", "--aa", "2", "--jittered", "--seed", "3"})["digest"]);
 }
 
 TEST_CASE("units that a scene does not need are not there") {
-    const json triangles = simulate({"gears:1", "--depth", "2"})["config"], spheres = simulate({"spheres", "--depth", "2"})["config"];
+    const json triangles = simulate({"gears:1", "--depth", "2"})["config"],
+               spheres = simulate({"spheres", "--depth", "2"})["config"];
     CHECK(triangles["shading"] == 1);
     CHECK(triangles["spheres"] == 0);
     CHECK(triangles["refraction"] == 1);

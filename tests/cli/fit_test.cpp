@@ -14,20 +14,25 @@ namespace {
 
 /// A teapot on a lawn so large that the teapot is a handful of lattice points.
 std::string stadium(double half) {
-    const json ground{{"vertices", {{-half, -half, -1}, {half, -half, -1}, {half, half, -1}, {-half, half, -1}}}, {"triangles", {{0, 1, 2}, {0, 2, 3}}}};
-    return json{{"camera", {{"eye", {0, 6, 12}}, {"at", {0, 1, 0}}, {"fov_degrees", 40}}},
-                {"materials", {{"lawn", {{"colour", {0.3, 0.6, 0.3}}}}, {"china", {{"colour", {0.9, 0.9, 0.8}}}}}},
-                {"meshes", {{"pot", {{"builtin", "teapot:3"}}}, {"ground", ground}}},
-                {"objects", {{{"mesh", "pot"}, {"material", "china"}}, {{"mesh", "ground"}, {"material", "lawn"}}}}}.dump();
+    const json ground{
+        {"vertices", {{-half, -half, -1}, {half, -half, -1}, {half, half, -1}, {-half, half, -1}}},
+        {"triangles", {{0, 1, 2}, {0, 2, 3}}}};
+    return json{
+        {"camera", {{"eye", {0, 6, 12}}, {"at", {0, 1, 0}}, {"fov_degrees", 40}}},
+        {"materials", {{"lawn", {{"colour", {0.3, 0.6, 0.3}}}}, {"china", {{"colour", {0.9, 0.9, 0.8}}}}}},
+        {"meshes", {{"pot", {{"builtin", "teapot:3"}}}, {"ground", ground}}},
+        {"objects", {{{"mesh", "pot"}, {"material", "china"}}, {{"mesh", "ground"}, {"material", "lawn"}}}}}
+        .dump();
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("fit writes a configuration that verify passes with") {
     const std::string scene = GENERATE("teapot:3", "cornell");
     const Folder folder;
     const std::string file = folder.name("fitted.json");
-    const Outcome fit = run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5%", "-o", file, "--json", "-"});
+    const Outcome fit =
+        run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5%", "-o", file, "--json", "-"});
     INFO(fit.err);
     REQUIRE(fit.code == 0);
     CHECK(fit.err.empty());
@@ -65,7 +70,8 @@ TEST_CASE("fit writes a configuration that verify passes with") {
     const Outcome words = run_program({"fit", scene, "--size", "64x48", "--max-error", "0.5 %", "-o", again});
     CHECK(words.code == 0);
     CHECK(bytes_of(again) == bytes_of(file));
-    for (const char* word : {"no overflow possible", "coord_bits", "one step below", "memory image", "s3_det", "rayclock verify"}) {
+    for (const char* word : {"no overflow possible", "coord_bits", "one step below", "memory image", "s3_det",
+                             "rayclock verify"}) {
         INFO(word);
         CHECK(words.out.find(word) != std::string::npos);
     }
@@ -74,31 +80,38 @@ TEST_CASE("fit writes a configuration that verify passes with") {
     CHECK(verify.code == 0);
     const json verified = json::parse(verify.out);
     CHECK(verified.at("value_mismatches") == 0);
-    CHECK(verified.at("reference").at("pixels_other_primitive") == report.at("error").at("pixels_other_primitive"));
+    CHECK(verified.at("reference").at("pixels_other_primitive") ==
+          report.at("error").at("pixels_other_primitive"));
     // A larger picture than it was fitted for is refused in a sentence.
-    check_refused(run_program({"simulate", scene, "--size", "400x3", "--config", file}), {"pixel_bits", "9 bits"});
+    check_refused(run_program({"simulate", scene, "--size", "400x3", "--config", file}),
+                  {"pixel_bits", "9 bits"});
 }
 
 TEST_CASE("fit keeps a PSNR, and says what a scene cannot have") {
     const Folder folder;
     const std::string file = folder.name("fitted.json");
-    const Outcome good = run_program({"fit", "tetra:3", "--size", "64x48", "--max-error", "1%", "--min-psnr", "35", "-o", file, "--json", "-"});
+    const Outcome good = run_program({"fit", "tetra:3", "--size", "64x48", "--max-error", "1%", "--min-psnr",
+                                      "35", "-o", file, "--json", "-"});
     REQUIRE(good.code == 0);
     const json report = json::parse(good.out);
     CHECK((report.at("error").at("psnr_db").is_null() || report.at("error").at("psnr_db") >= 35));
     CHECK(report.at("bounds").at("min_psnr_db") == 35);
 
-    const std::string scene = folder.write("stadium.json", stadium(400000)), never = folder.name("never.json");
-    const Outcome hopeless = run_program({"fit", scene, "--size", "96x72", "--max-error", "0.5%", "-o", never});
+    const std::string scene = folder.write("stadium.json", stadium(400000)),
+                      never = folder.name("never.json");
+    const Outcome hopeless =
+        run_program({"fit", scene, "--size", "96x72", "--max-error", "0.5%", "-o", never});
     CHECK(hopeless.code == 1);
     CHECK(hopeless.out.empty());
     CHECK(folder.contents().count("never.json") == 0);
-    for (const char* word : {"no width keeps the bound", "N = 20", "material 'lawn' (2 triangles)", "without that N = 1"}) {
+    for (const char* word :
+         {"no width keeps the bound", "N = 20", "material 'lawn' (2 triangles)", "without that N = 1"}) {
         INFO(word << " in: " << hopeless.err);
         CHECK(hopeless.err.find(word) != std::string::npos);
     }
     CHECK(std::count(hopeless.err.begin(), hopeless.err.end(), '\n') == 1);
-    const Outcome fine = run_program({"fit", folder.write("garden.json", stadium(20)), "--size", "96x72", "--max-error", "0.5%", "-o", never});
+    const Outcome fine = run_program({"fit", folder.write("garden.json", stadium(20)), "--size", "96x72",
+                                      "--max-error", "0.5%", "-o", never});
     INFO(fine.err);
     CHECK(fine.code == 0);
 }
@@ -115,14 +128,17 @@ TEST_CASE("fit refuses goals that make no sense, and writes nothing") {
         check_refused(run_program(arguments), words);
         CHECK(folder.contents().empty());
     };
-    for (const char* text : {"0%", "0 %", "-1%", "-0.1 %", "100%", "200 %", "200%", "1e3%"}) fit({std::string("--max-error=") + text}, {"--max-error", text, "100 %"});
-    for (const char* text : {"0.1", "nan%", "inf%", "%", " %", "abc", "0,1%", "0.1%%", "0x1%", "1% 2%", "0.1 % "})
+    for (const char* text : {"0%", "0 %", "-1%", "-0.1 %", "100%", "200 %", "200%", "1e3%"})
+        fit({std::string("--max-error=") + text}, {"--max-error", text, "100 %"});
+    for (const char* text :
+         {"0.1", "nan%", "inf%", "%", " %", "abc", "0,1%", "0.1%%", "0x1%", "1% 2%", "0.1 % "})
         fit({std::string("--max-error=") + text}, {"--max-error", "not a percentage"});
     fit({"--max-error="}, {"--max-error"});
     fit({"--max-work=100%"}, {"--max-work", "100 %"});
     fit({"--max-work=-1%"}, {"--max-work"});
     fit({"--max-work", "much"}, {"--max-work", "'much'"});
-    for (const char* text : {"0", "-3", "201", "nan", "inf"}) fit({std::string("--min-psnr=") + text}, {"--min-psnr"});
+    for (const char* text : {"0", "-3", "201", "nan", "inf"})
+        fit({std::string("--min-psnr=") + text}, {"--min-psnr"});
     fit({"--min-psnr=loud"}, {"loud"});
     fit({"--size", "0x5"}, {"0 x 5"});
     fit({"--set", "primitive_test=woop"}, {"primitive_test", "woop"});

@@ -18,10 +18,11 @@ json report_of(std::vector<std::string> arguments) {
     return json::parse(outcome.out);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("frames per second are not proportional to the clock, and the accounts say why") {
-    const json report = report_of({"simulate", "gears:4", "--size", "128x96", "--clock", "33,200", "--no-reference"});
+    const json report =
+        report_of({"simulate", "gears:4", "--size", "128x96", "--clock", "33,200", "--no-reference"});
     const json &slow = report["clocks"][0], &fast = report["clocks"][1];
     CHECK(fast["fps"].get<double>() > slow["fps"].get<double>());
     CHECK(fast["fps"].get<double>() / slow["fps"].get<double>() < 0.97 * 200 / 33);
@@ -32,19 +33,22 @@ TEST_CASE("frames per second are not proportional to the clock, and the accounts
 }
 
 TEST_CASE("the second frame finds warm caches, and another view other pixels") {
-    const json report = report_of({"simulate", "teapot:6", "--size", "96x72", "--clock", "66", "--frames", "3", "--no-reference"});
+    const json report = report_of(
+        {"simulate", "teapot:6", "--size", "96x72", "--clock", "66", "--frames", "3", "--no-reference"});
     const json& frames = report["clocks"][0]["frames"];
     REQUIRE(frames.size() == 3);
     CHECK(frames[1]["dram_bytes"] < frames[0]["dram_bytes"]);
     CHECK(frames[1]["cycles"] < frames[0]["cycles"]);
     CHECK(report["clocks"][0]["cycles"] == frames[2]["cycles"]);
-    const json panned = report_of({"simulate", "teapot:6", "--size", "96x72", "--clock", "66", "--frames", "3", "--pan", "5", "--no-reference"});
+    const json panned = report_of({"simulate", "teapot:6", "--size", "96x72", "--clock", "66", "--frames",
+                                   "3", "--pan", "5", "--no-reference"});
     CHECK(panned["clocks"][0]["frames"][0] == frames[0]);
     CHECK(panned["work"] != report["work"]);
 }
 
 TEST_CASE("the RTL makes several frames as the model does") {
-    const std::vector<std::string> arguments{"teapot:3", "--size", "24x18", "--clock", "66", "--frames", "2", "--pan", "3"};
+    const std::vector<std::string> arguments{"teapot:3", "--size", "24x18", "--clock", "66",
+                                             "--frames", "2",      "--pan", "3"};
     std::vector<std::string> verify = arguments;
     verify.insert(verify.begin(), "verify");
     const json checked = report_of(verify);
@@ -56,12 +60,14 @@ TEST_CASE("the RTL makes several frames as the model does") {
 TEST_CASE("a sweep says the same as single simulations") {
     const Folder folder;
     const std::string table = folder.name("sweep.csv");
-    const json report = report_of({"sweep", "tetra:4", "--size", "64x48", "--axis", "node_sets=1,64", "--axis", "clock=33,200", "--no-netlist", "-o", table});
+    const json report = report_of({"sweep", "tetra:4", "--size", "64x48", "--axis", "node_sets=1,64",
+                                   "--axis", "clock=33,200", "--no-netlist", "-o", table});
     REQUIRE(report["points"].size() == 4);
     CHECK(report["partial"] == false);
     for (const json& point : report["points"]) {
         const std::string clock = point["clock"]["mhz"] == 33.0 ? "33" : "200", sets = point["node_sets"];
-        const json single = report_of({"simulate", "tetra:4", "--size", "64x48", "--set", "node_sets=" + sets, "--clock", clock, "--no-reference"});
+        const json single = report_of({"simulate", "tetra:4", "--size", "64x48", "--set", "node_sets=" + sets,
+                                       "--clock", clock, "--no-reference"});
         CHECK(point["clock"] == single["clocks"][0]);
     }
     const std::string csv = bytes_of(table);
@@ -70,7 +76,8 @@ TEST_CASE("a sweep says the same as single simulations") {
 }
 
 TEST_CASE("a sweep goes on where a scene does not fit a configuration") {
-    const json report = report_of({"sweep", "icosphere:2", "--size", "16x12", "--axis", "stack_depth=1,16", "--no-netlist"});
+    const json report =
+        report_of({"sweep", "icosphere:2", "--size", "16x12", "--axis", "stack_depth=1,16", "--no-netlist"});
     CHECK(report["points"][0]["refused"].get<std::string>().find("stack_depth") != std::string::npos);
     CHECK(report["points"][1]["clock"]["cycles"] > 0);
 }
@@ -79,7 +86,10 @@ TEST_CASE("Ctrl-C gives a valid report that is marked as partial") {
     for (const std::string engine : {"model", "rtl"}) {
         const Folder folder;
         const std::string file = folder.name("report.json");
-        const Outcome outcome = run_and_interrupt({"simulate", "rings:2", "--size", "2048x1536", "--clock", "66,90", "--engine", engine, "--no-reference", "--json", file}, 2500);
+        const Outcome outcome =
+            run_and_interrupt({"simulate", "rings:2", "--size", "2048x1536", "--clock", "66,90", "--engine",
+                               engine, "--no-reference", "--json", file},
+                              2500);
         INFO(engine << ": " << outcome.out << outcome.err);
         REQUIRE(outcome.code == 1);
         CHECK(outcome.out.find("PARTIAL") != std::string::npos);
@@ -90,7 +100,8 @@ TEST_CASE("Ctrl-C gives a valid report that is marked as partial") {
             INFO(name);
             std::uint64_t sum = unit["busy"].get<std::uint64_t>() + unit["starved"].get<std::uint64_t>();
             for (const auto& [cause, cycles] : unit["stalled"].items()) sum += cycles.get<std::uint64_t>();
-            CHECK(sum == unit["instances"].get<std::uint64_t>() * report["clocks"][0]["cycles"].get<std::uint64_t>());
+            CHECK(sum == unit["instances"].get<std::uint64_t>() *
+                             report["clocks"][0]["cycles"].get<std::uint64_t>());
         }
         CHECK(folder.contents().size() == 1);
     }

@@ -14,12 +14,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string nested(int depth) { return std::string(std::size_t(depth), '[') + std::string(std::size_t(depth), ']'); }
+std::string nested(int depth) {
+    return std::string(std::size_t(depth), '[') + std::string(std::size_t(depth), ']');
+}
 
 /// A sentence fit for a terminal.
 void check_printable(const Outcome& outcome) {
     CHECK(outcome.err.size() < 1200);
-    for (const char c : outcome.err + outcome.out) CHECK(((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) || c == '\n'));
+    for (const char c : outcome.err + outcome.out)
+        CHECK(((static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) || c == '\n'));
 }
 
 /// A state of a stress run and the options that made it.
@@ -30,32 +33,38 @@ std::vector<std::string> with_state(const std::string& file) {
     return all;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a configuration that is no file, or nested, or with a key twice") {
     const Folder folder;
     fs::create_directory(folder.name("folder.json"));
     REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
     const std::vector<std::pair<std::string, std::string>> cases{
-        {folder.name("folder.json"), "folder"}, {folder.name("pipe.json"), "not an ordinary file"}, {"/dev/zero", "not an ordinary file"},
+        {folder.name("folder.json"), "folder"},
+        {folder.name("pipe.json"), "not an ordinary file"},
+        {"/dev/zero", "not an ordinary file"},
         {folder.write("deep.json", nested(60'000)), "nested deeper"},
         {folder.write("like.json", "{\"like\":" + nested(60'000) + "}"), "nested deeper"},
         {folder.write("big.json", R"({"like":"small","contexts":1e999})"), "'1e999'"},
         {folder.write("huge.json", R"({"like":"small","contexts":99999999999999999999})"), "contexts"},
-        {folder.write("twice.json", R"({"like":"small","contexts":4,"contexts":8})"), "'contexts' appears twice"},
+        {folder.write("twice.json", R"({"like":"small","contexts":4,"contexts":8})"),
+         "'contexts' appears twice"},
         {folder.write("list.json", R"({"like":"small","contexts":[[1]]})"), "whole number"},
         {folder.write("odd.json", "{\"like\":\"\\u001b[2J\\u0000\"}"), "\\x1b[2J\\x00"},
         {folder.write("name.json", "{\"like\":\"small\",\"" + std::string(500'000, 'x') + "\":1}"), "'xxx"},
         {folder.write("long.json", std::string(2'000'000, ' ')), "the most is 1048576"}};
     for (const auto& [file, word] : cases)
-        for (const std::vector<std::string>& arguments : {std::vector<std::string>{"config", file}, {"simulate", "tetra:1", "--config", file}}) {
+        for (const std::vector<std::string>& arguments :
+             {std::vector<std::string>{"config", file}, {"simulate", "tetra:1", "--config", file}}) {
             INFO(file);
             const Outcome outcome = run_program(arguments);
             check_refused(outcome, {word});
             check_printable(outcome);
         }
     // A name goes to tables and terminals.
-    const Outcome named = run_program({"config", folder.write("good.json", "{\"like\":\"small\",\"name\":\"\\u001b[2J" + std::string(1000, 'y') + "\"}")});
+    const Outcome named =
+        run_program({"config", folder.write("good.json", "{\"like\":\"small\",\"name\":\"\\u001b[2J" +
+                                                             std::string(1000, 'y') + "\"}")});
     CHECK(named.code == 0);
     check_printable(named);
     CHECK(json::parse(named.out)["name"].get<std::string>().size() < 100);
@@ -66,7 +75,7 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
     const std::string file = folder.name("state.json");
     REQUIRE(run_program(with_state(file)).code == 0);
     const json good = json::parse(bytes_of(file));
-    REQUIRE(run_program(with_state(file)).code == 0);    // nothing left to do
+    REQUIRE(run_program(with_state(file)).code == 0);   // nothing left to do
     int number = 0;
     const auto refused = [&](const json& changed, const std::string& word) {
         const std::string bad = folder.write("bad" + std::to_string(number++) + ".json", changed.dump());
@@ -75,15 +84,16 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
         check_refused(run_program(with_state(bad)), {bad, word});
         CHECK(bytes_of(bad) == before);
     };
-    for (const json& wrong : {json(-1), json(1e8), json(100'000'000), json(1e300), json(0.5), json(std::uint64_t(1) << 60), json("2"), json(nullptr), json(json::array())}) {
+    for (const json& wrong : {json(-1), json(1e8), json(100'000'000), json(1e300), json(0.5),
+                              json(std::uint64_t(1) << 60), json("2"), json(nullptr), json(json::array())}) {
         json changed = good;
         changed["batches"] = wrong;
         refused(changed, "batches");
         changed = good;
-        changed["counts"][0][0] = wrong;    // rays
+        changed["counts"][0][0] = wrong;   // rays
         refused(changed, "counts[0]");
         changed = good;
-        changed["counts"][1][1] = wrong;    // leaks
+        changed["counts"][1][1] = wrong;   // leaks
         refused(changed, "counts[1]");
     }
     for (const char* key : {"plan", "batches", "counts", "check"}) {
@@ -92,10 +102,10 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
         refused(changed, key);
     }
     json changed = good;
-    changed["counts"][0][1] = 1;    // a leak that never was
+    changed["counts"][0][1] = 1;   // a leak that never was
     refused(changed, "check");
     changed = good;
-    changed["batches"] = 0;         // counts of more than that
+    changed["batches"] = 0;   // counts of more than that
     refused(changed, "counts[0]");
     changed = good;
     changed["counts"].push_back(good["counts"][0]);
@@ -112,7 +122,10 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
     refused(json::parse(nested(100)), "object");
     std::string twice = good.dump();
     twice.insert(1, "\"batches\":0,");
-    for (const auto& [text, word] : {std::pair<std::string, std::string>{twice, "'batches' appears twice"}, {nested(60'000), "nested deeper"}, {"{\"plan\":1e999}", "'1e999'"}, {"", "empty"}})
+    for (const auto& [text, word] : {std::pair<std::string, std::string>{twice, "'batches' appears twice"},
+                                     {nested(60'000), "nested deeper"},
+                                     {"{\"plan\":1e999}", "'1e999'"},
+                                     {"", "empty"}})
         check_refused(run_program(with_state(folder.write("text.json", text))), {word});
     REQUIRE(::mkfifo(folder.name("pipe.json").c_str(), 0600) == 0);
     fs::create_directory(folder.name("folder.json"));
@@ -124,7 +137,8 @@ TEST_CASE("a state of a stress run with wrong numbers is refused") {
 TEST_CASE("an entry of the sweep's cache that is no file, or nested, is worked out again") {
     const Folder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
-    const std::vector<std::string> sweep{"sweep", "tetra:2", "--size", "16x12", "--axis", "contexts=2,4", "--no-netlist", "--json", "-"};
+    const std::vector<std::string> sweep{"sweep",        "tetra:2",      "--size", "16x12", "--axis",
+                                         "contexts=2,4", "--no-netlist", "--json", "-"};
     const Outcome first = run_program(sweep, cache);
     REQUIRE(first.code == 0);
     std::vector<fs::path> entries;
@@ -148,7 +162,8 @@ TEST_CASE("an entry of the sweep's cache that is no file, or nested, is worked o
 
 TEST_CASE("warnings go to standard error, and the frame is drawn") {
     const Folder folder;
-    const std::string file = folder.write("\x1b[2Jodd.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf 1 1 2\n");
+    const std::string file = folder.write(
+        "\x1b[2Jodd.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nf 1 1 2\n");
     const Outcome outcome = run_program({"simulate", file, "--size", "8x8", "--no-reference"});
     CHECK(outcome.code == 0);
     check_printable(outcome);
@@ -168,24 +183,43 @@ TEST_CASE("any input under 1 MB: exit code 0, 1 or 2, under 2 GB and 10 s") {
         for (int i = 0; i < 9'999; ++i) faces += " " + std::to_string(1 + (i * (k + 1)) % 5);
         faces += "\n";
     }
-    for (int i = 0; dust.size() < 970'000; ++i) dust += "v " + std::to_string(i % 97) + " " + std::to_string(i % 89) + " " + std::to_string(i % 83) + "\n";
+    for (int i = 0; dust.size() < 970'000; ++i)
+        dust += "v " + std::to_string(i % 97) + " " + std::to_string(i % 89) + " " + std::to_string(i % 83) +
+                "\n";
     dust += "f 1 2 3\n";
-    json nodes = {{"asset", {{"version", "2.0"}}}, {"nodes", json::array()}}, materials = {{"meshes", {{"b", {{"builtin", "icosphere:1"}}}}}, {"objects", {{{"mesh", "b"}}}}};
+    json nodes = {{"asset", {{"version", "2.0"}}}, {"nodes", json::array()}},
+         materials = {{"meshes", {{"b", {{"builtin", "icosphere:1"}}}}}, {"objects", {{{"mesh", "b"}}}}};
     for (int i = 0; i < 300'000; ++i) nodes["nodes"].push_back(json::object());
     for (int i = 0; i < 40'000; ++i) materials["materials"]["m" + std::to_string(i)] = {{"shine", 1}};
-    json copies = {{"meshes", {{"b", {{"builtin", "balls:5"}}}, {"t", {{"builtin", "mount:9"}}}}}, {"objects", json::array()}};
-    for (int i = 0; i < 20'000; ++i) copies["objects"].push_back({{"mesh", i % 2 ? "b" : "t"}, {"translate", {i, 0, 0}}});
+    json copies = {{"meshes", {{"b", {{"builtin", "balls:5"}}}, {"t", {{"builtin", "mount:9"}}}}},
+                   {"objects", json::array()}};
+    for (int i = 0; i < 20'000; ++i)
+        copies["objects"].push_back({{"mesh", i % 2 ? "b" : "t"}, {"translate", {i, 0, 0}}});
     const std::vector<std::pair<std::string, std::string>> files{
-        {"runs.obj", runs}, {"face.obj", face}, {"faces.obj", faces}, {"dust.obj", dust}, {"nodes.gltf", nodes.dump()}, {"materials.json", materials.dump()},
-        {"copies.json", copies.dump()}, {"deep.json", nested(400'000)}, {"keys.json", "{\"" + std::string(900'000, 'k') + "\":1}"},
-        {"zero.stl", std::string(900'000, '\0')}, {"ones.ply", "ply\nformat ascii 1.0\nelement vertex " + std::string(900'000, '9')},
-        {"list.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 9\n"
-                     "property list uint uchar vertex_indices\nend_header\n" + std::string(900'000, '\x7f')},
-        {"open.json", std::string(900'000, '{')}, {"text.glb", "glTF" + std::string(900'000, '\xff')}};
+        {"runs.obj", runs},
+        {"face.obj", face},
+        {"faces.obj", faces},
+        {"dust.obj", dust},
+        {"nodes.gltf", nodes.dump()},
+        {"materials.json", materials.dump()},
+        {"copies.json", copies.dump()},
+        {"deep.json", nested(400'000)},
+        {"keys.json", "{\"" + std::string(900'000, 'k') + "\":1}"},
+        {"zero.stl", std::string(900'000, '\0')},
+        {"ones.ply", "ply\nformat ascii 1.0\nelement vertex " + std::string(900'000, '9')},
+        {"list.ply",
+         "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float "
+         "y\nproperty float z\nelement face 9\n"
+         "property list uint uchar vertex_indices\nend_header\n" +
+             std::string(900'000, '\x7f')},
+        {"open.json", std::string(900'000, '{')},
+        {"text.glb", "glTF" + std::string(900'000, '\xff')}};
     for (const auto& [name, bytes] : files) {
         REQUIRE(bytes.size() <= 1'000'000 + 20);
-        const Outcome outcome = run_program({"render", folder.write(name, bytes), "--engine", "reference", "--size", "8x8", "-o", folder.name("x.png")});
-        INFO(name << ": " << outcome.seconds << " s, " << outcome.peak_mb << " MB: " << outcome.err.substr(0, 300));
+        const Outcome outcome = run_program({"render", folder.write(name, bytes), "--engine", "reference",
+                                             "--size", "8x8", "-o", folder.name("x.png")});
+        INFO(name << ": " << outcome.seconds << " s, " << outcome.peak_mb
+                  << " MB: " << outcome.err.substr(0, 300));
         CHECK((outcome.code == 0 || outcome.code == 2));
         CHECK(outcome.seconds < 10);
         CHECK(outcome.peak_mb < 2048);

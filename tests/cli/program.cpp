@@ -45,14 +45,15 @@ std::string Folder::write(const std::string& file, const std::string& bytes) con
 std::map<std::string, std::string> Folder::contents() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(path_))
-        all[fs::relative(entry.path(), path_).string()] = entry.is_regular_file() ? bytes_of(entry.path().string()) : "folder";
+        all[fs::relative(entry.path(), path_).string()] =
+            entry.is_regular_file() ? bytes_of(entry.path().string()) : "folder";
     return all;
 }
 
 namespace {
 
-Outcome run(std::string program, const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-            const std::function<void(pid_t)>& meanwhile) {
+Outcome run(std::string program, const std::vector<std::string>& arguments,
+            const std::vector<std::string>& environment, const std::function<void(pid_t)>& meanwhile) {
     const Folder folder;
     const std::string out = folder.name("out"), err = folder.name("err");
     posix_spawn_file_actions_t actions;
@@ -79,11 +80,11 @@ Outcome run(std::string program, const std::vector<std::string>& arguments, cons
     rusage used{};
     REQUIRE(wait4(child, &status, 0, &used) == child);
     const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err), seconds(used.ru_utime) + seconds(used.ru_stime),
-            double(used.ru_maxrss) / 1024};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err),
+            seconds(used.ru_utime) + seconds(used.ru_stime), double(used.ru_maxrss) / 1024};
 }
 
-} // namespace
+}   // namespace
 
 Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
     return run(RAYCLOCK_PROGRAM, arguments, environment, {});
@@ -99,7 +100,8 @@ Outcome run_and_interrupt(const std::vector<std::string>& arguments, int millise
         ::kill(child, SIGINT);
     });
 }
-Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int signal, const std::function<bool()>& ready) {
+Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                     int signal, const std::function<bool()>& ready) {
     return run(RAYCLOCK_PROGRAM, arguments, environment, [&](pid_t child) {
         for (int i = 0; i < 6000 && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ::kill(child, signal);
@@ -114,11 +116,12 @@ void check_refused(const Outcome& outcome, const std::vector<std::string>& words
     CHECK(outcome.err.starts_with("rayclock: "));
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);   // one line
     CHECK(outcome.err.size() > 20);
-    for (const char* never : {"terminate", "std::", "exception", "what()", "basic_"}) CHECK(outcome.err.find(never) == std::string::npos);
+    for (const char* never : {"terminate", "std::", "exception", "what()", "basic_"})
+        CHECK(outcome.err.find(never) == std::string::npos);
     for (const std::string& word : words) {
         INFO("wanted: " << word);
         CHECK(outcome.err.find(word) != std::string::npos);
     }
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -9,23 +9,26 @@
 namespace rayclock::test {
 
 struct Outcome {
-    int code = -1;          ///< exit code, or -1 if a signal ended the program
+    int code = -1;   ///< exit code, or -1 if a signal ended the program
     std::string out, err;
-    double seconds = 0;     ///< of all threads
-    double peak_mb = 0;     ///< most memory in use
+    double seconds = 0;   ///< of all threads
+    double peak_mb = 0;   ///< most memory in use
 };
 
 /// `environment`: NAME=value, over the test's own.
-Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+Outcome run_program(const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment = {});
 
-/// The same started by a shell, which may bend the streams and limits first: `script` runs the program as "$@".
+/// The same started by a shell, which may bend the streams and limits first: `script` runs the program as
+/// "$@".
 Outcome run_in_shell(const std::string& script, const std::vector<std::string>& arguments);
 
 /// The same with a Ctrl-C after so many milliseconds.
 Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds);
 
 /// The same with a signal as soon as `ready` says so, and after a minute at the latest.
-Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int signal, const std::function<bool()>& ready);
+Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                     int signal, const std::function<bool()>& ready);
 
 /// An empty folder of its own, removed in the end.
 class Folder {
@@ -47,4 +50,4 @@ std::string bytes_of(const std::string& file);
 /// Exit code 2, nothing on standard output, and one sentence on standard error that has all `words`.
 void check_refused(const Outcome& outcome, const std::vector<std::string>& words);
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -26,20 +26,42 @@ void check_keys(const json& report, const std::vector<std::pair<std::string, std
 }
 
 void check_shared(const json& report) {
-    check_keys(report, {{"scene.name", "string"}, {"scene.triangles", "number"}, {"scene.spheres", "number"}, {"scene.planes", "number"},
-                        {"config.name", "string"}, {"frame.width", "number"}, {"frame.height", "number"}, {"work.node_steps", "number"},
-                        {"work.box_tests", "number"}, {"work.triangle_tests", "number"}, {"clocks", "array"}, {"digest", "string"},
+    check_keys(report, {{"scene.name", "string"},
+                        {"scene.triangles", "number"},
+                        {"scene.spheres", "number"},
+                        {"scene.planes", "number"},
+                        {"config.name", "string"},
+                        {"frame.width", "number"},
+                        {"frame.height", "number"},
+                        {"work.node_steps", "number"},
+                        {"work.box_tests", "number"},
+                        {"work.triangle_tests", "number"},
+                        {"clocks", "array"},
+                        {"digest", "string"},
                         {"host.seconds", "number"}});
     for (const rayclock::Parameter& p : rayclock::parameters()) {
         INFO(p.key);
-        CHECK((p.names ? report["config"].at(p.key).is_string() : report["config"].at(p.key).is_number_integer()));
+        CHECK((p.names ? report["config"].at(p.key).is_string()
+                       : report["config"].at(p.key).is_number_integer()));
     }
     REQUIRE(!report["clocks"].empty());
     for (const json& clock : report["clocks"]) {
-        check_keys(clock, {{"mhz", "number"}, {"cycles", "number"}, {"fps", "number"}, {"mrays_per_s", "number"}, {"dram_bytes", "number"},
-                           {"dram_gb_per_s", "number"}, {"bound", "string"}, {"bound_reached", "number"}, {"bottleneck", "string"},
-                           {"bytes_per_ray", "number"}, {"dram_share_of_peak", "number"}, {"units", "object"}, {"memory", "object"}, {"frames", "array"}});
-        CHECK(clock["fps"].get<double>() == Approx(clock["mhz"].get<double>() * 1e6 / clock["cycles"].get<double>()));
+        check_keys(clock, {{"mhz", "number"},
+                           {"cycles", "number"},
+                           {"fps", "number"},
+                           {"mrays_per_s", "number"},
+                           {"dram_bytes", "number"},
+                           {"dram_gb_per_s", "number"},
+                           {"bound", "string"},
+                           {"bound_reached", "number"},
+                           {"bottleneck", "string"},
+                           {"bytes_per_ray", "number"},
+                           {"dram_share_of_peak", "number"},
+                           {"units", "object"},
+                           {"memory", "object"},
+                           {"frames", "array"}});
+        CHECK(clock["fps"].get<double>() ==
+              Approx(clock["mhz"].get<double>() * 1e6 / clock["cycles"].get<double>()));
     }
     REQUIRE(report["units"].size() >= 11);
     for (const auto& [name, unit] : report["units"].items()) {
@@ -58,12 +80,15 @@ void check_shared(const json& report) {
     }
 }
 
-/// Every cause is there, what differs in primitive has one, and the oracle has judged all and found nothing wrong.
+/// Every cause is there, what differs in primitive has one, and the oracle has judged all and found nothing
+/// wrong.
 void check_causes(const json& error) {
     std::uint64_t sum = 0;
-    for (const char* cause : {"snapping", "ray_quantisation", "t_rounding", "shading", "primitive_test", "bug"}) {
+    for (const char* cause :
+         {"snapping", "ray_quantisation", "t_rounding", "shading", "primitive_test", "bug"}) {
         INFO(cause);
-        const std::uint64_t all = error["causes"].at(cause), other = error["causes_other_primitive"].at(cause);
+        const std::uint64_t all = error["causes"].at(cause),
+                            other = error["causes_other_primitive"].at(cause);
         CHECK(other <= all);
         sum += other;
     }
@@ -75,25 +100,42 @@ void check_causes(const json& error) {
 
 json parsed(const Outcome& outcome) {
     INFO(outcome.err);
-    CHECK((outcome.err.empty() || (outcome.err.starts_with("rayclock: building ") && outcome.err.find('\n') == outcome.err.size() - 1)));
+    CHECK((outcome.err.empty() || (outcome.err.starts_with("rayclock: building ") &&
+                                   outcome.err.find('\n') == outcome.err.size() - 1)));
     REQUIRE(json::accept(outcome.out));
     return json::parse(outcome.out);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("simulate reports every key, on both engines alike") {
-    const std::vector<std::string> arguments{"simulate", "teapot:3", "--size", "24x18", "--clock", "66,90.5", "--json", "-"};
+    const std::vector<std::string> arguments{"simulate", "teapot:3", "--size", "24x18",
+                                             "--clock",  "66,90.5",  "--json", "-"};
     const Outcome model = run_program(arguments);
     CHECK(model.code == 0);
     json report = parsed(model);
     check_shared(report);
-    check_keys(report, {{"rays.primary", "number"}, {"rays.shadow", "number"}, {"rays.reflection", "number"}, {"rays.refraction", "number"},
-                        {"memory.node_cache.accesses", "number"}, {"memory.node_cache.hits", "number"}, {"memory.prim_cache.accesses", "number"},
-                        {"memory.prim_cache.hits", "number"}, {"memory.dram.reads", "number"}, {"memory.dram.row_hits", "number"},
-                        {"error.pixels", "number"}, {"error.pixels_other_primitive", "number"}, {"error.psnr_db", "number"},
-                        {"error.max_abs_depth", "number"}, {"error.depth_pixels", "number"}, {"error.pixels_on_edge", "number"}, {"error.oracle.pixels", "number"},
-                        {"error.oracle.wrong", "number"}, {"host.judge_seconds", "number"}, {"host.cycles_per_second", "number"}, {"host.rays_per_second", "number"}});
+    check_keys(report, {{"rays.primary", "number"},
+                        {"rays.shadow", "number"},
+                        {"rays.reflection", "number"},
+                        {"rays.refraction", "number"},
+                        {"memory.node_cache.accesses", "number"},
+                        {"memory.node_cache.hits", "number"},
+                        {"memory.prim_cache.accesses", "number"},
+                        {"memory.prim_cache.hits", "number"},
+                        {"memory.dram.reads", "number"},
+                        {"memory.dram.row_hits", "number"},
+                        {"error.pixels", "number"},
+                        {"error.pixels_other_primitive", "number"},
+                        {"error.psnr_db", "number"},
+                        {"error.max_abs_depth", "number"},
+                        {"error.depth_pixels", "number"},
+                        {"error.pixels_on_edge", "number"},
+                        {"error.oracle.pixels", "number"},
+                        {"error.oracle.wrong", "number"},
+                        {"host.judge_seconds", "number"},
+                        {"host.cycles_per_second", "number"},
+                        {"host.rays_per_second", "number"}});
     check_causes(report["error"]);
     CHECK(report["rays"]["primary"] == 24 * 18);
     CHECK(report["clocks"].size() == 2);
@@ -114,14 +156,21 @@ TEST_CASE("simulate reports every key, on both engines alike") {
 TEST_CASE("verify reports every key and says so in words") {
     const Folder folder;
     const std::string file = folder.name("report.json"), pictures = folder.name("pictures");
-    const Outcome outcome = run_program({"verify", "teapot:3", "--size", "24x18", "--json", file, "-o", pictures});
+    const Outcome outcome =
+        run_program({"verify", "teapot:3", "--size", "24x18", "--json", file, "-o", pictures});
     INFO(outcome.out << outcome.err);
     CHECK(outcome.code == 0);
     CHECK(outcome.out.find("VERIFIED") != std::string::npos);
     const json report = json::parse(bytes_of(file));
     check_shared(report);
-    check_keys(report, {{"pixels", "number"}, {"events_compared", "number"}, {"value_mismatches", "number"}, {"account_mismatches", "number"}, {"cycle_gap", "number"},
-                        {"first_divergence", "null"}, {"reference.pixels_other_primitive", "number"}, {"reference.psnr_db", "number"}});
+    check_keys(report, {{"pixels", "number"},
+                        {"events_compared", "number"},
+                        {"value_mismatches", "number"},
+                        {"account_mismatches", "number"},
+                        {"cycle_gap", "number"},
+                        {"first_divergence", "null"},
+                        {"reference.pixels_other_primitive", "number"},
+                        {"reference.psnr_db", "number"}});
     check_causes(report["reference"]);
     CHECK(outcome.out.find("judge: 432 camera rays judged") != std::string::npos);
     CHECK(report.contains("golden"));
@@ -131,8 +180,8 @@ TEST_CASE("verify reports every key and says so in words") {
     CHECK(report["events_compared"] > 24 * 18 * 4);
     std::vector<std::string> files;
     for (const auto& [name, bytes] : folder.contents()) files.push_back(name);
-    CHECK(files == std::vector<std::string>{"pictures", "pictures/difference.png", "pictures/model.png", "pictures/reference.png",
-                                            "pictures/rtl.png", "report.json"});
+    CHECK(files == std::vector<std::string>{"pictures", "pictures/difference.png", "pictures/model.png",
+                                            "pictures/reference.png", "pictures/rtl.png", "report.json"});
 }
 
 TEST_CASE("verify compares with the golden picture where there is one") {
@@ -145,10 +194,14 @@ TEST_CASE("verify compares with the golden picture where there is one") {
 
 TEST_CASE("with --json - JSON is printed and nothing else") {
     const Folder folder;
-    for (const std::vector<std::string>& arguments :
-         std::vector<std::vector<std::string>>{{"scenes"}, {"doctor"}, {"render", "tetra:2", "--size", "8x8", "-o", folder.name("x.png")},
-                                               {"simulate", "tetra:2", "--size", "8x8"}, {"verify", "tetra:2", "--size", "8x8"},
-                                               {"sweep", "tetra:2", "--size", "8x8", "--axis", "contexts=1,2", "--no-netlist"}, {"bench", "tetra:2", "--size", "8x8"}}) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"scenes"},
+             {"doctor"},
+             {"render", "tetra:2", "--size", "8x8", "-o", folder.name("x.png")},
+             {"simulate", "tetra:2", "--size", "8x8"},
+             {"verify", "tetra:2", "--size", "8x8"},
+             {"sweep", "tetra:2", "--size", "8x8", "--axis", "contexts=1,2", "--no-netlist"},
+             {"bench", "tetra:2", "--size", "8x8"}}) {
         std::vector<std::string> with_json = arguments;
         with_json.insert(with_json.end(), {"--json", "-"});
         INFO(arguments[0]);
@@ -161,7 +214,8 @@ TEST_CASE("every command has help with an example") {
     const Outcome whole = run_program({"--help"});
     CHECK(whole.code == 0);
     CHECK(whole.err.empty());
-    for (const std::string command : {"scenes", "render", "simulate", "verify", "sweep", "tradeoff", "yardstick", "bench", "config", "rtl", "doctor"}) {
+    for (const std::string command : {"scenes", "render", "simulate", "verify", "sweep", "tradeoff",
+                                      "yardstick", "bench", "config", "rtl", "doctor"}) {
         CHECK(whole.out.find("\n  " + command + " ") != std::string::npos);
         const Outcome help = run_program({command, "--help"});
         INFO(help.out);
@@ -177,7 +231,8 @@ TEST_CASE("render writes what it says, in place of what was there, and nothing e
     for (const std::string engine : {"reference", "model", "rtl"})
         for (const std::string ending : {".png", ".exr"}) {
             const std::string file = folder.write(engine + ending, "here before");
-            const Outcome outcome = run_program({"render", "teapot:3", "--size", "24x18", "--engine", engine, "-o", file});
+            const Outcome outcome =
+                run_program({"render", "teapot:3", "--size", "24x18", "--engine", engine, "-o", file});
             INFO(outcome.err);
             CHECK(outcome.code == 0);
             CHECK(outcome.err.empty());
@@ -192,12 +247,15 @@ TEST_CASE("a printed configuration can be given back, and gives the same frame")
     const Outcome printed = run_program({"config", "small", "--set", "mem_latency=21"});
     CHECK(printed.code == 0);
     const std::string file = folder.write("mine.json", printed.out);
-    const json a = parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", file, "--json", "-"}));
-    const json b = parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", "small", "--set", "mem_latency=21", "--json", "-"}));
+    const json a =
+        parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", file, "--json", "-"}));
+    const json b = parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", "small", "--set",
+                                       "mem_latency=21", "--json", "-"}));
     CHECK(a["digest"] == b["digest"]);
     CHECK(a["config"]["mem_latency"] == 21);
     const std::string like = folder.write("like.json", R"({"like": "small", "mem_latency": 21})");
-    CHECK(parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", like, "--json", "-"}))["digest"] == a["digest"]);
+    CHECK(parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", like, "--json",
+                              "-"}))["digest"] == a["digest"]);
 }
 
 TEST_CASE("the digest does not depend on threads, and traffic changes cycles only") {
@@ -206,7 +264,8 @@ TEST_CASE("the digest does not depend on threads, and traffic changes cycles onl
         arguments.insert(arguments.end(), more.begin(), more.end());
         return parsed(run_program(arguments));
     };
-    const json plain = run({}), one = run({"--threads", "1"}), slow = run({"--jitter", "30", "--stall", "40", "--seed", "3"});
+    const json plain = run({}), one = run({"--threads", "1"}),
+               slow = run({"--jitter", "30", "--stall", "40", "--seed", "3"});
     CHECK(plain["digest"] == one["digest"]);
     CHECK(plain["error"] == one["error"]);
     CHECK(slow["error"] == plain["error"]);

@@ -37,7 +37,7 @@ int living(const std::string& file) {
 /// A compiler that would take ten minutes, and has a child that does, as the real one has.
 const std::string endless = FakeTools::compiler("/bin/sleep 600 & echo $$ $! >> \"$FAKE/pids\"; wait");
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a build that is stopped takes its compilers with it, and leaves no folder") {
     const int signal = GENERATE(SIGINT, SIGTERM, SIGKILL, SIGHUP);
@@ -47,7 +47,8 @@ TEST_CASE("a build that is stopped takes its compilers with it, and leaves no fo
     std::vector<std::string> arguments{command};
     if (command == "verify") arguments.insert(arguments.end(), {"tetra:1", "--size", "8x8"});
     const std::string pids = tools.path("pids");
-    const Outcome outcome = run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == 4; });
+    const Outcome outcome =
+        run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == 4; });
     INFO(command << " stopped by signal " << signal << ": " << outcome.err);
     CHECK(comes_true([&] { return living(pids) == 0; }));
     CHECK(comes_true([&] { return tools.names().empty(); }));
@@ -63,10 +64,12 @@ TEST_CASE("a build that is stopped takes its compilers with it, and leaves no fo
 
 TEST_CASE("of two compilers the first that fails ends the other") {
     const FakeTools tools;
-    tools.replace("c++", FakeTools::compiler("echo $$ >> \"$FAKE/pids\"; case $out in part0*) exec /bin/sleep 600;; esac; echo part1.cpp: no; exit 1"));
+    tools.replace("c++", FakeTools::compiler("echo $$ >> \"$FAKE/pids\"; case $out in part0*) exec "
+                                             "/bin/sleep 600;; esac; echo part1.cpp: no; exit 1"));
     const Outcome outcome = tools.rtl();
     CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Contains("the C++ compiler on the verilated rc_top failed") && Contains("part1.cpp: no"));
+    CHECK_THAT(outcome.err,
+               Contains("the C++ compiler on the verilated rc_top failed") && Contains("part1.cpp: no"));
     CHECK(living(tools.path("pids")) == 0);
     CHECK(tools.names().empty());
 }
@@ -76,14 +79,17 @@ TEST_CASE("a missing tool is one sentence, and the doctor knows it") {
     const auto doctor = [&] { return run_program({"doctor"}, tools.environment()).out; };
     tools.remove("c++");
     check_refused(tools.rtl(), {"c++ is not installed"});
-    check_refused(run_program({"verify", "tetra:1", "--size", "8x8"}, tools.environment()), {"c++ is not installed"});
-    CHECK_THAT(doctor(), Contains("c++: ./bootstrap build installs it") && Contains("no RTL that is not built yet"));
+    check_refused(run_program({"verify", "tetra:1", "--size", "8x8"}, tools.environment()),
+                  {"c++ is not installed"});
+    CHECK_THAT(doctor(),
+               Contains("c++: ./bootstrap build installs it") && Contains("no RTL that is not built yet"));
     tools.replace("c++", "exit 1");
     check_refused(tools.rtl(), {"c++ does not run"});
     tools.replace("c++", FakeTools::compiler());
     tools.remove("verilator");
     check_refused(tools.rtl(), {"verilator is not installed"});
-    CHECK_THAT(doctor(), Contains("verilator: ./bootstrap build installs it") && Contains("yosys: ./bootstrap test installs it"));
+    CHECK_THAT(doctor(), Contains("verilator: ./bootstrap build installs it") &&
+                             Contains("yosys: ./bootstrap test installs it"));
     tools.replace("verilator", FakeTools::verilator());
     fs::remove(tools.path("root/include/verilated.h"));
     check_refused(tools.rtl(), {"verilated.h is missing", "VERILATOR_ROOT"});
@@ -99,7 +105,7 @@ TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows 
     tools.folder().write("half/rc_top.sv", "module rc_top; endmodule\n");
     fs::create_symlink(tools.path("loop"), tools.path("loop"));
     const std::vector<std::pair<std::string, std::string>> cases{
-        {"missing", " does not exist"}, {"file", " is no folder"}, {"empty", " has no file rc_top.sv"},
+        {"missing", " does not exist"},    {"file", " is no folder"},   {"empty", " has no file rc_top.sv"},
         {"half", " has no file lint.vlt"}, {"loop", " cannot be read"}, {"file/deeper", " does not exist"}};
     for (const auto& [name, words] : cases) {
         environment[2] = "RAYCLOCK_RTL=" + tools.path(name);
@@ -116,16 +122,19 @@ TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows 
 TEST_CASE("the doctor names versions that were not tried, where things are, and what is set") {
     const FakeTools tools;
     const Outcome good = run_program({"doctor"}, tools.environment());
-    CHECK_THAT(good.out, Contains("RAYCLOCK_RTL    " + tools.path("rtl")) && Contains("RAYCLOCK_CACHE  " + tools.cache()) && !Contains("not tried"));
+    CHECK_THAT(good.out, Contains("RAYCLOCK_RTL    " + tools.path("rtl")) &&
+                             Contains("RAYCLOCK_CACHE  " + tools.cache()) && !Contains("not tried"));
     tools.replace("verilator", FakeTools::verilator("5.020"));
     tools.replace("c++", FakeTools::compiler("echo built > \"$out\"", "13.1.0"));
     tools.replace("yosys", "echo 'Yosys 0.33 (git sha1 fake)'");
     const Outcome untried = run_program({"doctor"}, tools.environment());
     CHECK(untried.code == 0);
-    CHECK_THAT(untried.out, Contains("verilator 5.020 was not tried") && Contains("c++ 13 was not tried") && Contains("yosys 0.33 was not tried"));
+    CHECK_THAT(untried.out, Contains("verilator 5.020 was not tried") && Contains("c++ 13 was not tried") &&
+                                Contains("yosys 0.33 was not tried"));
     CHECK_THAT(untried.out, Contains("Everything is there."));
     tools.replace("c++", "case $1 in --version) echo 'Debian clang version 14.0.6';; esac");
-    CHECK_THAT(run_program({"doctor"}, tools.environment()).out, Contains("Debian clang version 14.0.6") && !Contains("c++ clang"));
+    CHECK_THAT(run_program({"doctor"}, tools.environment()).out,
+               Contains("Debian clang version 14.0.6") && !Contains("c++ clang"));
 }
 
 TEST_CASE("tools see no path of the user's, and need nothing of the source tree") {
@@ -136,7 +145,8 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
     tools.folder().write("my 'odd' $x rtl/a part/rc_odd name.sv", "module rc_odd; endmodule\n");
     environment[2] = "RAYCLOCK_RTL=" + tools.path("my 'odd' $x rtl");
     // What the sources include is there beside them; nothing names the tree that the program was built from.
-    tools.replace("c++", FakeTools::compiler("[ -f abi.hpp ] && ! /bin/grep -rq '" RAYCLOCK_SOURCE_DIR "' . && echo built > \"$out\""));
+    tools.replace("c++", FakeTools::compiler("[ -f abi.hpp ] && ! /bin/grep -rq '" RAYCLOCK_SOURCE_DIR
+                                             "' . && echo built > \"$out\""));
     const Outcome outcome = run_program({"rtl"}, environment);
     INFO(outcome.err);
     CHECK(outcome.code == 0);
@@ -144,7 +154,8 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
         const std::string said = bytes_of(tools.path(file));
         INFO(said);
         CHECK(said.size() > 10);
-        for (const char* never : {"odd'", "$", "'", "\"", RAYCLOCK_SOURCE_DIR}) CHECK_THAT(said, !Contains(never));
+        for (const char* never : {"odd'", "$", "'", "\"", RAYCLOCK_SOURCE_DIR})
+            CHECK_THAT(said, !Contains(never));
     }
     CHECK_THAT(bytes_of(tools.path("verilated")), Contains("rtl/a_part/rc_odd_name.sv"));
 }
@@ -152,7 +163,8 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
 TEST_CASE("a build says what it builds: one line when piped") {
     const FakeTools tools;
     const Outcome first = tools.rtl();
-    CHECK(first.err == "rayclock: building the RTL of 'default', once for all runs; this may take a minute\n");
+    CHECK(first.err ==
+          "rayclock: building the RTL of 'default', once for all runs; this may take a minute\n");
     CHECK(tools.rtl().err.empty());
 }
 
@@ -163,7 +175,9 @@ TEST_CASE("on a terminal a build shows its stage and its time, and wipes the lin
     for (const std::string& variable : tools.environment()) command += " '" + variable + "'";
     command += " " RAYCLOCK_PROGRAM " rtl";
     tools.folder().write("run.sh", command);
-    REQUIRE(std::system(("script -qec 'sh " + tools.path("run.sh") + "' " + tools.path("seen") + " > /dev/null").c_str()) == 0);
+    REQUIRE(
+        std::system(("script -qec 'sh " + tools.path("run.sh") + "' " + tools.path("seen") + " > /dev/null")
+                        .c_str()) == 0);
     const std::string seen = bytes_of(tools.path("seen"));
     CHECK_THAT(seen, Contains("building the RTL of 'default': Verilator, 0 s"));
     CHECK_THAT(seen, Contains("building the RTL of 'default': the C++ compiler, 0 s, about 0 s left"));

@@ -51,14 +51,18 @@ const std::vector<Damage> damages{
     {"library empty", [](const std::string& e) { fs::resize_file(e + "/module.so", 0); }},
     {"library gone", [](const std::string& e) { fs::remove(e + "/module.so"); }},
     {"one byte changed", [](const std::string& e) { write(e + "/module.so", "buiLt\n"); }},
-    {"library a folder", [](const std::string& e) { fs::remove(e + "/module.so"), fs::create_directories(e + "/module.so/deep"); }},
+    {"library a folder",
+     [](const std::string& e) {
+         fs::remove(e + "/module.so"), fs::create_directories(e + "/module.so/deep");
+     }},
     {"library a pipe", [](const std::string& e) { fifo(e + "/module.so"); }},
     {"library a device", [](const std::string& e) { link(e + "/module.so", "/dev/zero"); }},
     {"library a link to itself", [](const std::string& e) { link(e + "/module.so", "module.so"); }},
     {"seal gone", [](const std::string& e) { fs::remove(e + "/seal"); }},
     {"seal empty", [](const std::string& e) { write(e + "/seal", ""); }},
     {"seal a pipe", [](const std::string& e) { fifo(e + "/seal"); }},
-    {"seal a folder", [](const std::string& e) { fs::remove(e + "/seal"), fs::create_directory(e + "/seal"); }},
+    {"seal a folder",
+     [](const std::string& e) { fs::remove(e + "/seal"), fs::create_directory(e + "/seal"); }},
     {"entry empty", [](const std::string& e) { fs::remove_all(e), fs::create_directory(e); }},
     {"entry a file", [](const std::string& e) { write(e, "no folder"); }},
     {"entry a pipe", [](const std::string& e) { fifo(e); }},
@@ -66,7 +70,7 @@ const std::vector<Damage> damages{
     {"entry a link to itself", [](const std::string& e) { link(e, e); }},
 };
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a damaged entry of the RTL cache is built again, once") {
     const FakeTools tools;
@@ -86,8 +90,9 @@ TEST_CASE("whatever stands where the lock should be is no hindrance") {
     const FakeTools tools;
     check_built(tools, true);
     const std::string entry = tools.entry(), lock = entry + ".lock";
-    const std::function<void()> obstacles[] = {[&] { fs::create_directories(lock + "/deep"); }, [&] { fifo(lock); },
-                                               [&] { link(lock, "/dev/null"); }, [&] { link(lock, lock); }, [&] { write(lock, "1"); }};
+    const std::function<void()> obstacles[] = {[&] { fs::create_directories(lock + "/deep"); },
+                                               [&] { fifo(lock); }, [&] { link(lock, "/dev/null"); },
+                                               [&] { link(lock, lock); }, [&] { write(lock, "1"); }};
     for (const auto& obstacle : obstacles) {
         fs::remove_all(entry);
         obstacle();
@@ -101,7 +106,8 @@ TEST_CASE("a cache that can be no folder is refused, and the doctor says so") {
     tools.folder().write("file", "taken");
     fifo(tools.path("pipe"));
     link(tools.path("loop"), tools.path("loop"));
-    for (const std::string& place : {tools.path("file"), tools.path("file/deeper"), tools.path("pipe"), tools.path("loop"), std::string("/dev/null")}) {
+    for (const std::string& place : {tools.path("file"), tools.path("file/deeper"), tools.path("pipe"),
+                                     tools.path("loop"), std::string("/dev/null")}) {
         std::vector<std::string> environment = tools.environment();
         environment[3] = "RAYCLOCK_CACHE=" + place;
         check_refused(run_program({"rtl"}, environment), {place, "RAYCLOCK_CACHE"});
@@ -114,13 +120,15 @@ TEST_CASE("a cache that can be no folder is refused, and the doctor says so") {
 TEST_CASE("what dead builders have left is swept, and nothing else") {
     const FakeTools tools;
     fs::create_directory(tools.cache());
-    const std::string dead = tools.cache() + "/rc_top-0123456789abcdef-0123456789abcdef", living = tools.cache() + "/rc_box-0123456789abcdef-0123456789abcdef";
+    const std::string dead = tools.cache() + "/rc_top-0123456789abcdef-0123456789abcdef",
+                      living = tools.cache() + "/rc_box-0123456789abcdef-0123456789abcdef";
     for (const std::string& entry : {dead, living}) {
         fs::create_directories(entry + ".4711-0/obj");
         write(entry + ".4711-0/obj/Vrc.cpp", "// half");
         write(entry + ".lock", "");
     }
-    const std::vector<std::string> others{"sweep", "mine.4711-0", "rc_top-notes.4711", "rc_top-0123456789abcdef.txt"};
+    const std::vector<std::string> others{"sweep", "mine.4711-0", "rc_top-notes.4711",
+                                          "rc_top-0123456789abcdef.txt"};
     for (const std::string& other : others) fs::create_directory(tools.cache() + "/" + other);
     const int lock = open((living + ".lock").c_str(), O_RDWR);
     REQUIRE(flock(lock, LOCK_EX) == 0);

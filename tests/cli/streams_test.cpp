@@ -1,4 +1,5 @@
-// What is printed has arrived, or the exit code is 2 and a sentence says so; and a full disk costs no old file.
+// What is printed has arrived, or the exit code is 2 and a sentence says so; and a full disk costs no old
+// file.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -11,9 +12,19 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::vector<std::vector<std::string>> printing{
-    {"config"}, {"config", "small"}, {"scenes"}, {"scenes", "--json", "-"}, {"doctor"}, {"doctor", "--json", "-"}, {"--help"}, {"--version"},
-    {"render", "--help"}, {"simulate", "tetra:1", "--size", "8x8"}, {"simulate", "tetra:1", "--size", "8x8", "--json", "-"},
-    {"stress", "--bits", "16", "--family", "edges", "--rays", "100"}, {"counts", "balls:1", "--size", "8x8", "--json", "-"}};
+    {"config"},
+    {"config", "small"},
+    {"scenes"},
+    {"scenes", "--json", "-"},
+    {"doctor"},
+    {"doctor", "--json", "-"},
+    {"--help"},
+    {"--version"},
+    {"render", "--help"},
+    {"simulate", "tetra:1", "--size", "8x8"},
+    {"simulate", "tetra:1", "--size", "8x8", "--json", "-"},
+    {"stress", "--bits", "16", "--family", "edges", "--rays", "100"},
+    {"counts", "balls:1", "--size", "8x8", "--json", "-"}};
 
 void check_lost(const Outcome& outcome, const std::string& reason) {
     INFO(outcome.err);
@@ -22,7 +33,7 @@ void check_lost(const Outcome& outcome, const std::string& reason) {
     CHECK(outcome.err == "rayclock: standard output: cannot be written: " + reason + "\n");
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("standard output that is full or closed is an error of every command that prints") {
     for (const auto& arguments : printing) {
@@ -31,7 +42,8 @@ TEST_CASE("standard output that is full or closed is an error of every command t
         check_lost(run_in_shell("exec \"$@\" >&-", arguments), "Bad file descriptor");
         // Nobody reads any more: the pipe's reader has ended before the program begins.
         const Folder folder;
-        const Outcome pipe = run_in_shell("{ sleep 0.3; \"$@\"; echo $? >" + folder.name("code") + "; } | true", arguments);
+        const Outcome pipe =
+            run_in_shell("{ sleep 0.3; \"$@\"; echo $? >" + folder.name("code") + "; } | true", arguments);
         CHECK(bytes_of(folder.name("code")) == "2\n");
         CHECK(pipe.err == "rayclock: standard output: cannot be written: Broken pipe\n");
     }
@@ -40,7 +52,9 @@ TEST_CASE("standard output that is full or closed is an error of every command t
 TEST_CASE("a closed standard stream is not mistaken for a file") {
     const Folder folder;
     const std::string picture = folder.name("a.png");
-    const Outcome outcome = run_in_shell("exec \"$@\" <&- >&- 2>&-", {"render", "tetra:1", "--size", "8x8", "--engine", "reference", "-o", picture});
+    const Outcome outcome =
+        run_in_shell("exec \"$@\" <&- >&- 2>&-",
+                     {"render", "tetra:1", "--size", "8x8", "--engine", "reference", "-o", picture});
     CHECK(outcome.code == 2);
     CHECK(bytes_of(picture).starts_with("\x89PNG"));
     CHECK(bytes_of(picture).find("tetra") == std::string::npos);
@@ -49,7 +63,9 @@ TEST_CASE("a closed standard stream is not mistaken for a file") {
 
 TEST_CASE("a disk that fills up while a file is written costs no old file") {
     // No file may grow beyond 1 KB (2 blocks).
-    const auto full = [](const std::vector<std::string>& arguments) { return run_in_shell("ulimit -f 2; \"$@\" 2>&1 >/dev/null | cat >&2", arguments); };
+    const auto full = [](const std::vector<std::string>& arguments) {
+        return run_in_shell("ulimit -f 2; \"$@\" 2>&1 >/dev/null | cat >&2", arguments);
+    };
     const auto code = [](const std::vector<std::string>& arguments, const std::string& file) {
         return run_in_shell("(ulimit -f 2; \"$@\" >/dev/null 2>/dev/null; echo $?) > " + file, arguments);
     };
@@ -73,7 +89,7 @@ TEST_CASE("a disk that fills up while a file is written costs no old file") {
         CHECK(outcome.err.find("cannot be written: File too large") != std::string::npos);
         CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
         auto after = folder.contents();
-        if (name == "page.md") after.erase("page");    // the folder of its drawings
+        if (name == "page.md") after.erase("page");   // the folder of its drawings
         CHECK(after == before);
     }
 }
@@ -84,15 +100,21 @@ TEST_CASE("links, pipes and devices as outputs") {
     fs::create_symlink("real.json", folder.name("link.json"));
     fs::create_symlink("real.json", folder.name("link.png"));
     const auto before = folder.contents();
-    check_refused(run_program({"scenes", "--json", folder.name("link.json")}), {"link.json", "symbolic link"});
-    check_refused(run_program({"render", "tetra:1", "--size", "8x8", "-o", folder.name("link.png")}), {"link.png", "symbolic link"});
-    check_refused(run_program({"stress", "--rays", "10", "--state", folder.name("link.json")}), {"link.json", "symbolic link"});
+    check_refused(run_program({"scenes", "--json", folder.name("link.json")}),
+                  {"link.json", "symbolic link"});
+    check_refused(run_program({"render", "tetra:1", "--size", "8x8", "-o", folder.name("link.png")}),
+                  {"link.png", "symbolic link"});
+    check_refused(run_program({"stress", "--rays", "10", "--state", folder.name("link.json")}),
+                  {"link.json", "symbolic link"});
     CHECK(folder.contents() == before);
-    const Outcome nobody = run_in_shell("mkfifo " + folder.name("pipe") + "; timeout 20 \"$@\"", {"scenes", "--json", folder.name("pipe")});
+    const Outcome nobody = run_in_shell("mkfifo " + folder.name("pipe") + "; timeout 20 \"$@\"",
+                                        {"scenes", "--json", folder.name("pipe")});
     CHECK(nobody.code == 2);
     CHECK(nobody.err.find("is a pipe that nobody reads") != std::string::npos);
     // The shell holds the other end, so there is a reader from the beginning.
-    const Outcome read = run_in_shell("exec 3<>" + folder.name("pipe") + "; \"$@\" >/dev/null && head -n 5 <&3", {"scenes", "--json", folder.name("pipe")});
+    const Outcome read =
+        run_in_shell("exec 3<>" + folder.name("pipe") + "; \"$@\" >/dev/null && head -n 5 <&3",
+                     {"scenes", "--json", folder.name("pipe")});
     CHECK(read.code == 0);
     CHECK(read.out.find("\"balls\"") != std::string::npos);
     CHECK(run_program({"scenes", "--json", "/dev/null"}).code == 0);

@@ -16,7 +16,9 @@ namespace {
 
 /// A sweep of little work, with a cache of its own and without Yosys.
 std::vector<std::string> sweep(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"sweep", "tetra:4", "--size", "64x48", "--axis", "coord_bits=12:20:4", "--axis", "clock=33,200", "--no-netlist"};
+    std::vector<std::string> arguments{"sweep",  "tetra:4",      "--size",
+                                       "64x48",  "--axis",       "coord_bits=12:20:4",
+                                       "--axis", "clock=33,200", "--no-netlist"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -26,7 +28,7 @@ std::size_t files_in(const std::string& folder) {
     return std::size_t(std::distance(fs::directory_iterator(folder, error), fs::directory_iterator()));
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again from the cache") {
     const Folder folder;
@@ -36,10 +38,14 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
     INFO(first.err);
     REQUIRE(first.code == 0);
     CHECK(first.out.find("6 points from 3 traces, 0 of them known before") != std::string::npos);
-    CHECK(first.out.find("Pareto front of pixels_other_primitive, memory_bytes and fps") != std::string::npos);
+    CHECK(first.out.find("Pareto front of pixels_other_primitive, memory_bytes and fps") !=
+          std::string::npos);
     const std::string table = bytes_of(csv), whole = bytes_of(report);
-    CHECK(table.starts_with("coord_bits,clock,cycles,fps,cycles_per_ray,node_hit_rate,prim_hit_rate,bytes_per_ray,bound,bound_reached,pixels_other_primitive,"
-                            "percent_other_primitive,psnr_db,max_abs_depth,cracks,memory_bytes,multipliers,flip_flops,pareto,knee\n"));
+    CHECK(
+        table.starts_with("coord_bits,clock,cycles,fps,cycles_per_ray,node_hit_rate,prim_hit_rate,bytes_per_"
+                          "ray,bound,bound_reached,pixels_other_primitive,"
+                          "percent_other_primitive,psnr_db,max_abs_depth,cracks,memory_bytes,multipliers,"
+                          "flip_flops,pareto,knee\n"));
     const json parsed = json::parse(whole);
     for (const json& point : parsed["points"]) {
         CHECK(point["cracks"] == 0);
@@ -47,15 +53,20 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
         CHECK((point["error"]["psnr_db"].is_number() || point["error"]["pixels_other_primitive"] == 0));
         CHECK(point["memory_bytes"] > 1000);
         CHECK(point["multipliers"].is_null());
-        CHECK(point["cycles_per_ray"].get<double>() == Approx(point["clock"]["cycles"].get<double>() / (64 * 48)));
+        CHECK(point["cycles_per_ray"].get<double>() ==
+              Approx(point["clock"]["cycles"].get<double>() / (64 * 48)));
         CHECK(point["pareto"].is_boolean());
     }
     CHECK(parsed["points"][0]["error"] == parsed["points"][1]["error"]);
-    CHECK(parsed["points"][0]["error"]["pixels_other_primitive"] > parsed["points"][4]["error"]["pixels_other_primitive"]);
+    CHECK(parsed["points"][0]["error"]["pixels_other_primitive"] >
+          parsed["points"][4]["error"]["pixels_other_primitive"]);
     CHECK(parsed["front"]["cost"] == "memory_bytes");
     // What simulate says of the same frame.
-    const json single = json::parse(run_program({"simulate", "tetra:4", "--size", "64x48", "--set", "coord_bits=12", "--clock", "33", "--json", "-"}).out);
-    CHECK(parsed["points"][0]["error"]["pixels_other_primitive"] == single["error"]["pixels_other_primitive"]);
+    const json single = json::parse(run_program({"simulate", "tetra:4", "--size", "64x48", "--set",
+                                                 "coord_bits=12", "--clock", "33", "--json", "-"})
+                                        .out);
+    CHECK(parsed["points"][0]["error"]["pixels_other_primitive"] ==
+          single["error"]["pixels_other_primitive"]);
     CHECK(parsed["points"][0]["error"]["psnr_db"] == single["error"]["psnr_db"]);
     CHECK(parsed["points"][0]["memory_bytes"] == single["compile"]["bytes"]);
 
@@ -72,10 +83,14 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
 TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
     const Folder folder;
     const std::vector<std::string> cache{"RAYCLOCK_CACHE=" + folder.name("cache")};
-    const std::vector<std::string> arguments{"sweep", "rings:1", "--size", "256x192", "--axis", "coord_bits=12:20", "--axis", "clock=33,66,90,200", "--no-netlist", "--threads", "1"};
+    const std::vector<std::string> arguments{
+        "sweep",        "rings:1",          "--size", "256x192",
+        "--axis",       "coord_bits=12:20", "--axis", "clock=33,66,90,200",
+        "--no-netlist", "--threads",        "1"};
     for (const int signal : {2, 9}) {
         const std::size_t before = files_in(folder.name("cache/sweep"));
-        const Outcome stopped = run_and_stop(arguments, cache, signal, [&] { return files_in(folder.name("cache/sweep")) >= before + 4; });
+        const Outcome stopped = run_and_stop(
+            arguments, cache, signal, [&] { return files_in(folder.name("cache/sweep")) >= before + 4; });
         INFO("signal " << signal << ": " << stopped.out << stopped.err);
         if (signal == 2) {
             CHECK(stopped.code == 1);
@@ -98,7 +113,8 @@ TEST_CASE("a sweep that was interrupted or killed goes on where it was") {
 
 TEST_CASE("values that do not go together are refused in their rows only") {
     const Folder folder;
-    const Outcome outcome = run_program({"sweep", "tetra:2", "--size", "8x8", "--axis", "coord_bits=18,20", "--axis", "dir_bits=20,24", "--no-netlist", "--json", "-"},
+    const Outcome outcome = run_program({"sweep", "tetra:2", "--size", "8x8", "--axis", "coord_bits=18,20",
+                                         "--axis", "dir_bits=20,24", "--no-netlist", "--json", "-"},
                                         {"RAYCLOCK_CACHE=" + folder.name("cache")});
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
@@ -122,18 +138,22 @@ TEST_CASE("a sweep draws its front, whole or not at all") {
 TEST_CASE("tradeoff writes its page with a plot for each scene") {
     const Folder folder;
     const std::string page = folder.name("page.md");
-    const Outcome outcome = run_program({"tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2", "--size", "24x18", "--no-netlist"},
-                                        {"RAYCLOCK_CACHE=" + folder.name("cache")});
+    const Outcome outcome = run_program(
+        {"tradeoff", "-o", page, "--scenes", "tetra:2,icosphere:2", "--size", "24x18", "--no-netlist"},
+        {"RAYCLOCK_CACHE=" + folder.name("cache")});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const std::string text = bytes_of(page);
-    for (const char* word : {"# Speed against error", "### coord_bits", "### dir_bits", "### box_bits", "### recip_bits", "### node_width", "### primitive_test",
-                             "--scenes tetra:2,icosphere:2 --size 24x18 --no-netlist", "](page-tetra-2.svg)", "](page-icosphere-2.svg)", "| moller |"}) {
+    for (const char* word :
+         {"# Speed against error", "### coord_bits", "### dir_bits", "### box_bits", "### recip_bits",
+          "### node_width", "### primitive_test", "--scenes tetra:2,icosphere:2 --size 24x18 --no-netlist",
+          "](page-tetra-2.svg)", "](page-icosphere-2.svg)", "| moller |"}) {
         INFO(word);
         CHECK(text.find(word) != std::string::npos);
     }
     std::vector<std::string> files;
-    for (const auto& entry : fs::directory_iterator(fs::path(page).parent_path())) files.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(fs::path(page).parent_path()))
+        files.push_back(entry.path().filename().string());
     std::sort(files.begin(), files.end());
     CHECK(files == std::vector<std::string>{"cache", "page-icosphere-2.svg", "page-tetra-2.svg", "page.md"});
     check_refused(run_program({"tradeoff", "-o", folder.name("no/such/page.md")}), {"no/such/page.md"});
@@ -143,7 +163,9 @@ TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
     if (run_program({"doctor", "--json", "-"}).out.find("\"yosys\": null") != std::string::npos) return;
     const Folder folder;
     const auto counts = [&] {
-        const Outcome outcome = run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "primitive_test=exact,moller", "--config", "small", "--json", "-"});
+        const Outcome outcome =
+            run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "primitive_test=exact,moller",
+                         "--config", "small", "--json", "-"});
         REQUIRE(outcome.code == 0);
         return json::parse(outcome.out);
     };
@@ -155,7 +177,9 @@ TEST_CASE("Yosys counts multipliers and flip-flops once, where there is RTL") {
     CHECK(report["points"][1]["pareto"] == false);
     CHECK(report["front"]["cost"] == "multipliers");
     // No Yosys: no counts, and a word about it.
-    const Outcome without = run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "contexts=16"}, {"RAYCLOCK_CACHE=" + folder.name("cache"), "PATH=" + folder.name("nothing")});
+    const Outcome without =
+        run_program({"sweep", "tetra:1", "--size", "8x8", "--axis", "contexts=16"},
+                    {"RAYCLOCK_CACHE=" + folder.name("cache"), "PATH=" + folder.name("nothing")});
     CHECK(without.code == 0);
     CHECK(without.out.find("Yosys is not installed") != std::string::npos);
 }

@@ -26,7 +26,7 @@ Bad simulate(std::vector<std::string> arguments, std::vector<std::string> words)
     return {std::move(arguments), std::move(words)};
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("commands and options that do not exist") {
     check({{{}, {"subcommand"}},
@@ -47,64 +47,119 @@ TEST_CASE("sizes that make no sense") {
     for (const char* command : {"simulate", "verify", "bench"})
         check({{{command, "tetra:1", "--size", "0x0"}, {"0 x 0", "16384"}}});
     check({{{"render", "tetra:1", "--size", "0x0", "-o", "never.png"}, {"0 x 0", "16384"}},
-           simulate({"--size", "100000x100000"}, {"100000 x 100000"}), simulate({"--size", "16385x1"}, {"16385 x 1"}),
-           simulate({"--size", "1x16385"}, {"1 x 16385"}), simulate({"--size", "512"}, {"'512'", "--size"}),
-           simulate({"--size", "512x"}, {"'512x'"}), simulate({"--size", "x512"}, {"'x512'"}), simulate({"--size=-1x5"}, {"-1 x 5"}),
-           simulate({"--size", "-1x5"}, {"-1 x 5"}), simulate({"--size", "1e3x5"}, {"'1e3x5'"}), simulate({"--size", "5x5x5"}, {"'5x5x5'"}),
-           simulate({"--size", ""}, {"--size"}), simulate({"--size", " 5x5"}, {"' 5x5'"}), simulate({"--size", "5x5 "}, {"'5x5 '"}),
-           simulate({"--size", "99999999999999999999x1"}, {"99999999999999999999x1"}), simulate({"--size", "0x10x10"}, {"0x10x10"})});
+           simulate({"--size", "100000x100000"}, {"100000 x 100000"}),
+           simulate({"--size", "16385x1"}, {"16385 x 1"}),
+           simulate({"--size", "1x16385"}, {"1 x 16385"}),
+           simulate({"--size", "512"}, {"'512'", "--size"}),
+           simulate({"--size", "512x"}, {"'512x'"}),
+           simulate({"--size", "x512"}, {"'x512'"}),
+           simulate({"--size=-1x5"}, {"-1 x 5"}),
+           simulate({"--size", "-1x5"}, {"-1 x 5"}),
+           simulate({"--size", "1e3x5"}, {"'1e3x5'"}),
+           simulate({"--size", "5x5x5"}, {"'5x5x5'"}),
+           simulate({"--size", ""}, {"--size"}),
+           simulate({"--size", " 5x5"}, {"' 5x5'"}),
+           simulate({"--size", "5x5 "}, {"'5x5 '"}),
+           simulate({"--size", "99999999999999999999x1"}, {"99999999999999999999x1"}),
+           simulate({"--size", "0x10x10"}, {"0x10x10"})});
 }
 
 TEST_CASE("clocks that make no sense") {
-    for (const char* clock : {"0", "-5", "nan", "inf", "-inf", "", "66,,90", "66,", ",66", "abc", "1e9", "0x10", "66 ", "66;90", "-0"})
-        check({simulate({std::string("--clock=") + clock}, {"--clock"}), {{"verify", "tetra:1", std::string("--clock=") + clock}, {"--clock"}}});
+    for (const char* clock : {"0", "-5", "nan", "inf", "-inf", "", "66,,90", "66,", ",66", "abc", "1e9",
+                              "0x10", "66 ", "66;90", "-0"})
+        check({simulate({std::string("--clock=") + clock}, {"--clock"}),
+               {{"verify", "tetra:1", std::string("--clock=") + clock}, {"--clock"}}});
 }
 
 TEST_CASE("parameters that make no sense") {
-    check({simulate({"--set", "coord_bits=11"}, {"coord_bits", "12..20", "11"}), simulate({"--set", "coord_bits=21"}, {"coord_bits", "21"}),
-           simulate({"--set", "coord_bits=20", "--set", "dir_bits=24"}, {"62", "64"}), simulate({"--set", "contexts=3"}, {"power of two", "3"}),
-           simulate({"--set", "contexts=0"}, {"contexts", "1..1024"}), simulate({"--set", "contexts=-4"}, {"contexts", "-4"}),
-           simulate({"--set", "node_width=16"}, {"node_width", "16"}), simulate({"--set", "contxts=4"}, {"'contxts'", "did you mean 'contexts'"}),
-           simulate({"--set", "contexts"}, {"'contexts'", "key=value"}), simulate({"--set", "contexts="}, {"contexts", "whole number"}),
-           simulate({"--set", "=4"}, {"--set"}), simulate({"--set", "contexts=4.5"}, {"'4.5'"}), simulate({"--set", "contexts=1e2"}, {"'1e2'"}),
-           simulate({"--set", "contexts=99999999999"}, {"99999999999"}), simulate({"--set", ""}, {"--set"}),
-           simulate({"--set", "mem_latency=0"}, {"mem_latency"}), simulate({"--set", "leaf_size=7"}, {"leaf_size", "7"}),
-           {{"rtl", "--set", "coord_bits=21"}, {"coord_bits"}}, {{"config", "--set", "coord_bits=21"}, {"coord_bits"}},
+    check({simulate({"--set", "coord_bits=11"}, {"coord_bits", "12..20", "11"}),
+           simulate({"--set", "coord_bits=21"}, {"coord_bits", "21"}),
+           simulate({"--set", "coord_bits=20", "--set", "dir_bits=24"}, {"62", "64"}),
+           simulate({"--set", "contexts=3"}, {"power of two", "3"}),
+           simulate({"--set", "contexts=0"}, {"contexts", "1..1024"}),
+           simulate({"--set", "contexts=-4"}, {"contexts", "-4"}),
+           simulate({"--set", "node_width=16"}, {"node_width", "16"}),
+           simulate({"--set", "contxts=4"}, {"'contxts'", "did you mean 'contexts'"}),
+           simulate({"--set", "contexts"}, {"'contexts'", "key=value"}),
+           simulate({"--set", "contexts="}, {"contexts", "whole number"}),
+           simulate({"--set", "=4"}, {"--set"}),
+           simulate({"--set", "contexts=4.5"}, {"'4.5'"}),
+           simulate({"--set", "contexts=1e2"}, {"'1e2'"}),
+           simulate({"--set", "contexts=99999999999"}, {"99999999999"}),
+           simulate({"--set", ""}, {"--set"}),
+           simulate({"--set", "mem_latency=0"}, {"mem_latency"}),
+           simulate({"--set", "leaf_size=7"}, {"leaf_size", "7"}),
+           {{"rtl", "--set", "coord_bits=21"}, {"coord_bits"}},
+           {{"config", "--set", "coord_bits=21"}, {"coord_bits"}},
            {{"simulate", "icosphere:1", "--set", "stack_depth=1"}, {"stack_depth"}}});
 }
 
 TEST_CASE("caches, pipelines and memories that make no sense") {
-    check({simulate({"--set", "node_ways=0"}, {"node_ways", "1..8", "0"}), simulate({"--set", "prim_sets=0"}, {"prim_sets", "0"}),
-           simulate({"--set", "node_sets=48"}, {"node_sets", "power of two", "48"}), simulate({"--set", "prim_ways=3"}, {"power of two", "3"}),
-           simulate({"--set", "node_line=32"}, {"node_line", "64", "node", "32"}), simulate({"--set", "l2_line=0"}, {"l2_line", "64"}),
-           simulate({"--set", "prim_line=96"}, {"power of two", "96"}), simulate({"--set", "node_mshrs=0"}, {"node_mshrs"}),
-           simulate({"--set", "l2_sets=100"}, {"l2_sets", "power of two"}), simulate({"--set", "pipelines=3"}, {"pipelines", "power of two"}),
-           simulate({"--set", "pipelines=16"}, {"pipelines", "16"}), simulate({"--set", "cache_queue=1"}, {"cache_queue"}),
-           simulate({"--set", "dram=ddr"}, {"'ddr'", "did you mean 'sdr'"}), simulate({"--set", "dram=2"}, {"'2'"}),
+    check({simulate({"--set", "node_ways=0"}, {"node_ways", "1..8", "0"}),
+           simulate({"--set", "prim_sets=0"}, {"prim_sets", "0"}),
+           simulate({"--set", "node_sets=48"}, {"node_sets", "power of two", "48"}),
+           simulate({"--set", "prim_ways=3"}, {"power of two", "3"}),
+           simulate({"--set", "node_line=32"}, {"node_line", "64", "node", "32"}),
+           simulate({"--set", "l2_line=0"}, {"l2_line", "64"}),
+           simulate({"--set", "prim_line=96"}, {"power of two", "96"}),
+           simulate({"--set", "node_mshrs=0"}, {"node_mshrs"}),
+           simulate({"--set", "l2_sets=100"}, {"l2_sets", "power of two"}),
+           simulate({"--set", "pipelines=3"}, {"pipelines", "power of two"}),
+           simulate({"--set", "pipelines=16"}, {"pipelines", "16"}),
+           simulate({"--set", "cache_queue=1"}, {"cache_queue"}),
+           simulate({"--set", "dram=ddr"}, {"'ddr'", "did you mean 'sdr'"}),
+           simulate({"--set", "dram=2"}, {"'2'"}),
            simulate({"--set", "primitive_test=shared"}, {"'shared'", "did you mean 'sheared'"}),
-           simulate({"--set", "primitive_test=sheared", "--set", "dir_bits=19"}, {"dir_bits", "coord_bits + 2", "20", "19"}),
-           simulate({"--engine", "rtl", "--set", "primitive_test=woop"}, {"primitive_test=woop", "software only"}),
-           {{"verify", "tetra:1", "--set", "primitive_test=moller"}, {"primitive_test=moller", "software only"}},
+           simulate({"--set", "primitive_test=sheared", "--set", "dir_bits=19"},
+                    {"dir_bits", "coord_bits + 2", "20", "19"}),
+           simulate({"--engine", "rtl", "--set", "primitive_test=woop"},
+                    {"primitive_test=woop", "software only"}),
+           {{"verify", "tetra:1", "--set", "primitive_test=moller"},
+            {"primitive_test=moller", "software only"}},
            {{"rtl", "--set", "primitive_test=unit24"}, {"primitive_test=unit24", "software only"}},
-           simulate({"--set", "tile_bits=9"}, {"tile_bits"}), {{"rtl", "--set", "node_ways=0"}, {"node_ways"}},
-           {{"simulate", "gears:12", "--set", "dram=rpu", "--set", "coord_bits=20", "--size", "8x8", "--set", "node_width=2", "--set", "stack_depth=64"}, {"'rpu'", "bytes", "dram=ddr3"}}});
+           simulate({"--set", "tile_bits=9"}, {"tile_bits"}),
+           {{"rtl", "--set", "node_ways=0"}, {"node_ways"}},
+           {{"simulate", "gears:12", "--set", "dram=rpu", "--set", "coord_bits=20", "--size", "8x8", "--set",
+             "node_width=2", "--set", "stack_depth=64"},
+            {"'rpu'", "bytes", "dram=ddr3"}}});
 }
 
 TEST_CASE("frames and axes that make no sense") {
-    check({simulate({"--frames", "0"}, {"--frames", "0"}), simulate({"--frames", "1001"}, {"--frames", "1001"}), simulate({"--frames", "x"}, {"--frames"}),
-           simulate({"--pan", "nan"}, {"--pan"}), simulate({"--pan", "361"}, {"--pan", "361"}), simulate({"--pan", "x"}, {"--pan"})});
-    const auto sweep = [](const std::string& axis, std::vector<std::string> words) { return Bad{{"sweep", "tetra:1", "--size", "8x8", "--axis", axis}, std::move(words)}; };
-    check({sweep("contexts", {"'contexts'", "key=values"}), sweep("=1,2", {"'=1,2'"}), sweep("contexts=", {"contexts="}), sweep("contxts=1", {"did you mean 'contexts'"}),
-           sweep("contexts=3", {"power of two", "3"}), sweep("contexts=1:x", {"'x'"}), sweep("contexts=8:4:1", {"8:4:1"}), sweep("contexts=1:4:0", {"1:4:0"}),
-           sweep("clock=0", {"--clock", "'0'"}), sweep("coord_bits=12:2000000000:1", {"10000"}), sweep("dram=ideal,ddr", {"'ddr'"}),
-           {{"sweep", "tetra:1"}, {"--axis"}}, {{"yardstick"}, {"--output"}}, {{"yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});
+    check({simulate({"--frames", "0"}, {"--frames", "0"}),
+           simulate({"--frames", "1001"}, {"--frames", "1001"}), simulate({"--frames", "x"}, {"--frames"}),
+           simulate({"--pan", "nan"}, {"--pan"}), simulate({"--pan", "361"}, {"--pan", "361"}),
+           simulate({"--pan", "x"}, {"--pan"})});
+    const auto sweep = [](const std::string& axis, std::vector<std::string> words) {
+        return Bad{{"sweep", "tetra:1", "--size", "8x8", "--axis", axis}, std::move(words)};
+    };
+    check({sweep("contexts", {"'contexts'", "key=values"}),
+           sweep("=1,2", {"'=1,2'"}),
+           sweep("contexts=", {"contexts="}),
+           sweep("contxts=1", {"did you mean 'contexts'"}),
+           sweep("contexts=3", {"power of two", "3"}),
+           sweep("contexts=1:x", {"'x'"}),
+           sweep("contexts=8:4:1", {"8:4:1"}),
+           sweep("contexts=1:4:0", {"1:4:0"}),
+           sweep("clock=0", {"--clock", "'0'"}),
+           sweep("coord_bits=12:2000000000:1", {"10000"}),
+           sweep("dram=ideal,ddr", {"'ddr'"}),
+           {{"sweep", "tetra:1"}, {"--axis"}},
+           {{"yardstick"}, {"--output"}},
+           {{"yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});
 }
 
 TEST_CASE("other values that make no sense") {
-    check({simulate({"--engine", "gpu"}, {"'gpu'"}), simulate({"--engine", "reference"}, {"'reference'"}), simulate({"--engine", ""}, {"--engine"}),
-           {{"render", "tetra:1", "--engine", "gpu", "-o", "never.png"}, {"'gpu'"}}, simulate({"--jitter", "-1"}, {"--jitter", "-1"}),
-           simulate({"--jitter", "x"}, {"--jitter", "x"}), simulate({"--stall", "100"}, {"--stall", "100"}), simulate({"--stall", "-1"}, {"--stall"}),
-           simulate({"--threads", "-1"}, {"--threads", "-1"}), simulate({"--threads", "x"}, {"--threads"}), simulate({"--seed", "0"}, {"--seed"}),
+    check({simulate({"--engine", "gpu"}, {"'gpu'"}),
+           simulate({"--engine", "reference"}, {"'reference'"}),
+           simulate({"--engine", ""}, {"--engine"}),
+           {{"render", "tetra:1", "--engine", "gpu", "-o", "never.png"}, {"'gpu'"}},
+           simulate({"--jitter", "-1"}, {"--jitter", "-1"}),
+           simulate({"--jitter", "x"}, {"--jitter", "x"}),
+           simulate({"--stall", "100"}, {"--stall", "100"}),
+           simulate({"--stall", "-1"}, {"--stall"}),
+           simulate({"--threads", "-1"}, {"--threads", "-1"}),
+           simulate({"--threads", "x"}, {"--threads"}),
+           simulate({"--seed", "0"}, {"--seed"}),
            simulate({"--seed", "-1"}, {"--seed"})});
 }
 
@@ -126,12 +181,18 @@ TEST_CASE("stress runs that make no sense") {
         arguments.insert(arguments.begin(), {"stress"});
         return Bad{std::move(arguments), std::move(words)};
     };
-    check({stress({"--rays", "0"}, {"--rays", "'0'"}), stress({"--rays", "many"}, {"'many'"}), stress({"--rays=-5"}, {"'-5'"}), stress({"--rays", "nan"}, {"'nan'"}),
-           stress({"--bits", "11"}, {"--bits", "12..20", "11"}), stress({"--bits", "12:21"}, {"21"}), stress({"--bits", "20:12:2"}, {"'20:12:2'"}),
-           stress({"--bits", "12:20:0"}, {"'12:20:0'"}), stress({"--bits", "12,12"}, {"--bits", "12", "twice"}), stress({"--bits", ""}, {"--bits"}),
-           stress({"--bits", "1:2:3:4"}, {"'1:2:3:4'"}), stress({"--test", "exakt"}, {"'exakt'", "did you mean 'exact'"}),
-           stress({"--test", "exact,exact"}, {"exact", "twice"}), stress({"--family", "edgy"}, {"'edgy'", "did you mean 'edges'"}),
-           stress({"--seed", "0"}, {"--seed"}), stress({"--state", "/no/such/folder/run.json"}, {"/no/such/folder/run.json"}),
-           stress({"-o", "/no/such/folder/page.md"}, {"/no/such/folder/page.md"}), stress({"--json", "/no/such/folder/x.json"}, {"/no/such/folder/x.json"}),
+    check({stress({"--rays", "0"}, {"--rays", "'0'"}), stress({"--rays", "many"}, {"'many'"}),
+           stress({"--rays=-5"}, {"'-5'"}), stress({"--rays", "nan"}, {"'nan'"}),
+           stress({"--bits", "11"}, {"--bits", "12..20", "11"}), stress({"--bits", "12:21"}, {"21"}),
+           stress({"--bits", "20:12:2"}, {"'20:12:2'"}), stress({"--bits", "12:20:0"}, {"'12:20:0'"}),
+           stress({"--bits", "12,12"}, {"--bits", "12", "twice"}), stress({"--bits", ""}, {"--bits"}),
+           stress({"--bits", "1:2:3:4"}, {"'1:2:3:4'"}),
+           stress({"--test", "exakt"}, {"'exakt'", "did you mean 'exact'"}),
+           stress({"--test", "exact,exact"}, {"exact", "twice"}),
+           stress({"--family", "edgy"}, {"'edgy'", "did you mean 'edges'"}),
+           stress({"--seed", "0"}, {"--seed"}),
+           stress({"--state", "/no/such/folder/run.json"}, {"/no/such/folder/run.json"}),
+           stress({"-o", "/no/such/folder/page.md"}, {"/no/such/folder/page.md"}),
+           stress({"--json", "/no/such/folder/x.json"}, {"/no/such/folder/x.json"}),
            stress({"tetra:1"}, {"tetra:1"})});
 }

@@ -9,15 +9,16 @@ namespace rayclock {
 
 // Which golden pictures there are; shared by the program that makes them and the test that looks at them.
 
-constexpr std::array golden_scenes{"tetra:6",  "mount:6", "gears:4", "balls:2",
+constexpr std::array golden_scenes{"tetra:6",   "mount:6", "gears:4", "balls:2",
                                    "teapot:12", "rings:2", "cornell", "icosphere:4"};
 constexpr FrameSize golden_size{128, 96};
 
 /// A built-in scene with its camera set.
 inline Scene golden_scene(const char* spec) {
     Scene scene = make_builtin(spec);
-    if (!scene.camera) scene.camera = fit_camera(scene, static_cast<double>(golden_size.width) / golden_size.height);
+    if (!scene.camera)
+        scene.camera = fit_camera(scene, static_cast<double>(golden_size.width) / golden_size.height);
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

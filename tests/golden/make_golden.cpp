@@ -2,8 +2,9 @@
 //
 //     golden_make FOLDER
 //
-// It refuses to replace a picture: whoever means to update one deletes it first. It checks nothing; that is done by
-// tests/image/golden_test.cpp, which writes nothing. After a run, look at the pictures and mend PROVENANCE.md.
+// It refuses to replace a picture: whoever means to update one deletes it first. It checks nothing; that is
+// done by tests/image/golden_test.cpp, which writes nothing. After a run, look at the pictures and mend
+// PROVENANCE.md.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -19,7 +20,8 @@ using namespace rayclock;
 bool make(const std::string& folder, const char* spec) {
     const std::string path = golden_path(folder, spec, golden_size);
     if (std::filesystem::exists(path)) {
-        std::fprintf(stderr, "%s: exists already and is left alone; delete it to have it made anew\n", path.c_str());
+        std::fprintf(stderr, "%s: exists already and is left alone; delete it to have it made anew\n",
+                     path.c_str());
         return false;
     }
     const Scene scene = golden_scene(spec);
@@ -29,7 +31,7 @@ bool make(const std::string& folder, const char* spec) {
     return true;
 }
 
-} // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     if (argc != 2) {

@@ -1,4 +1,5 @@
-// Picture files: what is written is what is read back, exactly; failures are one sentence and leave nothing behind.
+// Picture files: what is written is what is read back, exactly; failures are one sentence and leave nothing
+// behind.
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -15,9 +16,11 @@
 using namespace rayclock;
 namespace fs = std::filesystem;
 
-/// For the leak sanitizer: at the end of a cut file OpenImageIO 2.4's png reader makes a string and then has libpng
-/// jump over its destructor.
-extern "C" const char* __lsan_default_suppressions() { return "leak:OpenImageIO_v2_4::ImageInput::geterror\n"; }
+/// For the leak sanitizer: at the end of a cut file OpenImageIO 2.4's png reader makes a string and then has
+/// libpng jump over its destructor.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:OpenImageIO_v2_4::ImageInput::geterror\n";
+}
 
 namespace {
 
@@ -36,7 +39,7 @@ void check_sentence(const std::string& text, const std::string& path, const std:
     CHECK(text.find(part) != std::string::npos);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("png holds the clamped sRGB bytes of the picture", "[image]") {
     const TestFolder folder;
@@ -64,7 +67,8 @@ TEST_CASE("png holds the clamped sRGB bytes of the picture", "[image]") {
 TEST_CASE("a png that is read and written again keeps every byte", "[image]") {
     const TestFolder folder;
     Picture picture{{256, 1}, {}};
-    for (int i = 0; i < 256; ++i) picture.pixels.emplace_back(static_cast<float>(linear_from_srgb(i / 255.0)));
+    for (int i = 0; i < 256; ++i)
+        picture.pixels.emplace_back(static_cast<float>(linear_from_srgb(i / 255.0)));
     write_picture(folder / "a.png", picture, no_hits(picture.size));
     const Picture read = read_picture(folder / "a.png");
     CHECK(read.size == picture.size);
@@ -76,8 +80,8 @@ TEST_CASE("a png that is read and written again keeps every byte", "[image]") {
 TEST_CASE("exr keeps light beyond 1, depth and primitive numbers", "[image]") {
     const TestFolder folder;
     const Picture picture{{2, 2}, {{0.5f, 0.25f, 1000}, {0, 1, 2}, {-0.5f, 0, 0.125f}, {3, 3, 3}}};
-    const HitFrame hits{{2, 2},
-                        {{0, 1.2345678f, 0, 0}, {no_primitive, 0, 0, 0}, {16777217, 1e-20f, 0, 0}, {7, 3, 0, 0}}};
+    const HitFrame hits{
+        {2, 2}, {{0, 1.2345678f, 0, 0}, {no_primitive, 0, 0, 0}, {16777217, 1e-20f, 0, 0}, {7, 3, 0, 0}}};
     write_picture(folder / "a.exr", picture, hits);
     CHECK(folder.files() == 1);
     const Picture read = read_picture(folder / "a.exr");
@@ -137,7 +141,8 @@ TEST_CASE("pictures that cannot be written are refused in one sentence, with not
     CHECK(folder.files() == 2);
 }
 
-/// While it lives no file may grow beyond so many bytes: what a full disk is to a program, but for the number of the error.
+/// While it lives no file may grow beyond so many bytes: what a full disk is to a program, but for the number
+/// of the error.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -160,10 +165,14 @@ TEST_CASE("a file that cannot be written to its end leaves the old one and nothi
     const TestFolder folder;
     const FrameSize size{40, 40};
     Picture noise = grey_picture(size, 0);
-    for (std::size_t i = 0; i < noise.pixels.size(); ++i) noise.pixels[i] = glm::vec3(float(i * 2654435761u % 1000) / 1000);
+    for (std::size_t i = 0; i < noise.pixels.size(); ++i)
+        noise.pixels[i] = glm::vec3(float(i * 2654435761u % 1000) / 1000);
     for (const char* name : {"a.png", "a.exr", "a.json", "none.png"}) {
         const std::string file = folder / name, picture = file.substr(file.size() - 3);
-        const auto write = [&] { picture == "son" ? write_bytes(file, std::string(5000, 'x')) : write_picture(file, noise, no_hits(size)); };
+        const auto write = [&] {
+            picture == "son" ? write_bytes(file, std::string(5000, 'x'))
+                             : write_picture(file, noise, no_hits(size));
+        };
         write();
         const auto whole = fs::file_size(file);
         const bool is_old = std::string(name) != "none.png";
@@ -198,8 +207,10 @@ TEST_CASE("links, pipes and devices are no place for a picture", "[image]") {
     check_sentence(refusal("link.png"), folder / "link.png", "symbolic link");
     check_sentence(refusal("dangling.png"), folder / "dangling.png", "symbolic link");
     check_sentence(refusal("pipe.png"), folder / "pipe.png", "pipe");
-    check_sentence(complaint([&] { write_bytes(folder / "link.png", "x"); }), folder / "link.png", "symbolic link");
-    check_sentence(complaint([&] { write_bytes(folder / "pipe.png", "x"); }), folder / "pipe.png", "nobody reads");   // and does not wait
+    check_sentence(complaint([&] { write_bytes(folder / "link.png", "x"); }), folder / "link.png",
+                   "symbolic link");
+    check_sentence(complaint([&] { write_bytes(folder / "pipe.png", "x"); }), folder / "pipe.png",
+                   "nobody reads");   // and does not wait
     CHECK(complaint([&] { write_bytes("/dev/null", "x"); }).empty());
     CHECK(contents(folder / "real.png") == "precious");
     CHECK(fs::is_symlink(folder / "link.png"));
@@ -208,7 +219,9 @@ TEST_CASE("links, pipes and devices are no place for a picture", "[image]") {
 
 TEST_CASE("a picture whose hits have another size is refused", "[image]") {
     const TestFolder folder;
-    check_sentence(complaint([&] { write_picture(folder / "a.exr", grey_picture({4, 4}, 0), no_hits({4, 3})); }),
+    check_sentence(complaint([&] {
+                       write_picture(folder / "a.exr", grey_picture({4, 4}, 0), no_hits({4, 3}));
+                   }),
                    folder / "a.exr", "size");
     CHECK(folder.files() == 0);
 }
@@ -223,7 +236,8 @@ TEST_CASE("files that are not pictures are refused in one sentence", "[image]") 
     put(folder / "empty.exr", "");
     check_sentence(refusal(folder / "empty.exr"), folder / "empty.exr", "not a picture");
     Picture noise = grey_picture({64, 64}, 0);
-    for (std::size_t i = 0; i < noise.pixels.size(); ++i) noise.pixels[i].g = static_cast<float>(i * i % 251) / 251;
+    for (std::size_t i = 0; i < noise.pixels.size(); ++i)
+        noise.pixels[i].g = static_cast<float>(i * i % 251) / 251;
     for (const std::string ending : {".png", ".exr"})
         for (double part : {0.01, 0.5, 0.9}) {
             write_picture(folder / "whole" + ending, noise, no_hits(noise.size));
@@ -245,11 +259,14 @@ TEST_CASE("check_writable neither creates nor alters a file", "[image]") {
     CHECK(contents(folder / "old.png") == "precious");
     CHECK(fs::last_write_time(folder / "old.png") == before);
     CHECK(folder.files() == 1);
-    check_sentence(complaint([&] { check_writable(folder.path().string()); }), folder.path().string(), "directory");
-    check_sentence(complaint([&] { check_writable(folder / "none/x"); }), folder / "none/x", "does not exist");
+    check_sentence(complaint([&] { check_writable(folder.path().string()); }), folder.path().string(),
+                   "directory");
+    check_sentence(complaint([&] { check_writable(folder / "none/x"); }), folder / "none/x",
+                   "does not exist");
     CHECK(complaint([&] { check_picture_path(folder / "new.png"); }) == "");
     CHECK(folder.files() == 1);
-    check_sentence(complaint([&] { check_picture_path(folder / "none/x.exr"); }), folder / "none/x.exr", "does not exist");
+    check_sentence(complaint([&] { check_picture_path(folder / "none/x.exr"); }), folder / "none/x.exr",
+                   "does not exist");
     check_sentence(complaint([&] { check_writable("/proc/x.png"); }), "/proc/x.png", "cannot be written");
     CHECK(complaint([&] { check_writable(""); }) != "");
 }

@@ -34,8 +34,7 @@ private:
 };
 
 /// What a UserError says; empty if the call succeeds.
-template <typename Call>
-std::string complaint(const Call& call) {
+template <typename Call> std::string complaint(const Call& call) {
     try {
         call();
     } catch (const UserError& error) {
@@ -45,11 +44,12 @@ std::string complaint(const Call& call) {
 }
 
 inline Picture grey_picture(FrameSize size, float value) {
-    return {size, std::vector<glm::vec3>(static_cast<std::size_t>(size.width) * size.height, glm::vec3(value))};
+    return {size,
+            std::vector<glm::vec3>(static_cast<std::size_t>(size.width) * size.height, glm::vec3(value))};
 }
 
 inline HitFrame no_hits(FrameSize size) {
     return {size, std::vector<Hit>(static_cast<std::size_t>(size.width) * size.height)};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,5 @@
-// The golden pictures in tests/golden: the reference tracer still makes them, and so does Embree, which shares no
-// code with it but the scene, the camera and the shading. Nothing here writes.
+// The golden pictures in tests/golden: the reference tracer still makes them, and so does Embree, which
+// shares no code with it but the scene, the camera and the shading. Nothing here writes.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -24,14 +24,14 @@ HitFrame embree_frame(const Scene& scene, FrameSize size) {
     return frame;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the reference tracer makes the golden pictures", "[image][golden]") {
     const auto spec = GENERATE(from_range(golden_scenes));
     CAPTURE(spec);
     const Scene scene = golden_scene(spec);
-    const GoldenResult result
-        = check_golden(folder, spec, shade(scene, Reference(scene).frame(*scene.camera, golden_size)));
+    const GoldenResult result =
+        check_golden(folder, spec, shade(scene, Reference(scene).frame(*scene.camera, golden_size)));
     REQUIRE(result.found);
     CHECK(result.within);
     // The same arithmetic on any host; only the mathematical library's last digits may turn a byte by one.

@@ -18,8 +18,10 @@ struct Bad {
 };
 
 /// A scene whose parts are given; the rest is in order.
-std::string scene(const std::string& object, const std::string& more = "", const std::string& mesh = R"("builtin":"icosphere:1")") {
-    return std::string("{") + more + R"("meshes":{"ball":{)" + mesh + R"(}},"objects":[{"mesh":"ball"},{"mesh":"ball")" + object + "}]}";
+std::string scene(const std::string& object, const std::string& more = "",
+                  const std::string& mesh = R"("builtin":"icosphere:1")") {
+    return std::string("{") + more + R"("meshes":{"ball":{)" + mesh +
+           R"(}},"objects":[{"mesh":"ball"},{"mesh":"ball")" + object + "}]}";
 }
 
 std::string inline_mesh(const std::string& vertices, const std::string& triangles) {
@@ -27,10 +29,13 @@ std::string inline_mesh(const std::string& vertices, const std::string& triangle
 }
 
 /// A scene of one sphere or plane, and what else is said.
-std::string ball(const std::string& keys, const std::string& more = "") { return std::string("{") + more + R"("spheres":[{)" + keys + "}]}"; }
+std::string ball(const std::string& keys, const std::string& more = "") {
+    return std::string("{") + more + R"("spheres":[{)" + keys + "}]}";
+}
 std::string floor(const std::string& keys) { return std::string(R"({"planes":[{)") + keys + "}]}"; }
 std::string glass(const std::string& keys) {
-    return ball(R"("centre":[0,0,0],"radius":1,"material":"glass")", R"("materials":{"glass":{)" + keys + "}},");
+    return ball(R"("centre":[0,0,0],"radius":1,"material":"glass")",
+                R"("materials":{"glass":{)" + keys + "}},");
 }
 
 void check_refused(const Folder& folder, const std::vector<Bad>& cases) {
@@ -48,7 +53,7 @@ void check_refused(const Folder& folder, const std::vector<Bad>& cases) {
     }
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("bad JSON scenes") {
     const Folder folder;
@@ -82,15 +87,19 @@ TEST_CASE("bad JSON scenes") {
         {scene(R"(,"matrix":[1,0,0,0,0,1,0,0,1,1,0,0,0,0,0,1])"), {"objects[1].matrix", "array of 16"}},
         {scene(R"(,"matrix":[1,1,0,0,0,0,1,0,1,1,0,0,0,0,0,1])"), {"objects[1].matrix", "array of 16"}},
         {scene(R"(,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0.5,1])"), {"objects[1].matrix[14]", "0.5"}},
-        {scene(R"(,"scale":2,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])"), {"objects[1]", "'matrix'", "'scale'"}},
-        {scene(R"(,"material":"gold")", R"("materials":{"gald":{}},)"), {"objects[1].material", "'gold'", "did you mean 'gald'"}},
-        {scene("", R"("materials":{"gold":{"color":[1,1,1]}},)"), {"materials.gold", "'color'", "did you mean 'colour'"}},
+        {scene(R"(,"scale":2,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])"),
+         {"objects[1]", "'matrix'", "'scale'"}},
+        {scene(R"(,"material":"gold")", R"("materials":{"gald":{}},)"),
+         {"objects[1].material", "'gold'", "did you mean 'gald'"}},
+        {scene("", R"("materials":{"gold":{"color":[1,1,1]}},)"),
+         {"materials.gold", "'color'", "did you mean 'colour'"}},
         {scene("", R"("materials":{"gold":{"colour":[1,-1,1]}},)"), {"materials.gold.colour", "[1,-1,1]"}},
         {scene("", R"("materials":{"gold":{"index":0}},)"), {"materials.gold.index", "0"}},
         {scene("", R"("materials":{"gold":{"mirror":true}},)"), {"materials.gold.mirror", "true"}},
         {scene("", R"("camera":{"eye":[0,0,5],"at":[0,0,0],"fov":45},)"), {"camera", "'fov'"}},
         {scene("", R"("camera":{"eye":[0,0,5]},)"), {"camera", "'at'"}},
-        {scene("", R"("camera":{"eye":[0,0,5],"at":[0,0,0],"fov_degrees":180},)"), {"camera.fov_degrees", "180"}},
+        {scene("", R"("camera":{"eye":[0,0,5],"at":[0,0,0],"fov_degrees":180},)"),
+         {"camera.fov_degrees", "180"}},
         {scene("", R"("camera":{"eye":[0,0,5],"at":[0,0,5]},)"), {"camera"}},
         {scene("", R"("camera":{"eye":[0,5,0],"at":[0,0,0]},)"), {"up"}},
         {scene("", R"("lights":[{"position":[1,2]}],)"), {"lights[0].position", "[1,2]"}},
@@ -114,51 +123,58 @@ TEST_CASE("bad JSON scenes") {
 
 TEST_CASE("bad spheres, planes, materials and lights in a JSON scene") {
     const Folder folder;
-    check_refused(folder, {
-        {"{\"spheres\":[]}", {"nothing to see"}},
-        {"{\"spheres\":{}}", {"spheres", "an array"}},
-        {ball(R"("centre":[0,0,0])"), {"spheres[0]", "'radius'"}},
-        {ball(R"("radius":1)"), {"spheres[0]", "'centre'"}},
-        {ball(R"("centre":[0,0,0],"radius":0)"), {"spheres[0].radius", "above 0", "not 0"}},
-        {ball(R"("centre":[0,0,0],"radius":-1)"), {"spheres[0].radius", "-1"}},
-        {ball(R"("centre":[0,0,0],"radius":nan)"), {"line 1"}},
-        {ball(R"("centre":[0,0,0],"radius":null)"), {"spheres[0].radius", "null"}},
-        {ball(R"("centre":[0,0],"radius":1)"), {"spheres[0].centre", "[0,0]"}},
-        {ball(R"("center":[0,0,0],"radius":1)"), {"spheres[0]", "'center'", "did you mean 'centre'"}},
-        {ball(R"("centre":[0,0,0],"radius":1,"material":"glas")", R"("materials":{"glass":{}},)"), {"spheres[0].material", "did you mean 'glass'"}},
-        {ball(R"("centre":[1e308,0,0],"radius":1e308)"), {"further than a double can tell"}},
-        {floor(R"("point":[0,0,0],"u":[1,0,0])"), {"planes[0]", "'v'"}},
-        {floor(R"("point":[0,0,0],"u":[1,0,0],"v":[-2,0,0])"), {"planes[0].v", "parallel", "[-2,0,0]"}},
-        {floor(R"("point":[0,0,0],"u":[0,0,0],"v":[1,0,0])"), {"planes[0].u", "[0,0,0]"}},
-        {floor(R"("point":[0,0,0],"u":[1e200,0,0],"v":[0,1,0])"), {"planes[0].u", "1e+200"}},
-        {floor(R"("u":[1,0,0],"v":[0,1,0])"), {"planes[0]", "'point'"}},
-        {glass(R"("transmit":0.9,"index":0)"), {"materials.glass.index", "not 0"}},
-        {glass(R"("transmit":0.9,"index":-1.5)"), {"materials.glass.index", "-1.5"}},
-        {glass(R"("transmit":1.1)"), {"materials.glass.transmit", "1.1"}},
-        {glass(R"("mirror":-0.1)"), {"materials.glass.mirror", "-0.1"}},
-        {glass(R"("ambient":2)"), {"materials.glass.ambient", "2"}},
-        {glass(R"("diffuse":2)"), {"materials.glass.diffuse", "2"}},
-        {glass(R"("highlight":9)"), {"materials.glass.highlight", "9"}},
-        {glass(R"("shine":-1)"), {"materials.glass.shine", "-1"}},
-        {glass(R"("colour":[0.5,1.2,0])"), {"materials.glass.colour", "[0.5,1.2,0"}},
-        {glass(R"("other":[0.5,-0.2,0])"), {"materials.glass.other", "[0.5,-0.2,0"}},
-        {glass(R"("checkered":1)"), {"materials.glass.checkered", "true or false", "1"}},
-        {glass(R"("schlick":"yes")"), {"materials.glass.schlick", "yes"}},
-        {scene("", R"("background":[0,0,1.5],)"), {"background", "1.5"}},
-        {scene("", R"("lights":[{"position":[0,0,0],"colour":[17,0,0]}],)"), {"lights[0].colour", "within 0 and 16", "[17,0,0]"}},
-        {scene("", R"("lights":[{"position":[0,0,0],"colour":[1,-1,0]}],)"), {"lights[0].colour", "[1,-1,0]"}},
-        {scene("", "", R"("builtin":"balls:1","native":1)"), {"meshes.ball.native", "true or false"}},
-        {scene("", "", R"("file":"x.obj","native":true)"), {"meshes.ball.native", "builtin"}},
-        {scene(R"(,"scale":[1,2,1])", "", R"("builtin":"balls:1","native":true)"), {"objects[1]", "stretches spheres"}},
-    });
+    check_refused(
+        folder,
+        {
+            {"{\"spheres\":[]}", {"nothing to see"}},
+            {"{\"spheres\":{}}", {"spheres", "an array"}},
+            {ball(R"("centre":[0,0,0])"), {"spheres[0]", "'radius'"}},
+            {ball(R"("radius":1)"), {"spheres[0]", "'centre'"}},
+            {ball(R"("centre":[0,0,0],"radius":0)"), {"spheres[0].radius", "above 0", "not 0"}},
+            {ball(R"("centre":[0,0,0],"radius":-1)"), {"spheres[0].radius", "-1"}},
+            {ball(R"("centre":[0,0,0],"radius":nan)"), {"line 1"}},
+            {ball(R"("centre":[0,0,0],"radius":null)"), {"spheres[0].radius", "null"}},
+            {ball(R"("centre":[0,0],"radius":1)"), {"spheres[0].centre", "[0,0]"}},
+            {ball(R"("center":[0,0,0],"radius":1)"), {"spheres[0]", "'center'", "did you mean 'centre'"}},
+            {ball(R"("centre":[0,0,0],"radius":1,"material":"glas")", R"("materials":{"glass":{}},)"),
+             {"spheres[0].material", "did you mean 'glass'"}},
+            {ball(R"("centre":[1e308,0,0],"radius":1e308)"), {"further than a double can tell"}},
+            {floor(R"("point":[0,0,0],"u":[1,0,0])"), {"planes[0]", "'v'"}},
+            {floor(R"("point":[0,0,0],"u":[1,0,0],"v":[-2,0,0])"), {"planes[0].v", "parallel", "[-2,0,0]"}},
+            {floor(R"("point":[0,0,0],"u":[0,0,0],"v":[1,0,0])"), {"planes[0].u", "[0,0,0]"}},
+            {floor(R"("point":[0,0,0],"u":[1e200,0,0],"v":[0,1,0])"), {"planes[0].u", "1e+200"}},
+            {floor(R"("u":[1,0,0],"v":[0,1,0])"), {"planes[0]", "'point'"}},
+            {glass(R"("transmit":0.9,"index":0)"), {"materials.glass.index", "not 0"}},
+            {glass(R"("transmit":0.9,"index":-1.5)"), {"materials.glass.index", "-1.5"}},
+            {glass(R"("transmit":1.1)"), {"materials.glass.transmit", "1.1"}},
+            {glass(R"("mirror":-0.1)"), {"materials.glass.mirror", "-0.1"}},
+            {glass(R"("ambient":2)"), {"materials.glass.ambient", "2"}},
+            {glass(R"("diffuse":2)"), {"materials.glass.diffuse", "2"}},
+            {glass(R"("highlight":9)"), {"materials.glass.highlight", "9"}},
+            {glass(R"("shine":-1)"), {"materials.glass.shine", "-1"}},
+            {glass(R"("colour":[0.5,1.2,0])"), {"materials.glass.colour", "[0.5,1.2,0"}},
+            {glass(R"("other":[0.5,-0.2,0])"), {"materials.glass.other", "[0.5,-0.2,0"}},
+            {glass(R"("checkered":1)"), {"materials.glass.checkered", "true or false", "1"}},
+            {glass(R"("schlick":"yes")"), {"materials.glass.schlick", "yes"}},
+            {scene("", R"("background":[0,0,1.5],)"), {"background", "1.5"}},
+            {scene("", R"("lights":[{"position":[0,0,0],"colour":[17,0,0]}],)"),
+             {"lights[0].colour", "within 0 and 16", "[17,0,0]"}},
+            {scene("", R"("lights":[{"position":[0,0,0],"colour":[1,-1,0]}],)"),
+             {"lights[0].colour", "[1,-1,0]"}},
+            {scene("", "", R"("builtin":"balls:1","native":1)"), {"meshes.ball.native", "true or false"}},
+            {scene("", "", R"("file":"x.obj","native":true)"), {"meshes.ball.native", "builtin"}},
+            {scene(R"(,"scale":[1,2,1])", "", R"("builtin":"balls:1","native":true)"),
+             {"objects[1]", "stretches spheres"}},
+        });
 }
 
 TEST_CASE("a million lights are refused, and soon") {
     std::string lights(R"("lights":[)");
-    for (int i = 0; i < 1'000'000; ++i) lights += i == 0 ? R"({"position":[0,0,0]})" : R"(,{"position":[0,0,0]})";
+    for (int i = 0; i < 1'000'000; ++i)
+        lights += i == 0 ? R"({"position":[0,0,0]})" : R"(,{"position":[0,0,0]})";
     const Folder folder;
     const std::string file = folder.write("lights.json", scene("", lights + "],"));
-    const std::clock_t begin = std::clock();    // of the processor: others may keep it busy
+    const std::clock_t begin = std::clock();   // of the processor: others may keep it busy
     CHECK(complaint(file) == file + ": lights has 1000000 lights; the most is 64");
     CHECK(std::clock() - begin < 20 * CLOCKS_PER_SEC);   // 1 s optimised
 }
@@ -167,7 +183,8 @@ TEST_CASE("a JSON scene cannot blow up by copies of copies") {
     const Folder folder;
     folder.write("s0.json", R"({"meshes":{"m":{"builtin":"icosphere:3"}},"objects":[{"mesh":"m"}]})");
     for (int i = 1; i < 4; ++i) {
-        std::string text = std::string(R"({"meshes":{"m":{"file":"s)") + std::to_string(i - 1) + R"(.json"}},"objects":[)";
+        std::string text =
+            std::string(R"({"meshes":{"m":{"file":"s)") + std::to_string(i - 1) + R"(.json"}},"objects":[)";
         for (int k = 0; k < 1000; ++k) text += std::string(k ? "," : "") + R"({"mesh":"m"})";
         folder.write(std::string("s") + std::to_string(i) + ".json", text + "]}");
         if (i == 1) CHECK(complaint(folder.name("s1.json")).empty());

@@ -1,4 +1,5 @@
-// Everything that can be wrong with a file gives one sentence with the file, the line where there is one, and the value.
+// Everything that can be wrong with a file gives one sentence with the file, the line where there is one, and
+// the value.
 #include <catch2/catch.hpp>
 
 #include <unistd.h>
@@ -12,7 +13,7 @@ namespace {
 
 struct Bad {
     std::string name, bytes;
-    std::vector<std::string> words;    ///< that the sentence must contain, beside the file's name
+    std::vector<std::string> words;   ///< that the sentence must contain, beside the file's name
 };
 
 void check(const std::vector<Bad>& cases) {
@@ -37,10 +38,11 @@ std::string with(std::string text, const std::string& old, const std::string& fr
     return text.replace(at, old.size(), fresh);
 }
 
-const std::string png = std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\2\0\0\0\1\x80\x08\2\0\0\0", 29) + std::string(200, '\x7f');
+const std::string png =
+    std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\2\0\0\0\1\x80\x08\2\0\0\0", 29) + std::string(200, '\x7f');
 const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-} // namespace
+}   // namespace
 
 TEST_CASE("bad names") {
     const Folder folder;
@@ -51,7 +53,8 @@ TEST_CASE("bad names") {
     std::filesystem::create_directories(folder.name("folder.obj"));
     CHECK(complaint(folder.name("folder.obj")) == folder.name("folder.obj") + ": is a directory, not a file");
     CHECK(complaint(folder.name("")).find("is a directory") != std::string::npos);
-    CHECK(complaint(folder.write("a.fbx", "x")).find("(.obj .ply .stl .glb .gltf .json)") != std::string::npos);
+    CHECK(complaint(folder.write("a.fbx", "x")).find("(.obj .ply .stl .glb .gltf .json)") !=
+          std::string::npos);
     CHECK(complaint("").find("empty") != std::string::npos);
     CHECK(complaint(folder.write("empty.obj", "")) == folder.name("empty.obj") + ": the file is empty");
     CHECK(complaint("/dev/null").find("/dev/null: is not an ordinary file") == 0);
@@ -95,11 +98,14 @@ TEST_CASE("bad OBJ") {
     folder.write("bad.mtl", "newmtl a\nKd 1 2 blue\n");
     folder.write("nan.mtl", "newmtl a\nKd 1 0 0\nNs nan\n");
     const std::string obj = v3 + "usemtl a\nf 1 2 3\n";
-    CHECK(complaint(folder.write("a.obj", std::string("mtllib bad.mtl\n") + obj)) == folder.name("bad.mtl") + ": line 2: 'blue' is not a number");
-    CHECK(complaint(folder.write("a.obj", std::string("mtllib nan.mtl\n") + obj)) == folder.name("nan.mtl") + ": line 3: 'nan' is not a finite number");
+    CHECK(complaint(folder.write("a.obj", std::string("mtllib bad.mtl\n") + obj)) ==
+          folder.name("bad.mtl") + ": line 2: 'blue' is not a number");
+    CHECK(complaint(folder.write("a.obj", std::string("mtllib nan.mtl\n") + obj)) ==
+          folder.name("nan.mtl") + ": line 3: 'nan' is not a finite number");
     std::string many = "f";
     for (int i = 0; i < 20'000; ++i) many += " 1";
-    CHECK(complaint(folder.write("a.obj", v3 + many + "\n")).find("line 4: a face with 20000 corners") != std::string::npos);
+    CHECK(complaint(folder.write("a.obj", v3 + many + "\n")).find("line 4: a face with 20000 corners") !=
+          std::string::npos);
 }
 
 TEST_CASE("bad PLY") {
@@ -148,27 +154,32 @@ TEST_CASE("bad STL") {
     std::string infinite = binary, none = binary.substr(0, 84);
     infinite.replace(84 + 50 + 12, 4, raw(-std::numeric_limits<float>::infinity()));
     none.replace(80, 4, raw(std::uint32_t{0}));
-    check({{"a.stl", png, {"cut off, or not STL"}},
-           {"a.stl", "short", {"5 bytes"}},
-           {"a.stl", binary.substr(0, binary.size() - 1), {"line 1"}},  // says "solid", so it is read as text
-           {"a.stl", std::string("x") + binary.substr(1, binary.size() - 2), {"cut off", "8 triangles take 484 bytes and there are 483"}},
-           {"a.stl", infinite, {"triangle 1", "-inf"}},
-           {"a.stl", none, {"no triangles"}},
-           {"a.stl", "solid nothing\nendsolid nothing\n", {"no triangles"}},
-           {"a.stl", text.substr(0, text.find("endsolid")), {"cut off", "endsolid"}},
-           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25"), {"line 4", "missing"}},
-           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 nan"), {"line 4", "'nan'"}},
-           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 1e60 0"), {"line 4", "'1e60'"}},
-           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 0 9"), {"line 4", "'9'"}},
-           {"a.stl", with(text, "vertex 3 0.25 0\n", "\n"), {"line 7", "2 vertices"}},
-           {"a.stl", with(text, "endloop", "endlop"), {"line 7", "'endlop'"}},
-           {"a.stl", with(text, "facet normal", "facet nomal"), {"line 2", "'nomal'"}}});
+    check(
+        {{"a.stl", png, {"cut off, or not STL"}},
+         {"a.stl", "short", {"5 bytes"}},
+         {"a.stl", binary.substr(0, binary.size() - 1), {"line 1"}},   // says "solid", so it is read as text
+         {"a.stl",
+          std::string("x") + binary.substr(1, binary.size() - 2),
+          {"cut off", "8 triangles take 484 bytes and there are 483"}},
+         {"a.stl", infinite, {"triangle 1", "-inf"}},
+         {"a.stl", none, {"no triangles"}},
+         {"a.stl", "solid nothing\nendsolid nothing\n", {"no triangles"}},
+         {"a.stl", text.substr(0, text.find("endsolid")), {"cut off", "endsolid"}},
+         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25"), {"line 4", "missing"}},
+         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 nan"), {"line 4", "'nan'"}},
+         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 1e60 0"), {"line 4", "'1e60'"}},
+         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 0 9"), {"line 4", "'9'"}},
+         {"a.stl", with(text, "vertex 3 0.25 0\n", "\n"), {"line 7", "2 vertices"}},
+         {"a.stl", with(text, "endloop", "endlop"), {"line 7", "'endlop'"}},
+         {"a.stl", with(text, "facet normal", "facet nomal"), {"line 2", "'nomal'"}}});
 }
 
 TEST_CASE("bad glTF") {
     const Octahedron o;
     const std::string text = o.gltf("data:;base64," + base64(o.bin())), glb = o.glb();
-    const auto changed = [&](const std::string& old, const std::string& fresh) { return with(text, old, fresh); };
+    const auto changed = [&](const std::string& old, const std::string& fresh) {
+        return with(text, old, fresh);
+    };
     std::string nan = o.bin(), index = o.bin();
     nan.replace(16, 4, raw(std::nanf("")));
     index.replace(72 + 2, 2, raw(std::uint16_t{6}));
@@ -184,7 +195,9 @@ TEST_CASE("bad glTF") {
            {"a.gltf", changed("\"2.0\"", "\"1.0\""), {"asset.version", "\"1.0\""}},
            {"a.gltf", R"({"asset":{"version":"1.0"},"buffers":{"a":{}}})", {"asset.version", "\"1.0\""}},
            {"a.gltf", changed("\"asset\"", "\"assets\""), {"'asset'"}},
-           {"a.gltf", changed("\"POSITION\":0", "\"POSITION\":2"), {"meshes[0].primitives[0].attributes.POSITION", "2"}},
+           {"a.gltf",
+            changed("\"POSITION\":0", "\"POSITION\":2"),
+            {"meshes[0].primitives[0].attributes.POSITION", "2"}},
            {"a.gltf", changed("\"POSITION\":0", "\"POSITION\":1"), {"accessors[1].type", "\"SCALAR\""}},
            {"a.gltf", changed("5126", "5127"), {"accessors[0].componentType", "5127"}},
            {"a.gltf", changed("5123", "5126"), {"accessors[1].componentType", "5126"}},
@@ -199,12 +212,19 @@ TEST_CASE("bad glTF") {
            {"a.gltf", changed("\"mesh\":0", "\"children\":[0]"), {"nodes[0]", "twice"}},
            {"a.gltf", changed("\"mesh\":0", "\"mesh\":0,\"children\":[4]"), {"nodes[0].children[0]", "4"}},
            {"a.gltf", changed("\"mesh\":0", "\"mesh\":0,\"scale\":[1,2]"), {"nodes[0].scale", "[1,2]"}},
-           {"a.gltf", changed("\"mesh\":0", "\"mesh\":0,\"scale\":[1,2,\"x\"]"), {"nodes[0].scale[2]", "\"x\""}},
+           {"a.gltf",
+            changed("\"mesh\":0", "\"mesh\":0,\"scale\":[1,2,\"x\"]"),
+            {"nodes[0].scale[2]", "\"x\""}},
            {"a.gltf", changed("\"indices\":1", "\"indices\":1,\"mode\":9"), {"primitives[0].mode", "9"}},
            {"a.gltf", changed("\"indices\":1", "\"indices\":1,\"mode\":1"), {"no triangles"}},
-           {"a.gltf", changed("\"indices\":1", "\"indices\":1,\"material\":0"), {"primitives[0].material", "0"}},
-           {"a.gltf", changed("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"), {"KHR_draco_mesh_compression"}}});
+           {"a.gltf",
+            changed("\"indices\":1", "\"indices\":1,\"material\":0"),
+            {"primitives[0].material", "0"}},
+           {"a.gltf",
+            changed("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"),
+            {"KHR_draco_mesh_compression"}}});
     const Folder folder;
     CHECK(complaint(folder.write("a.gltf", o.gltf("none.bin"))) ==
-          folder.name("none.bin") + ": there is no such file (" + folder.name("a.gltf") + ": buffers[0].uri asks for it)");
+          folder.name("none.bin") + ": there is no such file (" + folder.name("a.gltf") +
+              ": buffers[0].uri asks for it)");
 }

@@ -19,14 +19,16 @@ std::string Octahedron::obj() const {
 
 namespace {
 
-std::string ply_header(const std::string& form, const std::string& real, std::size_t vertices, std::size_t faces) {
+std::string ply_header(const std::string& form, const std::string& real, std::size_t vertices,
+                       std::size_t faces) {
     std::ostringstream out;
-    out << "ply\nformat " << form << " 1.0\ncomment made by hand\nelement vertex " << vertices << "\nproperty " << real << " x\nproperty "
-        << real << " y\nproperty " << real << " z\nelement face " << faces << "\nproperty list uchar int vertex_indices\nend_header\n";
+    out << "ply\nformat " << form << " 1.0\ncomment made by hand\nelement vertex " << vertices
+        << "\nproperty " << real << " x\nproperty " << real << " y\nproperty " << real << " z\nelement face "
+        << faces << "\nproperty list uchar int vertex_indices\nend_header\n";
     return out.str();
 }
 
-} // namespace
+}   // namespace
 
 std::string Octahedron::ply_ascii() const {
     std::ostringstream out;
@@ -37,7 +39,8 @@ std::string Octahedron::ply_ascii() const {
 }
 
 std::string Octahedron::ply_binary(bool big) const {
-    std::string out = ply_header(big ? "binary_big_endian" : "binary_little_endian", big ? "double" : "float", vertices.size(), triangles.size());
+    std::string out = ply_header(big ? "binary_big_endian" : "binary_little_endian", big ? "double" : "float",
+                                 vertices.size(), triangles.size());
     for (const auto& v : vertices)
         for (const double x : {v.x, v.y, v.z}) out += big ? raw(x, true) : raw(static_cast<float>(x));
     for (const auto& t : triangles) {
@@ -100,7 +103,8 @@ std::string Octahedron::json() const {
         out << (i ? "," : "") << '[' << vertices[i].x << ',' << vertices[i].y << ',' << vertices[i].z << ']';
     out << R"(], "triangles": [)";
     for (std::size_t i = 0; i < triangles.size(); ++i)
-        out << (i ? "," : "") << '[' << triangles[i][0] << ',' << triangles[i][1] << ',' << triangles[i][2] << ']';
+        out << (i ? "," : "") << '[' << triangles[i][0] << ',' << triangles[i][1] << ',' << triangles[i][2]
+            << ']';
     out << R"(]}}, "objects": [{"mesh": "o"}]})";
     return out.str();
 }
@@ -118,10 +122,12 @@ std::string base64(const std::string& bytes) {
     std::string out;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t held = 0;
-        for (std::size_t k = 0; k < 3; ++k) held = held << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k) out += i + k > bytes.size() ? '=' : digits[held >> (18 - 6 * k) & 63];
+        for (std::size_t k = 0; k < 3; ++k)
+            held = held << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += i + k > bytes.size() ? '=' : digits[held >> (18 - 6 * k) & 63];
     }
     return out;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -21,7 +21,8 @@ class Folder {
 public:
     Folder() {
         static int number = 0;
-        path_ = std::filesystem::temp_directory_path() / ("rayclock_load_" + std::to_string(getpid()) + "_" + std::to_string(number++));
+        path_ = std::filesystem::temp_directory_path() /
+                ("rayclock_load_" + std::to_string(getpid()) + "_" + std::to_string(number++));
         std::filesystem::create_directories(path_);
     }
     ~Folder() {
@@ -36,7 +37,9 @@ public:
         return (path_ / name).string();
     }
     std::string name(const std::string& name) const { return (path_ / name).string(); }
-    Scene load(const std::string& name, const std::string& bytes) const { return load_scene(write(name, bytes)); }
+    Scene load(const std::string& name, const std::string& bytes) const {
+        return load_scene(write(name, bytes));
+    }
 
 private:
     std::filesystem::path path_;
@@ -47,7 +50,8 @@ using Corners = std::array<glm::dvec3, 3>;
 inline std::vector<Corners> corners_of(const Scene& scene) {
     std::vector<Corners> all;
     for (const Triangle& t : scene.triangles)
-        all.push_back({scene.vertices[t.vertex[0]], scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]]});
+        all.push_back(
+            {scene.vertices[t.vertex[0]], scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]]});
     return all;
 }
 
@@ -67,10 +71,13 @@ template <class T> std::string raw(T value, bool is_big_endian = false) {
     return is_big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
 }
 
-/// An octahedron with corners that 32-bit floats hold exactly, off the middle so that no axis looks like another.
+/// An octahedron with corners that 32-bit floats hold exactly, off the middle so that no axis looks like
+/// another.
 struct Octahedron {
-    std::vector<glm::dvec3> vertices{{3, 0.25, 0}, {-1, 0.25, 0}, {1, 2.5, 0}, {1, -1.75, 0}, {1, 0.25, 4}, {1, 0.25, -1.5}};
-    std::vector<std::array<std::uint32_t, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    std::vector<glm::dvec3> vertices{{3, 0.25, 0},  {-1, 0.25, 0}, {1, 2.5, 0},
+                                     {1, -1.75, 0}, {1, 0.25, 4},  {1, 0.25, -1.5}};
+    std::vector<std::array<std::uint32_t, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
 
     std::vector<Corners> corners() const;
     std::string obj() const;
@@ -78,8 +85,8 @@ struct Octahedron {
     std::string ply_binary(bool is_big_endian) const;
     std::string stl_ascii() const;
     std::string stl_binary() const;
-    std::string bin() const;                                    ///< positions, then 16-bit indices
-    std::string gltf(const std::string& uri) const;             ///< uri of the buffer; empty: inside a GLB
+    std::string bin() const;                          ///< positions, then 16-bit indices
+    std::string gltf(const std::string& uri) const;   ///< uri of the buffer; empty: inside a GLB
     std::string glb() const;
     std::string json() const;
 };
@@ -89,4 +96,4 @@ std::string glb_of(std::string text, std::string binary);
 
 std::string base64(const std::string& bytes);
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

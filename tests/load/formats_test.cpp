@@ -12,7 +12,9 @@ namespace {
 
 /// Assimp may start a triangle at another of its corners; inside and outside must stay.
 std::vector<Corners> rotated(std::vector<Corners> all) {
-    const auto less = [](const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+    const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    };
     for (Corners& t : all) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), less), t.end());
     return all;
 }
@@ -27,7 +29,7 @@ void check_octahedron(const Scene& scene) {
     CHECK(!scene.camera);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("one mesh is the same in every format") {
     const Folder folder;
@@ -91,12 +93,13 @@ TEST_CASE("the result passes its own check and is told about") {
 
 TEST_CASE("ply: order of properties, other types, other elements and other lists") {
     const Folder folder;
-    const Scene scene = folder.load("a.ply",
-                                    "ply\nformat ascii 1.0\nobj_info x\nelement camera 1\nproperty float angle\nelement vertex 4\n"
-                                    "property uchar red\nproperty double z\nproperty double x\nproperty double y\n"
-                                    "element face 2\nproperty uchar flags\nproperty list uchar uint vertex_index\n"
-                                    "element edge 1\nproperty int a\nproperty int b\nend_header\n"
-                                    "45\n255 1 2 3\n0 1 5 3\n0 1 5 6\n9 1 2 6\n7 4 0 1 2 3\n7 2 0 1\n0 1\n");
+    const Scene scene = folder.load(
+        "a.ply",
+        "ply\nformat ascii 1.0\nobj_info x\nelement camera 1\nproperty float angle\nelement vertex 4\n"
+        "property uchar red\nproperty double z\nproperty double x\nproperty double y\n"
+        "element face 2\nproperty uchar flags\nproperty list uchar uint vertex_index\n"
+        "element edge 1\nproperty int a\nproperty int b\nend_header\n"
+        "45\n255 1 2 3\n0 1 5 3\n0 1 5 6\n9 1 2 6\n7 4 0 1 2 3\n7 2 0 1\n0 1\n");
     REQUIRE(scene.triangles.size() == 2);
     CHECK(corners_of(scene)[0][0] == glm::dvec3(2, 3, 1));
     CHECK(scene.vertices.size() == 4);
@@ -110,14 +113,18 @@ TEST_CASE("normals: kept if the file has them, and facets beside them stay flat"
     CHECK(folder.load("flat.obj", v + "f 1 2 3\n").normals.empty());
     const Scene mixed = folder.load("mixed.obj", v + "vn 0 0 2\nvn 0.6 0 0.8\nf 1//1 2//2 3//1\nf 1 4 2\n");
     REQUIRE(mixed.normals.size() == mixed.vertices.size());
-    const auto normal = [&](std::size_t t, std::size_t k) { return mixed.normals[mixed.triangles[t].vertex[k]]; };
+    const auto normal = [&](std::size_t t, std::size_t k) {
+        return mixed.normals[mixed.triangles[t].vertex[k]];
+    };
     CHECK(normal(0, 0) == glm::dvec3(0, 0, 1));
     CHECK(glm::length(normal(0, 1) - glm::dvec3(0.6, 0, 0.8)) < 1e-6);
     for (std::size_t k = 0; k < 3; ++k) CHECK(normal(1, k) == glm::dvec3(0, 1, 0));
-    const Scene ply = folder.load("n.ply",
-                                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                                  "property float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list uchar int vertex_indices\n"
-                                  "end_header\n0 0 0 0 0 -1\n1 0 0 0 0 -1\n0 1 0 0 0 -1\n3 0 1 2\n");
+    const Scene ply = folder.load(
+        "n.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list uchar int "
+        "vertex_indices\n"
+        "end_header\n0 0 0 0 0 -1\n1 0 0 0 0 -1\n0 1 0 0 0 -1\n3 0 1 2\n");
     REQUIRE(ply.normals.size() == 3);
     CHECK(ply.normals[1] == glm::dvec3(0, 0, -1));
 }
@@ -125,10 +132,12 @@ TEST_CASE("normals: kept if the file has them, and facets beside them stay flat"
 TEST_CASE("a key light over the right shoulder and a weaker one are added, to scale") {
     const Folder folder;
     const Scene small = folder.load("a.obj", Octahedron().obj());
-    const Scene large = folder.load("a.json", R"({"meshes":{"a":{"file":"a.obj"}},"objects":[{"mesh":"a","scale":1000}]})");
+    const Scene large =
+        folder.load("a.json", R"({"meshes":{"a":{"file":"a.obj"}},"objects":[{"mesh":"a","scale":1000}]})");
     REQUIRE(small.lights.size() == 2);
     CHECK(glm::length(small.lights[0].colour) > 2 * glm::length(small.lights[1].colour));
-    for (std::size_t i = 0; i < 2; ++i) CHECK(glm::length(large.lights[i].position - 1000.0 * small.lights[i].position) < 1e-6 * 1000);
+    for (std::size_t i = 0; i < 2; ++i)
+        CHECK(glm::length(large.lights[i].position - 1000.0 * small.lights[i].position) < 1e-6 * 1000);
     const Camera camera = fit_camera(small, 4.0 / 3.0);
     const glm::dvec3 right = glm::cross(camera.at - camera.eye, camera.up);
     CHECK(glm::dot(small.lights[0].position - camera.eye, right) > 0);

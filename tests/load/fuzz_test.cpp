@@ -16,11 +16,14 @@ struct Seed {
 
 std::vector<Seed> seeds() {
     const Octahedron o;
-    const std::string quads = "mtllib m.mtl\ng a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 0.5 0\nv 0 1 0\nvn 0 0 1\nusemtl red\nf 1//1 2//1 3//1 4//1 5//1\n"
-                              "usemtl blue\nf -1 -2 -3\n";
-    const std::string json = R"({"camera":{"eye":[0,0,9],"at":[0,0,0],"up":[0,1,0],"fov_degrees":40},"lights":[{"position":[1,2,3]}],)"
-                             R"("materials":{"m":{"colour":[1,0,0],"shine":3}},"meshes":{"a":{"file":"q.obj"},"b":{"builtin":"icosphere:1"}},)"
-                             R"("objects":[{"mesh":"a","material":"m","rotate":{"axis":[0,1,0],"degrees":30}},{"mesh":"b","scale":[1,-2,3]}]})";
+    const std::string quads =
+        "mtllib m.mtl\ng a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 0.5 0\nv 0 1 0\nvn 0 0 1\nusemtl red\nf 1//1 "
+        "2//1 3//1 4//1 5//1\n"
+        "usemtl blue\nf -1 -2 -3\n";
+    const std::string json =
+        R"({"camera":{"eye":[0,0,9],"at":[0,0,0],"up":[0,1,0],"fov_degrees":40},"lights":[{"position":[1,2,3]}],)"
+        R"("materials":{"m":{"colour":[1,0,0],"shine":3}},"meshes":{"a":{"file":"q.obj"},"b":{"builtin":"icosphere:1"}},)"
+        R"("objects":[{"mesh":"a","material":"m","rotate":{"axis":[0,1,0],"degrees":30}},{"mesh":"b","scale":[1,-2,3]}]})";
     return {{"q.obj", quads},
             {"a.ply", o.ply_ascii()},
             {"l.ply", o.ply_binary(false)},
@@ -46,7 +49,7 @@ bool survives(const std::string& file) {
     }
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("every prefix of a file loads or is refused") {
     for (const auto& [name, bytes] : seeds()) {
@@ -83,12 +86,13 @@ TEST_CASE("damaged bytes load or are refused") {
             // Digits and blanks besides any byte: they get past the grammar and reach what lies behind.
             const std::string likely = "0123456789- .\n9/";
             for (int k = static_cast<int>(random() % 3); k >= 0; --k)
-                damaged[random() % damaged.size()] = random() % 2 ? static_cast<char>(random()) : likely[random() % likely.size()];
+                damaged[random() % damaged.size()] =
+                    random() % 2 ? static_cast<char>(random()) : likely[random() % likely.size()];
             INFO(name << " round " << round << " seed " << seed);
             loaded += survives(folder.write(name, damaged));
         }
         INFO(name);
-        CHECK(loaded > 0);    // or the damage never gets past the first check
+        CHECK(loaded > 0);   // or the damage never gets past the first check
         CHECK(loaded < 400);
     }
 }

@@ -27,7 +27,7 @@ double volume(const Scene& scene) {
     return sum;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("gltf: copies are placed by the product of their nodes") {
     Json json = document();
@@ -54,7 +54,8 @@ TEST_CASE("gltf: a mirrored node keeps the outside outside, also as a matrix") {
     json["nodes"][0]["scale"] = {-1, 1, 1};
     CHECK(volume(load(json)) == Approx(inside));
     json = document();
-    json["nodes"][0]["matrix"] = {0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};  // swaps x and y, columns first
+    json["nodes"][0]["matrix"] = {0, 1, 0, 0, 1, 0, 0, 0,
+                                  0, 0, 1, 0, 5, 6, 7, 1};   // swaps x and y, columns first
     const Scene scene = load(json);
     CHECK(volume(scene) == Approx(inside));
     const Bounds box = bounds(scene);
@@ -65,12 +66,12 @@ TEST_CASE("gltf: strips, fans, no indices and primitives that are not triangles"
     Json json = document();
     auto& primitive = json["meshes"][0]["primitives"][0];
     primitive["mode"] = 5;
-    CHECK(load(json).triangles.size() < 22);  // some join equal corners
-    json["accessors"][1]["count"] = 4;        // 0 2 4 2: the second is a line
+    CHECK(load(json).triangles.size() < 22);   // some join equal corners
+    json["accessors"][1]["count"] = 4;         // 0 2 4 2: the second is a line
     CHECK(load(json).triangles.size() == 1);
     json = document();
     json["accessors"][1]["count"] = 4;
-    json["meshes"][0]["primitives"][0]["mode"] = 6;  // 0 2 4 2: there and back
+    json["meshes"][0]["primitives"][0]["mode"] = 6;   // 0 2 4 2: there and back
     CHECK(load(json).triangles.size() == 2);
     CHECK(volume(load(json)) == Approx(0).margin(1e-9));
     json = document();
@@ -90,16 +91,21 @@ TEST_CASE("gltf: strides, offsets and scaled integers") {
     json = document();
     json["extensionsRequired"] = {"KHR_mesh_quantization"};
     json["meshes"][0]["primitives"][0].erase("indices");
-    json["accessors"][0] = {{"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"normalized", true}, {"type", "VEC3"}};
+    json["accessors"][0] = {
+        {"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"normalized", true}, {"type", "VEC3"}};
     CHECK(corners_of(load(json))[0][0].z == Approx(4.0 / 65535));
 }
 
 TEST_CASE("gltf: base colour, metal, glass") {
     Json json = document();
-    json["materials"] = {{{"name", "red"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 0.125, 0.5}}, {"metallicFactor", 0}}}},
-                         {{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 0}}}},
-                         {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}},
-                         {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}, {"KHR_materials_ior", {{"ior", 1.25}}}}}}};
+    json["materials"] = {
+        {{"name", "red"},
+         {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 0.125, 0.5}}, {"metallicFactor", 0}}}},
+        {{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 0}}}},
+        {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.25}}}}},
+        {{"extensions",
+          {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+           {"KHR_materials_ior", {{"ior", 1.25}}}}}}};
     const auto material = [&](int number) {
         json["meshes"][0]["primitives"][0]["material"] = number;
         const Scene scene = load(json);
@@ -119,10 +125,12 @@ TEST_CASE("gltf: base colour, metal, glass") {
 
 TEST_CASE("gltf: cameras and lights stand where their nodes are") {
     Json json = document();
-    json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}, {"aspectRatio", 2}}}}};
+    json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}, {"aspectRatio", 2}}}}};
     json["extensionsUsed"] = {"KHR_lights_punctual"};
-    json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"color", {1, 0.5, 0.25}}, {"intensity", 100}},
-                                                           {{"type", "directional"}, {"intensity", 1e-3}}};
+    json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "point"}, {"color", {1, 0.5, 0.25}}, {"intensity", 100}},
+        {{"type", "directional"}, {"intensity", 1e-3}}};
     json["nodes"] = {{{"mesh", 0}},
                      {{"camera", 0}, {"translation", {0, 0, 20}}},
                      {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"translation", {1, 10, 0}}},
@@ -141,5 +149,5 @@ TEST_CASE("gltf: cameras and lights stand where their nodes are") {
     CHECK(scene.lights[0].colour.y == Approx(0.5 / std::sqrt(3.0)));
     CHECK(scene.lights[1].position == glm::dvec3(1, 20, 0));
     CHECK(scene.lights[1].colour.x < scene.lights[0].colour.x);
-    CHECK(scene.lights[2].position.z > 50);  // shines along -z, from far away
+    CHECK(scene.lights[2].position.z > 50);   // shines along -z, from far away
 }

@@ -55,13 +55,16 @@ const std::string two_triangles = R"("vertices":[[0,0,0],[1,0,0],[0,1,0]],"trian
 Json gltf() { return Json::parse(Octahedron().gltf("")); }
 std::string glb(const Json& json) { return glb_of(json.dump(), Octahedron().bin()); }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("JSON nested deeper than the stack is refused") {
     const Folder folder;
-    for (const std::string& text : {nested(60'000), R"({"camera":)" + nested(60'000) + "}", R"({"meshes":{"a":{"vertices":)" + nested(201) + "}}}",
-                                    repeated(R"({"a":)", 60'000) + "1" + repeated("}", 60'000), repeated("[", 60'000)})
-        check_says(quick(folder.write("deep.json", text)), {folder.name("deep.json"), "nested deeper than 200"});
+    for (const std::string& text :
+         {nested(60'000), R"({"camera":)" + nested(60'000) + "}",
+          R"({"meshes":{"a":{"vertices":)" + nested(201) + "}}}",
+          repeated(R"({"a":)", 60'000) + "1" + repeated("}", 60'000), repeated("[", 60'000)})
+        check_says(quick(folder.write("deep.json", text)),
+                   {folder.name("deep.json"), "nested deeper than 200"});
     const std::string deep = R"({"asset":{"version":"2.0"},"extras":)" + nested(60'000) + "}";
     check_says(quick(folder.write("deep.gltf", deep)), {"deep.gltf", "nested deeper than 200"});
     check_says(quick(folder.write("deep.glb", glb_of(deep, ""))), {"deep.glb", "nested deeper than 200"});
@@ -72,8 +75,10 @@ TEST_CASE("JSON nested deeper than the stack is refused") {
 
 TEST_CASE("a JSON number that no double holds is refused with its place") {
     const Folder folder;
-    check_says(quick(folder.write("a.json", "{\n \"camera\": {\"eye\": [1e999, 0, 0]}}")), {"a.json: line 2, column", "'1e999'", "double"});
-    check_says(quick(folder.write("a.json", "{\"camera\": -1" + repeated("0", 400) + "}")), {"a.json: line 1", "double"});
+    check_says(quick(folder.write("a.json", "{\n \"camera\": {\"eye\": [1e999, 0, 0]}}")),
+               {"a.json: line 2, column", "'1e999'", "double"});
+    check_says(quick(folder.write("a.json", "{\"camera\": -1" + repeated("0", 400) + "}")),
+               {"a.json: line 1", "double"});
     std::string text = gltf().dump();
     text.replace(text.find("72"), 2, "1e400");
     check_says(quick(folder.write("a.glb", glb_of(text, Octahedron().bin()))), {"a.glb: line 1", "'1e400'"});
@@ -81,7 +86,8 @@ TEST_CASE("a JSON number that no double holds is refused with its place") {
 
 TEST_CASE("a key that stands twice in a file is refused") {
     const Folder folder;
-    check_says(quick(folder.write("a.json", R"({"meshes":{},"objects":[],"meshes":{}})")), {"'meshes'", "twice"});
+    check_says(quick(folder.write("a.json", R"({"meshes":{},"objects":[],"meshes":{}})")),
+               {"'meshes'", "twice"});
     std::string text = gltf().dump();
     text.replace(text.find("\"nodes\""), 7, "\"mesh\":[],\"mesh\":[],\"nodes\"");
     check_says(quick(folder.write("a.glb", glb_of(text, Octahedron().bin()))), {"'mesh'", "twice"});
@@ -90,26 +96,39 @@ TEST_CASE("a key that stands twice in a file is refused") {
 TEST_CASE("pipes, devices and folders are no files, whoever asks for them") {
     const Folder folder;
     const Octahedron o;
-    const auto pipe = [&](const std::string& name) { REQUIRE(::mkfifo(folder.name(name).c_str(), 0600) == 0); };
-    for (const char* name : {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.json", "p.mtl", "p.bin", "p.obj"}) pipe(name);
+    const auto pipe = [&](const std::string& name) {
+        REQUIRE(::mkfifo(folder.name(name).c_str(), 0600) == 0);
+    };
+    for (const char* name :
+         {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.json", "p.mtl", "p.bin", "p.obj"})
+        pipe(name);
     for (const char* name : {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.json"})
         CHECK(quick(folder.name(name)) == folder.name(name) + ": is not an ordinary file");
     std::filesystem::create_directory(folder.name("d.mtl"));
     const std::string obj = v3 + "usemtl a\nf 1 2 3\n";
-    check_says(quick(folder.write("b.obj", "\nmtllib p.mtl\n" + obj)), {"p.mtl: is not an ordinary file", "b.obj: line 2 asks for it"});
-    check_says(quick(folder.write("b.obj", "mtllib d.mtl\n" + obj)), {"d.mtl: is a directory", "b.obj: line 1 asks for it"});
-    check_says(quick(folder.write("b.gltf", o.gltf("p.bin"))), {"p.bin: is not an ordinary file", "b.gltf: buffers[0].uri asks for it"});
+    check_says(quick(folder.write("b.obj", "\nmtllib p.mtl\n" + obj)),
+               {"p.mtl: is not an ordinary file", "b.obj: line 2 asks for it"});
+    check_says(quick(folder.write("b.obj", "mtllib d.mtl\n" + obj)),
+               {"d.mtl: is a directory", "b.obj: line 1 asks for it"});
+    check_says(quick(folder.write("b.gltf", o.gltf("p.bin"))),
+               {"p.bin: is not an ordinary file", "b.gltf: buffers[0].uri asks for it"});
     const std::string scene = R"({"meshes":{"m":{"file":"p.obj"}},"objects":[{"mesh":"m"}]})";
-    check_says(quick(folder.write("b.json", scene)), {"p.obj: is not an ordinary file", "b.json: meshes.m.file asks for it"});
+    check_says(quick(folder.write("b.json", scene)),
+               {"p.obj: is not an ordinary file", "b.json: meshes.m.file asks for it"});
 }
 
 TEST_CASE("of a missing file both are named, it and the one that asks for it") {
     const Folder folder;
     check_says(quick(folder.write("a.gltf", Octahedron().gltf("none.bin"))),
-               {folder.name("none.bin") + ": there is no such file", folder.name("a.gltf") + ": buffers[0].uri asks for it"});
-    const auto scene = [](const std::string& file) { return R"({"meshes":{"m":{"file":")" + file + R"("}},"objects":[{"mesh":"m"}]})"; };
-    check_says(quick(folder.write("a.json", scene("none.obj"))), {folder.name("none.obj") + ": there is no such file", "a.json: meshes.m.file asks"});
-    check_says(quick(folder.write("b.json", scene("c.json"))), {folder.name("c.json") + ": there is no such file", "b.json: meshes.m.file asks"});
+               {folder.name("none.bin") + ": there is no such file",
+                folder.name("a.gltf") + ": buffers[0].uri asks for it"});
+    const auto scene = [](const std::string& file) {
+        return R"({"meshes":{"m":{"file":")" + file + R"("}},"objects":[{"mesh":"m"}]})";
+    };
+    check_says(quick(folder.write("a.json", scene("none.obj"))),
+               {folder.name("none.obj") + ": there is no such file", "a.json: meshes.m.file asks"});
+    check_says(quick(folder.write("b.json", scene("c.json"))),
+               {folder.name("c.json") + ": there is no such file", "b.json: meshes.m.file asks"});
 }
 
 TEST_CASE("a glTF file reads no buffer outside its folder, and a name holds no zero byte") {
@@ -118,9 +137,12 @@ TEST_CASE("a glTF file reads no buffer outside its folder, and a name holds no z
     std::filesystem::create_directory(folder.name("in"));
     folder.write("out.bin", o.bin());
     folder.write("in/in.bin", o.bin());
-    for (const std::string& name : {std::string("../out.bin"), folder.name("out.bin"), std::string("%2e%2E/out.bin"), std::string("x/../../out.bin")})
-        check_says(quick(folder.write("in/a.gltf", o.gltf(name))), {"a.gltf: buffers[0].uri names", "outside the folder"});
-    CHECK(complaint(folder.write("in/a.gltf", o.gltf("x/../in.bin"))).find("x/../in.bin") != std::string::npos);   // no folder x
+    for (const std::string& name : {std::string("../out.bin"), folder.name("out.bin"),
+                                    std::string("%2e%2E/out.bin"), std::string("x/../../out.bin")})
+        check_says(quick(folder.write("in/a.gltf", o.gltf(name))),
+                   {"a.gltf: buffers[0].uri names", "outside the folder"});
+    CHECK(complaint(folder.write("in/a.gltf", o.gltf("x/../in.bin"))).find("x/../in.bin") !=
+          std::string::npos);   // no folder x
     CHECK(complaint(folder.write("in/a.gltf", o.gltf("./in.bin"))).empty());
     check_says(quick(folder.write("in/a.gltf", o.gltf("in.bin%00.txt"))), {"\\x00", "zero byte"});
 }
@@ -130,9 +152,11 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
     const std::string odd = "\\u001b]0;x\\u0007\\u0000\\u202e", longer = repeated("long ", 200'000);
     for (const std::string& name : {odd, longer}) {
         for (const std::string& text :
-             {R"({")" + name + R"(":1})", R"({"materials":{")" + name + R"(":{"shine":-1}}})", R"({"meshes":{"a":{"file":")" + name + R"("}}})",
-              R"({"meshes":{")" + name + R"(":{"file":"x.obj"}},"objects":[]})", R"({"camera":")" + name + R"("})",
-              R"({"meshes":{"a":{"builtin":")" + name + R"("}}})", R"({"meshes":{")" + name + R"(":{)" + two_triangles + R"(}},"objects":[{"mesh":"a"}]})",
+             {R"({")" + name + R"(":1})", R"({"materials":{")" + name + R"(":{"shine":-1}}})",
+              R"({"meshes":{"a":{"file":")" + name + R"("}}})",
+              R"({"meshes":{")" + name + R"(":{"file":"x.obj"}},"objects":[]})",
+              R"({"camera":")" + name + R"("})", R"({"meshes":{"a":{"builtin":")" + name + R"("}}})",
+              R"({"meshes":{")" + name + R"(":{)" + two_triangles + R"(}},"objects":[{"mesh":"a"}]})",
               R"({"meshes":{"a":{)" + two_triangles + R"(}},"objects":[{"mesh":")" + name + R"("}]})"}) {
             INFO(text.substr(0, 80));
             CHECK(!quick(folder.write("a.json", text)).empty());
@@ -140,16 +164,20 @@ TEST_CASE("what is odd in names and values is escaped and cut") {
     }
     CHECK(printable("a\x1b[2Jb\x7f\n\xff\xc2\x9b") == "a\\x1b[2Jb\\x7f\\x0a\\xff\\xc2\\x9b");
     CHECK(printable("Würfel \xe2\x80\xae") == "Würfel \\xe2\\x80\\xae");
-    CHECK(printable(std::string(100, 'a') + std::string(100, 'b'), 30) == std::string(17, 'a') + "..." + std::string(10, 'b'));
+    CHECK(printable(std::string(100, 'a') + std::string(100, 'b'), 30) ==
+          std::string(17, 'a') + "..." + std::string(10, 'b'));
     // The limit is that of what is shown, and no letter is cut in two.
     CHECK(printable(std::string(29, '\xff') + "b", 30) == "\\xff\\xff\\xff\\xff...\\xff\\xffb");
-    CHECK(printable("\xc3\xbc" + std::string(28, '\xff') + "\xc3\xbc", 30) == "\xc3\xbc\\xff\\xff\\xff...\\xff\\xff\xc3\xbc");
-    for (const std::string& text : {std::string(500, '\x1b'), "\xff" + std::string(500, 'a'), std::string(299, 'a') + "\xff"}) {
+    CHECK(printable("\xc3\xbc" + std::string(28, '\xff') + "\xc3\xbc", 30) ==
+          "\xc3\xbc\\xff\\xff\\xff...\\xff\\xff\xc3\xbc");
+    for (const std::string& text :
+         {std::string(500, '\x1b'), "\xff" + std::string(500, 'a'), std::string(299, 'a') + "\xff"}) {
         CHECK(printable(text).size() <= 300);
         CHECK(printable(printable(text)) == printable(text));
     }
     CHECK(shown(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
-    CHECK(did_you_mean(std::string(1 << 20, 'x'), std::vector<std::string>{std::string(1 << 20, 'y')}).empty());
+    CHECK(
+        did_you_mean(std::string(1 << 20, 'x'), std::vector<std::string>{std::string(1 << 20, 'y')}).empty());
 }
 
 TEST_CASE("tens of thousands of materials, primitives and nodes take a time that grows with their number") {
@@ -161,8 +189,11 @@ TEST_CASE("tens of thousands of materials, primitives and nodes take a time that
     CHECK(quick(folder.write("a.obj", "mtllib m.mtl\n" + obj)).empty());
     Json json = gltf();
     for (int i = 0; i < 80'000; ++i) json["materials"].push_back({{"name", "material " + std::to_string(i)}});
-    json["accessors"].push_back({{"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}});
-    for (int i = 0; i < 20'000; ++i) json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"indices", 2}, {"material", i}});
+    json["accessors"].push_back(
+        {{"bufferView", 1}, {"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}});
+    for (int i = 0; i < 20'000; ++i)
+        json["meshes"][0]["primitives"].push_back(
+            {{"attributes", {{"POSITION", 0}}}, {"indices", 2}, {"material", i}});
     CHECK(quick(folder.write("a.glb", glb(json))).empty());
     json = gltf();
     for (int i = 0; i < 300'000; ++i) json["nodes"].push_back(Json::object());
@@ -172,14 +203,17 @@ TEST_CASE("tens of thousands of materials, primitives and nodes take a time that
     CHECK(quick(folder.write("a.json", json.dump())).empty());
 }
 
-TEST_CASE("a megabyte of names of missing files, or of faces with their corners in a few places, takes no time") {
+TEST_CASE(
+    "a megabyte of names of missing files, or of faces with their corners in a few places, takes no time") {
     const Folder folder;
     std::string names = "mtllib", places, face = "f";
     for (int i = 0; i < 150'000; ++i) (names += ' ') += std::to_string(i);
     CHECK(quick(folder.write("names.obj", names + "\n" + v3 + "f 1 2 3\n")).empty());
-    for (int i = 0; i < 9; ++i) ((places += "v ") += std::to_string(i * i % 7) += ' ') += std::to_string(i * 5 % 9) + " 0\n";
+    for (int i = 0; i < 9; ++i)
+        ((places += "v ") += std::to_string(i * i % 7) += ' ') += std::to_string(i * 5 % 9) + " 0\n";
     unsigned random = 1;
-    for (int i = 0; i < 10'000; ++i) (face += ' ') += std::to_string(1 + (random = random * 1'664'525 + 1'013'904'223) / 65'536 % 9);
+    for (int i = 0; i < 10'000; ++i)
+        (face += ' ') += std::to_string(1 + (random = random * 1'664'525 + 1'013'904'223) / 65'536 % 9);
     CHECK(quick(folder.write("places.obj", places + repeated(face + "\n", 49))).empty());
 }
 
@@ -194,7 +228,8 @@ TEST_CASE("a small file cannot ask for more than its size allows") {
         Json json;
         for (int i = 0; i < 30; ++i) {
             const std::string name = "m" + std::to_string(i);
-            json["meshes"][name] = {{"file", level == 1 ? "n0.obj" : "n" + std::to_string(level - 1) + ".json"}};
+            json["meshes"][name] = {
+                {"file", level == 1 ? "n0.obj" : "n" + std::to_string(level - 1) + ".json"}};
             json["objects"].push_back({{"mesh", name}});
         }
         folder.write("n" + std::to_string(level) + ".json", json.dump());
@@ -207,20 +242,26 @@ TEST_CASE("a small file cannot ask for more than its size allows") {
     json["buffers"][0]["byteLength"] = bin.size();
     json["bufferViews"].push_back({{"buffer", 0}, {"byteLength", bin.size()}});
     for (int i = 0; i < 3000; ++i) {
-        json["accessors"].push_back({{"bufferView", 2}, {"componentType", 5121}, {"count", 133'332}, {"type", "VEC3"}});
+        json["accessors"].push_back(
+            {{"bufferView", 2}, {"componentType", 5121}, {"count", 133'332}, {"type", "VEC3"}});
         json["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", 2 + i}}}}}}});
     }
     check_says(complaint(folder.write("a.glb", glb_of(json.dump(), bin))), {"accessors[", much});
     // One list of indices, drawn many times: nothing is left of it, but it takes its time.
-    json["accessors"].push_back({{"bufferView", 2}, {"componentType", 5121}, {"count", 99'999}, {"type", "SCALAR"}});
+    json["accessors"].push_back(
+        {{"bufferView", 2}, {"componentType", 5121}, {"count", 99'999}, {"type", "SCALAR"}});
     json["meshes"] = {{{"primitives", Json::array()}}};
-    for (int i = 0; i < 2500; ++i) json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"indices", json["accessors"].size() - 1}});
+    for (int i = 0; i < 2500; ++i)
+        json["meshes"][0]["primitives"].push_back(
+            {{"attributes", {{"POSITION", 0}}}, {"indices", json["accessors"].size() - 1}});
     const double start = processor_seconds();
-    check_says(complaint(folder.write("b.glb", glb_of(json.dump(), std::string(bin.size(), '\0')))), {"b.glb", much});
+    check_says(complaint(folder.write("b.glb", glb_of(json.dump(), std::string(bin.size(), '\0')))),
+               {"b.glb", much});
     CHECK(processor_seconds() - start < 20);
     // Built-in scenes count before they are made.
     Json builtins;
-    for (int i = 9; i <= 11; ++i) builtins["meshes"]["t" + std::to_string(i)] = {{"builtin", "tetra:" + std::to_string(i)}};
+    for (int i = 9; i <= 11; ++i)
+        builtins["meshes"]["t" + std::to_string(i)] = {{"builtin", "tetra:" + std::to_string(i)}};
     for (int i = 0; i < 20; ++i) builtins["objects"].push_back({{"mesh", "t11"}});
     check_says(complaint(folder.write("t.json", builtins.dump())), {"t.json", "makes more than"});
 }
@@ -231,7 +272,9 @@ TEST_CASE("a word of ten million letters is refused as quickly as it is read") {
     for (const std::string& word : {ones, "0." + ones, letters, "-" + ones}) {
         check_says(quick(folder.write("a.obj", "v 0 " + word + " 0\n")), {"a.obj: line 1", "...'"});
         check_says(quick(folder.write("a.obj", v3 + "f 1 2 " + word + "\n")), {"a.obj: line 4", "...'"});
-        check_says(quick(folder.write("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex " + word + " 0 0\n")), {"a.stl: line 4", "...'"});
+        check_says(quick(folder.write("a.stl",
+                                      "solid x\nfacet normal 0 0 1\nouter loop\nvertex " + word + " 0 0\n")),
+                   {"a.stl: line 4", "...'"});
         check_says(quick(folder.write("a.json", "{\"camera\": [" + word + "]}")), {"a.json"});
     }
     check_says(quick(folder.write("b.obj", letters)), {"b.obj: line 1", "...'"});
@@ -249,19 +292,27 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     using Notes = std::vector<std::string>;
     CHECK(notes_of("good.glb", Octahedron().glb()).empty());
     CHECK(notes_of("good.obj", Octahedron().obj()).empty());
-    CHECK(notes_of("flat.obj", v3 + "f 1 2 3\nf 1 2 2\nf 1 1 1\n") == Notes{folder.name("flat.obj") + ": 2 triangles with two corners in one place left out"});
+    CHECK(notes_of("flat.obj", v3 + "f 1 2 3\nf 1 2 2\nf 1 1 1\n") ==
+          Notes{folder.name("flat.obj") + ": 2 triangles with two corners in one place left out"});
     CHECK(notes_of("none.obj", "\nmtllib none.mtl\n" + v3 + "usemtl a\nf 1 2 3\n") ==
-          Notes{folder.name("none.obj") + ": line 2: the material file " + folder.name("none.mtl") + " does not exist; its materials are grey"});
-    folder.write("m.mtl", "newmtl a\nKd 1.5 0 0\nnewmtl b\nNs -3\nnewmtl c\nKd 1 1 1\nmap_Kd c.png\nnewmtl d\nKd 9 9 9\n");
-    const Notes odd = notes_of("odd.obj", "mtllib m.mtl\n" + v3 + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
-    CHECK(odd == Notes{folder.name("odd.obj") + ": 2 materials with values out of range, taken as the nearest within",
+          Notes{folder.name("none.obj") + ": line 2: the material file " + folder.name("none.mtl") +
+                " does not exist; its materials are grey"});
+    folder.write(
+        "m.mtl",
+        "newmtl a\nKd 1.5 0 0\nnewmtl b\nNs -3\nnewmtl c\nKd 1 1 1\nmap_Kd c.png\nnewmtl d\nKd 9 9 9\n");
+    const Notes odd = notes_of(
+        "odd.obj", "mtllib m.mtl\n" + v3 + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+    CHECK(odd == Notes{folder.name("odd.obj") +
+                           ": 2 materials with values out of range, taken as the nearest within",
                        folder.name("odd.obj") + ": 1 material with textures, which are not drawn"});
     std::filesystem::create_directory(folder.name("in"));
     CHECK(notes_of("in/a.obj", "mtllib ../m.mtl\n" + v3 + "usemtl c\nf 1 2 3\n").at(0) ==
-          folder.name("in/a.obj") + ": line 1: the material file '../m.mtl' lies outside the folder of the mesh");
+          folder.name("in/a.obj") +
+              ": line 1: the material file '../m.mtl' lies outside the folder of the mesh");
 
     Json json = gltf();
-    json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 1.5}}}}};
+    json["materials"] = {
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 1.5}}}}};
     json["nodes"][0]["skin"] = 0;
     json["animations"] = Json::array({Json::object(), Json::object()});
     Json& primitives = json["meshes"][0]["primitives"];
@@ -271,10 +322,15 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
     const std::string file = folder.name("all.glb") + ": ";
     CHECK(notes_of("all.glb", glb(json)) ==
-          Notes{file + "1 material with values out of range, taken as the nearest within", file + "1 material with textures, which are not drawn",
-                file + "1 primitive with vertex colours, which are not drawn", file + "1 primitive with morph targets, drawn in the shape without them",
-                file + "1 node with a skin, drawn in the pose without it", file + "2 animations left out", file + "1 primitive of points or lines left out"});
+          Notes{file + "1 material with values out of range, taken as the nearest within",
+                file + "1 material with textures, which are not drawn",
+                file + "1 primitive with vertex colours, which are not drawn",
+                file + "1 primitive with morph targets, drawn in the shape without them",
+                file + "1 node with a skin, drawn in the pose without it", file + "2 animations left out",
+                file + "1 primitive of points or lines left out"});
     // glTF 1.0 is another format.
-    check_says(complaint(folder.write("one.gltf", R"({"asset":{"version":"1.0"},"buffers":{"a":{}}})")), {"glTF 1.0 is not supported", "2.0"});
-    check_says(complaint(folder.write("one.gltf", R"({"buffers":{"a":{}},"meshes":{}})")), {"glTF 1.0", "not supported", "2.0"});
+    check_says(complaint(folder.write("one.gltf", R"({"asset":{"version":"1.0"},"buffers":{"a":{}}})")),
+               {"glTF 1.0 is not supported", "2.0"});
+    check_says(complaint(folder.write("one.gltf", R"({"buffers":{"a":{}},"meshes":{}})")),
+               {"glTF 1.0", "not supported", "2.0"});
 }

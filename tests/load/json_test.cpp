@@ -27,11 +27,14 @@ double volume(const Scene& scene) {
 
 void check_near(const glm::dvec3& a, const glm::dvec3& b) { CHECK(glm::length(a - b) < 1e-12); }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("json: an object is scaled, then turned, then moved") {
     Json json = document();
-    json["objects"] = {{{"mesh", "o"}, {"translate", {1, 2, 3}}, {"rotate", {{"axis", {0, 0, 5}}, {"degrees", 90}}}, {"scale", {2, 3, 4}}}};
+    json["objects"] = {{{"mesh", "o"},
+                        {"translate", {1, 2, 3}},
+                        {"rotate", {{"axis", {0, 0, 5}}, {"degrees", 90}}},
+                        {"scale", {2, 3, 4}}}};
     const Scene scene = load(json);
     const auto plain = Octahedron().corners();
     for (std::size_t i = 0; i < 8; ++i)
@@ -60,7 +63,8 @@ TEST_CASE("json: normals go by the inverse transpose, through mirrors as well") 
     const Folder folder;
     folder.write("n.obj", "v 0 0 0\nv 1 0 -1\nv 0 1 0\nvn 1 0 1\nf 1//1 2//1 3//1\n");
     const auto normal = [&](const Json& scale) {
-        const Json json = {{"meshes", {{"n", {{"file", "n.obj"}}}}}, {"objects", {{{"mesh", "n"}, {"scale", scale}}}}};
+        const Json json = {{"meshes", {{"n", {{"file", "n.obj"}}}}},
+                           {"objects", {{{"mesh", "n"}, {"scale", scale}}}}};
         const Scene scene = folder.load("n.json", json.dump());
         REQUIRE(scene.normals.size() == 3);
         const Corners t = corners_of(scene)[0];
@@ -96,8 +100,9 @@ TEST_CASE("json: camera, background, lights and materials arrive") {
     json["camera"] = {{"eye", {1, 2, 3}}, {"at", {0, 0, 1}}, {"up", {0, 0, 1}}, {"fov_degrees", 30}};
     json["background"] = {0.1, 0.2, 0.3};
     json["lights"] = {{{"position", {5, 6, 7}}, {"colour", {0.5, 0.4, 0.3}}}};
-    json["materials"]["gold"] = {{"colour", {1, 0.8, 0.2}}, {"ambient", 0.2}, {"diffuse", 0.3}, {"highlight", 0.4}, {"shine", 50},
-                                 {"mirror", 0.5}, {"transmit", 0.1}, {"index", 1.5}};
+    json["materials"]["gold"] = {{"colour", {1, 0.8, 0.2}}, {"ambient", 0.2}, {"diffuse", 0.3},
+                                 {"highlight", 0.4},        {"shine", 50},    {"mirror", 0.5},
+                                 {"transmit", 0.1},         {"index", 1.5}};
     json["objects"].push_back({{"mesh", "o"}, {"material", "gold"}});
     const Scene scene = load(json);
     REQUIRE(scene.camera);
@@ -128,8 +133,12 @@ TEST_CASE("json: meshes from files, scenes and built-ins keep their materials") 
     folder.write("m.mtl", "newmtl red\nKd 1 0 0\n");
     folder.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
     std::filesystem::create_directories(folder.name("sub"));
-    folder.write("sub/part.json", R"({"meshes":{"m":{"file":"../m.obj"}},"objects":[{"mesh":"m"},{"mesh":"m","translate":[0,0,1]}]})");
-    const Scene scene = folder.load("a.json", R"({"meshes":{"p":{"file":"sub/part.json"},"b":{"builtin":"icosphere:1"},"m":{"file":"m.obj"}},
+    folder.write(
+        "sub/part.json",
+        R"({"meshes":{"m":{"file":"../m.obj"}},"objects":[{"mesh":"m"},{"mesh":"m","translate":[0,0,1]}]})");
+    const Scene scene = folder.load(
+        "a.json",
+        R"({"meshes":{"p":{"file":"sub/part.json"},"b":{"builtin":"icosphere:1"},"m":{"file":"m.obj"}},
         "objects":[{"mesh":"p"},{"mesh":"p","translate":[9,0,0]},{"mesh":"b"},{"mesh":"m"}]})");
     const std::size_t ball = load_scene("icosphere:1").triangles.size();
     REQUIRE(scene.triangles.size() == 4 + ball + 1);
@@ -139,9 +148,14 @@ TEST_CASE("json: meshes from files, scenes and built-ins keep their materials") 
 }
 
 TEST_CASE("json: spheres and planes arrive, with or without meshes") {
-    Json json = {{"spheres", {{{"centre", {1, 2, 3}}, {"radius", 0.5}, {"material", "red"}}, {{"centre", {0, 0, 0}}, {"radius", 1e30}}}},
-                 {"planes", {{{"point", {0, -1, 0}}, {"u", {2, 0, 0}}, {"v", {0, 0, -2}}, {"material", "board"}}}},
-                 {"materials", {{"red", {{"colour", {1, 0, 0}}, {"schlick", true}}}, {"board", {{"checkered", true}, {"other", {0.1, 0.2, 0.3}}}}}}};
+    Json json = {
+        {"spheres",
+         {{{"centre", {1, 2, 3}}, {"radius", 0.5}, {"material", "red"}},
+          {{"centre", {0, 0, 0}}, {"radius", 1e30}}}},
+        {"planes", {{{"point", {0, -1, 0}}, {"u", {2, 0, 0}}, {"v", {0, 0, -2}}, {"material", "board"}}}},
+        {"materials",
+         {{"red", {{"colour", {1, 0, 0}}, {"schlick", true}}},
+          {"board", {{"checkered", true}, {"other", {0.1, 0.2, 0.3}}}}}}};
     const Scene scene = load(json);
     REQUIRE(scene.spheres.size() == 2);
     CHECK(scene.triangles.empty());
@@ -163,16 +177,22 @@ TEST_CASE("json: spheres and planes arrive, with or without meshes") {
 }
 
 TEST_CASE("json: a mesh may bring spheres and planes, which move with it") {
-    Json json = {{"meshes", {{"s", {{"builtin", "spheres"}}}, {"b", {{"builtin", "balls:1"}, {"native", true}}}}},
-                 {"objects", {{{"mesh", "s"}, {"translate", {1, 2, 3}}, {"rotate", {{"axis", {0, 0, 1}}, {"degrees", 90}}}, {"scale", -2}},
-                              {{"mesh", "b"}}}}};
+    Json json = {
+        {"meshes", {{"s", {{"builtin", "spheres"}}}, {"b", {{"builtin", "balls:1"}, {"native", true}}}}},
+        {"objects",
+         {{{"mesh", "s"},
+           {"translate", {1, 2, 3}},
+           {"rotate", {{"axis", {0, 0, 1}}, {"degrees", 90}}},
+           {"scale", -2}},
+          {{"mesh", "b"}}}}};
     const Scene scene = load(json), spheres = load_scene("spheres");
     REQUIRE(scene.spheres.size() == spheres.spheres.size() + 10);
     for (std::size_t i = 0; i < spheres.spheres.size(); ++i) {
         const glm::dvec3 c = spheres.spheres[i].centre;
         check_near(scene.spheres[i].centre, {2 * c.y + 1, -2 * c.x + 2, -2 * c.z + 3});
         CHECK(scene.spheres[i].radius == Approx(2 * spheres.spheres[i].radius));
-        CHECK(scene.materials[scene.spheres[i].material].name == spheres.materials[spheres.spheres[i].material].name);
+        CHECK(scene.materials[scene.spheres[i].material].name ==
+              spheres.materials[spheres.spheres[i].material].name);
     }
     REQUIRE(scene.planes.size() == 1);
     check_near(scene.planes[0].point, {1, 2, 3});

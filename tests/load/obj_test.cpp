@@ -27,7 +27,7 @@ double upward_area(const Scene& scene) {
     return sum;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("polygons are cut without gaps or overlaps, concave ones too") {
     const Folder folder;
@@ -50,12 +50,15 @@ TEST_CASE("polygons are cut without gaps or overlaps, concave ones too") {
     }
     CHECK(signed_area == Approx(-6));
     for (const std::string face : {"1 2 3 4", "2 3 4 1", "3 4 1 2", "4 1 2 3"}) {
-        const Scene arrow = folder.load("arrow.obj", std::string("v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf ") + face + "\n");
+        const Scene arrow =
+            folder.load("arrow.obj", std::string("v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf ") + face + "\n");
         CHECK(arrow.triangles.size() == 2);
         CHECK(upward_area(arrow) == Approx(1));
     }
     // Corners in the middle of straight edges.
-    const Scene straight = folder.load("s.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 0 2 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8\n");
+    const Scene straight = folder.load(
+        "s.obj",
+        "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 0 2 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8\n");
     CHECK(straight.triangles.size() == 6);
     CHECK(upward_area(straight) == Approx(4));
 }
@@ -67,15 +70,18 @@ TEST_CASE("random star-shaped polygons keep their area") {
         std::vector<glm::dvec3> corners;
         double twice = 0;
         for (int i = 0; i < n; ++i) {
-            const double angle = 6.283185307179586 * i / n, radius = 0.1 + 0.9 * static_cast<double>(random() % 1000) / 1000;
+            const double angle = 6.283185307179586 * i / n,
+                         radius = 0.1 + 0.9 * static_cast<double>(random() % 1000) / 1000;
             corners.emplace_back(radius * std::cos(angle), 5, -radius * std::sin(angle));
         }
-        for (std::size_t i = 0; i < corners.size(); ++i) twice += glm::cross(corners[i], corners[(i + 1) % corners.size()]).y;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            twice += glm::cross(corners[i], corners[(i + 1) % corners.size()]).y;
         std::vector<std::array<std::uint32_t, 3>> cut;
         triangulate(corners, cut);
         REQUIRE(cut.size() == corners.size() - 2);
         double sum = 0;
-        for (const auto& [a, b, c] : cut) sum += glm::length(glm::cross(corners[b] - corners[a], corners[c] - corners[a]));
+        for (const auto& [a, b, c] : cut)
+            sum += glm::length(glm::cross(corners[b] - corners[a], corners[c] - corners[a]));
         INFO("round " << round << ", seed 7");
         CHECK(sum == Approx(twice).epsilon(1e-9));
     }
@@ -88,7 +94,8 @@ TEST_CASE("a face with thousands of corners loads, round or jagged") {
         std::string text, face = "f";
         for (int i = 0; i < n; ++i) {
             const double angle = 6.283185307179586 * i / n, radius = is_jagged && i % 2 ? 0.5 : 1;
-            text += "v " + std::to_string(radius * std::cos(angle)) + ' ' + std::to_string(radius * std::sin(angle)) + " 0\n";
+            text += "v " + std::to_string(radius * std::cos(angle)) + ' ' +
+                    std::to_string(radius * std::sin(angle)) + " 0\n";
             face += std::string(" ") + std::to_string(i + 1);
         }
         const Scene scene = folder.load("big.obj", text + face + "\n");
@@ -110,7 +117,8 @@ TEST_CASE("polygons without an inside still give n - 2 triangles") {
 
 TEST_CASE("negative indices count from the line they stand on") {
     const Folder folder;
-    const Scene scene = folder.load("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -1 -4 -3\nf 5 1 2\nv 7 7 7\n");
+    const Scene scene = folder.load(
+        "n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -1 -4 -3\nf 5 1 2\nv 7 7 7\n");
     REQUIRE(scene.triangles.size() == 3);
     CHECK(corners_of(scene)[0] == Corners{glm::dvec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(corners_of(scene)[1][0] == glm::dvec3(9));
@@ -119,8 +127,9 @@ TEST_CASE("negative indices count from the line they stand on") {
 
 TEST_CASE("numbers in all their spellings arrive as the nearest 32-bit float") {
     const Folder folder;
-    const Scene scene = folder.load("n.obj", "v .5 -.5 +.25\nv 5. 1e2 1E-2\nv 0.1 -0 1e17\nv 1e-46 00.7 16777217\n"
-                                             "v 0.30000000000000004 1234567.8901 -1e-320\nf 1 2 3\nf 3 4 5\n");
+    const Scene scene = folder.load("n.obj",
+                                    "v .5 -.5 +.25\nv 5. 1e2 1E-2\nv 0.1 -0 1e17\nv 1e-46 00.7 16777217\n"
+                                    "v 0.30000000000000004 1234567.8901 -1e-320\nf 1 2 3\nf 3 4 5\n");
     REQUIRE(scene.triangles.size() == 2);
     std::vector<glm::dvec3> seen;
     for (const Corners& t : corners_of(scene)) seen.insert(seen.end(), t.begin(), t.end());
@@ -133,8 +142,10 @@ TEST_CASE("numbers in all their spellings arrive as the nearest 32-bit float") {
     CHECK(has(0.1, 0, 1e17));
     CHECK(has(0, 0.7, 16777216));
     CHECK(has(0.3, 1234567.8901, 0));
-    const std::string text = "solid\nfacet normal nan -nan inf\nouter loop\nvertex .5 -.5 +.25\nvertex 5. 1e2 1E-2\nvertex 0.1 -0 3e38\n"
-                             "endloop\nendfacet\nendsolid\n";
+    const std::string text =
+        "solid\nfacet normal nan -nan inf\nouter loop\nvertex .5 -.5 +.25\nvertex 5. 1e2 1E-2\nvertex 0.1 -0 "
+        "3e38\n"
+        "endloop\nendfacet\nendsolid\n";
     CHECK(folder.load("n.stl", text).vertices[0] == glm::dvec3(0.5, -0.5, 0.25));
 }
 
@@ -147,21 +158,26 @@ TEST_CASE("32-bit floats survive being written and read, in text formats as in b
         glm::dvec3 v;
         for (int k = 0; k < 3; ++k) {
             const double sign = random() % 2 ? 1 : -1;
-            v[k] = static_cast<float>(sign * std::pow(10, -5 + 20 * static_cast<double>(random()) / 4294967296.0));
+            v[k] = static_cast<float>(sign *
+                                      std::pow(10, -5 + 20 * static_cast<double>(random()) / 4294967296.0));
         }
         written.push_back(v);
         char text[100];
         std::snprintf(text, sizeof text, "%.9g %.9g %.9g\n", v.x, v.y, v.z);
         obj += std::string("v ") + text;
         ply += text;
-        stl += (i % 3 ? "" : "facet normal 0 0 0\nouter loop\n") + (std::string("vertex ") + text) + (i % 3 == 2 ? "endloop\nendfacet\n" : "");
+        stl += (i % 3 ? "" : "facet normal 0 0 0\nouter loop\n") + (std::string("vertex ") + text) +
+               (i % 3 == 2 ? "endloop\nendfacet\n" : "");
     }
     for (int i = 0; i < 3000; i += 3) {
-        obj += "f " + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + ' ' + std::to_string(i + 3) + '\n';
+        obj +=
+            "f " + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + ' ' + std::to_string(i + 3) + '\n';
         ply += "3 " + std::to_string(i) + ' ' + std::to_string(i + 1) + ' ' + std::to_string(i + 2) + '\n';
     }
-    ply = "ply\nformat ascii 1.0\nelement vertex 3000\nproperty float x\nproperty float y\nproperty float z\n"
-          "element face 1000\nproperty list uchar int vertex_index\nend_header\n" + ply;
+    ply =
+        "ply\nformat ascii 1.0\nelement vertex 3000\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1000\nproperty list uchar int vertex_index\nend_header\n" +
+        ply;
     CHECK(folder.load("r.obj", obj).vertices == written);
     CHECK(folder.load("r.ply", ply).vertices == written);
     CHECK(folder.load("r.stl", stl + "endsolid\n").vertices == written);
@@ -184,8 +200,9 @@ TEST_CASE("a binary file may begin with a byte that looks like a line break") {
 TEST_CASE("groups, objects, points, lines, textures and continued lines") {
     const Folder folder;
     const std::string v = "v 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nv 0 0 1\nvt 0 0\n";
-    const Scene scene = folder.load("g.obj", v + "o first\ng a b\nf 1/1 2/1 3/1\ng c\nf 2 3 4\ns off\ng a b\np 1\nl 1 2 3\nf 1 2\n"
-                                                 "f 1/1/ \\\n2/9/ 4 # the last\n");
+    const Scene scene = folder.load(
+        "g.obj", v + "o first\ng a b\nf 1/1 2/1 3/1\ng c\nf 2 3 4\ns off\ng a b\np 1\nl 1 2 3\nf 1 2\n"
+                     "f 1/1/ \\\n2/9/ 4 # the last\n");
     REQUIRE(scene.triangles.size() == 3);
     CHECK(corners_of(scene)[2] == Corners{glm::dvec3{0, 0, 0}, {1, 0, 0}, {0, 0, 1}});
 }
@@ -196,7 +213,8 @@ TEST_CASE("faces keep the order of the file through groups and materials") {
     const int count = 60;
     for (int i = 0; i < count; ++i) text += std::string("v 0 0 ") + std::to_string(i + 1) + "\n";
     const char* groups[] = {"g one\n", "o two\n", "usemtl red\n", "usemtl blue stone\n"};
-    for (int i = 0; i < count; ++i) text += groups[i * 7 % 4] + (std::string("f 1 2 \\\n ") + std::to_string(i + 4) + "\n");
+    for (int i = 0; i < count; ++i)
+        text += groups[i * 7 % 4] + (std::string("f 1 2 \\\n ") + std::to_string(i + 4) + "\n");
     const Scene scene = folder.load("order.obj", text);
     REQUIRE(scene.triangles.size() == count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -212,12 +230,15 @@ TEST_CASE("faces keep the order of the file through groups and materials") {
 
 TEST_CASE("mtl colours, highlights, transparency and missing materials") {
     const Folder folder;
-    folder.write("my colours.mtl",
-                 "# colours\nnewmtl clay\nKa 1 1 1\nKd 0.5 0.25 0.125\nillum 1\nKs 1 1 1\nmap_Kd nothing.png\n"
-                 "newmtl glass ball\nKd 0.25 0.25 0.25\nKs 0.5 0.25 0.25\nNs 64\nd 0.25\nNi 1.5\nillum 2\n"
-                 "newmtl mirror\nKd 0 0 0\nKs 0.75 0.75 0.75\nTr 0\nillum 3\nnewmtl unused\nKd 1 1 1\n");
-    const Scene scene = folder.load("m.obj", "mtllib my colours.mtl\nmtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl clay\nf 1 2 3\n"
-                                             "usemtl glass ball\nf 1 3 2\nusemtl mirror\nf 2 1 3\nusemtl nowhere\nf 3 2 1\n");
+    folder.write(
+        "my colours.mtl",
+        "# colours\nnewmtl clay\nKa 1 1 1\nKd 0.5 0.25 0.125\nillum 1\nKs 1 1 1\nmap_Kd nothing.png\n"
+        "newmtl glass ball\nKd 0.25 0.25 0.25\nKs 0.5 0.25 0.25\nNs 64\nd 0.25\nNi 1.5\nillum 2\n"
+        "newmtl mirror\nKd 0 0 0\nKs 0.75 0.75 0.75\nTr 0\nillum 3\nnewmtl unused\nKd 1 1 1\n");
+    const Scene scene = folder.load(
+        "m.obj",
+        "mtllib my colours.mtl\nmtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl clay\nf 1 2 3\n"
+        "usemtl glass ball\nf 1 3 2\nusemtl mirror\nf 2 1 3\nusemtl nowhere\nf 3 2 1\n");
     REQUIRE(scene.triangles.size() == 4);
     REQUIRE(scene.materials.size() == 4);
     const auto of = [&](std::size_t t) { return scene.materials[scene.triangles[t].material]; };

@@ -1,5 +1,5 @@
-// RTL that says what no machine can mean: nothing crashes, the first divergence is named, and an RTL that runs alone is refused in
-// one sentence. One module holds all faults, each asleep until its number is called.
+// RTL that says what no machine can mean: nothing crashes, the first divergence is named, and an RTL that
+// runs alone is refused in one sentence. One module holds all faults, each asleep until its number is called.
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -20,34 +20,46 @@ namespace {
 struct Hostile {
     int number;
     const char *file, *old, *fresh;
-    const char* alone;   ///< what an RTL that runs alone is refused with; null if it makes a frame, or stands still
+    const char*
+        alone;   ///< what an RTL that runs alone is refused with; null if it makes a frame, or stands still
 };
 
 const Hostile hostile[] = {
-    {1, "rc_top.sv", "= {client, client_miss};", "= {client, rc_mut::id == 1 ? client_miss | {rc_pkg::AddrBits{1'b1}} : CALLED};", "the memory image has"},
-    {2, "", "", "rc_mut::id == 2 ? client_miss & {rc_pkg::AddrBits{1'b1}} : client_miss", "not answered yet"},
-    {3, "sched/rc_sched.sv", "= {place, pixel_i};", "= {rc_mut::id == 3 ? ~place : CALLED, pixel_i};", "outside the picture"},
-    {4, "", "", "rc_mut::id == 4 ? place & '0 : place", "for the second time"},
-    {5, "list/rc_list.sv", "is_found ? end_found :", "is_found ? end_found | {FoundW{rc_mut::id == 5}} :", "and the scene has"},
-    {6, "list/rc_list.sv", "= {done_i.ray, is_found,", "= {done_i.ray ^ {I{rc_mut::id == 6}}, is_found,", nullptr},
-    {7, "list/rc_list.sv", "= {end_t, step_base, step_inner,", "= {end_t, step_base | {rc_mut::id == 7, {(rc_pkg::AddrBits-1){1'b0}}}, step_inner,",
+    {1, "rc_top.sv", "= {client, client_miss};",
+     "= {client, rc_mut::id == 1 ? client_miss | {rc_pkg::AddrBits{1'b1}} : CALLED};",
      "the memory image has"},
-    {8, "sched/rc_dispatch.sv", "= {x_q, y_q};", "= {x_q, y_q} ^ {($bits(tile_o)){rc_mut::id == 8}};", nullptr},
+    {2, "", "", "rc_mut::id == 2 ? client_miss & {rc_pkg::AddrBits{1'b1}} : client_miss", "not answered yet"},
+    {3, "sched/rc_sched.sv", "= {place, pixel_i};", "= {rc_mut::id == 3 ? ~place : CALLED, pixel_i};",
+     "outside the picture"},
+    {4, "", "", "rc_mut::id == 4 ? place & '0 : place", "for the second time"},
+    {5, "list/rc_list.sv",
+     "is_found ? end_found :", "is_found ? end_found | {FoundW{rc_mut::id == 5}} :", "and the scene has"},
+    {6, "list/rc_list.sv", "= {done_i.ray, is_found,", "= {done_i.ray ^ {I{rc_mut::id == 6}}, is_found,",
+     nullptr},
+    {7, "list/rc_list.sv", "= {end_t, step_base, step_inner,",
+     "= {end_t, step_base | {rc_mut::id == 7, {(rc_pkg::AddrBits-1){1'b0}}}, step_inner,",
+     "the memory image has"},
+    {8, "sched/rc_dispatch.sv", "= {x_q, y_q};", "= {x_q, y_q} ^ {($bits(tile_o)){rc_mut::id == 8}};",
+     nullptr},
     {9, "sched/rc_sched.sv", "= {slot_ray, x, y};", "= {slot_ray ^ {I{rc_mut::id == 9}}, x, y};", nullptr},
-    {10, "sched/rc_sched.sv", "assign cause_o = give ?", "assign cause_o = rc_mut::id == 10 ? 3'd7 : give ?", nullptr},
+    {10, "sched/rc_sched.sv", "assign cause_o = give ?", "assign cause_o = rc_mut::id == 10 ? 3'd7 : give ?",
+     nullptr},
     {11, "mem/rc_arbiter.sv", "<< source_o;", "<< (rc_mut::id == 11 ? ~source_o : source_o);", nullptr},
 };
 
-/// While it lives, the RTL is the copy with all of them, of which one can be called. It lies in the same place every time, since
-/// the place of the file that says which is part of the text, and of what the cache knows it by.
+/// While it lives, the RTL is the copy with all of them, of which one can be called. It lies in the same
+/// place every time, since the place of the file that says which is part of the text, and of what the cache
+/// knows it by.
 class HostileRtl {
 public:
     HostileRtl() : folder_(HOSTILE_FOLDER), caller_(folder_ / "called") {
-        campaign::write_schema(RAYCLOCK_SOURCE_DIR, "rtl", folder_ / "rtl", {}, campaign::Language::verilog, caller_);
+        campaign::write_schema(RAYCLOCK_SOURCE_DIR, "rtl", folder_ / "rtl", {}, campaign::Language::verilog,
+                               caller_);
         for (const Hostile& h : hostile) {
             if (!*h.file) continue;
             std::string fresh = h.fresh, text = campaign::text_of(folder_ / "rtl" / h.file);
-            if (const std::size_t next = fresh.find("CALLED"); next != std::string::npos) fresh.replace(next, 6, (&h + 1)->fresh);
+            if (const std::size_t next = fresh.find("CALLED"); next != std::string::npos)
+                fresh.replace(next, 6, (&h + 1)->fresh);
             const std::size_t at = text.find(h.old);
             REQUIRE(at != std::string::npos);
             REQUIRE(text.find(h.old, at + 1) == std::string::npos);
@@ -75,7 +87,7 @@ Job small_job() {
     return make_job(scene, *scene.camera, {24, 18}, config);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("nothing that faulty RTL sends crashes the program") {
     const Job job = small_job();
@@ -90,7 +102,8 @@ TEST_CASE("nothing that faulty RTL sends crashes the program") {
         CHECK_FALSE(result.agrees());
         CHECK((result.first || result.counter));
         if (result.first) CHECK_FALSE(result.first->got.empty());
-        for (const Hit& hit : result.rtl.hits.hits) CHECK((hit.primitive == no_primitive || hit.primitive < job.image.primitives));
+        for (const Hit& hit : result.rtl.hits.hits)
+            CHECK((hit.primitive == no_primitive || hit.primitive < job.image.primitives));
         if (h.alone) CHECK_THROWS_WITH(run_rtl(job), Catch::Contains(h.alone));
         if (h.number == 10) CHECK(result.counter->unit == "sched");
     }
@@ -98,7 +111,10 @@ TEST_CASE("nothing that faulty RTL sends crashes the program") {
     // The program shades what it was given, and judges it.
     rtl.call(5);
     const fs::path out = fs::temp_directory_path() / ("rayclock-hostile-" + std::to_string(getpid()));
-    const int status = std::system((std::string("'") + RAYCLOCK_PROGRAM + "' verify icosphere:2 --size 24x18 --config small > '" + out.string() + "' 2>&1").c_str());
+    const int status =
+        std::system((std::string("'") + RAYCLOCK_PROGRAM +
+                     "' verify icosphere:2 --size 24x18 --config small > '" + out.string() + "' 2>&1")
+                        .c_str());
     const std::string said = campaign::text_of(out);
     fs::remove(out);
     INFO(said);

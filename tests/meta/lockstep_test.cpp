@@ -57,8 +57,10 @@ struct Event {
     std::uint32_t ray = 0, x = 0, y = 0;
 };
 template <class P> std::uint32_t id_of(const P& payload) {
-    if constexpr (requires { payload.ray; }) return payload.ray;
-    else return payload.id;
+    if constexpr (requires { payload.ray; })
+        return payload.ray;
+    else
+        return payload.id;
 }
 template <class Payload, class Wanted> Event first_event(const Job& job, Channel channel, Wanted wanted) {
     const FrameTrace frame = record_frame(job, job.frame);
@@ -83,7 +85,8 @@ template <class Payload, class Wanted> Event first_event(const Job& job, Channel
     return found;
 }
 
-void check_first(const LockstepResult& result, const Event& event, const std::string& unit, const std::string& channel) {
+void check_first(const LockstepResult& result, const Event& event, const std::string& unit,
+                 const std::string& channel) {
     REQUIRE(result.first);
     INFO(result.first->expected << " / " << result.first->got);
     CHECK_FALSE(result.agrees());
@@ -95,7 +98,7 @@ void check_first(const LockstepResult& result, const Event& event, const std::st
     CHECK(result.first->y == event.y);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("lockstep agrees where nothing is wrong") {
     const LockstepResult result = run_lockstep(small_job());
@@ -106,7 +109,8 @@ TEST_CASE("lockstep agrees where nothing is wrong") {
 
 TEST_CASE("lockstep names the first wrong value") {
     const Job job = small_job();
-    const Event event = first_event<TriRsp>(job, Channel::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
+    const Event event =
+        first_event<TriRsp>(job, Channel::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
     REQUIRE(event.cycle > 0);
     const Mutant mutant("isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (B+1)'(1) + {");
     const LockstepResult result = run_lockstep(job);
@@ -122,8 +126,9 @@ TEST_CASE("lockstep names the first wrong value") {
 TEST_CASE("lockstep names the pixel whose ray is wrong") {
     const Job job = small_job();
     const Event event = first_event<Ray>(job, Channel::ray, [](const Ray& ray) { return ray.ray == 5; });
-    const Mutant mutant("raygen/rc_raygen.sv", "assign ray_o = ray_data;",
-                        "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: I] == I'(5)};");
+    const Mutant mutant(
+        "raygen/rc_raygen.sv", "assign ray_o = ray_data;",
+        "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: I] == I'(5)};");
     const LockstepResult result = run_lockstep(job);
     check_first(result, event, "raygen", "ray");
     CHECK(event.x == 3);   // the sixth in Morton order
@@ -134,11 +139,13 @@ TEST_CASE("lockstep names the pixel whose ray is wrong") {
 TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const Job job = small_job();
     const Event event = first_event<BoxRsp>(job, Channel::box_rsp, [](const BoxRsp&) { return true; });
-    const std::string queue = "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
-    const Mutant mutant("trav/rc_box.sv", queue + ".valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),",
-                        "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
-                        "    late_q <= rst_ni && valid_q[L-1];\n    data_q <= queue_data;\n  end\n" +
-                            queue + ".valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
+    const std::string queue =
+        "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
+    const Mutant mutant(
+        "trav/rc_box.sv", queue + ".valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),",
+        "  logic late_q;\n  logic [rc_pkg::BoxRspW-1:0] data_q;\n  always_ff @(posedge clk_i) begin\n"
+        "    late_q <= rst_ni && valid_q[L-1];\n    data_q <= queue_data;\n  end\n" +
+            queue + ".valid_i(late_q), .ready_o(queue_ready), .data_i(data_q),");
     const LockstepResult result = run_lockstep(job);
     REQUIRE(result.first);
     CHECK(result.first->cycle == event.cycle);
@@ -174,7 +181,8 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     const Job job = small_job();
-    const Mutant mutant("rc_pipeline.sv", "(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;", "(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd2 : 3'd1;");
+    const Mutant mutant("rc_pipeline.sv", "(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;",
+                        "(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd2 : 3'd1;");
     const LockstepResult result = run_lockstep(job);
     CHECK(result.account_mismatches == 1);
     CHECK_FALSE(result.agrees());
@@ -182,7 +190,8 @@ TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     CHECK(result.value_mismatches == 0);
     CHECK(result.cycle_gap == 0);
     CHECK(result.model.hits.hits == result.rtl.hits.hits);
-    const CauseCounts &model = result.model.accounts.units[index(Unit::box)], &rtl = result.rtl.accounts.units[index(Unit::box)];
+    const CauseCounts &model = result.model.accounts.units[index(Unit::box)],
+                      &rtl = result.rtl.accounts.units[index(Unit::box)];
     CHECK(model[1] == rtl[2]);
     CHECK(model[2] == rtl[1]);
     CHECK(model[1] != model[2]);
@@ -192,7 +201,8 @@ TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     CHECK(result.counter->model == model[1]);
     CHECK(result.counter->rtl == rtl[1]);
     CHECK(result.counter->others == 1);
-    CHECK(lockstep_lines(result).find("counters DIFFER\n    box was starved by memory in ") != std::string::npos);
+    CHECK(lockstep_lines(result).find("counters DIFFER\n    box was starved by memory in ") !=
+          std::string::npos);
 }
 
 TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {

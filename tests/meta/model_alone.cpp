@@ -1,4 +1,5 @@
-// A frame on the model alone: this program links rc_model, every object of it, and nothing else of the project.
+// A frame on the model alone: this program links rc_model, every object of it, and nothing else of the
+// project.
 #include <cstdio>
 
 #include "model/machine.hpp"

@@ -51,7 +51,8 @@ mutant(judge_mean_of_other_samples FILE model/shade/pass.cpp TEST simulate "sphe
   OLD [[done < all ? frame.shade.first_share : frame.shade.share;]]
   NEW [[frame.shade.share;]])
 mutant(judge_mean_rounded_down FILE model/shade/pass.cpp TEST simulate "spheres --depth 1 --aa 3"
-  OLD [[std::min<std::uint64_t>(rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one)]]
+  OLD [[std::min<std::uint64_t>(
+                                                    rounded(std::uint64_t(s.sum[k]) * share, unit_bits), one)]]
   NEW [[std::min<std::uint64_t>(std::uint64_t(s.sum[k]) * share >> unit_bits, one)]])
 mutant(judge_samples_keep_their_colour FILE model/shade/pass.cpp TEST simulate "spheres --depth 1 --aa 2"
   OLD [[        s.colour = {};]]
@@ -65,7 +66,8 @@ mutant(judge_reflected_ray_may_go_in FILE model/shade/bounce.cpp TEST simulate "
   OLD [[out.goes = side_of(state.n, out.d) > 0;]]
   NEW [[out.goes = true;]])
 mutant(judge_total_reflection_is_dim FILE model/shade/bounce.cpp TEST simulate "gears:2 --depth 4 --size 96x72"
-  OLD [[if (state.total) share += state.transmit;]]
+  OLD [[if (state.total)
+            share += state.transmit;]]
   NEW [[if (state.total) share += 0;]])
 mutant(judge_weight_rounded_down FILE model/shade/bounce.cpp TEST simulate "spheres --depth 4"
   OLD [[return std::uint32_t(rounded(weight * std::min(share, one), unit_bits));]]
@@ -88,7 +90,8 @@ mutant(judge_ratio_of_indices_inverted QUICK FILE model/shade/surf.cpp TEST simu
   OLD [[state.ratio = in.hit.back ? s.leave : s.enter;]]
   NEW [[state.ratio = in.hit.back ? s.enter : s.leave;]])
 mutant(judge_ambient_rounded_down FILE model/shade/surf.cpp TEST simulate "spheres --depth 1"
-  OLD [[ambient[k] = std::uint32_t(rounded(std::uint64_t(state.weight) * s.ambient * state.albedo[k], 2 * share_bits));]]
+  OLD [[ambient[k] =
+            std::uint32_t(rounded(std::uint64_t(state.weight) * s.ambient * state.albedo[k], 2 * share_bits));]]
   NEW [[ambient[k] = std::uint32_t(std::uint64_t(state.weight) * s.ambient * state.albedo[k] >> 2 * share_bits);]])
 mutant(judge_checkers_are_stripes FILE model/shade/surf.cpp TEST simulate "spheres --depth 1"
   OLD [[second(hit.u, 0) != second(hit.v, 1)]]
@@ -111,7 +114,8 @@ mutant(judge_highlight_elsewhere FILE model/shade/light.cpp TEST simulate "spher
   OLD [[rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits)]]
   NEW [[rounded(std::int64_t(cosine) * state.cosine, unit_bits)]])
 mutant(judge_light_rounded_down FILE model/shade/light.cpp TEST simulate "spheres --depth 1"
-  OLD [[rounded((matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight, share_bits + unit_bits);]]
+  OLD [[rounded(
+            (matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight, share_bits + unit_bits);]]
   NEW [[(matte + gloss) * frame.shade.colour[3 * state.light + k] * state.weight >> (share_bits + unit_bits);]])
 mutant(judge_lights_share_a_colour FILE model/accel/surfaces.cpp TEST simulate "cornell --depth 1 | gears:1 --depth 1"
   OLD [[fixed(scene.lights[i].colour[int(k)], share_bits,]]

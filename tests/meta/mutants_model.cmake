@@ -5,7 +5,9 @@ mutant(model_tri_epsilon QUICK FILE model/isect/tri.cpp TEST unit [tri]
   OLD [[if (num <= 0) return;]]
   NEW [[if (num <= size >> 12) return;]])
 mutant(model_tri_tie_turned QUICK FILE model/isect/tri.cpp TEST unit [tri]
-  OLD [[edge != 0 ? edge : gradient[0] != 0 ? gradient[0] :]]
+  OLD [[edge != 0          ? edge
+                                 : gradient[0] != 0 ? gradient[0]
+                                 :]]
   NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
 mutant(model_tri_higher_number_wins FILE model/isect/tri.cpp TEST unit [tri]
   OLD [[triangle.prim > best.prim]]
@@ -52,7 +54,8 @@ mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST uni
   OLD [[((sum[k] << shift) + (std::int64_t(1) << (drop - 1))) >> drop]]
   NEW [[(sum[k] << shift) >> drop]])
 mutant(model_raygen_moves_up_one_bit_less QUICK FILE model/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 1 + drop]]
+  OLD [[const int drop = guard_bits + frac,
+              shift = std::clamp(config.dir_bits - 1 + drop]]
   NEW [[const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 2 + drop]])
 mutant(model_raygen_moves_up_by_fourteen FILE model/raygen/raygen.cpp TEST unit [raygen]
   OLD [[0, most_shift);]]
@@ -128,7 +131,8 @@ mutant(model_origin_on_the_border FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[Weights w{std::max(rounded(u), 1u),]]
   NEW [[Weights w{rounded(u),]])
 mutant(model_origin_bits_cut FILE model/isect/origin.cpp TEST unit [origin]
-  OLD [[point.at[k] = std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] + weights.v * e2[k];]]
+  OLD [[point.at[k] = std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] +
+                      weights.v * e2[k];]]
   NEW [[point.at[k] = (std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] + weights.v * e2[k]) & ~1;]])
 mutant(model_origin_hits_at_its_start FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[if (hit.num <= 0) return std::nullopt;]]
@@ -149,7 +153,8 @@ mutant(model_origin_side_dropped FILE sim/stress/shadows.cpp TEST system [shadow
   OLD [[side != to.facing || is_blocked]]
   NEW [[side == 0 || is_blocked]])
 mutant(model_origin_bits_cut_seen_by_rays FILE model/isect/origin.cpp TEST system [shadows]~[slow]
-  OLD [[+ weights.u * e1[k] + weights.v * e2[k];]]
+  OLD [[+ weights.u * e1[k] +
+                      weights.v * e2[k];]]
   NEW [[+ ((weights.u * e1[k] + weights.v * e2[k]) & ~1);]])
 mutant(model_lattice_rounds_down FILE model/accel/lattice.cpp TEST accel ~[none]
   OLD [[std::round((point[k] - centre[k]) / pitch[k])]]
@@ -242,7 +247,9 @@ mutant(dram_starves FILE model/mem/dram.cpp TEST unit [dram]
 
 # ---- The same, judged by whole frames against exact integers: that test has an edge of its own.
 mutant(frames_tri_tie_turned FILE model/isect/tri.cpp TEST system "every pixel*"
-  OLD [[edge != 0 ? edge : gradient[0] != 0 ? gradient[0] :]]
+  OLD [[edge != 0          ? edge
+                                 : gradient[0] != 0 ? gradient[0]
+                                 :]]
   NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
 mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "every pixel*"
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]

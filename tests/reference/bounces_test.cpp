@@ -22,14 +22,20 @@ std::vector<std::uint64_t> bounces_by_depth(const Scene& scene, int most) {
     return rays;
 }
 
-} // namespace
+}   // namespace
 
-TEST_CASE("scenes with mirrors and glass go on bouncing, those without do not begin", "[reference][bounces]") {
-    const auto [name, least] = GENERATE(table<std::string, std::vector<std::uint64_t>>({
-        {"balls:2", {300, 100, 40, 15, 5}}, {"gears:2", {1000, 600, 700, 800, 800}}, {"mount:4", {600, 700, 800, 900, 1000}},
-        {"rings:2", {300, 100, 50, 25, 10}}, {"teapot:6", {700, 150, 60, 15, 5}}, {"spheres", {1200, 800, 700, 600, 600}}}));
+TEST_CASE("scenes with mirrors and glass go on bouncing, those without do not begin",
+          "[reference][bounces]") {
+    const auto [name, least] =
+        GENERATE(table<std::string, std::vector<std::uint64_t>>({{"balls:2", {300, 100, 40, 15, 5}},
+                                                                 {"gears:2", {1000, 600, 700, 800, 800}},
+                                                                 {"mount:4", {600, 700, 800, 900, 1000}},
+                                                                 {"rings:2", {300, 100, 50, 25, 10}},
+                                                                 {"teapot:6", {700, 150, 60, 15, 5}},
+                                                                 {"spheres", {1200, 800, 700, 600, 600}}}));
     CAPTURE(name);
-    const std::vector<std::uint64_t> rays = bounces_by_depth(make_builtin(name, Primitives::native), int(least.size()));
+    const std::vector<std::uint64_t> rays =
+        bounces_by_depth(make_builtin(name, Primitives::native), int(least.size()));
     CAPTURE(rays);
     for (std::size_t i = 0; i < least.size(); ++i) CHECK(rays[i] >= least[i]);
 }
@@ -44,5 +50,6 @@ TEST_CASE("between the mirrors rays go on for as many bounces as they may", "[re
 
 TEST_CASE("scenes that neither mirror nor transmit send shadow rays alone", "[reference][bounces]") {
     const std::string name = GENERATE("tetra:3", "tree:3", "cornell", "icosphere:2", "plane", "square");
-    for (const std::uint64_t rays : bounces_by_depth(make_builtin(name, Primitives::native), 2)) CHECK(rays == 0);
+    for (const std::uint64_t rays : bounces_by_depth(make_builtin(name, Primitives::native), 2))
+        CHECK(rays == 0);
 }

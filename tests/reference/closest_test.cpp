@@ -16,8 +16,8 @@ struct TestRay {
     glm::dvec3 origin, direction;
 };
 
-/// Aimed anywhere, at a vertex or at a point of an edge; from all around, or from close by, where the relative
-/// margins of the box test are smallest.
+/// Aimed anywhere, at a vertex or at a point of an edge; from all around, or from close by, where the
+/// relative margins of the box test are smallest.
 TestRay draw_ray(Rng& rng, const Scene& scene, double scale, const glm::dvec3& offset) {
     const auto& vertex = scene.triangles[rng() % scene.triangles.size()].vertex;
     const glm::dvec3 targets[] = {
@@ -25,14 +25,15 @@ TestRay draw_ray(Rng& rng, const Scene& scene, double scale, const glm::dvec3& o
         glm::mix(scene.vertices[vertex[0]], scene.vertices[vertex[1]], uniform(rng, 0, 1))};
     const glm::dvec3 target = targets[rng() % 3];
     const bool close_by = rng() % 3 == 0;
-    const glm::dvec3 origin = close_by ? target + random_direction(rng) * (1e-4 * scale)
-                                       : random_point(rng, 3) * scale + offset;
+    const glm::dvec3 origin =
+        close_by ? target + random_direction(rng) * (1e-4 * scale) : random_point(rng, 3) * scale + offset;
     return {origin, target - origin};
 }
 
-/// Empty if `hit` is right: its triangle is met there, and no triangle that is surely met lies before it. Weights
-/// closer to 0 than 1e-7 are neither surely in nor out: rounding the direction to double moves a ray by 2^-53 of
-/// its length, which is below 1e-7 of a triangle that is not far thinner than 1e-8 of that length.
+/// Empty if `hit` is right: its triangle is met there, and no triangle that is surely met lies before it.
+/// Weights closer to 0 than 1e-7 are neither surely in nor out: rounding the direction to double moves a ray
+/// by 2^-53 of its length, which is below 1e-7 of a triangle that is not far thinner than 1e-8 of that
+/// length.
 std::string judge(const Scene& scene, const TestRay& ray, const Hit& hit) {
     constexpr long double unsure = 1e-7L;
     long double depth = std::numeric_limits<long double>::infinity();
@@ -73,7 +74,7 @@ Hit loop_over_all(const Scene& scene, const TestRay& ray) {
             static_cast<float>(best.v)};
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("closest hit in a soup equals a long-double loop over all triangles", "[reference]") {
     struct Case {
@@ -81,11 +82,12 @@ TEST_CASE("closest hit in a soup equals a long-double loop over all triangles", 
         double size, scale;
         glm::dvec3 offset;
     };
-    const auto& [triangles, size, scale, offset] = GENERATE(
-        Case{1, 1, 1, glm::dvec3(0)}, Case{2, 1, 1, glm::dvec3(0)}, Case{3, 1, 1, glm::dvec3(0)},
-        Case{9, 0.5, 1, glm::dvec3(0)}, Case{300, 0.2, 1, glm::dvec3(0)}, Case{1500, 0.05, 1, glm::dvec3(0)},
-        Case{300, 0.2, 1e-6, glm::dvec3(0)}, Case{300, 0.2, 1e6, glm::dvec3(0)}, Case{300, 0.2, 1e-30, glm::dvec3(0)},
-        Case{300, 0.2, 1e30, glm::dvec3(0)}, Case{300, 0.2, 1, glm::dvec3(1e6, -3e5, 7e5)});
+    const auto& [triangles, size, scale, offset] =
+        GENERATE(Case{1, 1, 1, glm::dvec3(0)}, Case{2, 1, 1, glm::dvec3(0)}, Case{3, 1, 1, glm::dvec3(0)},
+                 Case{9, 0.5, 1, glm::dvec3(0)}, Case{300, 0.2, 1, glm::dvec3(0)},
+                 Case{1500, 0.05, 1, glm::dvec3(0)}, Case{300, 0.2, 1e-6, glm::dvec3(0)},
+                 Case{300, 0.2, 1e6, glm::dvec3(0)}, Case{300, 0.2, 1e-30, glm::dvec3(0)},
+                 Case{300, 0.2, 1e30, glm::dvec3(0)}, Case{300, 0.2, 1, glm::dvec3(1e6, -3e5, 7e5)});
     CAPTURE(triangles, size, scale, offset.x);
     Rng rng(20261121);
     const Scene scene = soup(rng, triangles, size, scale, offset);
@@ -108,8 +110,8 @@ TEST_CASE("triangles without area hide nothing", "[reference]") {
     const auto sound = static_cast<std::uint32_t>(scene.triangles.size());
     for (std::uint32_t i = 0; i < sound; ++i) {
         const auto v = scene.triangles[i].vertex;
-        scene.triangles.push_back({{v[0], v[0], v[0]}, 0});     // a point
-        scene.triangles.push_back({{v[0], v[1], v[0]}, 0});     // a segment
+        scene.triangles.push_back({{v[0], v[0], v[0]}, 0});   // a point
+        scene.triangles.push_back({{v[0], v[1], v[0]}, 0});   // a segment
     }
     const auto repeated = static_cast<std::uint32_t>(scene.triangles.size());
     // Collinear in exactly representable coordinates; but their images, rounded, need not be.
@@ -123,12 +125,15 @@ TEST_CASE("triangles without area hide nothing", "[reference]") {
         const Hit hit = reference.trace(ray.origin, ray.direction);
         CAPTURE(i, hit.primitive);
         REQUIRE((hit.primitive < sound || hit.primitive >= repeated));
-        if (hit.primitive < sound || hit.primitive == no_primitive) REQUIRE(judge(scene, ray, hit) == "");
-        else REQUIRE(distance_to_edges(scene, hit.primitive, ray.origin, ray.direction) < 1e-14L);
+        if (hit.primitive < sound || hit.primitive == no_primitive)
+            REQUIRE(judge(scene, ray, hit) == "");
+        else
+            REQUIRE(distance_to_edges(scene, hit.primitive, ray.origin, ray.direction) < 1e-14L);
     }
 }
 
-TEST_CASE("of equally deep triangles the lowest number is hit, wherever it lies in the hierarchy", "[reference]") {
+TEST_CASE("of equally deep triangles the lowest number is hit, wherever it lies in the hierarchy",
+          "[reference]") {
     Rng rng(99);
     Scene scene = soup(rng, 40, 0.4);
     std::vector<Triangle> copies;
@@ -143,8 +148,9 @@ TEST_CASE("of equally deep triangles the lowest number is hit, wherever it lies 
         REQUIRE(hit == loop_over_all(scene, ray));
         if (hit.primitive == no_primitive) continue;
         ++hits;
-        const auto first = std::find_if(copies.begin(), copies.end(),
-                                        [&](const Triangle& t) { return t.vertex == copies[hit.primitive].vertex; });
+        const auto first = std::find_if(copies.begin(), copies.end(), [&](const Triangle& t) {
+            return t.vertex == copies[hit.primitive].vertex;
+        });
         REQUIRE(hit.primitive == first - copies.begin());
     }
     CHECK(hits > 500);

@@ -53,8 +53,10 @@ public:
     }
 
 protected:
-    template <class T> T* buffer(RTCBufferType type, RTCFormat format, std::size_t components, std::size_t count) {
-        return static_cast<T*>(rtcSetNewGeometryBuffer(geometry_, type, 0, format, components * sizeof(T), count));
+    template <class T>
+    T* buffer(RTCBufferType type, RTCFormat format, std::size_t components, std::size_t count) {
+        return static_cast<T*>(
+            rtcSetNewGeometryBuffer(geometry_, type, 0, format, components * sizeof(T), count));
     }
     void commit() {
         rtcCommitGeometry(geometry_);
@@ -86,7 +88,8 @@ public:
 /// A scene's spheres.
 class EmbreeSpheres : public EmbreeGeometry {
 public:
-    explicit EmbreeSpheres(const Scene& scene) : EmbreeGeometry(RTC_SCENE_FLAG_ROBUST, RTC_GEOMETRY_TYPE_SPHERE_POINT) {
+    explicit EmbreeSpheres(const Scene& scene)
+        : EmbreeGeometry(RTC_SCENE_FLAG_ROBUST, RTC_GEOMETRY_TYPE_SPHERE_POINT) {
         auto* sphere = buffer<float>(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4, scene.spheres.size());
         for (const Sphere& s : scene.spheres) {
             for (int k = 0; k < 3; ++k) *sphere++ = static_cast<float>(s.centre[k]);
@@ -96,4 +99,4 @@ public:
     }
 };
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,5 @@
-// Embree 3.13 as a second opinion on the built-in scenes. It computes in single precision, so where it disagrees
-// the disagreement must be explained by its rounding, pixel by pixel; unexplained ones: none.
+// Embree 3.13 as a second opinion on the built-in scenes. It computes in single precision, so where it
+// disagrees the disagreement must be explained by its rounding, pixel by pixel; unexplained ones: none.
 #include <catch2/catch.hpp>
 
 #include "model/reference/reference.hpp"
@@ -13,10 +13,10 @@ namespace {
 
 const FrameSize size{256, 192};
 
-/// How far Embree's view of a ray and a triangle may be from the truth, as a length in the scene; d is the distance
-/// of the triangle's farthest corner. One rounding is 2^-24 relative. Origin and vertices are rounded once (o and
-/// o + d), the direction once (d); then its Pluecker test translates, subtracts vertices and sums three products of
-/// differences, some 8 roundings of at most d. Twice the sum leaves room.
+/// How far Embree's view of a ray and a triangle may be from the truth, as a length in the scene; d is the
+/// distance of the triangle's farthest corner. One rounding is 2^-24 relative. Origin and vertices are
+/// rounded once (o and o + d), the direction once (d); then its Pluecker test translates, subtracts vertices
+/// and sums three products of differences, some 8 roundings of at most d. Twice the sum leaves room.
 long double embree_error(const Scene& scene, std::uint32_t primitive, const glm::dvec3& origin) {
     long double d = 0;
     for (const std::uint32_t v : scene.triangles[primitive].vertex)
@@ -26,9 +26,9 @@ long double embree_error(const Scene& scene, std::uint32_t primitive, const glm:
 }
 
 struct Counts {
-    int disputed = 0;       ///< another primitive, explained
-    int unexplained = 0;    ///< another primitive, not explained
-    int wrong_depth = 0;    ///< same primitive, depth beyond the bound
+    int disputed = 0;      ///< another primitive, explained
+    int unexplained = 0;   ///< another primitive, not explained
+    int wrong_depth = 0;   ///< same primitive, depth beyond the bound
     int hits = 0;
 };
 
@@ -39,21 +39,24 @@ struct Judge {
 
     /// The ray passes so near to an edge of the triangle that Embree cannot know on which side.
     bool at_edge(std::uint32_t primitive) const {
-        return distance_to_edges(scene, primitive, origin, direction) <= embree_error(scene, primitive, origin);
+        return distance_to_edges(scene, primitive, origin, direction) <=
+               embree_error(scene, primitive, origin);
     }
     /// A shift across the ray changes the plane's depth by the tangent of its slope.
     long double depth_error(std::uint32_t primitive) const {
         return embree_error(scene, primitive, origin) / plane(primitive).cosine;
     }
 
-    /// Same depth within rounding, and either triangle is met or nearly so; or the nearer of the two is met or missed
-    /// only by rounding at its edge.
+    /// Same depth within rounding, and either triangle is met or nearly so; or the nearer of the two is met
+    /// or missed only by rounding at its edge.
     bool explains(std::uint32_t ours, std::uint32_t theirs) const {
-        if (ours == no_primitive || theirs == no_primitive) return at_edge(ours == no_primitive ? theirs : ours);
+        if (ours == no_primitive || theirs == no_primitive)
+            return at_edge(ours == no_primitive ? theirs : ours);
         const PlaneHit a = plane(ours), b = plane(theirs);
         const bool a_met = a.crosses && (a.inside >= 0 || at_edge(ours));
         const bool b_met = b.crosses && (b.inside >= 0 || at_edge(theirs));
-        if (a_met && b_met && std::abs(a.depth - b.depth) <= depth_error(ours) + depth_error(theirs)) return true;
+        if (a_met && b_met && std::abs(a.depth - b.depth) <= depth_error(ours) + depth_error(theirs))
+            return true;
         return at_edge(a.depth < b.depth ? ours : theirs);
     }
 };
@@ -73,9 +76,9 @@ Counts compare_with_embree(const Scene& scene) {
             if (ours.primitive != theirs.primitive) {
                 const bool explained = judge.explains(ours.primitive, theirs.primitive);
                 ++(explained ? counts.disputed : counts.unexplained);
-                if (!explained) UNSCOPED_INFO("pixel " << x << ", " << y << ": " << ours.primitive << " at "
-                                                       << ours.depth << ", embree " << theirs.primitive << " at "
-                                                       << theirs.depth);
+                if (!explained)
+                    UNSCOPED_INFO("pixel " << x << ", " << y << ": " << ours.primitive << " at " << ours.depth
+                                           << ", embree " << theirs.primitive << " at " << theirs.depth);
             } else if (ours.primitive != no_primitive) {
                 const long double bound = judge.depth_error(ours.primitive);
                 counts.wrong_depth += std::abs(static_cast<long double>(ours.depth) - theirs.depth) > bound;
@@ -84,17 +87,18 @@ Counts compare_with_embree(const Scene& scene) {
     return counts;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("Embree finds the same primitives, but for its rounding", "[reference][embree]") {
-    const auto spec = GENERATE(as<std::string>{}, "tetra:6", "mount:6", "gears:2", "balls:2", "teapot:6", "rings:2",
-                               "tree:4", "icosphere:4", "cornell");
+    const auto spec = GENERATE(as<std::string>{}, "tetra:6", "mount:6", "gears:2", "balls:2", "teapot:6",
+                               "rings:2", "tree:4", "icosphere:4", "cornell");
     const Counts counts = compare_with_embree(make_builtin(spec));
-    WARN(spec << ": " << counts.hits << " of " << size.width * size.height << " pixels hit, " << counts.disputed
-              << " disputed at edges or equal depth");
+    WARN(spec << ": " << counts.hits << " of " << size.width * size.height << " pixels hit, "
+              << counts.disputed << " disputed at edges or equal depth");
     CHECK(counts.unexplained == 0);
     CHECK(counts.wrong_depth == 0);
     CHECK(counts.hits > size.width * size.height / 20);
-    // An explanation that fits many pixels would explain nothing: rounding is 1e-6, a pixel 1e-2 of the picture.
+    // An explanation that fits many pixels would explain nothing: rounding is 1e-6, a pixel 1e-2 of the
+    // picture.
     CHECK(counts.disputed <= size.width * size.height / 500);
 }

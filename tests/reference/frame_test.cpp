@@ -1,5 +1,5 @@
-// Reference::frame(): the same answer from any number of threads, pixel by pixel what trace() finds; and the hierarchy
-// below it.
+// Reference::frame(): the same answer from any number of threads, pixel by pixel what trace() finds; and the
+// hierarchy below it.
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -27,7 +27,7 @@ int depth_below(const RefHierarchy& hierarchy, std::uint32_t at) {
     return depth + 1;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a frame does not depend on the number of threads", "[reference]") {
     Rng rng(3);
@@ -58,7 +58,8 @@ TEST_CASE("the hierarchy does not depend on the number of threads that build it"
     CHECK(std::memcmp(one.nodes.data(), many.nodes.data(), one.nodes.size() * sizeof(RefNode)) == 0);
 }
 
-TEST_CASE("a hierarchy over coinciding and nested boxes holds them all and keeps to its depth", "[reference]") {
+TEST_CASE("a hierarchy over coinciding and nested boxes holds them all and keeps to its depth",
+          "[reference]") {
     // Each box a tenth smaller than the one before: no cut by area halves these.
     std::vector<RefBox> boxes;
     for (std::uint32_t i = 0; i < 800; ++i) {

@@ -44,7 +44,8 @@ inline Scene empty_scene() {
 }
 
 /// Random triangles of about `size` in -1..1, then scaled and moved.
-inline Scene soup(Rng& rng, int count, double size, double scale = 1, const glm::dvec3& offset = glm::dvec3(0)) {
+inline Scene soup(Rng& rng, int count, double size, double scale = 1,
+                  const glm::dvec3& offset = glm::dvec3(0)) {
     Scene scene = empty_scene();
     for (int i = 0; i < count; ++i) {
         const glm::dvec3 middle = random_point(rng);
@@ -97,4 +98,4 @@ inline Scene box(const glm::dvec3& lo, const glm::dvec3& hi) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

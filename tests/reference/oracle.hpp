@@ -16,11 +16,11 @@ using Exact3 = glm::vec<3, long double>;
 
 /// A ray against one triangle's plane. `inside` is the smallest barycentric weight: >= 0 means inside.
 struct PlaneHit {
-    bool crosses = false;          ///< false for degenerate triangles and rays parallel to the plane
-    long double depth = 0;         ///< along the unit direction
+    bool crosses = false;    ///< false for degenerate triangles and rays parallel to the plane
+    long double depth = 0;   ///< along the unit direction
     long double u = 0, v = 0;
     long double inside = -1;
-    long double cosine = 0;        ///< |cos| of the angle between ray and normal
+    long double cosine = 0;   ///< |cos| of the angle between ray and normal
 };
 
 inline PlaneHit plane_hit(const Scene& scene, std::uint32_t primitive, const glm::dvec3& origin,
@@ -42,7 +42,8 @@ inline PlaneHit plane_hit(const Scene& scene, std::uint32_t primitive, const glm
 }
 
 /// Smallest distance between the ray's line and the segment a-b.
-inline long double distance_to_segment(const Exact3& origin, const Exact3& unit, const Exact3& a, const Exact3& b) {
+inline long double distance_to_segment(const Exact3& origin, const Exact3& unit, const Exact3& a,
+                                       const Exact3& b) {
     // Seen along the ray: the line is the point 0, the segment is flat.
     const auto flat = [&](const Exact3& p) { return p - origin - glm::dot(p - origin, unit) * unit; };
     const Exact3 from = flat(a), along = flat(b) - from;
@@ -64,4 +65,4 @@ inline long double distance_to_edges(const Scene& scene, std::uint32_t primitive
     return least;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

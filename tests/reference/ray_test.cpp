@@ -1,5 +1,5 @@
-// Rays that slab and edge tests get wrong: zero and negative zero components, rays in the faces of boxes, origins
-// on surfaces; and what trace() promises of depth, sides and directions.
+// Rays that slab and edge tests get wrong: zero and negative zero components, rays in the faces of boxes,
+// origins on surfaces; and what trace() promises of depth, sides and directions.
 #include <catch2/catch.hpp>
 
 #include "model/reference/reference.hpp"
@@ -23,7 +23,7 @@ Scene checkerboard(int n) {
     return scene;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("axis-parallel rays hit, whatever the signs of their zeros", "[reference]") {
     const Scene scene = sphere(3, 1, {0.25, -0.5, 0.125});
@@ -48,7 +48,8 @@ TEST_CASE("axis-parallel rays hit, whatever the signs of their zeros", "[referen
                     }
 }
 
-TEST_CASE("an axis-parallel ray exactly through a vertex meets that vertex, or something before it", "[reference]") {
+TEST_CASE("an axis-parallel ray exactly through a vertex meets that vertex, or something before it",
+          "[reference]") {
     Rng rng(5);
     const Scene scene = soup(rng, 400, 0.1);
     const Reference reference(scene);
@@ -112,8 +113,8 @@ TEST_CASE("depth is measured along the unit direction, and only in front of the 
         CHECK(hit.depth == 5);
         CHECK(reference.trace({0, 0, 5}, glm::dvec3(0, 0, length)).primitive == no_primitive);
     }
-    CHECK(reference.trace({0, 0, -5}, {0, 0, 1}).depth == 5);                     // from behind as well
-    CHECK(reference.trace({0, 0, 0}, {0, 0, 1}).primitive == no_primitive);       // depth 0 is no hit
+    CHECK(reference.trace({0, 0, -5}, {0, 0, 1}).depth == 5);                 // from behind as well
+    CHECK(reference.trace({0, 0, 0}, {0, 0, 1}).primitive == no_primitive);   // depth 0 is no hit
     CHECK(reference.trace({0, 0, 1e-12}, {0, 0, -1}).primitive == 0);
 }
 
@@ -130,7 +131,8 @@ TEST_CASE("u and v weigh the second and third vertex", "[reference]") {
 }
 
 TEST_CASE("rays without a direction and scenes without triangles give no hit", "[reference]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 inf = std::numeric_limits<double>::infinity();
     const Reference reference(sphere(2));
     for (const glm::dvec3 direction : {glm::dvec3(0), glm::dvec3(nan, 0, 1), glm::dvec3(inf, 0, 0)})
         CHECK(reference.trace({0, 0, 0}, direction).primitive == no_primitive);

@@ -1,4 +1,5 @@
-// Spheres and planes of the reference against arithmetic in long double and rules that need no tracer; Embree as a second opinion.
+// Spheres and planes of the reference against arithmetic in long double and rules that need no tracer; Embree
+// as a second opinion.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -18,7 +19,7 @@ using Real = long double;
 struct Answer {
     std::uint32_t primitive = no_primitive;
     Real depth = INFINITY;
-    bool is_close = false;    ///< of two hits or a hit and a miss, by less than rounding
+    bool is_close = false;   ///< of two hits or a hit and a miss, by less than rounding
 };
 
 /// Every sphere and plane, one by one, in 64 bits of mantissa.
@@ -34,20 +35,25 @@ Answer brute_force(const Scene& scene, const glm::dvec3& o, const glm::dvec3& di
         const Sphere& s = scene.spheres[i];
         const Real x = Real(o.x) - s.centre.x, y = Real(o.y) - s.centre.y, z = Real(o.z) - s.centre.z;
         const Real a = Real(d.x) * d.x + Real(d.y) * d.y + Real(d.z) * d.z;
-        const Real b = (x * d.x + y * d.y + z * d.z) / a, c = (x * x + y * y + z * z - Real(s.radius) * s.radius) / a;
+        const Real b = (x * d.x + y * d.y + z * d.z) / a,
+                   c = (x * x + y * y + z * z - Real(s.radius) * s.radius) / a;
         const Real inside = b * b - c;
         best.is_close = best.is_close || std::abs(inside) < 1e-9L;
         if (inside < 0) continue;
         const Real enter = -b - std::sqrt(inside), leave = -b + std::sqrt(inside);
-        if (enter > 0) keep(i, enter);
-        else if (scene.materials[s.material].transmit > 0) keep(i, leave);
+        if (enter > 0)
+            keep(i, enter);
+        else if (scene.materials[s.material].transmit > 0)
+            keep(i, leave);
     }
     for (std::uint32_t i = 0; i < scene.planes.size(); ++i) {
         const Plane& p = scene.planes[i];
         const glm::dvec3 n = glm::cross(p.u, p.v), q = p.point - o;
         const Real slope = Real(n.x) * d.x + Real(n.y) * d.y + Real(n.z) * d.z;
         best.is_close = best.is_close || std::abs(slope) < 1e-6L;
-        if (slope != 0) keep(static_cast<std::uint32_t>(scene.spheres.size()) + i, (Real(n.x) * q.x + Real(n.y) * q.y + Real(n.z) * q.z) / slope);
+        if (slope != 0)
+            keep(static_cast<std::uint32_t>(scene.spheres.size()) + i,
+                 (Real(n.x) * q.x + Real(n.y) * q.y + Real(n.z) * q.z) / slope);
     }
     return best;
 }
@@ -56,12 +62,15 @@ Answer brute_force(const Scene& scene, const glm::dvec3& o, const glm::dvec3& di
 Scene balls_and_planes(Rng& rng, int count) {
     Scene scene = empty_scene();
     scene.materials.push_back({.name = "glass", .transmit = 0.5, .index = 1.5});
-    for (int i = 0; i < count; ++i) scene.spheres.push_back({random_point(rng), std::pow(10, uniform(rng, -4, -0.7)), static_cast<std::uint32_t>(i % 2)});
-    scene.planes = {{{0, -0.8, 0}, {1, 0, 0}, {0, 0, -1}, 0}, {{0.3, 0.1, -0.9}, {1, 0.2, 0}, {-0.1, 1, 0.3}, 0}};
+    for (int i = 0; i < count; ++i)
+        scene.spheres.push_back(
+            {random_point(rng), std::pow(10, uniform(rng, -4, -0.7)), static_cast<std::uint32_t>(i % 2)});
+    scene.planes = {{{0, -0.8, 0}, {1, 0, 0}, {0, 0, -1}, 0},
+                    {{0.3, 0.1, -0.9}, {1, 0.2, 0}, {-0.1, 1, 0.3}, 0}};
     return scene;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("spheres and planes are found like by trying each", "[reference][round]") {
     Rng rng(11);
@@ -69,7 +78,8 @@ TEST_CASE("spheres and planes are found like by trying each", "[reference][round
     const Reference reference(scene);
     int spheres = 0, planes = 0, inside = 0;
     for (int i = 0; i < 20000; ++i) {
-        const glm::dvec3 from = random_point(rng, 1.5), towards = i % 3 == 0 ? random_direction(rng) : random_point(rng) - from;
+        const glm::dvec3 from = random_point(rng, 1.5),
+                         towards = i % 3 == 0 ? random_direction(rng) : random_point(rng) - from;
         const Answer wanted = brute_force(scene, from, towards);
         if (wanted.is_close) continue;
         const Hit hit = reference.trace(from, towards);
@@ -80,11 +90,13 @@ TEST_CASE("spheres and planes are found like by trying each", "[reference][round
         const glm::dvec3 p = from + static_cast<double>(hit.depth) * glm::normalize(towards);
         if (hit.primitive >= 300) {
             const Plane& plane = scene.planes[hit.primitive - 300];
-            REQUIRE(glm::length(plane.point + double(hit.u) * plane.u + double(hit.v) * plane.v - p) < 1e-5 * (1 + hit.depth));
+            REQUIRE(glm::length(plane.point + double(hit.u) * plane.u + double(hit.v) * plane.v - p) <
+                    1e-5 * (1 + hit.depth));
             ++planes;
         } else {
             ++spheres;
-            inside += glm::length(scene.spheres[hit.primitive].centre - from) < scene.spheres[hit.primitive].radius;
+            inside +=
+                glm::length(scene.spheres[hit.primitive].centre - from) < scene.spheres[hit.primitive].radius;
         }
     }
     CHECK(spheres > 3000);
@@ -100,7 +112,7 @@ TEST_CASE("triangles, spheres and planes count through", "[reference][round]") {
     const Reference reference(scene);
     CHECK(reference.trace({0, 0, 4}, {0, 0, -1}).primitive == 0);
     CHECK(reference.trace({5, 0, 4}, {0, 0, -1}).primitive == 1);
-    CHECK(reference.trace({5, 0, -4}, {0, 0, 1}).primitive == 1);    // both begin at z = -1: the lower number
+    CHECK(reference.trace({5, 0, -4}, {0, 0, 1}).primitive == 1);   // both begin at z = -1: the lower number
     CHECK(reference.trace({9, 0, 4}, {0, 0, -1}).primitive == 3);
     CHECK(reference.trace({9, 0, 4}, {0, 0, 1}).primitive == no_primitive);
     CHECK(reference.trace({9, 0, 4}, {1, 0, 0}).primitive == no_primitive);
@@ -140,13 +152,16 @@ TEST_CASE("a ray does not meet what it has left, but for the far side of a spher
     const RefGeometry geometry(scene);
     const double r = 0.7 * geometry.space().scale;
     for (int i = 0; i < 20000; ++i) {
-        const glm::dvec3 normal = random_direction(rng), on = geometry.space()(scene.spheres[0].centre) + r * normal;
+        const glm::dvec3 normal = random_direction(rng),
+                         on = geometry.space()(scene.spheres[0].centre) + r * normal;
         glm::dvec3 d = random_direction(rng);
-        if (i % 4 == 0) d = glm::normalize(glm::cross(normal, d) + 1e-7 * d);    // nearly along the surface
+        if (i % 4 == 0) d = glm::normalize(glm::cross(normal, d) + 1e-7 * d);   // nearly along the surface
         const bool is_inward = glm::dot(d, normal) < 0;
-        for (const double side : {-0x1p-36, 0.0, 0x1p-36}) CHECK(geometry.closest({on + side * normal, d, 0, false}).primitive == no_primitive);
+        for (const double side : {-0x1p-36, 0.0, 0x1p-36})
+            CHECK(geometry.closest({on + side * normal, d, 0, false}).primitive == no_primitive);
         if (!is_inward) continue;
-        // A start that is a little inside has a far side, however flat the ray. Its chord is longer by at most sqrt(2^-35 r).
+        // A start that is a little inside has a far side, however flat the ray. Its chord is longer by at
+        // most sqrt(2^-35 r).
         const RefClosest hit = geometry.closest({on - 0x1p-36 * normal, d, 0, true});
         REQUIRE(hit.primitive == 0);
         REQUIRE(hit.depth == Approx(-2 * r * glm::dot(d, normal)).margin(5e-6));
@@ -183,7 +198,8 @@ TEST_CASE("Embree finds the same spheres, but for its rounding", "[reference][ro
     int hits = 0, others = 0;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            const Hit ours = frame.hits[y * size.width + x], theirs = embree.trace(rays.eye, glm::normalize(rays.direction(x, y)));
+            const Hit ours = frame.hits[y * size.width + x],
+                      theirs = embree.trace(rays.eye, glm::normalize(rays.direction(x, y)));
             hits += ours.primitive != no_primitive;
             others += ours.primitive != theirs.primitive;
             if (ours.primitive != theirs.primitive || ours.primitive == no_primitive) continue;

@@ -8,7 +8,8 @@ using namespace rayclock;
 
 namespace {
 
-/// One triangle in the plane z = 0 around the origin, seen from z = 5; the only pixel hits its point (0, 0, 0).
+/// One triangle in the plane z = 0 around the origin, seen from z = 5; the only pixel hits its point (0, 0,
+/// 0).
 struct Bench {
     Scene scene = empty_scene();
     HitFrame frame{{1, 1}, {{0, 5.0f, 0.25f, 0.5f}}};
@@ -27,7 +28,7 @@ void check_colour(const glm::vec3& is, const glm::dvec3& wanted) {
     CHECK(is.b == Approx(wanted.b).margin(1e-7));
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("without lights only the ambient term is left", "[shade]") {
     check_colour(Bench().colour(), {0.2, 0.1, 0.05});
@@ -40,7 +41,8 @@ TEST_CASE("lambert's cosine weighs each light, without distance", "[shade]") {
     check_colour(bench.colour(), {0.2 + 0.5 + 0.5 * c, 0.1 + 0.25, 0.05 + 0.125 + 0.0625 * c});
 }
 
-TEST_CASE("the highlight is the mirrored light's cosine to the power of shine, in the light's colour", "[shade]") {
+TEST_CASE("the highlight is the mirrored light's cosine to the power of shine, in the light's colour",
+          "[shade]") {
     Bench bench;
     bench.scene.materials[0].highlight = 0.4;
     bench.scene.materials[0].shine = 3;
@@ -116,19 +118,24 @@ TEST_CASE("a sphere is shaded by its depth, a plane by its square", "[shade]") {
     bench.scene.triangles.clear();
     bench.scene.vertices.clear();
     bench.scene.spheres = {{{0, 0, -2}, 2, 0}};
-    bench.frame.hits[0] = {0, 5, 0, 0};            // the point (0, 0, 0), whose normal is (0, 0, 1)
+    bench.frame.hits[0] = {0, 5, 0, 0};   // the point (0, 0, 0), whose normal is (0, 0, 1)
     check_colour(bench.colour(), {0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8});
-    bench.scene.spheres[0].centre.z = 2;           // seen from inside: the normal is turned
+    bench.scene.spheres[0].centre.z = 2;   // seen from inside: the normal is turned
     check_colour(bench.colour(), {0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8});
 
     bench.scene.planes = {{{-1, -2, 0}, {2, 0, 0}, {0, -1, 0}, 0}};
     bench.scene.materials[0].other = {0.5, 0.5, 1};
-    bench.frame.hits[0] = {1, 5, 0.5f, -2, };      // (0, 0, 0) again
+    bench.frame.hits[0] = {
+        1,
+        5,
+        0.5f,
+        -2,
+    };   // (0, 0, 0) again
     const glm::dvec3 plain(0.2 + 0.5 * 0.8, 0.1 + 0.25 * 0.8, 0.05 + 0.125 * 0.8);
     check_colour(bench.colour(), plain);
     bench.scene.materials[0].checkered = true;
-    check_colour(bench.colour(), plain);           // square (0, -2)
-    bench.frame.hits[0].v = -2.001f;               // square (0, -3)
+    check_colour(bench.colour(), plain);   // square (0, -2)
+    bench.frame.hits[0].v = -2.001f;       // square (0, -3)
     const glm::vec3 other = bench.colour();
     CHECK(other.r == Approx(0.3).margin(1e-3));
     CHECK(other.b == Approx(0.6).margin(1e-3));
@@ -146,7 +153,8 @@ TEST_CASE("a picture with spheres takes the rays of its own pixels", "[shade]") 
     const PixelRays rays = pixel_rays(*scene.camera, size);
     HitFrame frame{size, std::vector<Hit>(31 * 21)};
     const glm::dvec3 d = glm::normalize(rays.direction(12, 8));
-    const double b = -glm::dot(rays.eye, d), depth = b - std::sqrt(1 - glm::dot(rays.eye + b * d, rays.eye + b * d));
+    const double b = -glm::dot(rays.eye, d),
+                 depth = b - std::sqrt(1 - glm::dot(rays.eye + b * d, rays.eye + b * d));
     frame.hits[8 * 31 + 12] = {0, static_cast<float>(depth), 0, 0};
     // The light comes along z from far away: the colour is the normal's z.
     CHECK(shade(scene, frame).pixels[8 * 31 + 12].r == Approx((rays.eye + depth * d).z).epsilon(1e-3));

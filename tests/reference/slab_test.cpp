@@ -1,5 +1,6 @@
-// The box test alone: it never turns away a ray that touches the box, not even one that passes by a few roundings of
-// double precision, since the triangle test may see a vertex there; and it does turn away rays that pass by more.
+// The box test alone: it never turns away a ray that touches the box, not even one that passes by a few
+// roundings of double precision, since the triangle test may see a vertex there; and it does turn away rays
+// that pass by more.
 #include <catch2/catch.hpp>
 
 #include "model/reference/ray.hpp"
@@ -11,8 +12,8 @@ namespace {
 
 constexpr float far_away = std::numeric_limits<float>::infinity();
 
-/// A box within -1..1 in lane 2 of a node, flat along an axis now and then, or with a plane next to 0, where floats
-/// are so dense that no rounding to float hides a missing margin; the other lanes are absent children.
+/// A box within -1..1 in lane 2 of a node, flat along an axis now and then, or with a plane next to 0, where
+/// floats are so dense that no rounding to float hides a missing margin; the other lanes are absent children.
 struct OneBox {
     glm::dvec3 lo, hi;
     RefNode node{};
@@ -51,7 +52,7 @@ glm::dvec3 surface_point(Rng& rng, const OneBox& box, glm::dvec3& outward) {
     return p;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("rays that touch a box, or pass it by a few roundings, enter it", "[reference]") {
     Rng rng(11);

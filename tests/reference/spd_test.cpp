@@ -1,5 +1,6 @@
-// Rays of Haines' scenes, counted by his rules and compared with the table that the rules reproduce (spd.md 6.2 and 6.3):
-// 513 x 513 rays through the corners of pixels, eye rays of depth 1 and at most depth 5, which is 4 bounces here.
+// Rays of Haines' scenes, counted by his rules and compared with the table that the rules reproduce
+// (spd.md 6.2 and 6.3): 513 x 513 rays through the corners of pixels, eye rays of depth 1 and at most depth
+// 5, which is 4 bounces here.
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,8 @@ struct Case {
     RayCounts rays;
 };
 
-/// 512 spacings of pixels span what 511 do in the scene's own angle, and half a pixel more on each side is the picture's edge.
+/// 512 spacings of pixels span what 511 do in the scene's own angle, and half a pixel more on each side is
+/// the picture's edge.
 Camera corner_rays(Camera camera) {
     const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / 511;
     camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
@@ -25,10 +27,11 @@ Camera corner_rays(Camera camera) {
 }
 
 double deviation(std::uint64_t is, std::uint64_t wanted) {
-    return wanted == 0 ? static_cast<double>(is) : 100 * (static_cast<double>(is) / static_cast<double>(wanted) - 1);
+    return wanted == 0 ? static_cast<double>(is)
+                       : 100 * (static_cast<double>(is) / static_cast<double>(wanted) - 1);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][whitted][spd]") {
     const auto c = GENERATE(values<Case>({
@@ -41,20 +44,27 @@ TEST_CASE("ray counts of Haines' scenes are the published ones", "[reference][wh
         {"tree:11:48", {.shadow = 1097419, .reflection = 0, .refraction = 0, .primary_hits = 169836}},
     }));
     const Scene scene = make_builtin(c.scene, Primitives::native);
-    const RayCounts rays = Reference(scene).whitted(corner_rays(*scene.camera), {513, 513}, {.depth = 4}).rays;
-    const double hits = deviation(rays.primary_hits, c.rays.primary_hits), reflected = deviation(rays.reflection, c.rays.reflection),
-                 refracted = deviation(rays.refraction, c.rays.refraction), shadow = deviation(rays.shadow, c.rays.shadow);
-    WARN(c.scene << ": eye hits " << hits << " %, reflected " << reflected << " %, refracted " << refracted << " %, shadow " << shadow << " %");
+    const RayCounts rays =
+        Reference(scene).whitted(corner_rays(*scene.camera), {513, 513}, {.depth = 4}).rays;
+    const double hits = deviation(rays.primary_hits, c.rays.primary_hits),
+                 reflected = deviation(rays.reflection, c.rays.reflection),
+                 refracted = deviation(rays.refraction, c.rays.refraction),
+                 shadow = deviation(rays.shadow, c.rays.shadow);
+    WARN(c.scene << ": eye hits " << hits << " %, reflected " << reflected << " %, refracted " << refracted
+                 << " %, shadow " << shadow << " %");
     CHECK(rays.primary == 513 * 513);
     for (const double percent : {hits, reflected, refracted, shadow}) CHECK(std::abs(percent) < 1);
 }
 
-TEST_CASE("twice as many sides of cones and cylinders change no count by more than 0.2 %", "[reference][whitted][spd]") {
-    const auto [once, twice] = GENERATE(table<const char*, const char*>({{"rings:3:96", "rings:3:192"}, {"tree:8:48", "tree:8:96"}}));
+TEST_CASE("twice as many sides of cones and cylinders change no count by more than 0.2 %",
+          "[reference][whitted][spd]") {
+    const auto [once, twice] = GENERATE(
+        table<const char*, const char*>({{"rings:3:96", "rings:3:192"}, {"tree:8:48", "tree:8:96"}}));
     RayCounts rays[2];
     for (const char* name : {once, twice}) {
         const Scene scene = make_builtin(name, Primitives::native);
-        rays[name == twice] = Reference(scene).whitted(corner_rays(*scene.camera), {257, 257}, {.depth = 4}).rays;
+        rays[name == twice] =
+            Reference(scene).whitted(corner_rays(*scene.camera), {257, 257}, {.depth = 4}).rays;
     }
     CAPTURE(once, rays[0].reflection, rays[1].reflection, rays[0].shadow, rays[1].shadow);
     CHECK(std::abs(deviation(rays[1].primary_hits, rays[0].primary_hits)) < 0.2);

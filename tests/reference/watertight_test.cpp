@@ -1,5 +1,6 @@
-// A closed surface lets no ray out: rays from inside aimed at vertices, at edges and anywhere, at several scales,
-// and rays from outside at the vertices and edges that face them. Every miss is a leak; none is allowed.
+// A closed surface lets no ray out: rays from inside aimed at vertices, at edges and anywhere, at several
+// scales, and rays from outside at the vertices and edges that face them. Every miss is a leak; none is
+// allowed.
 #include <catch2/catch.hpp>
 
 #include "model/reference/reference.hpp"
@@ -9,17 +10,19 @@ using namespace rayclock;
 
 namespace {
 
-/// Targets on the surface: every vertex, and two points of each triangle's edges (rounded, so beside the edge).
+/// Targets on the surface: every vertex, and two points of each triangle's edges (rounded, so beside the
+/// edge).
 std::vector<glm::dvec3> seams(const Scene& scene, Rng& rng) {
     std::vector<glm::dvec3> points = scene.vertices;
     for (const Triangle& t : scene.triangles) {
         points.push_back(0.5 * (scene.vertices[t.vertex[0]] + scene.vertices[t.vertex[1]]));
-        points.push_back(glm::mix(scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]], uniform(rng, 0, 1)));
+        points.push_back(
+            glm::mix(scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]], uniform(rng, 0, 1)));
     }
     return points;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("no ray leaves a closed sphere", "[reference][watertight]") {
     struct Case {
@@ -27,9 +30,9 @@ TEST_CASE("no ray leaves a closed sphere", "[reference][watertight]") {
         double radius;
         glm::dvec3 centre;
     };
-    const auto& [level, radius, centre]
-        = GENERATE(Case{0, 1, glm::dvec3(0)}, Case{2, 1, glm::dvec3(0)}, Case{4, 1, glm::dvec3(0)},
-                   Case{4, 1e-6, glm::dvec3(0)}, Case{4, 1e6, glm::dvec3(0)}, Case{4, 0.3, glm::dvec3(1e4, -1e5, 17)});
+    const auto& [level, radius, centre] = GENERATE(
+        Case{0, 1, glm::dvec3(0)}, Case{2, 1, glm::dvec3(0)}, Case{4, 1, glm::dvec3(0)},
+        Case{4, 1e-6, glm::dvec3(0)}, Case{4, 1e6, glm::dvec3(0)}, Case{4, 0.3, glm::dvec3(1e4, -1e5, 17)});
     CAPTURE(level, radius, centre.x);
     const Scene scene = sphere(level, radius, centre);
     const Reference reference(scene);

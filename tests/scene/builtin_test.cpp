@@ -10,9 +10,11 @@ using namespace rayclock;
 
 namespace {
 
-std::string sentence(std::string_view spec) { return refusal([&] { make_builtin(spec); }); }
+std::string sentence(std::string_view spec) {
+    return refusal([&] { make_builtin(spec); });
+}
 
-} // namespace
+}   // namespace
 
 TEST_CASE("Names are listed once, with purposes", "[scene][builtin]") {
     std::set<std::string_view> names;
@@ -21,8 +23,9 @@ TEST_CASE("Names are listed once, with purposes", "[scene][builtin]") {
         CHECK(b.purpose.size() > 10);
         CHECK(is_builtin(b.name));
     }
-    CHECK(names == std::set<std::string_view>{"balls", "cornell", "gears", "icosphere", "mirrors", "mount", "plane", "rings", "spheres",
-                                             "square", "teapot", "tetra", "tree"});
+    CHECK(names == std::set<std::string_view>{"balls", "cornell", "gears", "icosphere", "mirrors", "mount",
+                                              "plane", "rings", "spheres", "square", "teapot", "tetra",
+                                              "tree"});
 }
 
 TEST_CASE("A name alone has its default size", "[scene][builtin]") {
@@ -43,23 +46,32 @@ TEST_CASE("A name alone has its default size", "[scene][builtin]") {
 
 TEST_CASE("is_builtin looks at the name only", "[scene][builtin]") {
     for (const auto* yes : {"gears", "gears:8", "gears:", "gears:x", "gears:1:2"}) CHECK(is_builtin(yes));
-    for (const auto* no : {"", ":", "gear", "gears2", "Gears", " gears", "gears.obj", "gears/4", "./gears"}) CHECK_FALSE(is_builtin(no));
+    for (const auto* no : {"", ":", "gear", "gears2", "Gears", " gears", "gears.obj", "gears/4", "./gears"})
+        CHECK_FALSE(is_builtin(no));
 }
 
 TEST_CASE("An unknown name gets the nearest known one", "[scene][builtin]") {
-    CHECK(sentence("gaers") == "no built-in scene is called 'gaers'; did you mean 'gears'? (`rayclock scenes` lists them)");
-    CHECK(sentence("teapots:4") == "no built-in scene is called 'teapots'; did you mean 'teapot'? (`rayclock scenes` lists them)");
-    CHECK(sentence("sphere") == "no built-in scene is called 'sphere'; did you mean 'spheres'? (`rayclock scenes` lists them)");
-    CHECK(sentence("bunny/meadow.obj") == "no built-in scene is called 'bunny/meadow.obj' (`rayclock scenes` lists them)");
+    CHECK(sentence("gaers") ==
+          "no built-in scene is called 'gaers'; did you mean 'gears'? (`rayclock scenes` lists them)");
+    CHECK(sentence("teapots:4") ==
+          "no built-in scene is called 'teapots'; did you mean 'teapot'? (`rayclock scenes` lists them)");
+    CHECK(sentence("sphere") ==
+          "no built-in scene is called 'sphere'; did you mean 'spheres'? (`rayclock scenes` lists them)");
+    CHECK(sentence("bunny/meadow.obj") ==
+          "no built-in scene is called 'bunny/meadow.obj' (`rayclock scenes` lists them)");
     CHECK(sentence("xyzxyz") == "no built-in scene is called 'xyzxyz' (`rayclock scenes` lists them)");
     CHECK_FALSE(sentence("").empty());
     CHECK_FALSE(sentence(":4").empty());
 }
 
 TEST_CASE("A bad size gets the allowed range", "[scene][builtin]") {
-    for (const std::string size : {"", "0", "-1", "x", "999", "26", "3.5", "+4", " 4", "4 ", "4x", "0x4", "1e1", "4:4",
-                                   "2147483648", "99999999999999999999999", "-99999999999999999999999"})
-        CHECK(sentence("gears:" + size) == "the size of the built-in scene 'gears' must be a whole number in 1..25, not '" + size + "'");
-    CHECK(sentence("cornell:2") == "the size of the built-in scene 'cornell' must be a whole number in 1..1, not '2'");
-    CHECK(sentence("mount:12") == "the size of the built-in scene 'mount' must be a whole number in 1..11, not '12'");
+    for (const std::string size :
+         {"", "0", "-1", "x", "999", "26", "3.5", "+4", " 4", "4 ", "4x", "0x4", "1e1", "4:4", "2147483648",
+          "99999999999999999999999", "-99999999999999999999999"})
+        CHECK(sentence("gears:" + size) ==
+              "the size of the built-in scene 'gears' must be a whole number in 1..25, not '" + size + "'");
+    CHECK(sentence("cornell:2") ==
+          "the size of the built-in scene 'cornell' must be a whole number in 1..1, not '2'");
+    CHECK(sentence("mount:12") ==
+          "the size of the built-in scene 'mount' must be a whole number in 1..11, not '12'");
 }

@@ -13,10 +13,13 @@ using namespace rayclock;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double degree = std::numbers::pi / 180;
 
-double angle(const glm::dvec3& a, const glm::dvec3& b) { return std::acos(glm::dot(glm::normalize(a), glm::normalize(b))); }
+double angle(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::acos(glm::dot(glm::normalize(a), glm::normalize(b)));
+}
 
 Scene one_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     Scene scene;
@@ -27,10 +30,11 @@ Scene one_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     return scene;
 }
 
-/// Pixel coordinates of a point, by Cramer's rule on corner + x right + y down = s (p - eye); written without looking
-/// at how the rays were made. NaN if the point is not in front of the camera.
+/// Pixel coordinates of a point, by Cramer's rule on corner + x right + y down = s (p - eye); written without
+/// looking at how the rays were made. NaN if the point is not in front of the camera.
 glm::dvec2 project(const PixelRays& rays, const glm::dvec3& p) {
-    const double size = std::max({std::abs(p.x - rays.eye.x), std::abs(p.y - rays.eye.y), std::abs(p.z - rays.eye.z)});
+    const double size =
+        std::max({std::abs(p.x - rays.eye.x), std::abs(p.y - rays.eye.y), std::abs(p.z - rays.eye.z)});
     const glm::dvec3 to = (p - rays.eye) / size, normal = glm::cross(rays.right, rays.down);
     const double along = glm::dot(to, normal), plane = glm::dot(rays.corner, normal);
     if (!(along / plane > 0)) return glm::dvec2(not_a_number);
@@ -46,14 +50,15 @@ double reach(const Scene& scene, const Camera& camera, FrameSize size) {
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : t.vertex) {
             const glm::dvec2 p = project(rays, scene.vertices[v]);
-            const double x = std::abs((p.x + 0.5) / size.width * 2 - 1), y = std::abs((p.y + 0.5) / size.height * 2 - 1);
+            const double x = std::abs((p.x + 0.5) / size.width * 2 - 1),
+                         y = std::abs((p.y + 0.5) / size.height * 2 - 1);
             if (!(std::max(x, y) <= farthest)) farthest = std::max(x, y);
             if (std::isnan(x) || std::isnan(y)) return not_a_number;
         }
     return farthest;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("The pixel nearest to the middle looks along the view axis", "[scene][camera]") {
     const Camera camera{{1, 2, 3}, {4, -5, 6}, {0.2, 1, 0.1}, 50};
@@ -62,11 +67,13 @@ TEST_CASE("The pixel nearest to the middle looks along the view axis", "[scene][
     const glm::dvec3 forward = glm::normalize(camera.at - camera.eye);
     CHECK(glm::length(rays.direction(3, 2) - forward) < 1e-15);
     for (const double x : {0.0, 6.0})
-        for (const double y : {0.0, 4.0}) CHECK(glm::dot(rays.direction(x, y), forward) == Approx(1).epsilon(1e-14));
+        for (const double y : {0.0, 4.0})
+            CHECK(glm::dot(rays.direction(x, y), forward) == Approx(1).epsilon(1e-14));
 }
 
 TEST_CASE("Pixel centres follow the formula, row 0 on top", "[scene][camera]") {
-    // Looking along -z with y up: pixel (x, y) of a W x H picture points at ((2x+1)/W - 1) aspect h, (1 - (2y+1)/H) h, -1.
+    // Looking along -z with y up: pixel (x, y) of a W x H picture points at ((2x+1)/W - 1) aspect h, (1 -
+    // (2y+1)/H) h, -1.
     const PixelRays rays = pixel_rays({{0, 0, 5}, {0, 0, 0}, {0, 3, 1}, 60}, {8, 4});
     const double h = std::tan(30 * degree);
     for (int y = 0; y < 4; ++y)
@@ -89,7 +96,8 @@ TEST_CASE("The edges of the picture span the camera's angle", "[scene][camera]")
     CHECK(glm::length(rays.right) == Approx(glm::length(rays.down)).epsilon(1e-14));
     CHECK(std::abs(glm::dot(glm::normalize(rays.right), glm::normalize(rays.down))) < 1e-15);
     // Corner pixels: the centre is half a pixel inside of both edges.
-    const double h = std::tan(fov * degree / 2), v = h * (1 - 1.0 / size.height), u = h * (size.width - 1.0) / size.height;
+    const double h = std::tan(fov * degree / 2), v = h * (1 - 1.0 / size.height),
+                 u = h * (size.width - 1.0) / size.height;
     CHECK(angle(rays.direction(0, 0), rays.direction(size.width - 1, size.height - 1)) ==
           Approx(2 * std::atan(std::hypot(u, v))).epsilon(1e-6).margin(1e-7));
 }
@@ -110,31 +118,47 @@ TEST_CASE("Cameras that look nowhere are refused", "[scene][camera]") {
         return sentence(camera);
     };
     CHECK(sentence(good).empty());
-    CHECK(with([](Camera& c) { c.at = c.eye; }) == "camera: the camera's eye and the point it looks at are the same, (0, 0, 5)");
-    CHECK(with([](Camera& c) { c.up = {0, 0, -2}; }) == "camera: the camera's up (0, 0, -2) points along its line of sight");
+    CHECK(with([](Camera& c) { c.at = c.eye; }) ==
+          "camera: the camera's eye and the point it looks at are the same, (0, 0, 5)");
+    CHECK(with([](Camera& c) {
+              c.up = {0, 0, -2};
+          }) == "camera: the camera's up (0, 0, -2) points along its line of sight");
     CHECK(with([](Camera& c) { c.up = {0, 0, 0}; }) == "camera: the camera's up (0, 0, 0) has no direction");
-    CHECK(with([](Camera& c) { c.fov_degrees = 0; }) == "camera: the camera's angle must lie between 0 and 180 degrees, not 0");
-    CHECK(with([](Camera& c) { c.fov_degrees = 180; }) == "camera: the camera's angle must lie between 0 and 180 degrees, not 180");
-    CHECK(with([](Camera& c) { c.fov_degrees = -7.5; }) == "camera: the camera's angle must lie between 0 and 180 degrees, not -7.5");
-    CHECK(with([](Camera& c) { c.fov_degrees = not_a_number; }) == "camera: the camera's angle must lie between 0 and 180 degrees, not nan");
-    CHECK(with([](Camera& c) { c.eye.x = not_a_number; }) == "camera: the camera's eye (nan, 0, 5) is not a finite point");
-    CHECK(with([](Camera& c) { c.at.y = infinite; }) == "camera: the camera looks at (0, inf, 0), which is not a finite point");
-    CHECK(with([](Camera& c) { c.up.z = not_a_number; }) == "camera: the camera's up (0, 1, nan) is not a finite direction");
-    CHECK(with([](Camera& c) { c.eye.x = 1e308, c.at.x = -1e308; }) == "camera: the camera's eye (1e+308, 0, 5) is too far from (-1e+308, 0, 0)");
+    CHECK(with([](Camera& c) { c.fov_degrees = 0; }) ==
+          "camera: the camera's angle must lie between 0 and 180 degrees, not 0");
+    CHECK(with([](Camera& c) { c.fov_degrees = 180; }) ==
+          "camera: the camera's angle must lie between 0 and 180 degrees, not 180");
+    CHECK(with([](Camera& c) { c.fov_degrees = -7.5; }) ==
+          "camera: the camera's angle must lie between 0 and 180 degrees, not -7.5");
+    CHECK(with([](Camera& c) { c.fov_degrees = not_a_number; }) ==
+          "camera: the camera's angle must lie between 0 and 180 degrees, not nan");
+    CHECK(with([](Camera& c) { c.eye.x = not_a_number; }) ==
+          "camera: the camera's eye (nan, 0, 5) is not a finite point");
+    CHECK(with([](Camera& c) { c.at.y = infinite; }) ==
+          "camera: the camera looks at (0, inf, 0), which is not a finite point");
+    CHECK(with([](Camera& c) { c.up.z = not_a_number; }) ==
+          "camera: the camera's up (0, 1, nan) is not a finite direction");
+    CHECK(with([](Camera& c) { c.eye.x = 1e308, c.at.x = -1e308; }) ==
+          "camera: the camera's eye (1e+308, 0, 5) is too far from (-1e+308, 0, 0)");
 }
 
 TEST_CASE("Picture sizes are 1 to 16384", "[scene][camera]") {
-    for (const FrameSize good : {FrameSize{1, 1}, {16384, 16384}, {1, 16384}}) CHECK_NOTHROW(check_frame_size(good));
-    for (const FrameSize bad : {FrameSize{0, 1}, {1, 0}, {16385, 1}, {1, 16385}, {-5, 5}, {5, std::numeric_limits<int>::min()}}) {
-        const std::string expected = "a picture must be 1 to 16384 pixels wide and high, not " + std::to_string(bad.width) + " x " + std::to_string(bad.height);
+    for (const FrameSize good : {FrameSize{1, 1}, {16384, 16384}, {1, 16384}})
+        CHECK_NOTHROW(check_frame_size(good));
+    for (const FrameSize bad :
+         {FrameSize{0, 1}, {1, 0}, {16385, 1}, {1, 16385}, {-5, 5}, {5, std::numeric_limits<int>::min()}}) {
+        const std::string expected = "a picture must be 1 to 16384 pixels wide and high, not " +
+                                     std::to_string(bad.width) + " x " + std::to_string(bad.height);
         CHECK(refusal([&] { check_frame_size(bad); }) == expected);
         CHECK(refusal([&] { pixel_rays({}, bad); }) == expected);
     }
 }
 
 TEST_CASE("A fitted camera sees the whole scene and little more", "[scene][camera]") {
-    const auto size = GENERATE(FrameSize{400, 400}, FrameSize{1600, 100}, FrameSize{100, 1600}, FrameSize{512, 384});
-    const auto spec = GENERATE(as<std::string>{}, "icosphere:2", "teapot:3", "tree:2", "mount:3", "rings:1", "cornell");
+    const auto size =
+        GENERATE(FrameSize{400, 400}, FrameSize{1600, 100}, FrameSize{100, 1600}, FrameSize{512, 384});
+    const auto spec =
+        GENERATE(as<std::string>{}, "icosphere:2", "teapot:3", "tree:2", "mount:3", "rings:1", "cornell");
     CAPTURE(spec, size.width, size.height);
     const Scene scene = make_builtin(spec);
     const Camera camera = fit_camera(scene, static_cast<double>(size.width) / size.height);
@@ -145,19 +169,23 @@ TEST_CASE("A fitted camera sees the whole scene and little more", "[scene][camer
     CHECK((from.x > 0 && from.y > 0 && from.z > 0));
     const double r = reach(scene, camera, size);
     CHECK(r < 0.96);
-    // One vertex at least comes as near to the edge as the margin allows, unless another would come too near to the eye.
+    // One vertex at least comes as near to the edge as the margin allows, unless another would come too near
+    // to the eye.
     CHECK(r > (size.width > 10 * size.height ? 0.9 : 0.95));
 }
 
 TEST_CASE("A fitted camera sees flat, thin, tiny, huge and point-like meshes", "[scene][camera]") {
-    const glm::dvec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), towards = glm::normalize(glm::dvec3(0.6, 0.5, 1));
+    const glm::dvec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1),
+        towards = glm::normalize(glm::dvec3(0.6, 0.5, 1));
     const auto scale = GENERATE(1.0, 1e-100, 1e-300, 1e100, 1e300);
-    const auto scene = GENERATE_COPY(values<Scene>({
-        one_triangle(o, x, y), one_triangle(o, y, z), one_triangle(o, z, x), one_triangle(x, y, z),
-        one_triangle(o, x, 2.0 * x), one_triangle(o, y, y), one_triangle(-towards, o, towards),   // lines, one of them seen end on
-        one_triangle(o, o, o), one_triangle(x, x, x), one_triangle(-0.25 * z, -0.25 * z, -0.25 * z),
-        one_triangle(x, x + 1e-15 * y, x + 1e-15 * z), one_triangle(1e3 * x, 1e3 * x + 1e-3 * y, 1e3 * x + 1e-3 * z),
-        one_triangle(x, x * (1 + 1e-16), x)}));
+    const auto scene = GENERATE_COPY(values<Scene>(
+        {one_triangle(o, x, y), one_triangle(o, y, z), one_triangle(o, z, x), one_triangle(x, y, z),
+         one_triangle(o, x, 2.0 * x), one_triangle(o, y, y),
+         one_triangle(-towards, o, towards),   // lines, one of them seen end on
+         one_triangle(o, o, o), one_triangle(x, x, x), one_triangle(-0.25 * z, -0.25 * z, -0.25 * z),
+         one_triangle(x, x + 1e-15 * y, x + 1e-15 * z),
+         one_triangle(1e3 * x, 1e3 * x + 1e-3 * y, 1e3 * x + 1e-3 * z),
+         one_triangle(x, x * (1 + 1e-16), x)}));
     Scene scaled = scene;
     for (glm::dvec3& v : scaled.vertices) v *= scale;
     CAPTURE(scale, scene.vertices[0].x, scene.vertices[1].x, scene.vertices[1].y, scene.vertices[1].z);
@@ -178,7 +206,8 @@ TEST_CASE("Vertices that no triangle uses do not move the fitted camera", "[scen
 TEST_CASE("Scenes and aspects that no camera can fit are refused", "[scene][camera]") {
     const Scene huge = one_triangle({-8e307, 0, 0}, {8e307, 0, 0}, {0, 8e307, 0});
     CHECK_NOTHROW(check_scene(huge, "huge"));
-    CHECK(refusal([&] { fit_camera(huge, 1); }) == "test: the scene reaches from (-8e+307, 0, 0) to (8e+307, 8e+307, 0), too large to be seen whole");
+    CHECK(refusal([&] { fit_camera(huge, 1); }) ==
+          "test: the scene reaches from (-8e+307, 0, 0) to (8e+307, 8e+307, 0), too large to be seen whole");
     const Scene scene = one_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     CHECK(refusal([&] { fit_camera(scene, 0); }) == "a picture cannot have the aspect 0");
     CHECK(refusal([&] { fit_camera(scene, -1.5); }) == "a picture cannot have the aspect -1.5");
@@ -207,7 +236,9 @@ TEST_CASE("The camera of every built-in scene sees something in the middle of it
             const glm::dvec2 p = project(rays, s.centre);
             inside += p.x > 0 && p.x < 99 && p.y > 0 && p.y < 99;
         }
-        if (scene.vertices.size() + scene.spheres.size() > 0) CHECK(3 * inside > scene.vertices.size() + scene.spheres.size());
-        else CHECK(rays.direction(50, 99).y < -0.1);   // a plane: down to the ground
+        if (scene.vertices.size() + scene.spheres.size() > 0)
+            CHECK(3 * inside > scene.vertices.size() + scene.spheres.size());
+        else
+            CHECK(rays.direction(50, 99).y < -0.1);   // a plane: down to the ground
     }
 }

@@ -13,7 +13,7 @@ TEST_CASE("The icosphere is closed, shared, round and turned outward", "[scene][
     const int size = GENERATE(1, 2, 4);
     const Scene scene = make_builtin("icosphere:" + std::to_string(size));
     CHECK(open_edges(scene, whole(scene)) == 0);
-    CHECK(2 * scene.vertices.size() == scene.triangles.size() + 4);     // Euler
+    CHECK(2 * scene.vertices.size() == scene.triangles.size() + 4);   // Euler
     // An inscribed polyhedron: below the ball's volume, and nearer to it the finer it is.
     const double missing = 4 * std::numbers::pi / 3 - volume(scene, whole(scene));
     CHECK(missing > 0);
@@ -28,7 +28,8 @@ TEST_CASE("A tessellated sphere is closed and turned outward", "[scene][closed]"
         const Range range{2 + 108 * ball, 2 + 108 * (ball + 1)};
         CAPTURE(ball);
         CHECK(open_edges(scene, range) == 0);
-        const double radius = ball == 0 ? 0.5 : 0.5 / 3, exact = 4 * std::numbers::pi / 3 * radius * radius * radius;
+        const double radius = ball == 0 ? 0.5 : 0.5 / 3,
+                     exact = 4 * std::numbers::pi / 3 * radius * radius * radius;
         CHECK(volume(scene, range) < exact);
         CHECK(volume(scene, range) > 0.85 * exact);
     }
@@ -62,9 +63,11 @@ TEST_CASE("A gear's face is cut along valid and well-shaped diagonals", "[scene]
             for (const std::uint32_t v : scene.triangles[i].vertex) ++fan[v];
         }
         CHECK(fan.size() == 144);
-        for (const auto& [vertex, triangles] : fan) CHECK(triangles <= 14);    // a fan has 70 or more at one corner
+        for (const auto& [vertex, triangles] : fan)
+            CHECK(triangles <= 14);   // a fan has 70 or more at one corner
         const double tau = std::numbers::pi / 18;
-        const double tooth = 0.995 * 0.995 * std::sin(0.38 * tau) + 0.81 * std::sin(0.4 * tau) + 2 * 0.995 * 0.9 * std::sin(0.11 * tau);
+        const double tooth = 0.995 * 0.995 * std::sin(0.38 * tau) + 0.81 * std::sin(0.4 * tau) +
+                             2 * 0.995 * 0.9 * std::sin(0.11 * tau);
         CHECK(area == Approx(18 * tooth).epsilon(1e-12));
     }
 }

@@ -24,7 +24,7 @@ template <class T> bool same_bits(const std::vector<T>& a, const std::vector<T>&
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("Triangle counts are the published ones", "[scene][builtin]") {
     struct Case {
@@ -34,14 +34,14 @@ TEST_CASE("Triangle counts are the published ones", "[scene][builtin]") {
     };
     // Literal numbers of Haines' package, tessellation factor 3.
     const auto c = GENERATE(values<Case>({
-        {"tetra", 1, 4}, {"tetra", 6, 4096}, {"tetra", 8, 65536},
-        {"mount", 1, 440}, {"mount", 6, 8624}, {"mount", 7, 33200}, {"mount", 9, 524720},
-        {"gears", 1, 574}, {"gears", 4, 36610}, {"gears", 5, 71502}, {"gears", 6, 123554}, {"gears", 8, 292866},
-        {"teapot", 1, 58}, {"teapot", 2, 248}, {"teapot", 6, 2328}, {"teapot", 12, 9408}, {"teapot", 36, 85248},
-        {"balls", 1, 1082}, {"balls", 2, 9830}, {"balls", 3, 88562}, {"balls", 4, 797150},
-        {"rings", 1, 3962}, {"rings", 3, 55442}, {"rings", 5, 217802}, {"rings", 7, 554402},
-        {"tree", 1, 398}, {"tree", 6, 16766}, {"tree", 7, 33662}, {"tree", 11, 540542},
-        {"icosphere", 1, 80}, {"icosphere", 4, 5120}, {"icosphere", 6, 81920},
+        {"tetra", 1, 4},       {"tetra", 6, 4096},   {"tetra", 8, 65536},    {"mount", 1, 440},
+        {"mount", 6, 8624},    {"mount", 7, 33200},  {"mount", 9, 524720},   {"gears", 1, 574},
+        {"gears", 4, 36610},   {"gears", 5, 71502},  {"gears", 6, 123554},   {"gears", 8, 292866},
+        {"teapot", 1, 58},     {"teapot", 2, 248},   {"teapot", 6, 2328},    {"teapot", 12, 9408},
+        {"teapot", 36, 85248}, {"balls", 1, 1082},   {"balls", 2, 9830},     {"balls", 3, 88562},
+        {"balls", 4, 797150},  {"rings", 1, 3962},   {"rings", 3, 55442},    {"rings", 5, 217802},
+        {"rings", 7, 554402},  {"tree", 1, 398},     {"tree", 6, 16766},     {"tree", 7, 33662},
+        {"tree", 11, 540542},  {"icosphere", 1, 80}, {"icosphere", 4, 5120}, {"icosphere", 6, 81920},
         {"cornell", 1, 38},
     }));
     CAPTURE(c.name, c.size);
@@ -77,11 +77,12 @@ TEST_CASE("Every scene is sound and the same each time", "[scene][builtin]") {
         }
 }
 
-TEST_CASE("Every vertex is used, no triangle is degenerate, normals are unit and on the outside", "[scene][builtin]") {
+TEST_CASE("Every vertex is used, no triangle is degenerate, normals are unit and on the outside",
+          "[scene][builtin]") {
     for (const Builtin& b : builtins())
         for (const int size : {1, b.default_size}) {
             CAPTURE(b.name, size);
-            if (b.name == "teapot" && size == 1) continue;      // degenerate by its definition
+            if (b.name == "teapot" && size == 1) continue;   // degenerate by its definition
             const Scene scene = b.make(size);
             std::vector<bool> used(scene.vertices.size());
             std::size_t degenerate = 0, inside = 0, not_unit = 0;

@@ -16,7 +16,7 @@ namespace rayclock {
 // whether or not they are shared: that is what makes a mesh watertight for a tracer.
 
 struct Range {
-    std::size_t begin, end;     ///< of triangles
+    std::size_t begin, end;   ///< of triangles
 };
 
 using Point = std::array<double, 3>;
@@ -66,4 +66,4 @@ template <class Call> std::string refusal(const Call& call) {
     return {};
 }
 
-} // namespace rayclock
+}   // namespace rayclock

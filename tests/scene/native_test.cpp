@@ -1,5 +1,5 @@
-// Scenes with spheres that are spheres: exact counts, the places of the reference generator (spd.md section 7), and nothing else
-// changed; and the scenes that exist only so.
+// Scenes with spheres that are spheres: exact counts, the places of the reference generator (spd.md section
+// 7), and nothing else changed; and the scenes that exist only so.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,10 +16,13 @@ namespace {
 
 Scene native(std::string_view spec) { return make_builtin(spec, Primitives::native); }
 
-PrimitiveCounts counted(const Scene& scene) { return {scene.triangles.size(), scene.spheres.size(), scene.planes.size()}; }
+PrimitiveCounts counted(const Scene& scene) {
+    return {scene.triangles.size(), scene.spheres.size(), scene.planes.size()};
+}
 
 const Builtin& builtin(std::string_view name) {
-    return *std::find_if(builtins().begin(), builtins().end(), [&](const Builtin& b) { return b.name == name; });
+    return *std::find_if(builtins().begin(), builtins().end(),
+                         [&](const Builtin& b) { return b.name == name; });
 }
 
 struct Sums {
@@ -42,7 +45,7 @@ void check_near(const glm::dvec3& p, const glm::dvec3& expected) {
     CHECK(glm::length(p - expected) < 1.2e-7);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("Native counts are the published ones", "[scene][native]") {
     struct Case {
@@ -52,11 +55,23 @@ TEST_CASE("Native counts are the published ones", "[scene][native]") {
     };
     // Floors and fields are one polygon, cut in two; a cone or cylinder has 24 triangles.
     const auto c = GENERATE(values<Case>({
-        {"balls", 1, {2, 10, 0}}, {"balls", 4, {2, 7381, 0}}, {"mount", 1, {8, 4, 0}}, {"mount", 6, {8192, 4, 0}},
-        {"rings", 1, {30 * 24 + 2, 30, 0}}, {"rings", 7, {4200 * 24 + 2, 4200, 0}}, {"tree", 1, {3 * 24 + 2, 3, 0}},
-        {"tree", 11, {4095 * 24 + 2, 4095, 0}}, {"gears", 2, {4578, 0, 0}}, {"teapot", 6, {2328, 0, 0}}, {"tetra", 6, {4096, 0, 0}},
-        {"icosphere", 2, {320, 0, 0}}, {"cornell", 1, {38, 0, 0}}, {"mirrors", 1, {40, 0, 0}}, {"spheres", 1, {0, 5, 1}},
-        {"plane", 1, {0, 0, 1}}, {"square", 1, {2, 0, 0}},
+        {"balls", 1, {2, 10, 0}},
+        {"balls", 4, {2, 7381, 0}},
+        {"mount", 1, {8, 4, 0}},
+        {"mount", 6, {8192, 4, 0}},
+        {"rings", 1, {30 * 24 + 2, 30, 0}},
+        {"rings", 7, {4200 * 24 + 2, 4200, 0}},
+        {"tree", 1, {3 * 24 + 2, 3, 0}},
+        {"tree", 11, {4095 * 24 + 2, 4095, 0}},
+        {"gears", 2, {4578, 0, 0}},
+        {"teapot", 6, {2328, 0, 0}},
+        {"tetra", 6, {4096, 0, 0}},
+        {"icosphere", 2, {320, 0, 0}},
+        {"cornell", 1, {38, 0, 0}},
+        {"mirrors", 1, {40, 0, 0}},
+        {"spheres", 1, {0, 5, 1}},
+        {"plane", 1, {0, 0, 1}},
+        {"square", 1, {2, 0, 0}},
     }));
     CAPTURE(c.name, c.size);
     CHECK(builtin(c.name).counts(c.size, Primitives::native) == c.counts);
@@ -74,7 +89,8 @@ TEST_CASE("Cones and cylinders have as many sides as the name says", "[scene][na
     CHECK(native("tree:2:3").triangles.size() == 7 * 6 + 2);
     CHECK(make_builtin("rings:1:40").name == "rings:1:40");
     CHECK_NOTHROW(check_scene(native("rings:1:40"), "rings"));
-    CHECK_THROWS_WITH(make_builtin("rings:1:2"), Catch::Contains("sides") && Catch::Contains("3..1000") && Catch::Contains("'2'"));
+    CHECK_THROWS_WITH(make_builtin("rings:1:2"),
+                      Catch::Contains("sides") && Catch::Contains("3..1000") && Catch::Contains("'2'"));
     CHECK_THROWS_WITH(make_builtin("rings:1:"), Catch::Contains("sides"));
     CHECK_THROWS_WITH(make_builtin("rings:0:24"), Catch::Contains("size"));
     CHECK_THROWS_WITH(make_builtin("balls:1:24"), Catch::Contains("size") && Catch::Contains("'1:24'"));
@@ -86,7 +102,8 @@ TEST_CASE("Native spheres are where the reference generator puts them", "[scene]
     check_near(balls.spheres[1].centre, {0.2721655, 0.2721655, 0.5443311});
     CHECK(balls.spheres[1].radius == Approx(1.0 / 6).epsilon(1e-12));
     check_near(balls.spheres.back().centre, {0.4364857, -0.5412422, -0.2222222});
-    // The floor's corners are left out: 4 x (12^2 + 12^2 + 0.25) = 1153 of the published 5570.2825, and z = -2 of 1470.1632.
+    // The floor's corners are left out: 4 x (12^2 + 12^2 + 0.25) = 1153 of the published 5570.2825, and z =
+    // -2 of 1470.1632.
     CHECK(sums_of(balls).radii == Approx(60.5).epsilon(5e-8));
     CHECK(sums_of(balls).centres.z == Approx(1472.1632).epsilon(5e-8));
     CHECK(sums_of(balls).squares == Approx(5570.2825 - 1153).epsilon(5e-8));
@@ -96,7 +113,8 @@ TEST_CASE("Native spheres are where the reference generator puts them", "[scene]
     check_near(mount.spheres[3].centre, {-0.9896104, 0.7491941, 0.9305978});
     for (const Sphere& s : mount.spheres) CHECK(mount.materials[s.material].name == "glass");
 
-    // Half of the listed radii are the spheres', the rest those of both ends of the cylinders: 4200 x 3 x r in all.
+    // Half of the listed radii are the spheres', the rest those of both ends of the cylinders: 4200 x 3 x r
+    // in all.
     CHECK(sums_of(native("rings:7")).radii == Approx(933.912 / 3).epsilon(5e-8));
 
     const Scene tree = native("tree:11");
@@ -107,10 +125,12 @@ TEST_CASE("Native spheres are where the reference generator puts them", "[scene]
 TEST_CASE("The form changes the spheres only", "[scene][native]") {
     for (const Builtin& b : builtins()) {
         CAPTURE(b.name);
-        const Scene cut = b.make(2 <= b.max_size ? 2 : 1), native = b.make(2 <= b.max_size ? 2 : 1, Primitives::native);
+        const Scene cut = b.make(2 <= b.max_size ? 2 : 1),
+                    native = b.make(2 <= b.max_size ? 2 : 1, Primitives::native);
         CHECK(cut.materials.size() == native.materials.size());
         CHECK(cut.lights.size() == native.lights.size());
-        CHECK(cut.triangles.size() == native.triangles.size() + 108 * (native.spheres.size() - cut.spheres.size()));
+        CHECK(cut.triangles.size() ==
+              native.triangles.size() + 108 * (native.spheres.size() - cut.spheres.size()));
         CHECK(cut.planes.size() == native.planes.size());
         // A cut sphere lies inside the true one and touches it.
         const Bounds a = bounds(cut), n = bounds(native);
@@ -130,14 +150,26 @@ TEST_CASE("Materials reflect and refract as published", "[scene][native]") {
     };
     // spd.md 2.4. An index of opaque materials is never used and is 1 here.
     const auto c = GENERATE(values<Case>({
-        {"balls:1", "floor", 0, 0, 1}, {"balls:1", "balls", 0.5, 0, 1}, {"gears:1", "ground", 0.6, 0, 1}, {"gears:2", "gear 0 0 0", 0, 0.8, 1.1},
-        {"gears:2", "gear 1 0 0", 0, 0, 1}, {"mount:1", "glass", 0.1, 0.9, 1.5}, {"mount:1", "rock", 0, 0, 1}, {"rings:1", "wall", 0, 0, 1},
-        {"rings:1", "ring 3", 0.2, 0, 1}, {"teapot:1", "odd squares", 0.5, 0, 1}, {"teapot:1", "even squares", 0.5, 0, 1},
-        {"teapot:1", "teapot", 0.25, 0, 1}, {"tetra:1", "tetra", 0, 0, 1}, {"tree:1", "field", 0, 0, 1}, {"tree:1", "wood", 0, 0, 1},
+        {"balls:1", "floor", 0, 0, 1},
+        {"balls:1", "balls", 0.5, 0, 1},
+        {"gears:1", "ground", 0.6, 0, 1},
+        {"gears:2", "gear 0 0 0", 0, 0.8, 1.1},
+        {"gears:2", "gear 1 0 0", 0, 0, 1},
+        {"mount:1", "glass", 0.1, 0.9, 1.5},
+        {"mount:1", "rock", 0, 0, 1},
+        {"rings:1", "wall", 0, 0, 1},
+        {"rings:1", "ring 3", 0.2, 0, 1},
+        {"teapot:1", "odd squares", 0.5, 0, 1},
+        {"teapot:1", "even squares", 0.5, 0, 1},
+        {"teapot:1", "teapot", 0.25, 0, 1},
+        {"tetra:1", "tetra", 0, 0, 1},
+        {"tree:1", "field", 0, 0, 1},
+        {"tree:1", "wood", 0, 0, 1},
     }));
     CAPTURE(c.scene, c.material);
     const Scene scene = make_builtin(c.scene);
-    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == c.material; });
+    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                    [&](const Material& m) { return m.name == c.material; });
     REQUIRE(found != scene.materials.end());
     CHECK(found->mirror == c.mirror);
     CHECK(found->transmit == c.transmit);
@@ -157,14 +189,17 @@ TEST_CASE("A camera is fitted around spheres, and before planes", "[scene][nativ
     scene.triangles.clear();
     const double aspect = GENERATE(0.5, 2.0);
     const Camera camera = fit_camera(scene, aspect);
-    const glm::dvec3 forward = unit_of(camera.at - camera.eye), right = unit_of(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
+    const glm::dvec3 forward = unit_of(camera.at - camera.eye),
+                     right = unit_of(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
     double most = 0;   // 1: at the picture's edge
     for (const Sphere& s : scene.spheres)
         for (int i = 0; i < 400; ++i) {
             const double turn = 2.4 * i, z = (i + 0.5) / 200 - 1, r = std::sqrt(1 - z * z);
-            const glm::dvec3 p = s.centre + s.radius * glm::dvec3(r * std::cos(turn), r * std::sin(turn), z) - camera.eye;
+            const glm::dvec3 p =
+                s.centre + s.radius * glm::dvec3(r * std::cos(turn), r * std::sin(turn), z) - camera.eye;
             const double half = glm::dot(p, forward) * std::tan(22.5 * std::numbers::pi / 180);
-            most = std::max({most, std::abs(glm::dot(p, up)) / half, std::abs(glm::dot(p, right)) / (half * aspect)});
+            most = std::max(
+                {most, std::abs(glm::dot(p, up)) / half, std::abs(glm::dot(p, right)) / (half * aspect)});
         }
     CHECK(most < 1);
     CHECK(most > 0.9);

@@ -48,7 +48,8 @@ void add_corners(Sums& sums, const Scene& scene, Range range) {
 /// Eight digits, as they are listed; zero stands for rounding errors of a long sum.
 void check_sums(const Sums& sums, std::size_t points, const glm::dvec3& sum, double squares, double radii) {
     CHECK(sums.points == points);
-    for (int axis = 0; axis < 3; ++axis) CHECK(sums.sum[axis] == Approx(sum[axis]).epsilon(5e-8).margin(1e-8));
+    for (int axis = 0; axis < 3; ++axis)
+        CHECK(sums.sum[axis] == Approx(sum[axis]).epsilon(5e-8).margin(1e-8));
     CHECK(sums.squares == Approx(squares).epsilon(5e-8));
     CHECK(sums.radii == Approx(radii).epsilon(5e-8).margin(1e-12));
 }
@@ -61,13 +62,14 @@ void check_point(const glm::dvec3& p, const glm::dvec3& expected) {
 
 constexpr std::size_t sphere = 56, ring = 12;   // vertices
 
-} // namespace
+}   // namespace
 
 TEST_CASE("balls:4 is where the reference generator puts it", "[scene][values]") {
     const Scene scene = make_builtin("balls:4");
     Sums sums;
     add_vertices(sums, scene, 0, 4);
-    for (std::size_t first = 4; first < scene.vertices.size(); first += sphere) add_round(sums, scene, first, sphere);
+    for (std::size_t first = 4; first < scene.vertices.size(); first += sphere)
+        add_round(sums, scene, first, sphere);
     check_sums(sums, 7385, {0, 0, 1470.1632}, 5570.2825, 60.5);
 
     const auto [second, second_radius] = round_shape(scene, 4 + sphere, sphere);
@@ -94,9 +96,11 @@ TEST_CASE("gears:4 is where the reference generator puts it", "[scene][values]")
     const double rho = 1 / 3.85, half_tooth = 3.14159265358979323846 / 36;
     for (std::size_t gear = 0; gear < 64; ++gear) {
         const std::size_t x = gear % 4, y = gear / 4 % 4, z = gear / 16;
-        const glm::dvec3 centre(-1 + rho + 1.9 * rho * double(x), -1 + rho + 1.9 * rho * double(y), 1 - double(z) / 4);
+        const glm::dvec3 centre(-1 + rho + 1.9 * rho * double(x), -1 + rho + 1.9 * rho * double(y),
+                                1 - double(z) / 4);
         const double angle = (x + y + z) % 2 == 0 ? 0 : half_tooth;
-        const glm::dvec3 *corner = &scene.vertices[4 + 288 * gear], tooth = (corner[0] + corner[1]) / 2.0 - centre;
+        const glm::dvec3 *corner = &scene.vertices[4 + 288 * gear],
+                         tooth = (corner[0] + corner[1]) / 2.0 - centre;
         CHECK(std::atan2(tooth.y, tooth.x) == Approx(angle).margin(1e-12));
         CHECK(tooth.z == Approx(0).margin(1e-15));
         CHECK(corner[0].z - corner[144].z == Approx(0.1).epsilon(1e-12));
@@ -127,7 +131,7 @@ TEST_CASE("mount:6 is where the reference generator puts it", "[scene][values]")
         lowest = std::min(lowest, p.z);
         highest = std::max(highest, p.z);
         const auto [place, is_new] = heights.try_emplace({(p.x + 1) * 32, (p.y + 1) * 32}, p.z);
-        if (!is_new) REQUIRE(place->second == p.z);     // neighbours agree bit for bit
+        if (!is_new) REQUIRE(place->second == p.z);   // neighbours agree bit for bit
     }
     CHECK(heights.size() == 65 * 65);
     CHECK(lowest == Approx(-0.7029533).margin(6e-8));
@@ -164,10 +168,11 @@ TEST_CASE("teapot is where the reference generator puts it", "[scene][values]") 
         glm::dvec3 sum;
         double squares;
     };
-    const auto c = GENERATE(values<Case>({{6, 6912, {257.0625, 0, 11697.793}, 50010.22}, {12, 27936, {1022.5125, 0, 47243.436}, 201299.55}}));
+    const auto c = GENERATE(values<Case>(
+        {{6, 6912, {257.0625, 0, 11697.793}, 50010.22}, {12, 27936, {1022.5125, 0, 47243.436}, 201299.55}}));
     const Scene scene = make_builtin("teapot:" + std::to_string(c.n));
     Sums sums;
-    for (std::size_t i = 0; i < c.n * c.n; ++i) {       // squares: 0 1 2, 2 3 0
+    for (std::size_t i = 0; i < c.n * c.n; ++i) {   // squares: 0 1 2, 2 3 0
         const auto &first = scene.triangles[2 * i].vertex, &second = scene.triangles[2 * i + 1].vertex;
         for (const std::uint32_t v : {first[0], first[1], first[2], second[1]}) sums.add(scene.vertices[v]);
     }
@@ -227,7 +232,8 @@ TEST_CASE("Spheres are cut at equal angles", "[scene][values]") {
     // Middle of a cube side at factor 3: grid lines at -15 and 15 degrees; a corner and an edge point.
     const Scene scene = make_builtin("balls:1");
     const double t = std::tan(3.14159265358979323846 / 12);
-    for (const glm::dvec3& wanted : {glm::dvec3(t, -t, 1), {1, t, t}, {-1, -1, -1}, {1, 1, t}, {-t, -1, -1}}) {
+    for (const glm::dvec3& wanted :
+         {glm::dvec3(t, -t, 1), {1, t, t}, {-1, -1, -1}, {1, 1, t}, {-t, -1, -1}}) {
         std::size_t found = 0;
         for (std::size_t i = 0; i < sphere; ++i)
             found += glm::length(scene.vertices[4 + i] * 2.0 - glm::normalize(wanted)) < 1e-12;

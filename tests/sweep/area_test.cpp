@@ -57,7 +57,7 @@ constexpr const char* stat = R"({
 }
 )";
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a unit's count has what is beneath it, and each kind of cell once, whatever its parameters") {
     const Part unit = parts_of_stat(stat, "raygen");
@@ -88,7 +88,9 @@ TEST_CASE("machines with and without units, from any configuration that can shad
         REQUIRE(all.size() == 8);
         CHECK(all[0].config.shading == 0);
         CHECK(all[1].config.shading == 1);
-        const auto further = [](const Config& c) { return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling; };
+        const auto further = [](const Config& c) {
+            return c.spheres + c.planes + c.smooth + c.refraction + c.supersampling;
+        };
         CHECK(further(all[1].config) == 0);
         for (std::size_t v = 2; v < 7; ++v) CHECK(further(all[v].config) == 1);
         CHECK(further(all[7].config) == 5);

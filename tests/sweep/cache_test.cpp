@@ -33,7 +33,7 @@ void check_same(const sweep::Outcome& a, const sweep::Outcome& b) {
     }
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the cache gives back what it got, under its key only") {
     const CacheFolder folder;
@@ -58,7 +58,8 @@ TEST_CASE("an entry whose value is of another kind counts as missing, although i
         std::ifstream stream(file);
         const ordered_json entry = ordered_json::parse(stream);
         const std::string kind = file.filename().string().substr(0, file.filename().string().find('-'));
-        for (const ordered_json& wrong : {ordered_json("text"), ordered_json(7), ordered_json::array({1}), ordered_json{{"refused", 7}}, ordered_json{{"cycles", "many"}}}) {
+        for (const ordered_json& wrong : {ordered_json("text"), ordered_json(7), ordered_json::array({1}),
+                                          ordered_json{{"refused", 7}}, ordered_json{{"cycles", "many"}}}) {
             INFO(kind << ": " << wrong.dump());
             jobs::Cache(folder.path(), false).keep(kind, entry["key"], wrong);
             check_same(first, run_sweep(scene, {"coord_bits=16"}, folder.path()));
@@ -75,8 +76,9 @@ TEST_CASE("an entry that is not whole, or was changed, counts as missing") {
     const std::string good{std::istreambuf_iterator<char>(stream), {}};
     std::string changed = good;
     changed.replace(changed.find("12345"), 5, "12346");
-    for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), std::string("null"), std::string("[1]"), std::string("{}"), std::string(R"({"key": 7})"), changed,
-                                   std::string("\0\xff\0", 3)}) {
+    for (const std::string& bad :
+         {std::string(), good.substr(0, good.size() / 2), std::string("null"), std::string("[1]"),
+          std::string("{}"), std::string(R"({"key": 7})"), changed, std::string("\0\xff\0", 3)}) {
         INFO(bad);
         std::ofstream(file, std::ios::binary) << bad;
         CHECK(!cache.find("frame", "key"));
@@ -115,7 +117,8 @@ TEST_CASE("a sweep that is known is not worked out again, and says the same") {
     const CacheFolder folder;
     const Scene scene = scene_with_camera("teapot:4");
     const std::vector<std::string> axes{"coord_bits=12,16", "clock=66,200"};
-    const sweep::Outcome first = run_sweep(scene, axes, folder.path()), second = run_sweep(scene, axes, folder.path());
+    const sweep::Outcome first = run_sweep(scene, axes, folder.path()),
+                         second = run_sweep(scene, axes, folder.path());
     CHECK(first.known == 0);
     CHECK(first.traces == 2);
     CHECK(second.known == 4);
@@ -123,7 +126,8 @@ TEST_CASE("a sweep that is known is not worked out again, and says the same") {
     const sweep::Outcome fresh = run_sweep(scene, axes, folder.path(), true);
     CHECK(fresh.known == 0);
     check_same(first, fresh);
-    CHECK(first.results[0].picture->error.pixels_other_primitive > first.results[2].picture->error.pixels_other_primitive);
+    CHECK(first.results[0].picture->error.pixels_other_primitive >
+          first.results[2].picture->error.pixels_other_primitive);
 }
 
 TEST_CASE("another parameter, clock, size or scene is another point") {

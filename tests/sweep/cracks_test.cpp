@@ -16,7 +16,9 @@ struct Traced {
     Scene scene;
     Job job;
     FrameTrace frame;
-    std::uint64_t cracks(const std::vector<Closest>& hits) const { return sweep::count_cracks(scene, job, hits, 2); }
+    std::uint64_t cracks(const std::vector<Closest>& hits) const {
+        return sweep::count_cracks(scene, job, hits, 2);
+    }
 };
 
 Traced traced(const std::string& name, FrameSize size, Config config = named_config("default")) {
@@ -26,7 +28,7 @@ Traced traced(const std::string& name, FrameSize size, Config config = named_con
     return t;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the exact test lets no ray slip through") {
     for (const std::string name : {"gears:2", "icosphere:4", "mount:4", "rings:1"})
@@ -50,7 +52,8 @@ TEST_CASE("a hit that is taken away or put behind is a crack, one beside or befo
     hits[at].found = true;
     // Those whose plane the ray reaches later, and that do not touch the one met, are cracks. How far a
     // plane is, in doubles: differences of doubt are left out.
-    const Vec3i o = t.job.frame.eye, d = pixel_direction(std::uint32_t(at % 64), std::uint32_t(at / 64), t.job.frame, t.job.config);
+    const Vec3i o = t.job.frame.eye, d = pixel_direction(std::uint32_t(at % 64), std::uint32_t(at / 64),
+                                                         t.job.frame, t.job.config);
     const auto distance = [&](std::uint32_t triangle) {
         std::array<glm::dvec3, 3> p;
         for (std::size_t k = 0; k < 3; ++k) {

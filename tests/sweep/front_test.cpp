@@ -22,15 +22,18 @@ sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers,
     return r;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the front is what no other point beats") {
-    CHECK(sweep::front(points({{1, 5}, {2, 2}, {5, 1}, {3, 3}, {2, 4}, {5, 5}})) == std::vector<bool>{true, true, true, false, false, false});
+    CHECK(sweep::front(points({{1, 5}, {2, 2}, {5, 1}, {3, 3}, {2, 4}, {5, 5}})) ==
+          std::vector<bool>{true, true, true, false, false, false});
     CHECK(sweep::front(points({{1, 1, 3}, {1, 1, 2}, {2, 2, 1}})) == std::vector<bool>{false, true, true});
     CHECK(sweep::front({}).empty());
     CHECK(sweep::front(points({{4, 4}})) == std::vector<bool>{true});
-    CHECK(sweep::front(points({{4, 4}, {4, 4}, {4, 5}})) == std::vector<bool>{true, true, false});   // equal points: both
-    CHECK(sweep::front(points({{}, {4, 4}, {}})) == std::vector<bool>{false, true, false});           // missing figures
+    CHECK(sweep::front(points({{4, 4}, {4, 4}, {4, 5}})) ==
+          std::vector<bool>{true, true, false});   // equal points: both
+    CHECK(sweep::front(points({{}, {4, 4}, {}})) ==
+          std::vector<bool>{false, true, false});   // missing figures
     CHECK(sweep::front(points({{}, {}})) == std::vector<bool>{false, false});
 }
 
@@ -50,20 +53,22 @@ TEST_CASE("no knee where there is none") {
     CHECK(!sweep::knee_of({}));
     CHECK(!sweep::knee_of(points({{1, 1}})));
     CHECK(!sweep::knee_of(points({{1, 1}, {1, 1}, {1, 1}})));
-    CHECK(!sweep::knee_of(points({{0, 1}, {1, 0}})));               // the ends only
-    CHECK(!sweep::knee_of(points({{0, 2}, {1, 1}, {2, 0}})));       // straight
-    CHECK(!sweep::knee_of(points({{0, 10}, {9, 9}, {10, 0}})));     // bulges the other way
+    CHECK(!sweep::knee_of(points({{0, 1}, {1, 0}})));             // the ends only
+    CHECK(!sweep::knee_of(points({{0, 2}, {1, 1}, {2, 0}})));     // straight
+    CHECK(!sweep::knee_of(points({{0, 10}, {9, 9}, {10, 0}})));   // bulges the other way
     CHECK(!sweep::knee_of(points({{}, {}, {1, 2}})));
 }
 
 TEST_CASE("cost is multipliers, or bytes where nothing has any") {
-    const std::vector<sweep::Result> with{result(100, 50, 90), result(20, 49, 100), result(5, 48, 160), result(300, 60, 0)};
+    const std::vector<sweep::Result> with{result(100, 50, 90), result(20, 49, 100), result(5, 48, 160),
+                                          result(300, 60, 0)};
     const sweep::Front hardware = sweep::front_of(with);
     CHECK(hardware.measures[1].key == "multipliers");
     CHECK(hardware.pareto == std::vector<bool>{true, true, true, false});   // the last is no hardware
     REQUIRE(hardware.knee);
     CHECK(hardware.knee->point == 1);
-    const std::vector<sweep::Result> without{result(100, 50, 0, 3000), result(100, 50, 0, 2000), result(100, 50, 0, 2000)};
+    const std::vector<sweep::Result> without{result(100, 50, 0, 3000), result(100, 50, 0, 2000),
+                                             result(100, 50, 0, 2000)};
     const sweep::Front bytes = sweep::front_of(without);
     CHECK(bytes.measures[1].key == "memory_bytes");
     CHECK(bytes.pareto == std::vector<bool>{false, true, true});
@@ -71,7 +76,8 @@ TEST_CASE("cost is multipliers, or bytes where nothing has any") {
 }
 
 TEST_CASE("without errors that differ the knee is that of speed against cost") {
-    const sweep::Front front = sweep::front_of({result(10, 10, 100), result(10, 19, 200), result(10, 21, 400), result(10, 22, 800)});
+    const sweep::Front front =
+        sweep::front_of({result(10, 10, 100), result(10, 19, 200), result(10, 21, 400), result(10, 22, 800)});
     REQUIRE(front.knee);
     CHECK(front.knee->point == 1);
     CHECK(front.measures[front.plane[0]].key == "multipliers");

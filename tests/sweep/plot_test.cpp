@@ -16,7 +16,9 @@ bool is_well_formed(const std::string& xml) {
     std::size_t at = 0, elements = 0;
     while (at < xml.size()) {
         if (xml[at] == '>') return false;
-        if (xml[at] == '&' && xml.compare(at, 4, "&lt;") && xml.compare(at, 4, "&gt;") && xml.compare(at, 5, "&amp;")) return false;
+        if (xml[at] == '&' && xml.compare(at, 4, "&lt;") && xml.compare(at, 4, "&gt;") &&
+            xml.compare(at, 5, "&amp;"))
+            return false;
         if (xml[at] != '<') {
             ++at;
             continue;
@@ -48,7 +50,8 @@ std::vector<Box> labels_of(const plot::Drawing& drawing, double size) {
     std::vector<Box> boxes;
     for (const plot::Shape& shape : drawing.shapes)
         if (const auto* t = std::get_if<plot::Text>(&shape); t && t->size == size)
-            boxes.push_back({t->base.x, t->base.y - 0.72 * size, t->base.x + plot::text_width(t->text, size), t->base.y});
+            boxes.push_back(
+                {t->base.x, t->base.y - 0.72 * size, t->base.x + plot::text_width(t->text, size), t->base.y});
     return boxes;
 }
 
@@ -61,7 +64,7 @@ sweep::Result result(std::uint64_t wrong, double fps, std::uint64_t multipliers)
     return r;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the check of well-formedness sees faults") {
     CHECK(is_well_formed("<a><b x=\"1\"/>t</a>\n"));
@@ -78,7 +81,8 @@ TEST_CASE("shapes are where they were put") {
     drawing.shapes.push_back(plot::Text{{10, 45}, "a < b & c > \"d\"", 12, {0, 0, 0}});
     const std::string svg = plot::svg(drawing);
     CHECK(is_well_formed(svg));
-    for (const char* part : {"width=\"100\" height=\"50\"", "points=\"10.00,10.00 40.00,10.00\"", "<circle cx=\"70.00\" cy=\"25.00\" r=\"5.00\" fill=\"#ff0000\"",
+    for (const char* part : {"width=\"100\" height=\"50\"", "points=\"10.00,10.00 40.00,10.00\"",
+                             "<circle cx=\"70.00\" cy=\"25.00\" r=\"5.00\" fill=\"#ff0000\"",
                              "<text x=\"10.00\" y=\"45.00\"", ">a &lt; b &amp; c &gt; \"d\"</text>"}) {
         INFO(part);
         CHECK(svg.find(part) != std::string::npos);
@@ -93,7 +97,8 @@ TEST_CASE("a text is as wide as its letters and the gaps between them") {
         const double width = plot::text_width(one, 12), gap = plot::text_width(one + one, 12) - 2 * width;
         CHECK(width >= 0);
         CHECK(gap > 1);
-        CHECK(plot::text_width(one + "x" + one, 24) == Approx(2 * (2 * width + plot::text_width("x", 12) + 2 * gap)));
+        CHECK(plot::text_width(one + "x" + one, 24) ==
+              Approx(2 * (2 * width + plot::text_width("x", 12) + 2 * gap)));
     }
     CHECK(plot::text_width("i", 12) < plot::text_width("n", 12));
     CHECK(plot::text_width("\x01", 12) == plot::text_width("?", 12));
@@ -101,7 +106,9 @@ TEST_CASE("a text is as wide as its letters and the gaps between them") {
 
 TEST_CASE("labels cover neither points nor one another") {
     plot::Panel panel{"", "x", "y", false, {}};
-    for (int i = 0; i < 40; ++i) panel.marks.push_back({double(i % 8), double(i * i % 11), "12 / " + std::to_string(i), i % 3 == 0, false});
+    for (int i = 0; i < 40; ++i)
+        panel.marks.push_back(
+            {double(i % 8), double(i * i % 11), "12 / " + std::to_string(i), i % 3 == 0, false});
     const plot::Drawing drawing = plot::chart("", "", {panel});
     const std::vector<Box> labels = labels_of(drawing, 11.5);
     CHECK(labels.size() > 10);
@@ -110,13 +117,15 @@ TEST_CASE("labels cover neither points nor one another") {
         for (std::size_t k = 0; k < i; ++k) CHECK(!labels[i].meets(labels[k]));
         for (const plot::Shape& shape : drawing.shapes)
             if (const auto* d = std::get_if<plot::Disc>(&shape))
-                CHECK(!labels[i].meets({d->centre.x - d->radius, d->centre.y - d->radius, d->centre.x + d->radius, d->centre.y + d->radius}));
+                CHECK(!labels[i].meets({d->centre.x - d->radius, d->centre.y - d->radius,
+                                        d->centre.x + d->radius, d->centre.y + d->radius}));
     }
 }
 
 TEST_CASE("scales have ticks inside, and a place for zero") {
     for (const bool logarithmic : {false, true})
-        for (const std::vector<double>& values : std::vector<std::vector<double>>{{1, 2, 3}, {0.001, 1000}, {5}, {7, 7}, {0, 0.5, 20}, {0}, {}, {1e9, 2e9}}) {
+        for (const std::vector<double>& values : std::vector<std::vector<double>>{
+                 {1, 2, 3}, {0.001, 1000}, {5}, {7, 7}, {0, 0.5, 20}, {0}, {}, {1e9, 2e9}}) {
             const plot::Scale scale(values, logarithmic);
             for (const double v : values) {
                 CHECK(scale.place(v) > 0);
@@ -134,18 +143,22 @@ TEST_CASE("scales have ticks inside, and a place for zero") {
 }
 
 TEST_CASE("a plot of a front names the knee and is well formed") {
-    const std::vector<sweep::Result> results{result(500, 50, 90), result(40, 49, 100), result(5, 48, 160), result(0, 47, 300), {}};
+    const std::vector<sweep::Result> results{
+        result(500, 50, 90), result(40, 49, 100), result(5, 48, 160), result(0, 47, 300), {}};
     const sweep::Front front = sweep::front_of(results);
     REQUIRE(front.knee);
     const plot::Drawing drawing = sweep::front_plot("a<b>", {40, 25}, {{"coord_bits", {}}}, results, front);
     const std::string svg = plot::svg(drawing);
     CHECK(is_well_formed(svg));
-    for (const char* word : {"a&lt;b&gt;, 40x25 pixels", "the knee, coord_bits 40", "pixels with another primitive, %", "multipliers, 18x18 bits", "frames per second"}) {
+    for (const char* word :
+         {"a&lt;b&gt;, 40x25 pixels", "the knee, coord_bits 40", "pixels with another primitive, %",
+          "multipliers, 18x18 bits", "frames per second"}) {
         INFO(word);
         CHECK(svg.find(word) != std::string::npos);
     }
     for (const std::size_t count : {0, 1}) {   // nothing to see is no reason to fail
         const std::vector<sweep::Result> few(results.begin(), results.begin() + std::ptrdiff_t(count));
-        CHECK(is_well_formed(plot::svg(sweep::front_plot("s", {4, 4}, {{"coord_bits", {}}}, few, sweep::front_of(few)))));
+        CHECK(is_well_formed(
+            plot::svg(sweep::front_plot("s", {4, 4}, {{"coord_bits", {}}}, few, sweep::front_of(few)))));
     }
 }

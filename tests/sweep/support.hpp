@@ -41,12 +41,14 @@ inline std::vector<sweep::Axis> axes_of(const std::vector<std::string>& texts) {
     for (const std::string& text : texts) axes.push_back(sweep::parse_axis(text));
     return axes;
 }
-inline std::vector<sweep::Point> points_of(const std::vector<std::string>& texts, const Config& base = named_config("default")) {
+inline std::vector<sweep::Point> points_of(const std::vector<std::string>& texts,
+                                           const Config& base = named_config("default")) {
     return sweep::make_points(axes_of(texts), base, 66000, megahertz);
 }
 
 /// A sweep without netlists.
-inline sweep::Outcome run_sweep(const Scene& scene, const std::vector<std::string>& axes, const std::filesystem::path& folder, bool fresh = false,
+inline sweep::Outcome run_sweep(const Scene& scene, const std::vector<std::string>& axes,
+                                const std::filesystem::path& folder, bool fresh = false,
                                 FrameSize size = {48, 36}) {
     jobs::Cache cache(folder, fresh);
     sweep::Outcome outcome = sweep::run({scene, size, points_of(axes), 2, false}, cache, {});
@@ -54,4 +56,4 @@ inline sweep::Outcome run_sweep(const Scene& scene, const std::vector<std::strin
     return outcome;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

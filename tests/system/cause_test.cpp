@@ -1,4 +1,5 @@
-// Why pixels differ: each cause is provoked alone, the oracle finds no fault in sound answers, and every fault is a bug.
+// Why pixels differ: each cause is provoked alone, the oracle finds no fault in sound answers, and every
+// fault is a bug.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -32,9 +33,14 @@ struct Case {
         shade_again();
     }
     void shade_again() { picture = shade(scene, scaled(job, job.frame, answers)); }
-    Judgement judged() const { return judge({scene, *scene.camera, job.frame, job.image.lattice, job.config}, {reference, answers, picture}); }
+    Judgement judged() const {
+        return judge({scene, *scene.camera, job.frame, job.image.lattice, job.config},
+                     {reference, answers, picture});
+    }
 };
-Case make_case(const Scene& scene, const Config& config) { return {scene, make_job(scene, *scene.camera, size, config)}; }
+Case make_case(const Scene& scene, const Config& config) {
+    return {scene, make_job(scene, *scene.camera, size, config)};
+}
 Case make_case(const std::string& name, const Config& config) {
     Shot shot = make_deep_shot(name, size, config);
     return {std::move(shot.scene), std::move(shot.job)};
@@ -42,8 +48,8 @@ Case make_case(const std::string& name, const Config& config) {
 
 std::uint64_t count(const Judgement& j, PixelCause cause) { return j.causes[std::size_t(cause)]; }
 
-/// Waves with smooth normals, seen from above. Corners and eye have integer coordinates that fill the range of `bits` bits on every
-/// axis, so that they are lattice points: the pitch is 1.
+/// Waves with smooth normals, seen from above. Corners and eye have integer coordinates that fill the range
+/// of `bits` bits on every axis, so that they are lattice points: the pitch is 1.
 Scene waves(int bits) {
     constexpr int side = 20;
     const double most = double((1 << (bits - 1)) - 1);
@@ -54,7 +60,8 @@ Scene waves(int bits) {
     const auto whole = [](double v) { return std::round(v); };
     for (int y = 0; y <= side; ++y)
         for (int x = 0; x <= side; ++x) {
-            const double u = 2.0 * x / side - 1, v = 2.0 * y / side - 1, height = x + y == 0 ? 0 : 0.06 * (1 + std::sin(9 * u + 2 * v));
+            const double u = 2.0 * x / side - 1, v = 2.0 * y / side - 1,
+                         height = x + y == 0 ? 0 : 0.06 * (1 + std::sin(9 * u + 2 * v));
             scene.vertices.push_back({whole(u * most), whole(v * most), whole((height - 1) * most)});
             scene.normals.push_back(glm::normalize(glm::dvec3(std::cos(9 * u + 2 * v), std::sin(3 * v), 1)));
         }
@@ -68,10 +75,12 @@ Scene waves(int bits) {
     return scene;
 }
 Config formats(int coord_bits, int dir_bits, int bary_bits) {
-    return with(named_config("default"), {{"coord_bits", coord_bits}, {"dir_bits", dir_bits}, {"bary_bits", bary_bits}, {"stack_depth", 32}});
+    return with(
+        named_config("default"),
+        {{"coord_bits", coord_bits}, {"dir_bits", dir_bits}, {"bary_bits", bary_bits}, {"stack_depth", 32}});
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("vertices on lattice points are not snapped: what differs is the ray", "[cause]") {
     const Case made = make_case(waves(16), formats(16, 12, 24));
@@ -108,7 +117,9 @@ TEST_CASE("few bits for u and v: what differs was rounded", "[cause]") {
 TEST_CASE("right answers with another colour: shading", "[cause]") {
     Case made = make_case(waves(16), formats(16, 24, 24));
     const Judgement before = made.judged();
-    const auto same = std::size_t(std::find(before.pixels.begin() + 1000, before.pixels.end(), PixelCause::none) - before.pixels.begin());
+    const auto same =
+        std::size_t(std::find(before.pixels.begin() + 1000, before.pixels.end(), PixelCause::none) -
+                    before.pixels.begin());
     REQUIRE(same < before.pixels.size());
     made.picture.pixels[same].g += 0.1f;
     const Judgement j = made.judged();
@@ -118,7 +129,8 @@ TEST_CASE("right answers with another colour: shading", "[cause]") {
 }
 
 TEST_CASE("the oracle finds every answer right, and every pixel that differs has a cause", "[cause]") {
-    const std::string name = GENERATE("gears:1", "rings:1", "tree:6", "cornell", "tetra:4", "balls:1", "mount:4", "teapot:6");
+    const std::string name =
+        GENERATE("gears:1", "rings:1", "tree:6", "cornell", "tetra:4", "balls:1", "mount:4", "teapot:6");
     const std::string config = GENERATE("default", "small", "narrow", "broad");
     const Case made = make_case(name, quick_config(config));
     const Judgement j = made.judged();
@@ -129,7 +141,8 @@ TEST_CASE("the oracle finds every answer right, and every pixel that differs has
     PixelCauses tally{}, tally_other{};
     std::size_t unlike = 0;
     for (std::size_t i = 0; i < j.pixels.size(); ++i) {
-        const bool other = made.reference.hits[i].primitive != (made.answers[i].found ? made.answers[i].prim : no_primitive);
+        const bool other =
+            made.reference.hits[i].primitive != (made.answers[i].found ? made.answers[i].prim : no_primitive);
         const bool differs = other || srgb_bytes(expected.pixels[i]) != srgb_bytes(made.picture.pixels[i]);
         unlike += differs != (j.pixels[i] != PixelCause::none) || other != j.other[i];
         if (!differs) continue;
@@ -169,10 +182,10 @@ TEST_CASE("an answer that is off in anything is a bug, whether or not it shows",
     while (sound.answers[miss].found) ++miss;
     using Fault = void (*)(Closest&);
     const std::vector<std::pair<std::size_t, Fault>> faults{
-        {hit, [](Closest& c) { --c.t; }},        {hit, [](Closest& c) { ++c.t; }},
-        {hit, [](Closest& c) { --c.u; }},        {hit, [](Closest& c) { ++c.v; }},
-        {hit, [](Closest& c) { c.prim += 1; }},  {hit, [](Closest& c) { c = Closest{}; }},
-        {hit, [](Closest& c) { c.found = 0; }},  {miss, [](Closest& c) { c.found = 1; }},
+        {hit, [](Closest& c) { --c.t; }},       {hit, [](Closest& c) { ++c.t; }},
+        {hit, [](Closest& c) { --c.u; }},       {hit, [](Closest& c) { ++c.v; }},
+        {hit, [](Closest& c) { c.prim += 1; }}, {hit, [](Closest& c) { c = Closest{}; }},
+        {hit, [](Closest& c) { c.found = 0; }}, {miss, [](Closest& c) { c.found = 1; }},
         {miss, [](Closest& c) { c.u = 1; }}};
     for (std::size_t f = 0; f < faults.size(); ++f) {
         Case faulty = sound;
@@ -186,7 +199,8 @@ TEST_CASE("an answer that is off in anything is a bug, whether or not it shows",
         CHECK(j.pixels[at] == PixelCause::bug);
         // No other pixel's cause changes.
         std::size_t changed = 0;
-        for (std::size_t i = 0; i < j.pixels.size(); ++i) changed += i != at && j.pixels[i] != before.pixels[i];
+        for (std::size_t i = 0; i < j.pixels.size(); ++i)
+            changed += i != at && j.pixels[i] != before.pixels[i];
         CHECK(changed == 0);
     }
     // The context that did the work may be any.
@@ -197,7 +211,8 @@ TEST_CASE("an answer that is off in anything is a bug, whether or not it shows",
 
 TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "[cause]") {
     const int test = GENERATE(1, 2, 3, 4, 5);   // all but exact
-    const Case made = make_case("gears:1", with(named_config("default"), {{"primitive_test", test}, {"dir_bits", 22}}));
+    const Case made =
+        make_case("gears:1", with(named_config("default"), {{"primitive_test", test}, {"dir_bits", 22}}));
     const Judgement j = made.judged();
     INFO(primitive_test_names()[std::size_t(test)] << ": " << j.wrong << " answers are not the oracle's");
     CHECK(j.wrong > 0);
@@ -206,7 +221,8 @@ TEST_CASE("what a cheaper primitive test gets wrong is its price, and no bug", "
     const Truth truth(made.scene, made.job.image.lattice, made.job.config);
     for (std::size_t i = 0; i < j.pixels.size(); ++i) {
         if (j.pixels[i] != PixelCause::primitive_test || !j.other[i]) continue;
-        const std::uint32_t right = truth.pixel(made.job.frame, int(i) % size.width, int(i) / size.width).primitive;
+        const std::uint32_t right =
+            truth.pixel(made.job.frame, int(i) % size.width, int(i) / size.width).primitive;
         CHECK(right != (made.answers[i].found ? made.answers[i].prim : no_primitive));
     }
     if (PrimitiveTest(test) == PrimitiveTest::truncated) CHECK(count(j, PixelCause::primitive_test) > 0);
@@ -242,9 +258,11 @@ TEST_CASE("the picture of causes has a colour for each", "[cause]") {
     j.pixels.push_back(PixelCause::snapping);
     j.other = {true, true, true, true, true, false, false, false};
     const Picture picture = cause_picture(reference, j);
-    for (std::size_t k = 0; k < pixel_causes; ++k) CHECK(srgb_bytes(picture.pixels[k]) == cause_info(PixelCause(k)).colour);
+    for (std::size_t k = 0; k < pixel_causes; ++k)
+        CHECK(srgb_bytes(picture.pixels[k]) == cause_info(PixelCause(k)).colour);
     CHECK(picture.pixels[6] == glm::vec3(0.25f));   // none: the reference, dimmed
     CHECK(picture.pixels[7].r == Approx(picture.pixels[0].r / 3));
     for (std::size_t a = 0; a < pixel_causes; ++a)
-        for (std::size_t b = 0; b < a; ++b) CHECK(cause_info(PixelCause(a)).colour != cause_info(PixelCause(b)).colour);
+        for (std::size_t b = 0; b < a; ++b)
+            CHECK(cause_info(PixelCause(a)).colour != cause_info(PixelCause(b)).colour);
 }

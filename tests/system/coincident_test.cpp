@@ -1,4 +1,5 @@
-// Primitives that coincide: model and reference hold the one with the lowest number, so none of them is "another primitive".
+// Primitives that coincide: model and reference hold the one with the lowest number, so none of them is
+// "another primitive".
 #include <catch2/catch.hpp>
 
 #include "model/accel/surfaces.hpp"
@@ -15,7 +16,9 @@ namespace {
 constexpr FrameSize size{96, 72};
 
 HitFrame model_frame(const Scene& scene, const Whitted& settings) {
-    Config config = scene.spheres.empty() && scene.planes.empty() ? named_config("default") : fitted_config(scene, settings, named_config("default"));
+    Config config = scene.spheres.empty() && scene.planes.empty()
+                        ? named_config("default")
+                        : fitted_config(scene, settings, named_config("default"));
     config.stack_depth = 64;
     const Job job = make_job(scene, *scene.camera, size, config, {}, settings);
     return hits_of(job, record_frame(job, job.frame));
@@ -34,7 +37,7 @@ std::uint64_t others(const Scene& scene, const HitFrame& model) {
     return frame_error(scene, model, Reference(scene).frame(*scene.camera, size)).pixels_other_primitive;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("triangles that are there three times, their corners turned, are no other primitives") {
     for (const char* name : {"gears:1", "teapot:4", "balls:1"}) {
@@ -46,7 +49,8 @@ TEST_CASE("triangles that are there three times, their corners turned, are no ot
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < one.hits.size(); ++i) {
             const std::uint32_t a = one.hits[i].primitive, b = three.hits[i].primitive;
-            wrong += a == no_primitive ? b != no_primitive : b == no_primitive || original[b] != a || lowest(original, b) != b;
+            wrong += a == no_primitive ? b != no_primitive
+                                       : b == no_primitive || original[b] != a || lowest(original, b) != b;
         }
         INFO(name);
         CHECK(wrong == 0);

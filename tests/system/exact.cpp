@@ -6,14 +6,16 @@ ExactHit ExactScene::closest(const Vec3i& o, const Vec3i& d) const {
     ExactHit best;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         const auto hit = oracle::cross<Int, Int>(o, d, triangles_[i]);
-        if (hit && (best.primitive == no_primitive || hit->num * best.den < best.num * hit->den)) best = {std::uint32_t(i), hit->num, hit->den};
+        if (hit && (best.primitive == no_primitive || hit->num * best.den < best.num * hit->den))
+            best = {std::uint32_t(i), hit->num, hit->den};
     }
     return best;
 }
 
 Vec3i exact_direction(const Frame& frame, int x, int y, const Config& config) {
     std::array<Int, 3> sum;
-    for (std::size_t k = 0; k < 3; ++k) sum[k] = Int(frame.corner[k]) + x * Int(frame.right[k]) + y * Int(frame.down[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+        sum[k] = Int(frame.corner[k]) + x * Int(frame.right[k]) + y * Int(frame.down[k]);
     const Int unit = Int(2) << guard_bits, most = Int(1) << (config.dir_bits - 1);   // of twice the sum
     for (int shift = most_shift;; --shift) {
         std::array<Int, 3> twice;
@@ -33,4 +35,4 @@ Vec3i exact_direction(const Frame& frame, int x, int y, const Config& config) {
     }
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,8 +1,9 @@
 #pragma once
-// The truth about a frame: every pixel's ray against every triangle, in 256-bit integers that notice overflow.
+// The truth about a frame: every pixel's ray against every triangle, in 256-bit integers that notice
+// overflow.
 //
-// Shares with the model only the lattice (which points the vertices went to) and the camera registers. It judges the model,
-// and the oracle's Surface too, which searches and has 128 bits.
+// Shares with the model only the lattice (which points the vertices went to) and the camera registers. It
+// judges the model, and the oracle's Surface too, which searches and has 128 bits.
 #include <cstdint>
 #include <vector>
 
@@ -36,4 +37,4 @@ private:
 /// Direction of a pixel's ray from the camera registers, by the rule in model/core/frame.hpp.
 Vec3i exact_direction(const Frame& frame, int x, int y, const Config& config);
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,4 +1,5 @@
-// The model shows the exact truth of the snapped scene: same primitive in every pixel, distance and weights as stated.
+// The model shows the exact truth of the snapped scene: same primitive in every pixel, distance and weights
+// as stated.
 #include <catch2/catch.hpp>
 
 #include "model/accel/memory_image.hpp"
@@ -23,12 +24,14 @@ void check_exact(const Scene& scene, const Job& job) {
         const ExactHit truth = exact.closest(job.frame.eye, exact_direction(job.frame, x, y, job.config));
         const std::uint32_t prim = closest.found ? closest.prim : no_primitive;
         wrong += prim != truth.primitive;
-        if (prim != truth.primitive) UNSCOPED_INFO("pixel " << x << "," << y << ": " << prim << ", and truly " << truth.primitive);
+        if (prim != truth.primitive)
+            UNSCOPED_INFO("pixel " << x << "," << y << ": " << prim << ", and truly " << truth.primitive);
         if (truth.primitive == no_primitive) continue;
         ++hits;
         // t rounded up: t - 1 < 2^k num / den <= t, unless saturated.
         const Int scaled = truth.num << time_bits, t = closest.t;
-        wrong_t += !(t == beyond ? (t - 1) * truth.den < scaled : (t - 1) * truth.den < scaled && scaled <= t * truth.den);
+        wrong_t += !(t == beyond ? (t - 1) * truth.den < scaled
+                                 : (t - 1) * truth.den < scaled && scaled <= t * truth.den);
     }
     CHECK(wrong == 0);
     CHECK(wrong_t == 0);
@@ -45,7 +48,8 @@ Scene soup(std::uint64_t seed, int triangles) {
     for (int i = 0; i < triangles; ++i) {
         const double size = i % 3 == 0 ? 0.9 : i % 3 == 1 ? 0.2 : 0.02;
         const glm::dvec3 at{coordinate(8), coordinate(8), coordinate(8)};
-        for (int k = 0; k < 3; ++k) scene.vertices.push_back(at + size * glm::dvec3{coordinate(4), coordinate(4), coordinate(4)});
+        for (int k = 0; k < 3; ++k)
+            scene.vertices.push_back(at + size * glm::dvec3{coordinate(4), coordinate(4), coordinate(4)});
         const auto first = std::uint32_t(3 * i);
         scene.triangles.push_back({{first, first + 1, first + 2}, 0});
         if (i % 5 == 4) scene.triangles.push_back({{first - 1, first, first + 2}, 0});
@@ -55,7 +59,7 @@ Scene soup(std::uint64_t seed, int triangles) {
     return scene;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("every pixel holds the primitive that exact arithmetic finds: scenes") {
     const std::string name = GENERATE("teapot:3", "icosphere:3", "cornell", "tetra:4");
@@ -74,8 +78,10 @@ TEST_CASE("every pixel holds the primitive that exact arithmetic finds: random t
 }
 
 TEST_CASE("every pixel holds the primitive that exact arithmetic finds: camera on vertices, edges and axes") {
-    // From a lattice point of the mesh's symmetry planes, pixel centres fall on edges and directions have zero components.
-    const glm::dvec3 eye = GENERATE(glm::dvec3{0, 0, 3}, glm::dvec3{3, 0, 0}, glm::dvec3{0, -3, 0}, glm::dvec3{0, 0, 0}, glm::dvec3{2, 2, 2});
+    // From a lattice point of the mesh's symmetry planes, pixel centres fall on edges and directions have
+    // zero components.
+    const glm::dvec3 eye = GENERATE(glm::dvec3{0, 0, 3}, glm::dvec3{3, 0, 0}, glm::dvec3{0, -3, 0},
+                                    glm::dvec3{0, 0, 0}, glm::dvec3{2, 2, 2});
     const std::string name = GENERATE("icosphere:2", "tetra:3");
     Shot shot = make_shot(name, {33, 33}, named_config("default"));
     const glm::dvec3 at = eye == glm::dvec3{0} ? glm::dvec3{0, 0, -1} : glm::dvec3{0};

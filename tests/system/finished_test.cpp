@@ -23,7 +23,8 @@ struct Finished {
 /// All scenes run on the RTL with all units: one build for each configuration.
 Config with_all_units(Config config, const Whitted& settings) {
     Scene everything;
-    everything.spheres.resize(1), everything.planes.resize(1), everything.normals.resize(1), everything.lights.resize(8);
+    everything.spheres.resize(1), everything.planes.resize(1), everything.normals.resize(1),
+        everything.lights.resize(8);
     everything.materials.resize(1);
     everything.materials[0].transmit = 1;
     Whitted most = settings;
@@ -40,17 +41,30 @@ Job finished_job(const Finished& asked, FrameSize size, const Config& config) {
     return make_job(scene, *scene.camera, size, config, {}, asked.settings);
 }
 
-const std::vector<Finished> pictures{{"spheres", {4}}, {"balls:1", {4}}, {"gears:1", {4}}, {"mount:2", {4}}, {"rings:1", {2}}, {"teapot:3", {4}},
-                                     {"mirrors", {6}}, {"tree:2", {1}}, {"plane", {0}}, {scene_folder + "pebble.json", {3}}, {"spheres", {15, 0.02}}, {"mount:2", {0}},
-                                     {"spheres", {3, 0, 2}}, {"square", {1, 0, 3, true, 0, 7}}, {"spheres", {2, 0, 3, true, 0.05, 3}}};
+const std::vector<Finished> pictures{{"spheres", {4}},
+                                     {"balls:1", {4}},
+                                     {"gears:1", {4}},
+                                     {"mount:2", {4}},
+                                     {"rings:1", {2}},
+                                     {"teapot:3", {4}},
+                                     {"mirrors", {6}},
+                                     {"tree:2", {1}},
+                                     {"plane", {0}},
+                                     {scene_folder + "pebble.json", {3}},
+                                     {"spheres", {15, 0.02}},
+                                     {"mount:2", {0}},
+                                     {"spheres", {3, 0, 2}},
+                                     {"square", {1, 0, 3, true, 0, 7}},
+                                     {"spheres", {2, 0, 3, true, 0.05, 3}}};
 
-} // namespace
+}   // namespace
 
 // Not a test of its own, see lockstep_test.cpp.
 TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const char* name : {"default", "narrow"}) {
-        jobs.push_back({"rc_top", name + std::string(" with all units"), with_all_units(quick_config(name), {})});
+        jobs.push_back(
+            {"rc_top", name + std::string(" with all units"), with_all_units(quick_config(name), {})});
     }
     REQUIRE_NOTHROW(build_all(jobs));
 }
@@ -58,7 +72,8 @@ TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
 TEST_CASE("model and RTL make the same finished pictures in the same cycles") {
     const Finished asked = GENERATE(from_range(pictures));
     const std::string config = GENERATE("default", "narrow");
-    INFO(asked.scene << " depth " << asked.settings.depth << " aa " << asked.settings.aa << " configuration " << config);
+    INFO(asked.scene << " depth " << asked.settings.depth << " aa " << asked.settings.aa << " configuration "
+                     << config);
     check_lockstep(finished_job(asked, {24, 18}, with_all_units(quick_config(config), asked.settings)));
 }
 
@@ -70,9 +85,18 @@ TEST_CASE("finished pictures do not depend on memory and sinks") {
 }
 
 TEST_CASE("a finished picture is the reference's but for what bits cost, and sends the rays that it sends") {
-    const auto [name, settings, least] = GENERATE(table<std::string, Whitted, double>(
-        {{"spheres", {4}, 46}, {"plane", {0}, 33}, {scene_folder + "pebble.json", {4}, 44}, {"balls:2", {4}, 40}, {"gears:2", {4}, 44}, {"mount:4", {4}, 48}, {"rings:1", {4}, 40}, {"teapot:6", {4}, 48}, {"mirrors", {6}, 44},
-         {"tree:4", {4}, 42}, {"spheres", {3, 0.05, 2}, 44}}));
+    const auto [name, settings, least] =
+        GENERATE(table<std::string, Whitted, double>({{"spheres", {4}, 46},
+                                                      {"plane", {0}, 33},
+                                                      {scene_folder + "pebble.json", {4}, 44},
+                                                      {"balls:2", {4}, 40},
+                                                      {"gears:2", {4}, 44},
+                                                      {"mount:4", {4}, 48},
+                                                      {"rings:1", {4}, 40},
+                                                      {"teapot:6", {4}, 48},
+                                                      {"mirrors", {6}, 44},
+                                                      {"tree:4", {4}, 42},
+                                                      {"spheres", {3, 0.05, 2}, 44}}));
     INFO(name);
     Scene scene = load_scene(name, {}, Primitives::native);
     const FrameSize size{128, 96};
@@ -82,7 +106,8 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     const FrameTrace frame = record_frame(job, job.frame);
     const WhittedFrame reference = Reference(scene).whitted(*scene.camera, size, settings);
     CHECK(compare(picture_of(size, frame.trace.colours), picture_of(reference)).psnr_db >= least);
-    // What leaves a plane's point beyond the lattice and passes by the lattice needs no ray (docs/shading.md).
+    // What leaves a plane's point beyond the lattice and passes by the lattice needs no ray
+    // (docs/shading.md).
     const double fewer = scene.planes.empty() ? 0.01 : 0.4;
     const auto near = [fewer](std::uint64_t mine, std::uint64_t theirs) {
         const double more = double(mine) - double(theirs);
@@ -97,8 +122,12 @@ TEST_CASE("a finished picture is the reference's but for what bits cost, and sen
     CHECK(near(mine.refraction, theirs.refraction));
 }
 
-TEST_CASE("a finished picture is the same for any number of threads, and its trace tells the same machine whatever the memory does") {
-    const Job job = finished_job({"balls:1", {3}}, {40, 30}, fitted_config(make_builtin("balls:1", Primitives::native), {3}, named_config("default")));
+TEST_CASE(
+    "a finished picture is the same for any number of threads, and its trace tells the same machine whatever "
+    "the memory does") {
+    const Job job = finished_job(
+        {"balls:1", {3}}, {40, 30},
+        fitted_config(make_builtin("balls:1", Primitives::native), {3}, named_config("default")));
     const FrameTrace one = record_frame(job, job.frame, 1), many = record_frame(job, job.frame, 5);
     CHECK(one.trace.colours == many.trace.colours);
     CHECK(one.trace.counts == many.trace.counts);

@@ -33,16 +33,30 @@ const std::vector<std::string>& quick_configs() {
 
 Config quick_config(const std::string& name) {
     if (name == "narrow")
-        return with(named_config("small"), {{"coord_bits", 12}, {"dir_bits", 12}, {"t_frac_bits", 0}, {"recip_bits", 8}, {"box_bits", 4},
-                                            {"bary_bits", 4}, {"node_width", 2}, {"leaf_size", 3}, {"stack_depth", 64}, {"raygen_queue", 2},
-                                            {"box_queue", 2}, {"tri_queue", 2}, {"pipelines", 2}, {"tile_bits", 0}, {"node_line", 256},
-                                            {"node_sets", 2}, {"node_ways", 2}, {"node_mshrs", 2}, {"prim_line", 128}, {"prim_sets", 1},
-                                            {"prim_ways", 4}, {"l2_sets", 8}, {"l2_ways", 2}, {"l2_line", 256}, {"l2_mshrs", 4}, {"cache_queue", 2},
-                                            {"dram", 2}});
+        return with(named_config("small"),
+                    {{"coord_bits", 12},  {"dir_bits", 12},    {"t_frac_bits", 0}, {"recip_bits", 8},
+                     {"box_bits", 4},     {"bary_bits", 4},    {"node_width", 2},  {"leaf_size", 3},
+                     {"stack_depth", 64}, {"raygen_queue", 2}, {"box_queue", 2},   {"tri_queue", 2},
+                     {"pipelines", 2},    {"tile_bits", 0},    {"node_line", 256}, {"node_sets", 2},
+                     {"node_ways", 2},    {"node_mshrs", 2},   {"prim_line", 128}, {"prim_sets", 1},
+                     {"prim_ways", 4},    {"l2_sets", 8},      {"l2_ways", 2},     {"l2_line", 256},
+                     {"l2_mshrs", 4},     {"cache_queue", 2},  {"dram", 2}});
     if (name == "broad")
-        return with(named_config("default"), {{"coord_bits", 20}, {"dir_bits", 22}, {"recip_bits", 24}, {"bary_bits", 24}, {"leaf_size", 6},
-                                              {"contexts", 1}, {"node_sets", 1}, {"node_ways", 1}, {"node_mshrs", 1}, {"prim_sets", 1},
-                                              {"prim_ways", 1}, {"prim_mshrs", 1}, {"cache_queue", 2}, {"dram", 0}, {"mem_latency", 1}});
+        return with(named_config("default"), {{"coord_bits", 20},
+                                              {"dir_bits", 22},
+                                              {"recip_bits", 24},
+                                              {"bary_bits", 24},
+                                              {"leaf_size", 6},
+                                              {"contexts", 1},
+                                              {"node_sets", 1},
+                                              {"node_ways", 1},
+                                              {"node_mshrs", 1},
+                                              {"prim_sets", 1},
+                                              {"prim_ways", 1},
+                                              {"prim_mshrs", 1},
+                                              {"cache_queue", 2},
+                                              {"dram", 0},
+                                              {"mem_latency", 1}});
     return named_config(name);
 }
 
@@ -80,29 +94,36 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
             sum += run.accounts.units[u][c];
             if (unit_infos[u].causes[c].kind == Kind::none) CHECK(run.accounts.units[u][c] == 0);
         }
-        const std::uint64_t instances = !is_there(Unit(u), config) ? 0 : u < pipeline_units ? std::uint64_t(config.pipelines) : 1;
+        const std::uint64_t instances = !is_there(Unit(u), config) ? 0
+                                        : u < pipeline_units       ? std::uint64_t(config.pipelines)
+                                                                   : 1;
         CHECK(sum == instances * run.cycles);
     }
     CHECK(code(Unit::sched, 0) == pixels);
     const std::uint64_t sent = config.shading ? trace.counts.all() - totally_reflected(trace) : pixels;
     CHECK(code(Unit::raygen, 0) == sent);
     CHECK(code(Unit::trav, 0) >= run.visits);
-    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == run.visits + trace.turns);   // a turn is work, or holds a step up
+    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) ==
+          run.visits + trace.turns);   // a turn is work, or holds a step up
     CHECK(code(Unit::box, 0) == run.visits);
     CHECK(code(Unit::tri, 0) == run.triangle_tests);
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == run.visits);
-    CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) == run.triangle_tests);
-    for (const Unit cache : {Unit::node_cache, Unit::prim_cache, Unit::surf_cache}) CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
+    CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) ==
+          run.triangle_tests);
+    for (const Unit cache : {Unit::node_cache, Unit::prim_cache, Unit::surf_cache})
+        CHECK(code(cache, 3) == code(cache, 1) + code(cache, 2));
     const std::uint64_t words = code(Unit::node_cache, 1) * std::uint64_t(config.node_line / line_bytes) +
-        code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes) + code(Unit::surf_cache, 1) * std::uint64_t(config.surf_line / line_bytes);
+                                code(Unit::prim_cache, 1) * std::uint64_t(config.prim_line / line_bytes) +
+                                code(Unit::surf_cache, 1) * std::uint64_t(config.surf_line / line_bytes);
     CHECK(code(Unit::memport, 0) == words);
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
-    CHECK(run.memory.reads == (config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words));
+    CHECK(run.memory.reads ==
+          (config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words));
     CHECK(run.box_tests >= run.visits);
     CHECK(run.box_tests <= run.visits * std::uint64_t(config.node_width));
 }
 
-} // namespace
+}   // namespace
 
 LockstepResult check_lockstep(const Job& job, Traffic traffic, int seed) {
     std::vector<FrameTrace> frames;
@@ -110,14 +131,16 @@ LockstepResult check_lockstep(const Job& job, Traffic traffic, int seed) {
     return check_lockstep(job, frames, traffic, seed);
 }
 
-LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed) {
-    INFO("configuration " << job.config.name << ", jitter " << traffic.jitter << ", stall " << traffic.stall_percent << ", seed " << traffic.seed
-                          << ", RTL seed " << seed);
+LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic,
+                              int seed) {
+    INFO("configuration " << job.config.name << ", jitter " << traffic.jitter << ", stall "
+                          << traffic.stall_percent << ", seed " << traffic.seed << ", RTL seed " << seed);
     LockstepResult result = run_lockstep(job, frames, traffic, {}, seed);
     if (result.first) {
         const Divergence& d = *result.first;
-        UNSCOPED_INFO("first divergence: cycle " << d.cycle << " unit " << d.unit << " channel " << d.channel << " ray " << d.ray << " pixel "
-                                                 << d.x << "," << d.y << " expected " << d.expected << " got " << d.got);
+        UNSCOPED_INFO("first divergence: cycle " << d.cycle << " unit " << d.unit << " channel " << d.channel
+                                                 << " ray " << d.ray << " pixel " << d.x << "," << d.y
+                                                 << " expected " << d.expected << " got " << d.got);
     }
     const std::uint64_t pixels = frames.back().trace.rays.size();
     CHECK(result.agrees());
@@ -136,4 +159,4 @@ LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& fra
     return result;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

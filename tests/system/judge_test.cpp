@@ -1,4 +1,5 @@
-// The judge of finished pictures: it finds sound ones right, counts every ray, and notices whatever is tampered with.
+// The judge of finished pictures: it finds sound ones right, counts every ray, and notices whatever is
+// tampered with.
 #include <catch2/catch.hpp>
 
 #include "model/reference/reference.hpp"
@@ -18,7 +19,8 @@ struct Case {
     Job job;
     FrameTrace trace;
 
-    Case(const std::string& name, const Whitted& asked, const Config& config, FrameSize size = {48, 36}) : scene(load_scene(name, {}, Primitives::native)), settings(asked) {
+    Case(const std::string& name, const Whitted& asked, const Config& config, FrameSize size = {48, 36})
+        : scene(load_scene(name, {}, Primitives::native)), settings(asked) {
         if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
         Config units = fitted_config(scene, settings, config);
         units.stack_depth = 64;
@@ -27,21 +29,33 @@ struct Case {
     }
     PictureJudgement judged() const {
         const Asked asked{scene, *scene.camera, trace.frame, job.image.lattice, job.config};
-        return judge_picture(asked, job.image, settings, {trace.trace.hits, trace.trace.colours, trace.trace.signatures});
+        return judge_picture(asked, job.image, settings,
+                             {trace.trace.hits, trace.trace.colours, trace.trace.signatures});
     }
 };
 
-} // namespace
+}   // namespace
 
 TEST_CASE("every ray and colour of a sound picture is right, and all are judged", "[judge]") {
-    const auto [name, settings] = GENERATE(table<std::string, Whitted>(
-        {{"spheres", {5}}, {"balls:2", {4}}, {"gears:2", {4}}, {"mount:3", {4}}, {"rings:1", {4}}, {"teapot:4", {4}}, {"mirrors", {6}}, {"tree:3", {2}}, {"plane", {1}},
-         {"spheres", {15, 0.02}}, {"spheres", {3, 0, 3, true, 0.05, 3}}, {"square", {1, 0, 3, false, 1}}, {"cornell", {2, 0, 2}}}));
+    const auto [name, settings] = GENERATE(table<std::string, Whitted>({{"spheres", {5}},
+                                                                        {"balls:2", {4}},
+                                                                        {"gears:2", {4}},
+                                                                        {"mount:3", {4}},
+                                                                        {"rings:1", {4}},
+                                                                        {"teapot:4", {4}},
+                                                                        {"mirrors", {6}},
+                                                                        {"tree:3", {2}},
+                                                                        {"plane", {1}},
+                                                                        {"spheres", {15, 0.02}},
+                                                                        {"spheres", {3, 0, 3, true, 0.05, 3}},
+                                                                        {"square", {1, 0, 3, false, 1}},
+                                                                        {"cornell", {2, 0, 2}}}));
     const std::string config = GENERATE("default", "small");
     INFO(name << " depth " << settings.depth << " aa " << settings.aa << " configuration " << config);
     const Case made(name, settings, named_config(config));
     const PictureJudgement j = made.judged();
-    for (const PictureFault& f : j.faults) FAIL_CHECK("pixel (" << f.x << ", " << f.y << "), after ray " << f.ray << ": " << f.what);
+    for (const PictureFault& f : j.faults)
+        FAIL_CHECK("pixel (" << f.x << ", " << f.y << "), after ray " << f.ray << ": " << f.what);
     CHECK(j.wrong == 0);
     CHECK(j.colours == made.trace.trace.colours.size());
     const RayCounts& sent = made.trace.trace.counts;

@@ -12,11 +12,13 @@ using namespace rayclock::test;
 
 namespace {
 
-const std::vector<std::string> scenes{"tetra:4", "mount:4", "gears:1", "gears:2", "balls:1", "teapot:6", "cornell", "icosphere:3"};
+const std::vector<std::string> scenes{"tetra:4", "mount:4",  "gears:1", "gears:2",
+                                      "balls:1", "teapot:6", "cornell", "icosphere:3"};
 
-} // namespace
+}   // namespace
 
-// Not a test of its own: ctest runs it once before those that need the RTL, so that they do not build it side by side.
+// Not a test of its own: ctest runs it once before those that need the RTL, so that they do not build it side
+// by side.
 TEST_CASE("the RTL of the quick configurations builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const std::string& name : quick_configs()) jobs.push_back({"rc_top", name, quick_config(name)});
@@ -49,10 +51,12 @@ TEST_CASE("model and RTL agree on scenes from files") {
         const std::string ending = entry.path().extension().string();
         if (ending != ".obj" && ending != ".json") continue;
         const Scene scene = load_scene(entry.path().string(), {}, Primitives::native);
-        if (!scene.spheres.empty() || !scene.planes.empty()) continue;   // finished pictures: finished_test.cpp
+        if (!scene.spheres.empty() || !scene.planes.empty())
+            continue;   // finished pictures: finished_test.cpp
         ++found;
         INFO(entry.path().string());
-        for (const std::string& config : quick_configs()) check_lockstep(make_shot(entry.path().string(), {48, 36}, quick_config(config)).job);
+        for (const std::string& config : quick_configs())
+            check_lockstep(make_shot(entry.path().string(), {48, 36}, quick_config(config)).job);
     }
     CHECK(found > 0);
 }
@@ -66,10 +70,12 @@ TEST_CASE("model and RTL agree for every leaf size") {
 
 TEST_CASE("model and RTL agree for every memory and every back-pressure") {
     const std::string name = GENERATE("default", "small", "narrow", "broad");
-    const Traffic traffic = GENERATE(Traffic{0, 0, 1}, Traffic{1, 0, 2}, Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{7, 20, 5},
-                                     Traffic{100, 90, 6}, Traffic{3, 70, 7}, Traffic{200, 5, 8});
+    const Traffic traffic =
+        GENERATE(Traffic{0, 0, 1}, Traffic{1, 0, 2}, Traffic{30, 0, 3}, Traffic{0, 50, 4}, Traffic{7, 20, 5},
+                 Traffic{100, 90, 6}, Traffic{3, 70, 7}, Traffic{200, 5, 8});
     const int latency = GENERATE(1, 8, 61);
-    const Config config = with(quick_config(name), {{"dram", 0}, {"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
+    const Config config = with(
+        quick_config(name), {{"dram", 0}, {"mem_latency", latency}, {"mem_interval", latency == 8 ? 3 : 1}});
     check_lockstep(make_shot("gears:1", {32, 24}, config).job, traffic, int(traffic.seed));
 }
 
@@ -79,25 +85,31 @@ TEST_CASE("model and RTL agree on every DRAM, at every clock, with every back-pr
     Job job = make_shot("gears:1", {32, 24}, with(quick_config(name), {{"dram", dram}})).job;
     job.khz = khz;
     INFO(khz << " kHz");
-    for (const Traffic& traffic : {Traffic{}, Traffic{40, 0, 2}, Traffic{25, 60, 3}}) check_lockstep(job, traffic, int(traffic.seed));
+    for (const Traffic& traffic : {Traffic{}, Traffic{40, 0, 2}, Traffic{25, 60, 3}})
+        check_lockstep(job, traffic, int(traffic.seed));
 }
 
 TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm") {
-    const Shot shot = make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
+    const Shot shot =
+        make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     const Job& job = shot.job;
     INFO(job.config.name);
     Camera turned = *shot.scene.camera;
     turned.fov_degrees *= 0.8;
     std::vector<FrameTrace> one, two, four;
     for (auto* frames : {&one, &two, &four}) frames->push_back(record_frame(job, job.frame));
-    for (auto* frames : {&two, &four}) frames->push_back(record_frame(job, make_frame(turned, {32, 24}, job.image.lattice, job.config)));
-    for (const FrameSize size : {FrameSize{19, 30}, FrameSize{50, 33}})   // what was outside one picture is inside the next
-        four.push_back(record_frame(job, make_frame(*shot.scene.camera, size, job.image.lattice, job.config)));
+    for (auto* frames : {&two, &four})
+        frames->push_back(record_frame(job, make_frame(turned, {32, 24}, job.image.lattice, job.config)));
+    for (const FrameSize size :
+         {FrameSize{19, 30}, FrameSize{50, 33}})   // what was outside one picture is inside the next
+        four.push_back(
+            record_frame(job, make_frame(*shot.scene.camera, size, job.image.lattice, job.config)));
     CHECK(two[1].trace.hits.size() == one[0].trace.hits.size());
     for (const Traffic& traffic : {Traffic{}, Traffic{10, 30, 5}}) {
         std::vector<FrameTrace> cold;
         cold.push_back(record_frame(job, two[1].frame));
-        const FrameRun first = check_lockstep(job, one, traffic).rtl, second = check_lockstep(job, two, traffic).rtl;
+        const FrameRun first = check_lockstep(job, one, traffic).rtl,
+                       second = check_lockstep(job, two, traffic).rtl;
         const FrameRun alone = check_lockstep(job, cold, traffic).rtl;
         CHECK(first.hits.hits != second.hits.hits);   // another picture
         CHECK(second.hits.hits == alone.hits.hits);   // whatever lay in the caches
@@ -110,7 +122,8 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     const LockstepResult again = check_lockstep(job, same);
     if (job.config.node_sets > 2) CHECK(again.rtl.memory.reads < run_model(job).memory.reads);
     // The RTL alone: its frames are the model's.
-    const std::vector<FrameRun> runs = run_rtl(job, job.khz, {four[0].frame, four[1].frame, four[2].frame, four[3].frame});
+    const std::vector<FrameRun> runs =
+        run_rtl(job, job.khz, {four[0].frame, four[1].frame, four[2].frame, four[3].frame});
     const std::vector<FrameTiming> timings = replay(job.config, job.khz, four);
     check_lockstep(job, four, {3, 20, 7});
     REQUIRE(runs.size() == 4);
@@ -123,14 +136,17 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
 }
 
 TEST_CASE("model and RTL agree whatever the registers held before reset") {
-    const Shot shot = make_shot("balls:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
+    const Shot shot =
+        make_shot("balls:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));
     for (int seed = 1; seed <= 12; ++seed) check_lockstep(shot.job, {2, 10, std::uint64_t(seed)}, seed);
 }
 
 TEST_CASE("model and RTL agree on pictures of odd shapes") {
-    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{1, 50}, FrameSize{50, 1}, FrameSize{2, 3}, FrameSize{65, 2}, FrameSize{33, 31});
+    const FrameSize size = GENERATE(FrameSize{1, 1}, FrameSize{1, 50}, FrameSize{50, 1}, FrameSize{2, 3},
+                                    FrameSize{65, 2}, FrameSize{33, 31});
     INFO(size.width << "x" << size.height);
-    for (const std::string& config : quick_configs()) check_lockstep(make_shot("teapot:3", size, quick_config(config)).job, {4, 25, 9});
+    for (const std::string& config : quick_configs())
+        check_lockstep(make_shot("teapot:3", size, quick_config(config)).job, {4, 25, 9});
 }
 
 TEST_CASE("a ray that sees nothing and a picture that sees nothing") {

@@ -1,5 +1,5 @@
-// Lockstep over configurations that nobody chose, under memory and back-pressure that nobody chose. Every configuration builds
-// its RTL (about 12 s a pipeline): a few are quick, the others slow.
+// Lockstep over configurations that nobody chose, under memory and back-pressure that nobody chose. Every
+// configuration builds its RTL (about 12 s a pipeline): a few are quick, the others slow.
 #include <catch2/catch.hpp>
 
 #include "tests/support/machine/build_all.hpp"
@@ -32,7 +32,10 @@ void check_config_in_lockstep(const Config& config) {
 }
 
 Shot random_shot(std::uint64_t seed, const Config& config) {
-    return make_deep_shot(seed % 3 == 0 ? "mount:3" : seed % 3 == 1 ? "gears:1" : "teapot:4", {32, 24}, config);
+    return make_deep_shot(seed % 3 == 0   ? "mount:3"
+                          : seed % 3 == 1 ? "gears:1"
+                                          : "teapot:4",
+                          {32, 24}, config);
 }
 
 /// Every memory, and draws of latency, interval, clock and traffic.
@@ -45,7 +48,9 @@ void check_random(const Config& config, std::uint64_t seed) {
     check_lockstep(shot.job);
     for (int i = 0; i < 6; ++i) {
         Job job = shot.job;
-        job.config = with(job.config, {{"dram", (config.dram + i) % int(dram_names().size())}, {"mem_latency", 1 + rng.below(60)}, {"mem_interval", 1 + rng.below(4)}});
+        job.config = with(job.config, {{"dram", (config.dram + i) % int(dram_names().size())},
+                                       {"mem_latency", 1 + rng.below(60)},
+                                       {"mem_interval", 1 + rng.below(4)}});
         job.khz = 20000 + rng.below(500000);
         INFO(job.khz << " kHz");
         check_lockstep(job, frames, random_traffic(seed * 10 + std::uint64_t(i)), int(seed) * 10 + i);
@@ -56,13 +61,14 @@ void check_random(const Config& config, std::uint64_t seed) {
 constexpr std::uint64_t quick_seeds = 4;
 Config quick_random(std::uint64_t seed) { return random_config(seed, true); }
 
-} // namespace
+}   // namespace
 
 // Not a test of its own; see lockstep_test.cpp.
 TEST_CASE("the RTL of the quick random configurations builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (std::uint64_t seed = 1; seed <= quick_seeds; ++seed)
-        jobs.push_back({"rc_top", "random " + std::to_string(seed), random_shot(seed, quick_random(seed)).job.config});
+        jobs.push_back(
+            {"rc_top", "random " + std::to_string(seed), random_shot(seed, quick_random(seed)).job.config});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
@@ -78,10 +84,13 @@ TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
 
 TEST_CASE("the RTL of random configurations, and of any units that shade, is clean of warnings", "[slow]") {
     const std::uint64_t seed = GENERATE(range(std::uint64_t(1), std::uint64_t(61)));
-    Config config = random_config(seed % 4 == 0 ? seed : 3 * seed, false);   // those of three times a number shade
-    if (config.shading) {   // needed by no scene here
+    Config config =
+        random_config(seed % 4 == 0 ? seed : 3 * seed, false);   // those of three times a number shade
+    if (config.shading) {                                        // needed by no scene here
         Rng rng(seed);
-        for (int Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling, &Config::spheres, &Config::planes}) config.*unit = rng.below(2);
+        for (int Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling,
+                                  &Config::spheres, &Config::planes})
+            config.*unit = rng.below(2);
         if (config.bary_bits + plane_bits + 1 > 32) config.planes = 0;
     }
     check_config(config, config.name);
@@ -91,21 +100,30 @@ TEST_CASE("the RTL of random configurations, and of any units that shade, is cle
 
 TEST_CASE("every node width with every coordinate width", "[slow]") {
     const int width = GENERATE(2, 4, 8), bits = GENERATE(12, 16, 20);
-    check_config_in_lockstep(with(named_config("default"), {{"node_width", width}, {"coord_bits", bits}, {"stack_depth", 64}, {"contexts", 16}}));
+    check_config_in_lockstep(
+        with(named_config("default"),
+             {{"node_width", width}, {"coord_bits", bits}, {"stack_depth", 64}, {"contexts", 16}}));
 }
 
 TEST_CASE("one and two contexts, queues of two", "[slow]") {
     const int contexts = GENERATE(1, 2), queue = GENERATE(2, 4);
-    check_config_in_lockstep(with(named_config("default"), {{"contexts", contexts}, {"raygen_queue", queue}, {"box_queue", queue},
-                                                            {"tri_queue", queue}, {"stack_depth", 32}}));
+    check_config_in_lockstep(with(named_config("default"), {{"contexts", contexts},
+                                                            {"raygen_queue", queue},
+                                                            {"box_queue", queue},
+                                                            {"tri_queue", queue},
+                                                            {"stack_depth", 32}}));
 }
 
 TEST_CASE("the least and the most of every other width", "[slow]") {
     const std::vector<std::pair<std::string, int>> values = GENERATE(
-        std::vector<std::pair<std::string, int>>{{"t_frac_bits", 0}}, std::vector<std::pair<std::string, int>>{{"t_frac_bits", 8}},
-        std::vector<std::pair<std::string, int>>{{"recip_bits", 8}}, std::vector<std::pair<std::string, int>>{{"recip_bits", 24}},
-        std::vector<std::pair<std::string, int>>{{"box_bits", 4}}, std::vector<std::pair<std::string, int>>{{"bary_bits", 24}},
-        std::vector<std::pair<std::string, int>>{{"dir_bits", 12}}, std::vector<std::pair<std::string, int>>{{"dir_bits", 24}},
+        std::vector<std::pair<std::string, int>>{{"t_frac_bits", 0}},
+        std::vector<std::pair<std::string, int>>{{"t_frac_bits", 8}},
+        std::vector<std::pair<std::string, int>>{{"recip_bits", 8}},
+        std::vector<std::pair<std::string, int>>{{"recip_bits", 24}},
+        std::vector<std::pair<std::string, int>>{{"box_bits", 4}},
+        std::vector<std::pair<std::string, int>>{{"bary_bits", 24}},
+        std::vector<std::pair<std::string, int>>{{"dir_bits", 12}},
+        std::vector<std::pair<std::string, int>>{{"dir_bits", 24}},
         std::vector<std::pair<std::string, int>>{{"coord_bits", 14}, {"dir_bits", 24}, {"recip_bits", 9}});
     check_config_in_lockstep(with(with(named_config("small"), {{"stack_depth", 64}}), values));
 }

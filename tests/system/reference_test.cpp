@@ -1,20 +1,24 @@
-// Model against the double-precision reference: every pixel that differs lies where the lattice may decide otherwise.
+// Model against the double-precision reference: every pixel that differs lies where the lattice may decide
+// otherwise.
 //
-// Let p be the vector of the three lattice pitches. Snapping moves a vertex by at most p_k / 2 on axis k, so by at most |p| / 2;
-// the eye is a lattice point and stays. Camera registers are rounded, and then the direction: each component of the integer
-// direction D is off by at most 1/2 (the last rounding) plus (1 + x + y) / 2^(guard_bits + 1) < 0.01 (the registers), so a point
-// at distance z along the ray moves sideways by at most z theta, theta = 0.51 |p| / |D p|, where D p multiplies axis by axis.
+// Let p be the vector of the three lattice pitches. Snapping moves a vertex by at most p_k / 2 on axis k, so
+// by at most |p| / 2; the eye is a lattice point and stays. Camera registers are rounded, and then the
+// direction: each component of the integer direction D is off by at most 1/2 (the last rounding) plus (1 + x
+// + y) / 2^(guard_bits + 1) < 0.01 (the registers), so a point at distance z along the ray moves sideways by
+// at most z theta, theta = 0.51 |p| / |D p|, where D p multiplies axis by axis.
 //
-// Move everything continuously from the scene as given to the snapped one. If the ray is inside a triangle before and
-// outside after, then on the way it crossed the triangle's boundary, so at the beginning it passes a point of one of the
-// triangle's edges within eps = |p| / 2 + z theta. If it is inside both triangles before and after and their order along the
-// ray changed, they met on the way: a distance along the ray changes by at most eps (1 + 1 / |cos|), cos the cosine between
-// the ray and the triangle's normal (to first order in eps; the factor of 2 below covers the rest for triangles whose
-// normal turns little), so they were at most the sum of both apart. A pixel whose ray keeps clear of all this must show the
-// same primitive. The count is then bounded by that of pixels near an edge: an edge of l pixels in the picture decides
-// 2 l eps' pixels on average, eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.001, and even where triangles are as
-// small as pixels there are some 6 pixels of edge for every pixel: 1.2 %. A quarter of a percent is demanded of every scene. Ties
-// are counted apart: where surfaces coincide (in rings) no precision decides, and rounding does in the reference.
+// Move everything continuously from the scene as given to the snapped one. If the ray is inside a triangle
+// before and outside after, then on the way it crossed the triangle's boundary, so at the beginning it passes
+// a point of one of the triangle's edges within eps = |p| / 2 + z theta. If it is inside both triangles
+// before and after and their order along the ray changed, they met on the way: a distance along the ray
+// changes by at most eps (1 + 1 / |cos|), cos the cosine between the ray and the triangle's normal (to first
+// order in eps; the factor of 2 below covers the rest for triangles whose normal turns little), so they were
+// at most the sum of both apart. A pixel whose ray keeps clear of all this must show the same primitive. The
+// count is then bounded by that of pixels near an edge: an edge of l pixels in the picture decides 2 l eps'
+// pixels on average, eps' in pixels. At N = 18 and 96 x 72 pixels eps' < 0.001, and even where triangles are
+// as small as pixels there are some 6 pixels of edge for every pixel: 1.2 %. A quarter of a percent is
+// demanded of every scene. Ties are counted apart: where surfaces coincide (in rings) no precision decides,
+// and rounding does in the reference.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -41,7 +45,9 @@ public:
         const Ray ray = at(x, y);
         for (std::size_t k = 0; k < 3; ++k) {
             const dvec3 a = corner(primitive, k), b = corner(primitive, (k + 1) % 3);
-            if (distance_to_edge(ray, a, b) <= tolerance(ray, glm::max(glm::distance(a, rays_.eye), glm::distance(b, rays_.eye)))) return true;
+            if (distance_to_edge(ray, a, b) <=
+                tolerance(ray, glm::max(glm::distance(a, rays_.eye), glm::distance(b, rays_.eye))))
+                return true;
         }
         return false;
     }
@@ -58,12 +64,13 @@ public:
         return std::abs(depth[0] - depth[1]) <= 2 * reach;
     }
 
-    /// How far the depth of a pixel that holds the right primitive may be off; t's last place is added, along a direction whose
-    /// largest component is at least a quarter of the picture's.
+    /// How far the depth of a pixel that holds the right primitive may be off; t's last place is added, along
+    /// a direction whose largest component is at least a quarter of the picture's.
     double depth_bound(std::uint32_t primitive, int x, int y) const {
         const Ray ray = at(x, y);
         const Plane plane = plane_of(ray, primitive);
-        return 2 * tolerance(ray, plane.depth) * (1 + 1 / plane.cosine) + glm::length(job_.image.lattice.pitch) * std::ldexp(1.0, -job_.config.t_frac_bits);
+        return 2 * tolerance(ray, plane.depth) * (1 + 1 / plane.cosine) +
+               glm::length(job_.image.lattice.pitch) * std::ldexp(1.0, -job_.config.t_frac_bits);
     }
 
 private:
@@ -74,22 +81,32 @@ private:
     Ray at(int x, int y) const {
         const Vec3i d = pixel_direction(std::uint32_t(x), std::uint32_t(y), job_.frame, job_.config);
         const dvec3& pitch = job_.image.lattice.pitch;
-        return {glm::normalize(rays_.direction(x, y)), 0.51 * glm::length(pitch) / glm::length(dvec3{d[0], d[1], d[2]} * pitch)};
+        return {glm::normalize(rays_.direction(x, y)),
+                0.51 * glm::length(pitch) / glm::length(dvec3{d[0], d[1], d[2]} * pitch)};
     }
     struct Plane {
-        double depth, cosine;   ///< where the ray meets the triangle's plane, and its cosine with the normal, positive
+        double depth,
+            cosine;   ///< where the ray meets the triangle's plane, and its cosine with the normal, positive
     };
     Plane plane_of(const Ray& ray, std::uint32_t primitive) const {
-        const dvec3 n = glm::normalize(glm::cross(corner(primitive, 1) - corner(primitive, 0), corner(primitive, 2) - corner(primitive, 0)));
+        const dvec3 n = glm::normalize(glm::cross(corner(primitive, 1) - corner(primitive, 0),
+                                                  corner(primitive, 2) - corner(primitive, 0)));
         const double cosine = glm::dot(n, ray.unit);
         return {glm::dot(n, corner(primitive, 0) - rays_.eye) / cosine, std::abs(cosine)};
     }
-    double tolerance(const Ray& ray, double z) const { return 0.5 * glm::length(job_.image.lattice.pitch) + ray.theta * z; }
-    dvec3 corner(std::uint32_t primitive, std::size_t k) const { return scene_.vertices[scene_.triangles[primitive].vertex[k]]; }
+    double tolerance(const Ray& ray, double z) const {
+        return 0.5 * glm::length(job_.image.lattice.pitch) + ray.theta * z;
+    }
+    dvec3 corner(std::uint32_t primitive, std::size_t k) const {
+        return scene_.vertices[scene_.triangles[primitive].vertex[k]];
+    }
 
-    /// Least distance between the ray's line and the segment a..b: in the plane across the ray, that of a point and a segment.
+    /// Least distance between the ray's line and the segment a..b: in the plane across the ray, that of a
+    /// point and a segment.
     double distance_to_edge(const Ray& ray, const dvec3& a, const dvec3& b) const {
-        const auto across = [&](const dvec3& p) { return (p - rays_.eye) - glm::dot(p - rays_.eye, ray.unit) * ray.unit; };
+        const auto across = [&](const dvec3& p) {
+            return (p - rays_.eye) - glm::dot(p - rays_.eye, ray.unit) * ray.unit;
+        };
         const dvec3 from = across(a), to = across(b), along = to - from;
         const double length2 = glm::dot(along, along);
         const double s = length2 > 0 ? glm::clamp(-glm::dot(from, along) / length2, 0.0, 1.0) : 0;
@@ -101,14 +118,16 @@ private:
     PixelRays rays_;
 };
 
-} // namespace
+}   // namespace
 
 TEST_CASE("pixels that differ from the reference lie within rounding of an edge or of a tie") {
-    const std::string name = GENERATE("tetra:4", "mount:4", "gears:1", "gears:2", "balls:1", "balls:2", "teapot:6", "cornell", "icosphere:3",
-                                      "rings:1", "tree:6");
+    const std::string name = GENERATE("tetra:4", "mount:4", "gears:1", "gears:2", "balls:1", "balls:2",
+                                      "teapot:6", "cornell", "icosphere:3", "rings:1", "tree:6");
     const int bits = GENERATE(12, 16, 18, 20);
     const FrameSize size{96, 72};
-    const Config config = with(named_config("default"), {{"coord_bits", bits}, {"dir_bits", bits == 12 ? 16 : 20}, {"stack_depth", 32}});
+    const Config config =
+        with(named_config("default"),
+             {{"coord_bits", bits}, {"dir_bits", bits == 12 ? 16 : 20}, {"stack_depth", 32}});
     const Shot shot = make_shot(name, size, config);
     const HitFrame reference = Reference(shot.scene).frame(*shot.scene.camera, size);
     const HitFrame model = run_model(shot.job).hits;
@@ -119,7 +138,9 @@ TEST_CASE("pixels that differ from the reference lie within rounding of an edge 
         const std::uint32_t a = reference.hits[i].primitive, b = model.hits[i].primitive;
         const int x = int(i) % size.width, y = int(i) / size.width;
         if (a == b) {
-            if (a != no_primitive) worst = std::max(worst, std::abs(double(reference.hits[i].depth) - model.hits[i].depth) / explain.depth_bound(a, x, y));
+            if (a != no_primitive)
+                worst = std::max(worst, std::abs(double(reference.hits[i].depth) - model.hits[i].depth) /
+                                            explain.depth_bound(a, x, y));
             continue;
         }
         ++differ;
@@ -138,13 +159,16 @@ TEST_CASE("pixels that differ from the reference lie within rounding of an edge 
 }
 
 TEST_CASE("at 18 bits no more than one pixel in a thousand holds another primitive, at 45 dB") {
-    const std::string name = GENERATE("balls:3", "gears:4", "mount:6", "rings:3", "teapot:12", "tetra:6", "tree:6");
+    const std::string name =
+        GENERATE("balls:3", "gears:4", "mount:6", "rings:3", "teapot:12", "tetra:6", "tree:6");
     const FrameSize size{512, 384};
     const Shot shot = make_shot(name, size, with(named_config("default"), {{"stack_depth", 64}}));
     const HitFrame reference = Reference(shot.scene).frame(*shot.scene.camera, size);
-    const FrameError error = frame_error(shot.scene, hits_of(shot.job, record_frame(shot.job, shot.job.frame)), reference);
+    const FrameError error =
+        frame_error(shot.scene, hits_of(shot.job, record_frame(shot.job, shot.job.frame)), reference);
     INFO(name << ": " << error.pixels_other_primitive << " pixels differ, " << error.psnr_db << " dB");
-    // In rings a diagonal of the wall passes through the centres of some 380 pixels exactly: any rounding decides.
+    // In rings a diagonal of the wall passes through the centres of some 380 pixels exactly: any rounding
+    // decides.
     CHECK(error.pixels_other_primitive <= error.pixels / (name == "rings:3" ? 900 : 1000));
     CHECK(error.psnr_db >= 45);
 }

@@ -52,7 +52,8 @@ std::vector<Corners> prism() {
         mesh.push_back({at(i, -1), at(i + 1, -1), at(i + 1, 2)});
         mesh.push_back({at(i, -1), at(i + 1, 2), at(i, 2)});
     }
-    for (const auto& [a, b, c] : {std::array{3, 4, 5}, std::array{3, 5, 0}, std::array{3, 0, 1}, std::array{3, 1, 2}}) {   // a fan from the concave corner
+    for (const auto& [a, b, c] : {std::array{3, 4, 5}, std::array{3, 5, 0}, std::array{3, 0, 1},
+                                  std::array{3, 1, 2}}) {   // a fan from the concave corner
         mesh.push_back({at(a, 2), at(b, 2), at(c, 2)});
         mesh.push_back({at(c, -1), at(b, -1), at(a, -1)});
     }
@@ -63,26 +64,29 @@ std::vector<Corners> shells() {
     std::vector<Corners> mesh = prism();
     for (const int r : {8, 9})
         for (int octant = 0; octant < 8; ++octant)
-            mesh.push_back({{octant & 1 ? r : -r, 0, 0}, {0, octant & 2 ? r : -r, 0}, {0, 0, octant & 4 ? r : -r}});
+            mesh.push_back(
+                {{octant & 1 ? r : -r, 0, 0}, {0, octant & 2 ? r : -r, 0}, {0, 0, octant & 4 ? r : -r}});
     return mesh;
 }
 
 PrimData prim_of(const Corners& t) { return {t.a, t.b, t.c, 0}; }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("no false shadow and no light leak from points of the surface", "[shadows]") {
     for (const int frac_bits : {2, 6, 16}) check_scheme(700, unsigned(frac_bits), {Kind::surface, frac_bits});
 }
 
 TEST_CASE("no false shadow and no light leak in ten million rays", "[shadows][slow]") {
-    for (const int frac_bits : {4, 6, 8, 12, 16}) check_scheme(40000, unsigned(100 + frac_bits), {Kind::surface, frac_bits});
+    for (const int frac_bits : {4, 6, 8, 12, 16})
+        check_scheme(40000, unsigned(100 + frac_bits), {Kind::surface, frac_bits});
 }
 
 TEST_CASE("other origins of secondary rays do shadow themselves and leak", "[shadows]") {
     for (const Kind kind : {Kind::excluded, Kind::pushed, Kind::epsilon}) {
         ShadowCounts sum;
-        for (const ShadowScene& scene : shadow_scenes()) sum += shadow_counts(scene.make(16), 16, 5, 300, {kind, 0});
+        for (const ShadowScene& scene : shadow_scenes())
+            sum += shadow_counts(scene.make(16), 16, 5, 300, {kind, 0});
         CAPTURE(int(kind));
         REQUIRE(sum.false_shadows > 0);
         REQUIRE(sum.light_leaks > 0);
@@ -112,7 +116,8 @@ TEST_CASE("from every point of a small solid to every light, on either side", "[
                     }
                     CAPTURE(own, u, v, light[0], light[1], light[2]);
                     REQUIRE(sight.answer() != (said ? Sight::Answer::free : Sight::Answer::blocked));
-                    // Normals point outwards: what leaves outwards and ends inside the solid, or the other way round, was stopped.
+                    // Normals point outwards: what leaves outwards and ends inside the solid, or the other
+                    // way round, was stopped.
                     const Prism in = in_prism(light);
                     if (facing > 0 ? in.within : in.outside) {
                         REQUIRE(said);
@@ -132,10 +137,14 @@ TEST_CASE("the search around a way skips no triangle that it meets", "[shadows]"
         const oracle::Around around(scene.make(12));
         const auto& mesh = around.triangles();
         for (std::uint32_t i = 0; i < 200; ++i) {
-            // From a corner of one triangle to that of another: both meet the way, and so do all that it crosses.
-            const std::uint32_t from = i * 7919u % std::uint32_t(mesh.size()), to = i * 104729u % std::uint32_t(mesh.size());
+            // From a corner of one triangle to that of another: both meet the way, and so do all that it
+            // crosses.
+            const std::uint32_t from = i * 7919u % std::uint32_t(mesh.size()),
+                                to = i * 104729u % std::uint32_t(mesh.size());
             const Vec3i a = mesh[from].a, b = mesh[to].b;
-            const auto place = [](const Vec3i& p) { return std::array{double(p[0]), double(p[1]), double(p[2])}; };
+            const auto place = [](const Vec3i& p) {
+                return std::array{double(p[0]), double(p[1]), double(p[2])};
+            };
             std::vector<bool> found(mesh.size());
             around.along(place(a), place(b), [&](std::uint32_t number) { return found[number] = true; });
             REQUIRE((found[from] && found[to]));

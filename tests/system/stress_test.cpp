@@ -1,4 +1,5 @@
-// Hard cases: the families are what they say, the exact test stands them all, and faults and cheaper tests do not.
+// Hard cases: the families are what they say, the exact test stands them all, and faults and cheaper tests do
+// not.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -34,14 +35,21 @@ std::vector<Counts> counts_of(const Outcome& outcome) {
 }
 /// A file that is gone at the end.
 struct Temporary {
-    std::string path = (std::filesystem::temp_directory_path() / ("rayclock_stress_" + std::to_string(std::hash<std::string>{}(Catch::getResultCapture().getCurrentTestName())))).string();
+    std::string path =
+        (std::filesystem::temp_directory_path() /
+         ("rayclock_stress_" +
+          std::to_string(std::hash<std::string>{}(Catch::getResultCapture().getCurrentTestName()))))
+            .string();
     Temporary() { std::filesystem::remove(path); }
     ~Temporary() { std::filesystem::remove(path); }
 };
 
-} // namespace
+}   // namespace
 
-TEST_CASE("families of hard cases: closed where they say so, inside the lattice, and the sum of crossings is that of the origin", "[stress]") {
+TEST_CASE(
+    "families of hard cases: closed where they say so, inside the lattice, and the sum of crossings is that "
+    "of the origin",
+    "[stress]") {
     const int bits = GENERATE(12, 15, 18, 20);
     for (const Family& f : families())
         for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -51,14 +59,16 @@ TEST_CASE("families of hard cases: closed where they say so, inside the lattice,
             const Case subject = f.make(bits, config.dir_bits, rng);
             if (f.closed && !f.leaks) CHECK(subject.mesh.closed());
             const int limit = 1 << (bits - 1), far = 1 << (config.dir_bits - 1);
-            for (std::size_t k = 0; k < 3; ++k) CHECK((subject.mesh.lo[k] > -limit && subject.mesh.hi[k] < limit));
+            for (std::size_t k = 0; k < 3; ++k)
+                CHECK((subject.mesh.lo[k] > -limit && subject.mesh.hi[k] < limit));
             const oracle::Surface surface(subject.mesh.triangles);
             std::vector<std::uint32_t> found;
             int hits = 0, unbalanced = 0, outside_format = 0;
             for (int i = 0; i < 300; ++i) {
                 const Shot shot = subject.shoot(rng);
                 for (std::size_t k = 0; k < 3; ++k)
-                    outside_format += shot.o[k] < -limit || shot.o[k] >= limit || shot.d[k] < -far || shot.d[k] >= far;
+                    outside_format +=
+                        shot.o[k] < -limit || shot.o[k] >= limit || shot.d[k] < -far || shot.d[k] >= far;
                 outside_format += shot.d == Vec3i{};
                 int sum = shot.inside.value_or(0);
                 surface.candidates(shot.o, shot.d, found);
@@ -100,12 +110,14 @@ TEST_CASE("the exact test stands every hard case, on every lattice", "[stress]")
     CHECK(meets_demand(named_test("exact"), outcome.cells));
 }
 
-TEST_CASE("controls are noticed, the sheared test is watertight, float and truncated tests are not", "[stress]") {
+TEST_CASE("controls are noticed, the sheared test is watertight, float and truncated tests are not",
+          "[stress]") {
     std::vector<std::string> names;
     for (const NamedTest& test : named_tests()) names.push_back(test.name);
     const Outcome outcome = run(small_plan(names, 1'000'000));
     const auto of = [&](const std::string& test, const std::string& where) {
-        return sum(outcome.cells, [&](const Cell& cell) { return cell.test == test && cell.family == where; });
+        return sum(outcome.cells,
+                   [&](const Cell& cell) { return cell.test == test && cell.family == where; });
     };
     for (const NamedTest& test : named_tests()) {
         INFO(test.name);
@@ -130,7 +142,8 @@ TEST_CASE("a test that meets no demand is told from one that does", "[stress]") 
     CHECK_FALSE(meets_demand(exact, {clean, seams}));   // the seams do not leak
     seams.counts.leaks = 1;
     CHECK(meets_demand(exact, {clean, seams}));
-    for (auto count : {&Counts::leaks, &Counts::double_hits, &Counts::oracle_mismatches, &Counts::boxes_lost, &Counts::false_shadows, &Counts::light_leaks}) {
+    for (auto count : {&Counts::leaks, &Counts::double_hits, &Counts::oracle_mismatches, &Counts::boxes_lost,
+                       &Counts::false_shadows, &Counts::light_leaks}) {
         Cell wrong = clean;
         wrong.counts.*count = 1;
         CHECK_FALSE(meets_demand(exact, {wrong, seams}));
@@ -142,7 +155,8 @@ TEST_CASE("a test that meets no demand is told from one that does", "[stress]") 
     CHECK(meets_demand(control, {unnoticed}));
 }
 
-TEST_CASE("a stress run gives the same counts with any threads, and when it is stopped and gone on with", "[stress]") {
+TEST_CASE("a stress run gives the same counts with any threads, and when it is stopped and gone on with",
+          "[stress]") {
     Plan plan = small_plan({"exact", "moller"}, 1'500'000);
     plan.bits = {14};
     plan.families = {"edges", "t_junction", "quad"};

@@ -1,4 +1,5 @@
-// The oracle itself: its triangle test against elimination in fractions, its search against brute force in 256 bits.
+// The oracle itself: its triangle test against elimination in fractions, its search against brute force in
+// 256 bits.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -18,7 +19,8 @@ std::vector<oracle::Corners> random_triangles(Draw& draw, int bits, int count) {
     for (int i = 0; i < count; ++i) {
         const int reach = 1 << draw.below(bits - 1);
         oracle::Corners t;
-        t.a = !triangles.empty() && draw.coin() ? triangles[std::size_t(draw.below(int(triangles.size())))].b : draw.vector(bits);
+        t.a = !triangles.empty() && draw.coin() ? triangles[std::size_t(draw.below(int(triangles.size())))].b
+                                                : draw.vector(bits);
         t.b = draw.near(t.a, reach, bits);
         t.c = draw.below(8) == 0 ? t.a : draw.near(t.b, reach, bits);
         triangles.push_back(t);
@@ -30,7 +32,8 @@ struct RandomRay {
     Vec3i o, d;
 };
 
-/// Half of the rays are aimed at a corner, an edge's middle or inside a triangle, by a direction without rounding.
+/// Half of the rays are aimed at a corner, an edge's middle or inside a triangle, by a direction without
+/// rounding.
 RandomRay random_ray(Draw& draw, int bits, int dir_bits, const std::vector<oracle::Corners>& triangles) {
     RandomRay ray{draw.vector(bits), draw.vector(dir_bits)};
     if (draw.coin()) return ray;
@@ -39,11 +42,13 @@ RandomRay random_ray(Draw& draw, int bits, int dir_bits, const std::vector<oracl
     const auto& w = weights[draw.below(6)];
     const int most = (1 << (dir_bits - 1)) - 1;
     for (std::size_t k = 0; k < 3; ++k)
-        ray.d[k] = std::clamp((w[0] * (t.a[k] - ray.o[k]) + w[1] * (t.b[k] - ray.o[k]) + w[2] * (t.c[k] - ray.o[k])) / 2, -most - 1, most);
+        ray.d[k] = std::clamp(
+            (w[0] * (t.a[k] - ray.o[k]) + w[1] * (t.b[k] - ray.o[k]) + w[2] * (t.c[k] - ray.o[k])) / 2,
+            -most - 1, most);
     return ray;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the oracle's triangle test is what elimination in fractions finds") {
     const int bits = GENERATE(3, 12, 16, 20), dir_bits = bits == 20 ? 22 : bits + 2;
@@ -54,14 +59,17 @@ TEST_CASE("the oracle's triangle test is what elimination in fractions finds") {
         const RandomRay ray = random_ray(draw, bits, dir_bits, triangles);
         const oracle::Corners& t = triangles[0];
         const oracle::ExactHit hit = oracle::exact_hit(ray.o, ray.d, t, 5);
-        const auto truth = oracle::crossing(oracle::point(ray.o), oracle::point(ray.d), oracle::point(t.a), oracle::point(t.b), oracle::point(t.c));
+        const auto truth = oracle::crossing(oracle::point(ray.o), oracle::point(ray.d), oracle::point(t.a),
+                                            oracle::point(t.b), oracle::point(t.c));
         REQUIRE((hit.primitive == 5) == truth.has_value());
         if (!truth) continue;
         ++hits;
-        REQUIRE(oracle::Rational(oracle::Int(std::int64_t(hit.num)), oracle::Int(std::int64_t(hit.den))) == truth->t);
+        REQUIRE(oracle::Rational(oracle::Int(std::int64_t(hit.num)), oracle::Int(std::int64_t(hit.den))) ==
+                truth->t);
         // It enters where it leaves the side of the normal.
         const auto a = oracle::triple<Int>(t.a);
-        const auto normal = oracle::area(oracle::way(a, oracle::triple<Int>(t.b)), oracle::way(a, oracle::triple<Int>(t.c)));
+        const auto normal =
+            oracle::area(oracle::way(a, oracle::triple<Int>(t.b)), oracle::way(a, oracle::triple<Int>(t.c)));
         REQUIRE((hit.sense > 0) == (oracle::volume<Int>(oracle::triple<Int>(ray.d), normal) < 0));
     }
     REQUIRE(hits > 200);
@@ -88,8 +96,10 @@ TEST_CASE("the oracle's search skips no triangle that a ray meets, and finds the
             surface.candidates(ray.o, ray.d, found);
             looked += found.size();
             std::size_t met = 0, met_there = 0;
-            for (std::size_t t = 0; t < triangles.size(); ++t) met += oracle::cross<Int, Int>(ray.o, ray.d, triangles[t]).has_value();
-            for (const std::uint32_t t : found) met_there += oracle::exact_hit(ray.o, ray.d, triangles[t], t).primitive == t;
+            for (std::size_t t = 0; t < triangles.size(); ++t)
+                met += oracle::cross<Int, Int>(ray.o, ray.d, triangles[t]).has_value();
+            for (const std::uint32_t t : found)
+                met_there += oracle::exact_hit(ray.o, ray.d, triangles[t], t).primitive == t;
             REQUIRE(met_there == met);
             hits += met;
         }

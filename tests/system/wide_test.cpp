@@ -1,5 +1,6 @@
-// Extreme cameras: from 1 to 175 degrees, upright and broad pictures, an eye far away, very near, and in a narrow gap. Every pixel
-// is what exact arithmetic says, no distance saturates, boxes behind a hit are left out, and the cycles are those of the visits.
+// Extreme cameras: from 1 to 175 degrees, upright and broad pictures, an eye far away, very near, and in a
+// narrow gap. Every pixel is what exact arithmetic says, no distance saturates, boxes behind a hit are left
+// out, and the cycles are those of the visits.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -18,8 +19,8 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A reciprocal of R bits errs by 2^(1-R) of the distance, so a few boxes more are entered than the ray meets: at most so large a
-/// part of the visits, with R = 16 and an eye near the scene.
+/// A reciprocal of R bits errs by 2^(1-R) of the distance, so a few boxes more are entered than the ray
+/// meets: at most so large a part of the visits, with R = 16 and an eye near the scene.
 constexpr double most_extra = 0.02;
 
 Scene loaded(const std::string& name) {
@@ -37,7 +38,8 @@ void check_answers(const Scene& scene, const Job& job, const FrameTrace& frame) 
         const Closest& answer = frame.trace.hits[i];
         const Vec3i d = rayclock::exact_direction(job.frame, job.config, {}, x, y, 0);
         other_direction += d != test::exact_direction(job.frame, x, y, job.config);
-        short_directions += std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) < 1 << (job.config.dir_bits - 2);
+        short_directions +=
+            std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) < 1 << (job.config.dir_bits - 2);
         wrong += !same_answer(answer, truth.answer(truth.pixel(job.frame, x, y)));
         beyond += answer.t >> (job.config.t_bits() - 1);
     }
@@ -55,18 +57,22 @@ void check_visits(const Job& job, const FrameTrace& frame, double extra_part) {
     CHECK(double(extra.machine.visits) <= (1 + extra_part) * double(extra.exact.visits) + 8);
 }
 
-/// With memory that never keeps a unit waiting for long, the machine takes a visit or a test in nearly every cycle.
+/// With memory that never keeps a unit waiting for long, the machine takes a visit or a test in nearly every
+/// cycle.
 void check_cycles(const Job& job, const FrameTrace& frame) {
     const Config ideal = with(job.config, {{"dram", 0}, {"mem_latency", 4}, {"mem_interval", 1}});
     std::vector<FrameTrace> frames;
     frames.push_back(record_frame(job, job.frame));
     const std::uint64_t cycles = replay(ideal, default_khz, frames)[0].cycles;
-    const double work = double(std::max({frame.trace.visits, frame.trace.triangle_tests, std::uint64_t(frame.trace.hits.size())}));
+    const double work = double(
+        std::max({frame.trace.visits, frame.trace.triangle_tests, std::uint64_t(frame.trace.hits.size())}));
     CAPTURE(cycles, work);
-    CHECK(double(cycles) <= 1.25 * work + 2500);   // the last ray's way through an empty machine, and cold caches
+    CHECK(double(cycles) <=
+          1.25 * work + 2500);   // the last ray's way through an empty machine, and cold caches
 }
 
-void check_camera(const Scene& scene, const Camera& camera, FrameSize size, const Config& config, double extra_part = most_extra) {
+void check_camera(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
+                  double extra_part = most_extra) {
     const Job job = make_job(scene, camera, size, config);
     const FrameTrace frame = record_frame(job, job.frame);
     check_answers(scene, job, frame);
@@ -86,7 +92,8 @@ Scene gap(double width) {
     const auto add = [&](const auto& place) {
         const auto first = std::uint32_t(scene.vertices.size());
         for (int y = 0; y <= side; ++y)
-            for (int x = 0; x <= side; ++x) scene.vertices.push_back(place(2.0 * x / side - 1, 2.0 * y / side - 1));
+            for (int x = 0; x <= side; ++x)
+                scene.vertices.push_back(place(2.0 * x / side - 1, 2.0 * y / side - 1));
         for (std::uint32_t y = 0; y < side; ++y)
             for (std::uint32_t x = 0; x < side; ++x) {
                 const std::uint32_t a = first + y * (side + 1) + x, b = a + 1, c = a + side + 1;
@@ -94,12 +101,14 @@ Scene gap(double width) {
                 scene.triangles.push_back({{b, c + 1, c}, 0});
             }
     };
-    for (const double z : {-0.5 * width, 0.5 * width}) add([z](double u, double v) { return glm::dvec3{u, v, z}; });
-    for (const double z : {-1.0, 1.0}) add([z](double u, double v) { return glm::dvec3{u, v, z * (1 + 0.2 * u * u - 0.3 * v * v)}; });
+    for (const double z : {-0.5 * width, 0.5 * width})
+        add([z](double u, double v) { return glm::dvec3{u, v, z}; });
+    for (const double z : {-1.0, 1.0})
+        add([z](double u, double v) { return glm::dvec3{u, v, z * (1 + 0.2 * u * u - 0.3 * v * v)}; });
     return scene;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("wide and narrow cameras: exact in every pixel, no distance saturates, visits explain the cycles") {
     const std::string name = GENERATE("gears:2", "cornell", "icosphere:3", "balls:1");
@@ -108,8 +117,10 @@ TEST_CASE("wide and narrow cameras: exact in every pixel, no distance saturates,
     for (const double angle : angles)
         for (const FrameSize size : sizes) {
             scene.camera->fov_degrees = angle;
-            INFO(name << " on " << config << ", " << angle << " degrees, " << size.width << " x " << size.height);
-            check_camera(scene, *scene.camera, size, quick_config(config), config == "narrow" ? 0.1 : most_extra);   // R = 8
+            INFO(name << " on " << config << ", " << angle << " degrees, " << size.width << " x "
+                      << size.height);
+            check_camera(scene, *scene.camera, size, quick_config(config),
+                         config == "narrow" ? 0.1 : most_extra);   // R = 8
         }
 }
 
@@ -121,8 +132,10 @@ TEST_CASE("a picture at 140 degrees is as near to the reference as one at 40") {
             scene.camera->fov_degrees = angle;
             const FrameSize size{96, 72};
             const Job job = make_job(scene, *scene.camera, size, named_config("default"));
-            const FrameError error = frame_error(scene, hits_of(job, record_frame(job, job.frame)), Reference(scene).frame(*scene.camera, size));
-            INFO(name << ", " << angle << " degrees: " << error.max_abs_depth << " over " << error.depth_pixels << " pixels");
+            const FrameError error = frame_error(scene, hits_of(job, record_frame(job, job.frame)),
+                                                 Reference(scene).frame(*scene.camera, size));
+            INFO(name << ", " << angle << " degrees: " << error.max_abs_depth << " over "
+                      << error.depth_pixels << " pixels");
             CHECK(error.max_abs_depth <= 1e-3 * scale);
             CHECK(error.pixels_other_primitive <= error.pixels / 400);
             CHECK(error.depth_pixels > 0);
@@ -133,7 +146,9 @@ TEST_CASE("a picture at 140 degrees is as near to the reference as one at 40") {
 TEST_CASE("model and RTL agree for wide and narrow cameras") {
     const double angle = GENERATE(1.0, 110.0, 140.0, 160.0, 175.0);
     const std::string config = GENERATE("default", "small", "narrow", "broad");
-    const FrameSize size = angle == 140 ? FrameSize{24, 64} : angle == 160 ? FrameSize{120, 10} : FrameSize{48, 36};
+    const FrameSize size = angle == 140   ? FrameSize{24, 64}
+                           : angle == 160 ? FrameSize{120, 10}
+                                          : FrameSize{48, 36};
     INFO(angle << " degrees on " << config);
     Scene scene = loaded("gears:2");
     scene.camera->fov_degrees = angle;
@@ -146,9 +161,13 @@ TEST_CASE("model and RTL agree from far away, very near, and in a narrow gap") {
     const std::string config = GENERATE("default", "narrow");
     INFO(config);
     const Config machine = quick_config(config);
-    if (config != "narrow") check_lockstep(make_job(balls, Camera{at + 300.0 * way, at, balls.camera->up, 0.1}, {40, 30}, machine));
-    check_lockstep(make_job(balls, Camera{at + glm::dvec3{1e-3, 0, 0}, at, balls.camera->up, 150}, {40, 30}, machine));
-    check_lockstep(make_job(narrow_gap, Camera{{0.01, 0.02, 0}, {1, 0.4, 0}, {0, 0, 1}, 140}, {40, 30}, machine));
+    if (config != "narrow")
+        check_lockstep(
+            make_job(balls, Camera{at + 300.0 * way, at, balls.camera->up, 0.1}, {40, 30}, machine));
+    check_lockstep(
+        make_job(balls, Camera{at + glm::dvec3{1e-3, 0, 0}, at, balls.camera->up, 150}, {40, 30}, machine));
+    check_lockstep(
+        make_job(narrow_gap, Camera{{0.01, 0.02, 0}, {1, 0.4, 0}, {0, 0, 1}, 140}, {40, 30}, machine));
 }
 
 TEST_CASE("an eye far away or very near: exact in every pixel, visits explain the cycles") {
@@ -168,12 +187,14 @@ TEST_CASE("an eye far away or very near: exact in every pixel, visits explain th
                 CHECK((times < 1e5 || bits == 20));   // a million is more than a lattice of 18 bits has steps
             } catch (const UserError& e) {
                 CHECK(times > 1e5);
-                CHECK_THAT(e.what(), Catch::Contains("vanish on a lattice") && Catch::Contains("an eye closer to the scene"));
+                CHECK_THAT(e.what(), Catch::Contains("vanish on a lattice") &&
+                                         Catch::Contains("an eye closer to the scene"));
             }
         }
     }
     const Triangle& t = scene.triangles[scene.triangles.size() / 2];
-    const glm::dvec3 a = scene.vertices[t.vertex[0]], b = scene.vertices[t.vertex[1]], c = scene.vertices[t.vertex[2]];
+    const glm::dvec3 a = scene.vertices[t.vertex[0]], b = scene.vertices[t.vertex[1]],
+                     c = scene.vertices[t.vertex[2]];
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a)), point = (a + b + c) / 3.0;
     for (const double to : {1.0, -1.0})
         for (const double angle : angles) {
@@ -188,8 +209,10 @@ TEST_CASE("in a narrow gap: exact in every pixel, visits explain the cycles") {
         const Scene scene = gap(width);
         for (const double angle : angles)
             for (const FrameSize size : sizes) {
-                INFO("gap of " << width << ", " << angle << " degrees, " << size.width << " x " << size.height);
-                check_camera(scene, Camera{{0.01, 0.02, 0}, {1, 0.4, 0}, {0, 0, 1}, angle}, size, named_config("default"));
+                INFO("gap of " << width << ", " << angle << " degrees, " << size.width << " x "
+                               << size.height);
+                check_camera(scene, Camera{{0.01, 0.02, 0}, {1, 0.4, 0}, {0, 0, 1}, angle}, size,
+                             named_config("default"));
             }
     }
 }

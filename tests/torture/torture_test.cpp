@@ -10,7 +10,8 @@ using namespace rayclock;
 // Not a test of its own; see tests/system/lockstep_test.cpp.
 TEST_CASE("the RTL of the tortured chips builds", "[.build]") {
     std::vector<test::RtlJob> jobs;
-    for (const std::string& chip : torture_chips()) jobs.push_back({"rc_top", "tortured " + chip, torture_chip(chip)});
+    for (const std::string& chip : torture_chips())
+        jobs.push_back({"rc_top", "tortured " + chip, torture_chip(chip)});
     REQUIRE_NOTHROW(test::build_all(jobs));
 }
 

@@ -1,5 +1,6 @@
-// tri of a chip that shades, with operands aimed at what random ones do not reach: a sphere touched where a shadow ray ends,
-// the ends of t, u and v, discriminants that are all but a square, a sphere as far as what was hit before.
+// tri of a chip that shades, with operands aimed at what random ones do not reach: a sphere touched where a
+// shadow ray ends, the ends of t, u and v, discriminants that are all but a square, a sphere as far as what
+// was hit before.
 #include <cmath>
 
 #include "model/core/rng.hpp"
@@ -12,7 +13,9 @@ using namespace rayclock::test;
 namespace {
 
 void set_sphere(PrimData& p, const Vec3i& centre, std::uint64_t square, int bits) {
-    const auto field = [bits](std::uint64_t part) { return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits)); };
+    const auto field = [bits](std::uint64_t part) {
+        return std::int32_t(std::int64_t(part << (64 - bits)) >> (64 - bits));
+    };
     p.kind = std::uint32_t(PrimKind::sphere);
     p.prim = 7;
     p.a = centre;
@@ -36,9 +39,10 @@ template <class Dut> std::vector<TriRsp> judged(const std::vector<TriReq>& reque
     return rsps;
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in its way", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in its way", "[tri][any][aimed]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config c = any_format("default");
     std::vector<TriReq> requests;
     std::vector<bool> blocked;
@@ -46,10 +50,13 @@ TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in i
         for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3})
             for (int way = 1; way <= 9; ++way)
                 for (int radius = 1; radius <= 9; ++radius)
-                    for (const int more : {-1, 0, 1}) {   // the end lies so many steps of 2^-B behind the point that is touched
+                    for (const int more :
+                         {-1, 0,
+                          1}) {   // the end lies so many steps of 2^-B behind the point that is touched
                         TriReq r;
                         r.kind = std::uint32_t(RayKind::shadow);
-                        set_sphere(r.triangle, {3, -2, 5}, std::uint64_t(radius) * std::uint64_t(radius), c.coord_bits);
+                        set_sphere(r.triangle, {3, -2, 5}, std::uint64_t(radius) * std::uint64_t(radius),
+                                   c.coord_bits);
                         Vec3i light = r.triangle.a;
                         light[i] += way, light[j] += radius;
                         for (std::size_t k = 0; k < 3; ++k) r.o[k] = light[k] * (1 << c.origin_bits);
@@ -77,12 +84,14 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
                 if (d < 1) continue;
                 TriReq r;
                 r.kind = std::uint32_t(RayKind::camera);
-                r.triangle.a = {-100000, -100000, 0}, r.triangle.b = {100000, -100000, 0}, r.triangle.c = {0, 100000, 0};
+                r.triangle.a = {-100000, -100000, 0}, r.triangle.b = {100000, -100000, 0},
+                r.triangle.c = {0, 100000, 0};
                 r.triangle.prim = 7;
                 r.o[2] = h * (1 << c.origin_bits);
                 r.d[2] = -d;
                 requests.push_back(r);
-                const std::uint64_t t = (std::uint64_t(h) << (c.dir_bits - 1 + c.t_frac_bits)) + std::uint64_t(d - 1);
+                const std::uint64_t t =
+                    (std::uint64_t(h) << (c.dir_bits - 1 + c.t_frac_bits)) + std::uint64_t(d - 1);
                 expected.push_back(std::min(t / std::uint64_t(d), most));
             }
     const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
@@ -100,15 +109,16 @@ TEMPLATE_TEST_CASE("t ends where its bits do", "[tri][any][aimed]", Model<TriUni
 
 TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri][any][aimed]") {
     const Config c = any_format("wide");
-    // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. Sought: q = 4 k^2 + 1, 2 or 3, k of 28 bits, so that
-    // the root of what is kept is k exactly, and only what was cut says that it must be rounded up; and k such that t, of fewer
-    // bits, is whole, and one more if the root is rounded up.
+    // From inside along x: the discriminant is d^2 q, q = 4^B R^2 - y^2 - z^2. Sought: q = 4 k^2 + 1, 2 or 3,
+    // k of 28 bits, so that the root of what is kept is k exactly, and only what was cut says that it must be
+    // rounded up; and k such that t, of fewer bits, is whole, and one more if the root is rounded up.
     const std::int64_t square = std::int64_t(524000) * 524000, all = square << (2 * c.origin_bits);
     const std::int64_t step = std::int64_t(1) << std::max(0, c.origin_bits - c.t_frac_bits - 2);
     std::vector<TriReq> requests;
     for (std::int64_t k = (root(all / 4) - 1) / step * step; requests.size() < 20; k -= step) {
         REQUIRE(k >> 27 == 1);
-        const std::int64_t rest = all - 4 * k * k, y = root(rest - 1), z = root(rest - 1 - y * y), left = rest - y * y - z * z;
+        const std::int64_t rest = all - 4 * k * k, y = root(rest - 1), z = root(rest - 1 - y * y),
+                           left = rest - y * y - z * z;
         if (left > 3) continue;
         TriReq r;
         r.kind = std::uint32_t(RayKind::bounce);
@@ -117,7 +127,8 @@ TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri]
         r.d = {1 << (c.dir_bits - 2), 0, 0};
         requests.push_back(r);
     }
-    const std::vector<TriRsp> model = judged<Model<TriUnit>>(requests, c), rtl = judged<Rtl<TriUnit>>(requests, c);
+    const std::vector<TriRsp> model = judged<Model<TriUnit>>(requests, c),
+                              rtl = judged<Rtl<TriUnit>>(requests, c);
     for (std::size_t i = 0; i < model.size(); ++i) {
         CAPTURE(i, model[i].t, rtl[i].t);
         REQUIRE(model[i].closer == 1);
@@ -125,13 +136,15 @@ TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri]
     }
 }
 
-TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aimed]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config c = any_format("default");
     const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, but for the sign
     const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
     std::vector<TriReq> requests;
     std::vector<std::array<std::int64_t, 2>> expected;
-    const std::int32_t fine = 1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is left
+    const std::int32_t fine =
+        1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is left
     for (const std::int32_t side : {1, 2, 3, 5, fine})
         for (const std::int32_t more : {-1, 0, 1})
             for (const std::int32_t sign : {-1, 1})
@@ -147,7 +160,8 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
                     for (std::size_t k = 0; k < 3; ++k) r.o[k] = at[k] * (1 << c.origin_bits);
                     r.d[2] = -(1 << (c.dir_bits - 2));
                     requests.push_back(r);
-                    const std::int64_t one = std::int64_t(1) << c.bary_bits, last = (std::int64_t(end) << c.bary_bits) - 1;
+                    const std::int64_t one = std::int64_t(1) << c.bary_bits,
+                                       last = (std::int64_t(end) << c.bary_bits) - 1;
                     std::array<std::int64_t, 2> uv{};
                     for (std::size_t k = 0; k < 2; ++k) {
                         const std::int64_t scaled = at[k] * one, floor = scaled / side - (scaled % side < 0);
@@ -157,7 +171,9 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
                 }
     REQUIRE(requests.size() > 20);
     const std::vector<TriRsp> rsps = judged<TestType>(requests, c);
-    const auto number = [&](std::uint32_t field) { return std::int64_t(std::uint64_t(field) << (64 - c.uv_bits())) >> (64 - c.uv_bits()); };
+    const auto number = [&](std::uint32_t field) {
+        return std::int64_t(std::uint64_t(field) << (64 - c.uv_bits())) >> (64 - c.uv_bits());
+    };
     for (std::size_t k = 0; k < rsps.size(); ++k) {
         CAPTURE(k, rsps[k].u, rsps[k].v);
         REQUIRE(rsps[k].closer == 1);
@@ -166,8 +182,8 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
     }
 }
 
-TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher numbers and its own", "[tri][any][aimed]", Model<TriUnit>,
-                   Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher numbers and its own",
+                   "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
     const Config c = any_format("default");
     std::vector<TriReq> requests;
     for (const std::int64_t further : {-1, 0, 1})
@@ -191,11 +207,15 @@ TEMPLATE_TEST_CASE("a sphere as near as what was hit before goes before higher n
     }
 }
 
-TEMPLATE_TEST_CASE("a ray that passes an edge by the least there is is on its side", "[tri][any][aimed]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a ray that passes an edge by the least there is is on its side", "[tri][any][aimed]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config c = any_format("default");
     const std::int32_t one = 1 << c.origin_bits;
     Rng rng(20261122);
-    const auto point = [&](int most) { return Vec3i{rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most}; };
+    const auto point = [&](int most) {
+        return Vec3i{rng.below(2 * most + 1) - most, rng.below(2 * most + 1) - most,
+                     rng.below(2 * most + 1) - most};
+    };
     std::vector<TriReq> requests;
     for (int i = 0; i < 2000000 && requests.size() < 600; ++i) {
         TriReq r;
@@ -209,7 +229,9 @@ TEMPLATE_TEST_CASE("a ray that passes an edge by the least there is is on its si
             e1[k] = r.triangle.b[k] - r.triangle.a[k], e2[k] = r.triangle.c[k] - r.triangle.a[k];
         }
         const Vec3l d{r.d[0], r.d[1], r.d[2]}, p1 = cross(d, e1), p2 = cross(d, e2);
-        const auto dot = [](const Vec3l& a, const Vec3l& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+        const auto dot = [](const Vec3l& a, const Vec3l& b) {
+            return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        };
         const std::int64_t det = dot(p2, e1), u = dot(p2, s), v = -dot(p1, s), w = det * one - u - v;
         if (det == 0 || (std::abs(u) != 1 && std::abs(v) != 1 && std::abs(w) != 1)) continue;
         requests.push_back(r);

@@ -1,5 +1,5 @@
-// tri of a chip that shades at widths so small that every operand can be tried: every ray of two fraction bits and every sphere,
-// decided in 64-bit integers by counting where the way meets it.
+// tri of a chip that shades at widths so small that every operand can be tried: every ray of two fraction
+// bits and every sphere, decided in 64-bit integers by counting where the way meets it.
 #include <atomic>
 
 #include <tbb/parallel_for.h>
@@ -23,13 +23,14 @@ Config tiny() {
     return c;
 }
 
-/// The `number`-th request about the sphere: origin, direction, then radius; its centre lies in the middle or at a corner, whether it
-/// is the ray's own and the ray inside goes through all by `number`.
+/// The `number`-th request about the sphere: origin, direction, then radius; its centre lies in the middle or
+/// at a corner, whether it is the ray's own and the ray inside goes through all by `number`.
 struct Space {
     std::uint32_t kind;
     Vec3i centre;
     std::uint64_t size(const Config& c) const {
-        const int o = kind == 1 || kind == 3 ? c.origin_width() : c.coord_bits, d = kind == 2 ? c.origin_width() : c.dir_bits;
+        const int o = kind == 1 || kind == 3 ? c.origin_width() : c.coord_bits,
+                  d = kind == 2 ? c.origin_width() : c.dir_bits;
         return std::uint64_t(1) << (3 * o + 3 * d + 2 * c.coord_bits + (kind == 0 ? 0 : 2));
     }
     TriReq at(std::uint64_t number, const Config& c) const {
@@ -45,10 +46,16 @@ struct Space {
         r.triangle.prim = 5;
         r.triangle.a = centre;
         const std::uint64_t room = take(2 * c.coord_bits);
-        for (std::size_t k = 0; k < 2; ++k) r.triangle.b[k] = vector_of(room >> (k * std::size_t(c.coord_bits)), c.coord_bits)[0] ^ (1 << (c.coord_bits - 1));
-        for (std::size_t k = 0; k < 2; ++k) r.triangle.b[k] = std::int32_t(std::uint32_t(r.triangle.b[k]) << (32 - c.coord_bits)) >> (32 - c.coord_bits);
-        r.d = vector_of(take(3 * (kind == 2 ? c.origin_width() : c.dir_bits)), kind == 2 ? c.origin_width() : c.dir_bits);
-        r.o = vector_of(take(3 * (leaves ? c.origin_width() : c.coord_bits)), leaves ? c.origin_width() : c.coord_bits);
+        for (std::size_t k = 0; k < 2; ++k)
+            r.triangle.b[k] = vector_of(room >> (k * std::size_t(c.coord_bits)), c.coord_bits)[0] ^
+                              (1 << (c.coord_bits - 1));
+        for (std::size_t k = 0; k < 2; ++k)
+            r.triangle.b[k] =
+                std::int32_t(std::uint32_t(r.triangle.b[k]) << (32 - c.coord_bits)) >> (32 - c.coord_bits);
+        r.d = vector_of(take(3 * (kind == 2 ? c.origin_width() : c.dir_bits)),
+                        kind == 2 ? c.origin_width() : c.dir_bits);
+        r.o = vector_of(take(3 * (leaves ? c.origin_width() : c.coord_bits)),
+                        leaves ? c.origin_width() : c.coord_bits);
         if (!leaves)
             for (auto& x : r.o) x *= 1 << c.origin_bits;
         if (kind == 2)   // so far `d` was the end
@@ -69,7 +76,8 @@ Truth truth(const TriReq& r, const Config& c) {
         const std::int64_t s = r.o[k] - r.triangle.a[k] * unit;
         b += s * r.d[k], a += std::int64_t(r.d[k]) * r.d[k], start += s * s;
     }
-    // f(x) = a x^2 + 2 b x + start: the square of the distance less that of the radius after x times d, all times 4^B.
+    // f(x) = a x^2 + 2 b x + start: the square of the distance less that of the radius after x times d, all
+    // times 4^B.
     const auto f = [&](std::int64_t x) { return a * x * x + 2 * b * x + start; };
     const bool own = r.kind != 0 && r.self == r.triangle.prim;
     const bool dips = a > 0 && b < 0 && a * start <= b * b;   // goes down to 0 or below somewhere ahead
@@ -83,7 +91,8 @@ Truth truth(const TriReq& r, const Config& c) {
     return {start < 0 ? a > 0 : b < 0, true};
 }
 
-/// t = most only if it saturates; otherwise between the crossing and the bound above it, both asked of f in 128 bits.
+/// t = most only if it saturates; otherwise between the crossing and the bound above it, both asked of f in
+/// 128 bits.
 bool right_distance(const TriReq& r, const TriRsp& rsp, bool far, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
     const oracle::Meets which = far ? oracle::Meets::far : oracle::Meets::near;
@@ -110,31 +119,33 @@ struct Count {
 };
 Count try_model(const Config& config, const Space& space, std::uint64_t step) {
     std::atomic<std::uint64_t> met{0}, wrong{0}, measured{0};
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, space.size(config) / step, 1 << 14), [&](const auto& range) {
-        Count count;
-        for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
-            const TriReq r = space.at(i * step, config);
-            count.add(r, tri(r, config), config, i);
-        }
-        met += count.met, wrong += count.wrong, measured += count.measured;
-    });
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, space.size(config) / step, 1 << 14),
+                      [&](const auto& range) {
+                          Count count;
+                          for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
+                              const TriReq r = space.at(i * step, config);
+                              count.add(r, tri(r, config), config, i);
+                          }
+                          met += count.met, wrong += count.wrong, measured += count.measured;
+                      });
     return {met, wrong, measured};
 }
 Count try_rtl(const Config& config, const Space& space, std::uint64_t step) {
     Rtl<TriUnit> rtl{config};
     Count count;
     std::uint64_t next = 0, answered = 0;
-    pour(rtl, space.size(config) / step, [&] { return space.at(next++ * step, config); },
-         [&](const TriReq& r, const TriRsp& rsp) {
-             count.add(r, rsp, config, 1 + answered);
-             count.wrong += !same(rsp, tri(r, config), config);
-             ++answered;
-         });
+    pour(
+        rtl, space.size(config) / step, [&] { return space.at(next++ * step, config); },
+        [&](const TriReq& r, const TriRsp& rsp) {
+            count.add(r, rsp, config, 1 + answered);
+            count.wrong += !same(rsp, tri(r, config), config);
+            ++answered;
+        });
     return count;
 }
 const Vec3i middle{0, 0, 0}, corner{-2, 1, -2};
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the integers that judge small spheres say what exact fractions say", "[any][small]") {
     const Config config = tiny();
@@ -143,8 +154,10 @@ TEST_CASE("the integers that judge small spheres say what exact fractions say", 
     for (std::uint64_t i = 0, n = space.size(config); i < n; i += n / 5003 + 1) {
         const TriReq r = space.at(i, config);
         CAPTURE(kind, i);
-        REQUIRE(truth(r, config).met == (kind >= 2 ? blocked_truth(r, config) : sphere_truth(r, config) != oracle::Meets::no));
-        if (kind < 2 && truth(r, config).met) REQUIRE(truth(r, config).far == (sphere_truth(r, config) == oracle::Meets::far));
+        REQUIRE(truth(r, config).met ==
+                (kind >= 2 ? blocked_truth(r, config) : sphere_truth(r, config) != oracle::Meets::no));
+        if (kind < 2 && truth(r, config).met)
+            REQUIRE(truth(r, config).far == (sphere_truth(r, config) == oracle::Meets::far));
     }
 }
 
@@ -172,7 +185,8 @@ TEST_CASE("tri is right for secondary rays and spheres of 64 points", "[tri][any
     }
 }
 
-TEST_CASE("model of tri is right for every secondary ray and sphere of 64 points", "[tri][any][small][slow]") {
+TEST_CASE("model of tri is right for every secondary ray and sphere of 64 points",
+          "[tri][any][small][slow]") {
     const Config config = tiny();
     for (const std::uint32_t kind : {1u, 2u, 3u})
         for (const Vec3i& centre : {middle, corner}) {

@@ -1,4 +1,5 @@
-// tri of a chip that shades: every kind of ray against every kind of primitive, exact but for a sphere's t, which has a bound.
+// tri of a chip that shades: every kind of ray against every kind of primitive, exact but for a sphere's t,
+// which has a bound.
 #include "model/isect/origin.hpp"
 #include "tests/support/cases/any_cases.hpp"
 
@@ -30,7 +31,8 @@ template <class Dut> void against_oracle(const Config& config, unsigned seed, co
     Draw draw{seed};
     Dut dut{config, Frame{}, int(seed)};
     Tally tally;
-    stream(dut, config, flow, draw, count, [&](Draw& from) { return random_any_req(from, config); },
+    stream(
+        dut, config, flow, draw, count, [&](Draw& from) { return random_any_req(from, config); },
         [&](const TriReq& req, const TriRsp& rsp) {
             CAPTURE(req.kind, req.triangle.kind);
             judge_any(req, rsp, config);
@@ -40,20 +42,28 @@ template <class Dut> void against_oracle(const Config& config, unsigned seed, co
 }
 
 const char* const names[] = {"default", "small", "narrow", "wide", "fine"};
-const std::pair<const char*, const char*> parts[] = {{"default", ""}, {"small", "plane"}, {"narrow", "sphere"}, {"wide", "plane"}, {"fine", "sphere"}};
+const std::pair<const char*, const char*> parts[] = {
+    {"default", ""}, {"small", "plane"}, {"narrow", "sphere"}, {"wide", "plane"}, {"fine", "sphere"}};
 
 /// All ten are asked of the model, and of the RTL by the slow tests; quick ones build four.
 const std::vector<int> all_parts{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, quick_parts{0, 2, 7, 8};
-template <class Dut> const std::vector<int>& parts_of() { return std::is_same_v<Dut, Rtl<TriUnit>> ? quick_parts : all_parts; }
+template <class Dut> const std::vector<int>& parts_of() {
+    return std::is_same_v<Dut, Rtl<TriUnit>> ? quick_parts : all_parts;
+}
 
-Config any_part(int which) { return which < 5 ? any_format(names[which]) : any_format(parts[which - 5].first, parts[which - 5].second); }
+Config any_part(int which) {
+    return which < 5 ? any_format(names[which]) : any_format(parts[which - 5].first, parts[which - 5].second);
+}
 
-/// Corners of the lattice and of what else there is: bit k of `which` chooses the largest or smallest value on axis k.
+/// Corners of the lattice and of what else there is: bit k of `which` chooses the largest or smallest value
+/// on axis k.
 Vec3i extreme(int which, int bits) {
     const std::int32_t most = std::int32_t((std::int64_t(1) << (bits - 1)) - 1);
     return {which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
 }
-Vec3i scaled(const Vec3i& v, int bits) { return {v[0] * (1 << bits), v[1] * (1 << bits), v[2] * (1 << bits)}; }
+Vec3i scaled(const Vec3i& v, int bits) {
+    return {v[0] * (1 << bits), v[1] * (1 << bits), v[2] * (1 << bits)};
+}
 
 /// Everything at the ends of its width.
 std::vector<TriReq> extremes(const Config& c) {
@@ -71,8 +81,11 @@ std::vector<TriReq> extremes(const Config& c) {
         r.self = c.spheres && i % 7 == 0 ? 7 : 0;
         r.inside = c.spheres && i % 5 < 2;
         if (r.triangle.kind == 2) {   // radius: none, the largest, half the lattice
-            const std::uint64_t room = i >> 3 & 1 ? (std::uint64_t(1) << (2 * n)) - 1 : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2) : 0;
-            r.triangle.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)), std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
+            const std::uint64_t room = i >> 3 & 1   ? (std::uint64_t(1) << (2 * n)) - 1
+                                       : i >> 4 & 1 ? std::uint64_t(1) << (2 * n - 2)
+                                                    : 0;
+            r.triangle.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)),
+                            std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
         }
         r.o = leaves(r) ? extreme(i >> 9, n + b) : scaled(extreme(i >> 9, n), b);
         r.d = extreme(i >> 12, c.dir_bits);
@@ -101,26 +114,32 @@ template <class Dut> void require_exact_at_extremes(const Config& config) {
 void same_moves(const Config& config) {
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 12; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_any_req(draw, config); });
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+                                    [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly and measures within its bound", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly and measures within its bound", "[tri][any]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(from_range(parts_of<TestType>())));
     for (unsigned seed = 1; seed <= 2; ++seed) against_oracle<TestType>(config, seed, flows[seed % 4], 3000);
 }
 
-TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly, many draws", "[tri][any][slow]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades decides exactly, many draws", "[tri][any][slow]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(range(0, 10)));
-    for (unsigned seed = 101; seed <= 112; ++seed) against_oracle<TestType>(config, seed, flows[seed % 4], 6000);
+    for (unsigned seed = 101; seed <= 112; ++seed)
+        against_oracle<TestType>(config, seed, flows[seed % 4], 6000);
 }
 
-TEMPLATE_TEST_CASE("tri of a chip that shades is exact at the ends of every width", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades is exact at the ends of every width", "[tri][any]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     require_exact_at_extremes<TestType>(any_format(GENERATE("default", "narrow")));
 }
 
-TEMPLATE_TEST_CASE("tri of a chip that shades is exact at the ends of every width, other formats", "[tri][any][slow]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades is exact at the ends of every width, other formats",
+                   "[tri][any][slow]", Model<TriUnit>, Rtl<TriUnit>) {
     require_exact_at_extremes<TestType>(any_format(GENERATE("wide", "fine")));
 }
 
@@ -131,21 +150,26 @@ TEST_CASE("every value of the sphere test fits its width, and no width has a bit
     struct Span {
         oracle::Int lo = 0, hi = 0;
         void add(const oracle::Int& x) { lo = std::min(lo, x), hi = std::max(hi, x); }
-        bool fits(int bits) const { return lo >= -(oracle::Int(1) << (bits - 1)) && hi < oracle::Int(1) << (bits - 1); }
+        bool fits(int bits) const {
+            return lo >= -(oracle::Int(1) << (bits - 1)) && hi < oracle::Int(1) << (bits - 1);
+        }
     } along, square, power, disc, num;
     for (const TriReq& r : extremes(config)) {
         if (r.triangle.kind != 2) continue;
         const int scale = is_shadow(r) ? 0 : b;
         oracle::Int bs = 0, a = 0, c = -(oracle::Int(radius_squared(r.triangle, n)) << (2 * scale));
         for (std::size_t k = 0; k < 3; ++k) {
-            const oracle::Int s = (oracle::Int(r.o[k]) >> (b - scale)) - (oracle::Int(r.triangle.a[k]) << scale);
-            REQUIRE((abs(s) < oracle::Int(1) << (w.offset - 1) && abs(oracle::Int(r.d[k])) <= oracle::Int(1) << (w.direction - 1)));
+            const oracle::Int s =
+                (oracle::Int(r.o[k]) >> (b - scale)) - (oracle::Int(r.triangle.a[k]) << scale);
+            REQUIRE((abs(s) < oracle::Int(1) << (w.offset - 1) &&
+                     abs(oracle::Int(r.d[k])) <= oracle::Int(1) << (w.direction - 1)));
             bs += s * r.d[k], a += oracle::Int(r.d[k]) * r.d[k], c += s * s;
         }
         along.add(bs), square.add(a), power.add(c), disc.add(bs * bs - a * c);
         if (!is_shadow(r) && bs * bs >= a * c) num.add(abs(bs) + sqrt(oracle::Int(bs * bs - a * c)) + 1);
     }
-    REQUIRE((along.fits(w.along) && square.fits(w.square + 1) && power.fits(w.power) && disc.fits(w.disc) && num.fits(w.num + 1)));
+    REQUIRE((along.fits(w.along) && square.fits(w.square + 1) && power.fits(w.power) && disc.fits(w.disc) &&
+             num.fits(w.num + 1)));
     REQUIRE_FALSE((along.fits(w.along - 1) || square.fits(w.square) || power.fits(w.power - 1)));
     REQUIRE_FALSE(disc.fits(w.disc - 1));
     REQUIRE(num.hi >> (w.num - 2) != 0);
@@ -183,15 +207,21 @@ TEST_CASE("a bounce and a shadow ray are decided as docs/origins.md has it", "[a
         if (leaves(r)) {
             const auto hit = bounce_test({{r.o[0], r.o[1], r.o[2]}, config.origin_bits}, r.d, r.triangle);
             REQUIRE(hit.has_value() == (rsp.closer != 0));
-            if (hit && !ends_at_any(r.kind)) REQUIRE((rsp.num == hit->num && rsp.det == hit->det << config.origin_bits && rsp.back == (side_of_direction(r.triangle, r.d) > 0)));
+            if (hit && !ends_at_any(r.kind))
+                REQUIRE((rsp.num == hit->num && rsp.det == hit->det << config.origin_bits &&
+                         rsp.back == (side_of_direction(r.triangle, r.d) > 0)));
             hits += hit.has_value();
         } else if (is_shadow(r)) {
-            const Vec3i light{r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits};
-            REQUIRE(shadow_test(light, {r.d[0], r.d[1], r.d[2]}, config.origin_bits, r.triangle) == (rsp.closer != 0));
+            const Vec3i light{r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits,
+                              r.o[2] >> config.origin_bits};
+            REQUIRE(shadow_test(light, {r.d[0], r.d[1], r.d[2]}, config.origin_bits, r.triangle) ==
+                    (rsp.closer != 0));
             blocked += rsp.closer != 0;
         } else if (rsp.closer) {
             TriRsp plain;
-            tri_test({r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits}, r.d, r.triangle, {}, config, plain);
+            tri_test(
+                {r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits},
+                r.d, r.triangle, {}, config, plain);
             REQUIRE((rsp.num == plain.num && rsp.det == plain.det && rsp.t == plain.t));
         }
     }
@@ -199,10 +229,12 @@ TEST_CASE("a bounce and a shadow ray are decided as docs/origins.md has it", "[a
     REQUIRE(blocked > 200);
 }
 
-TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays", "[tri][any]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config config = any_format("default");
     const int one = 1 << config.origin_bits, full = 1 << (config.dir_bits - 1);
-    const auto ray = [&](std::uint32_t kind, Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
+    const auto ray = [&](std::uint32_t kind, Vec3i o, Vec3i d, std::uint32_t self = 1,
+                         std::uint32_t inside = 0) {
         TriReq r;
         r.kind = kind;
         r.o = o;
@@ -213,8 +245,12 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         return r;
     };
     const auto camera = [&](Vec3i o, Vec3i d) { return ray(0, scaled(o, config.origin_bits), d); };
-    const auto bounce = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) { return ray(1, o, d, self, inside); };
-    const auto away = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) { return ray(3, o, d, self, inside); };
+    const auto bounce = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
+        return ray(1, o, d, self, inside);
+    };
+    const auto away = [&](Vec3i o, Vec3i d, std::uint32_t self = 1, std::uint32_t inside = 0) {
+        return ray(3, o, d, self, inside);
+    };
     const auto shadow = [&](Vec3i light, Vec3i end, std::uint32_t self = 1, std::uint32_t inside = 0) {
         const Vec3i o = scaled(light, config.origin_bits);
         return ray(2, o, {end[0] - o[0], end[1] - o[1], end[2] - o[2]}, self, inside);
@@ -225,20 +261,21 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
     };
     const int rim = 100 * one;
     const Case cases[] = {
-        {camera({-300, 0, 0}, {full - 1, 0, 0}), 1, 200, 0},          // from outside
-        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0},        // a touch
+        {camera({-300, 0, 0}, {full - 1, 0, 0}), 1, 200, 0},     // from outside
+        {camera({-300, 100, 0}, {full - 1, 0, 0}), 1, 300, 0},   // a touch
         {camera({-300, 101, 0}, {full - 1, 0, 0}), 0, 0, 0},
-        {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},             // behind
-        {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1},             // from inside
+        {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},   // behind
+        {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1},   // from inside
         {camera({50, 0, 0}, {-full, 0, 0}), 1, 150, 1},
-        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0},                      // goes nowhere
-        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},             // on it, leaving
-        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0},                // along it
-        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1},              // on it, entering
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0},            // another's ray, a hair off its rim: 1 step at most
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},         // its own, outside
-        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},         // its own, outside, and rounded inside
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1},    // its own, inside, and rounded outside
+        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0},            // goes nowhere
+        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},   // on it, leaving
+        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0},      // along it
+        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1},    // on it, entering
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1,
+         0},   // another's ray, a hair off its rim: 1 step at most
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},        // its own, outside
+        {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},        // its own, outside, and rounded inside
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1},   // its own, inside, and rounded outside
         {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 200, 1},
         {bounce({rim + 1, 0, 0}, {full - 1, 0, 0}, 9, 1), 0, 0, 0},
         {away({-300 * one, 0, 0}, {full - 1, 0, 0}), 1, 0, 0},
@@ -247,19 +284,19 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         {away({rim - 1, 0, 0}, {full - 1, 0, 0}, 9), 0, 0, 0},
         {away({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 0, 0},
         {shadow({-300, 0, 0}, scaled({300, 0, 0}, config.origin_bits)), 1, 0, 0},
-        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0},    // a touch
+        {shadow({-300, 100, 0}, scaled({300, 100, 0}, config.origin_bits)), 1, 0, 0},   // a touch
         {shadow({-300, 101, 0}, scaled({300, 101, 0}, config.origin_bits)), 0, 0, 0},
-        {shadow({-300, 0, 0}, {-rim, 0, 0}), 0, 0, 0},                // up to it
-        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}), 1, 0, 0},            // into it
-        {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0},                 // to its other side
-        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0},      // to its own point
-        {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0},      // to its own point, seen from inside
-        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0},          // the same, the light inside as well
-        {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0},                // out of it
+        {shadow({-300, 0, 0}, {-rim, 0, 0}), 0, 0, 0},             // up to it
+        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}), 1, 0, 0},         // into it
+        {shadow({-300, 0, 0}, {rim, 0, 0}), 1, 0, 0},              // to its other side
+        {shadow({-300, 0, 0}, {-rim + 1, 0, 0}, 9, 0), 0, 0, 0},   // to its own point
+        {shadow({-300, 0, 0}, {-rim - 1, 0, 0}, 9, 1), 1, 0, 0},   // to its own point, seen from inside
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}, 9, 1), 0, 0, 0},       // the same, the light inside as well
+        {shadow({0, 0, 0}, {rim + 1, 0, 0}), 1, 0, 0},             // out of it
         {shadow({0, 0, 0}, {rim, 0, 0}), 0, 0, 0},
-        {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0},              // a light on it: away
-        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0},             // through
-        {shadow({100, 0, 0}, {-rim, 0, 0}), 0, 0, 0},                 // to a point of it
+        {shadow({100, 0, 0}, {rim + 1, 0, 0}), 0, 0, 0},                             // a light on it: away
+        {shadow({100, 0, 0}, {-rim - 1, 0, 0}), 1, 0, 0},                            // through
+        {shadow({100, 0, 0}, {-rim, 0, 0}), 0, 0, 0},                                // to a point of it
         {shadow({-300, 0, 0}, scaled({-300, 0, 0}, config.origin_bits)), 0, 0, 0},   // no way at all
     };
     std::vector<TriReq> requests;
@@ -270,7 +307,10 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         CAPTURE(i, cases[i].req.kind, rsps[i].t);
         REQUIRE(rsps[i].closer == cases[i].closer);
         REQUIRE(rsps[i].back == cases[i].back);
-        if (cases[i].t) REQUIRE(std::uint32_t((rsps[i].t + (1u << config.t_frac_bits) - 1) >> config.t_frac_bits) - cases[i].t <= 1);
+        if (cases[i].t)
+            REQUIRE(std::uint32_t((rsps[i].t + (1u << config.t_frac_bits) - 1) >> config.t_frac_bits) -
+                        cases[i].t <=
+                    1);
         judge_any(requests[i], rsps[i], config);
     }
 }
@@ -284,34 +324,41 @@ TEST_CASE("spheres, planes and triangles are ranked by one measure", "[any]") {
         if (ends_at_any(r.kind)) continue;
         r.best = {};
         TriReq other = r;
-        other.triangle = random_prim(draw, config, {r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits});
+        other.triangle = random_prim(
+            draw, config,
+            {r.o[0] >> config.origin_bits, r.o[1] >> config.origin_bits, r.o[2] >> config.origin_bits});
         if (other.triangle.prim == r.triangle.prim) continue;
         const TriRsp one = tri(r, config), two = tri(other, config);
         if (!one.closer || !two.closer) continue;
         r.best = {1, two.num, two.det, two.prim};
         other.best = {1, one.num, one.det, one.prim};
-        REQUIRE(tri(r, config).closer + tri(other, config).closer == 1);   // whoever comes first, the same one wins
+        REQUIRE(tri(r, config).closer + tri(other, config).closer ==
+                1);   // whoever comes first, the same one wins
         turned += tri(r, config).closer != 0;
     }
     REQUIRE(turned > 50);
 }
 
-TEMPLATE_TEST_CASE("tri of a chip that shades answers after exactly its latency", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades answers after exactly its latency", "[tri][any]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(0, 2, 7, 8));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("tri of a chip that shades takes a primitive in every cycle", "[tri][any]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri of a chip that shades takes a primitive in every cycle", "[tri][any]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config config = any_part(GENERATE(0, 8));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
-TEST_CASE("model and rtl of tri of a chip that shades make the same moves in every cycle", "[tri][any][lockstep]") {
+TEST_CASE("model and rtl of tri of a chip that shades make the same moves in every cycle",
+          "[tri][any][lockstep]") {
     same_moves(any_part(GENERATE(from_range(quick_parts))));
 }
 
-TEST_CASE("model and rtl of tri of a chip that shades make the same moves with every format", "[tri][any][lockstep][slow]") {
+TEST_CASE("model and rtl of tri of a chip that shades make the same moves with every format",
+          "[tri][any][lockstep][slow]") {
     same_moves(any_part(GENERATE(from_range(all_parts))));
 }

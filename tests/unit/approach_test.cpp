@@ -42,8 +42,12 @@ std::optional<Vec3l> entry_of(const Vec3l& p, const Vec3i& d, const Config& c) {
 Vec3l far_point(Draw& draw, const Config& c) {
     const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1;
     Vec3l p{};
-    for (auto& x : p) x = std::clamp(draw.number(draw.between(c.origin_width() - 2, c.point_width())), -most, most);
-    p[std::size_t(draw.below(3))] = (draw.coin() ? 1 : -1) * std::clamp(lattice_end(c) + std::int64_t(draw.natural(draw.between(1, c.point_width() - 1))), std::int64_t(0), most);
+    for (auto& x : p)
+        x = std::clamp(draw.number(draw.between(c.origin_width() - 2, c.point_width())), -most, most);
+    p[std::size_t(draw.below(3))] =
+        (draw.coin() ? 1 : -1) *
+        std::clamp(lattice_end(c) + std::int64_t(draw.natural(draw.between(1, c.point_width() - 1))),
+                   std::int64_t(0), most);
     return p;
 }
 
@@ -51,11 +55,13 @@ Vec3l far_point(Draw& draw, const Config& c) {
 Vec3l inner_point(Draw& draw, const Config& c) {
     const std::int64_t room = lattice_end(c) / 8 * 7 - (4 << c.origin_bits);
     Vec3l q{};
-    for (auto& x : q) x = draw.percent(30) ? (draw.coin() ? room : -room) : std::clamp(draw.number(c.origin_width()), -room, room);
+    for (auto& x : q)
+        x = draw.percent(30) ? (draw.coin() ? room : -room)
+                             : std::clamp(draw.number(c.origin_width()), -room, room);
     return q;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a ray from beyond the lattice comes into it where division says", "[approach]") {
     const Config c = shaded_format(GENERATE("all", "narrow", "broad", "short"));
@@ -83,12 +89,14 @@ TEST_CASE("from as far as shade can say every ray to what has an end comes in be
     for (int i = 0; i < 100000; ++i) {
         const Vec3l p = far_point(draw, c), q = inner_point(draw, c);
         const Vec3i d = direction_of(unit_vector({q[0] - p[0], q[1] - p[1], q[2] - p[2]}), c);
-        // The rounded direction's own line: the last point of it that the inner part can hold, by its longest component.
+        // The rounded direction's own line: the last point of it that the inner part can hold, by its longest
+        // component.
         std::size_t axis = 0;
         for (std::size_t k = 1; k < 3; ++k)
             if (std::abs(d[k]) > std::abs(d[axis])) axis = k;
         if (d[axis] == 0) continue;
-        const double t = double(q[axis] - p[axis]) / d[axis], room = double(lattice_end(c)) * 7 / 8 - std::ldexp(4, c.origin_bits);
+        const double t = double(q[axis] - p[axis]) / d[axis],
+                     room = double(lattice_end(c)) * 7 / 8 - std::ldexp(4, c.origin_bits);
         bool holds = t > 0;
         for (std::size_t k = 0; k < 3; ++k) holds = holds && std::abs(double(p[k]) + t * d[k]) <= room;
         if (!holds) continue;   // the direction's rounding has led it past
@@ -99,7 +107,8 @@ TEST_CASE("from as far as shade can say every ray to what has an end comes in be
     }
 }
 
-TEST_CASE("bounces from beyond the lattice are sent from where they come into it, or show the background", "[far]") {
+TEST_CASE("bounces from beyond the lattice are sent from where they come into it, or show the background",
+          "[far]") {
     const Config c = shaded_format("all");
     Draw draw{4};
     int sent[2]{}, shown[2]{}, light = 0;
@@ -124,14 +133,17 @@ TEST_CASE("bounces from beyond the lattice are sent from where they come into it
         }
         ++(goes ? sent[through] : seen ? shown[through] : light);
         for (std::size_t k = 0; k < 3; ++k) {
-            const double more = seen && !goes ? ray.weight / 65536.0 * (frame.shade.background[k] / 65536.0) : 0;
-            REQUIRE(std::abs(out.state.colour[k] / 65536.0 - std::min(1.0, s.colour[k] / 65536.0 + more)) <= (seen && !goes ? 0.5 / 65536 : 0));
+            const double more =
+                seen && !goes ? ray.weight / 65536.0 * (frame.shade.background[k] / 65536.0) : 0;
+            REQUIRE(std::abs(out.state.colour[k] / 65536.0 - std::min(1.0, s.colour[k] / 65536.0 + more)) <=
+                    (seen && !goes ? 0.5 / 65536 : 0));
         }
     }
     REQUIRE((sent[0] > 1000 && sent[1] > 500 && shown[0] > 1000 && shown[1] > 500 && light > 1000));
 }
 
-TEST_CASE("lights ask what has an end for points beyond the lattice, unless a plane is in their way", "[far]") {
+TEST_CASE("lights ask what has an end for points beyond the lattice, unless a plane is in their way",
+          "[far]") {
     const Config c = shaded_format("all");
     Draw draw{5};
     int from_light = 0, to_light = 0, dark = 0, free = 0;
@@ -149,15 +161,19 @@ TEST_CASE("lights ask what has an end for points beyond the lattice, unless a pl
         const bool near = frame.shade.near[s.light] != 0, clear = frame.shade.clear[s.light] != 0;
         const auto entry = s.lost ? std::nullopt : entry_of(s.o, found.d, c);
         if (!found.counts || !clear) {
-            REQUIRE((out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::none)));
+            REQUIRE(
+                (out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::none)));
             ++dark;
         } else if (near ? s.lost : !entry) {
-            REQUIRE((out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::sure)));
+            REQUIRE(
+                (out.leave == PassOut::Leave::again && out.state.pending == std::uint32_t(Pending::sure)));
             ++free;
         } else {
-            REQUIRE((out.leave == PassOut::Leave::spawn && out.state.pending == std::uint32_t(Pending::answer)));
+            REQUIRE(
+                (out.leave == PassOut::Leave::spawn && out.state.pending == std::uint32_t(Pending::answer)));
             REQUIRE((out.spawn.kind == std::uint32_t(RayKind::away) && out.spawn.finite == 1));
-            double along = 0, length = 0;   // towards the point from a light that is near, else towards the light
+            double along = 0,
+                   length = 0;   // towards the point from a light that is near, else towards the light
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int64_t place = std::int64_t(frame.shade.place[3 * s.light + k]) << c.origin_bits;
                 REQUIRE(out.spawn.o[k] == (near ? place : (*entry)[k]));
@@ -176,7 +192,8 @@ TEST_CASE("a ray that asks what has an end meets no plane", "[far]") {
     PrimData prim;
     prim.a = {0, 0, 0}, prim.b = {100, 0, 0}, prim.c = {0, 100, 0};
     Ray ray;
-    ray.o = {10 << c.origin_bits, 10 << c.origin_bits, 50 << c.origin_bits}, ray.d = {0, 0, -(100 << c.origin_bits)};
+    ray.o = {10 << c.origin_bits, 10 << c.origin_bits, 50 << c.origin_bits},
+    ray.d = {0, 0, -(100 << c.origin_bits)};
     for (const PrimKind kind : {PrimKind::triangle, PrimKind::plane})
         for (const RayKind of : {RayKind::shadow, RayKind::away})
             for (const std::uint32_t finite : {0u, 1u}) {

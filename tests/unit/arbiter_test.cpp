@@ -1,4 +1,5 @@
-// The arbiter of the memory port: who goes next, and that an offer stays. The RTL's is judged in whole frames: tests/system.
+// The arbiter of the memory port: who goes next, and that an offer stays. The RTL's is judged in whole
+// frames: tests/system.
 #include <catch2/catch.hpp>
 
 #include "model/mem/arbiter.hpp"
@@ -16,13 +17,15 @@ TEST_CASE("the arbiter serves in turn whoever offers", "[arbiter]") {
         arbiter.clock(all, i % sources, true);
     }
     for (int source = 0; source < sources; ++source)
-        for (int i = 0; i < 3; ++i) {          // alone: in every cycle
+        for (int i = 0; i < 3; ++i) {   // alone: in every cycle
             REQUIRE(arbiter.choose(1u << source) == source);
             arbiter.clock(1u << source, source, true);
         }
 }
 
-TEST_CASE("an offer of the arbiter that is not accepted stays, and no source waits for more than all others once", "[arbiter]") {
+TEST_CASE(
+    "an offer of the arbiter that is not accepted stays, and no source waits for more than all others once",
+    "[arbiter]") {
     const int sources = GENERATE(2, 4, 8, 16);
     const unsigned seed = GENERATE(range(1u, 6u));
     const int ready_percent = GENERATE(20, 60, 100);
@@ -43,7 +46,8 @@ TEST_CASE("an offer of the arbiter that is not accepted stays, and no source wai
         const int chosen = arbiter.choose(valid);
         int turn = (last + 1) % sources;   // the plain rule
         while (!(valid >> turn & 1)) turn = (turn + 1) % sources;
-        if (chosen != (held >= 0 ? held : turn)) FAIL("cycle " << cycle << ": " << chosen << " instead of " << (held >= 0 ? held : turn));
+        if (chosen != (held >= 0 ? held : turn))
+            FAIL("cycle " << cycle << ": " << chosen << " instead of " << (held >= 0 ? held : turn));
         const bool taken = draw.percent(ready_percent);
         arbiter.clock(valid, chosen, taken);
         held = taken ? -1 : chosen;
@@ -52,6 +56,7 @@ TEST_CASE("an offer of the arbiter that is not accepted stays, and no source wai
         valid &= ~(1u << chosen);
         passed[std::size_t(chosen)] = 0;
         for (int s = 0; s < sources; ++s)
-            if (valid >> s & 1 && ++passed[std::size_t(s)] > sources) FAIL("cycle " << cycle << ": " << s << " waits for ever");
+            if (valid >> s & 1 && ++passed[std::size_t(s)] > sources)
+                FAIL("cycle " << cycle << ": " << s << " waits for ever");
     }
 }

@@ -1,11 +1,15 @@
-// On which side of a surface a reflected or refracted ray leaves: the sign of an exact product, which may be as small as one.
+// On which side of a surface a reflected or refracted ray leaves: the sign of an exact product, which may be
+// as small as one.
 #include <catch2/catch.hpp>
 
 #include "model/shade/bounce.hpp"
 
 using namespace rayclock;
 
-TEST_CASE("a ray leaves on its side if the normal's product with its direction is one or more, or minus one or less", "[pass][bounce]") {
+TEST_CASE(
+    "a ray leaves on its side if the normal's product with its direction is one or more, or minus one or "
+    "less",
+    "[pass][bounce]") {
     Config c;
     c.shading = c.refraction = 1;
     int ones = 0, noughts = 0;

@@ -1,5 +1,6 @@
-// box at small widths, for every operand: the ray's origin and direction, the node's corner and exponents, the children's
-// planes. Judged by cross-multiplied exact overlap; the RTL by the model as well, to the bit. docs/boxes.md has the proof.
+// box at small widths, for every operand: the ray's origin and direction, the node's corner and exponents,
+// the children's planes. Judged by cross-multiplied exact overlap; the RTL by the model as well, to the bit.
+// docs/boxes.md has the proof.
 #include "model/accel/encode.hpp"
 #include "model/isect/tri.hpp"
 #include "tests/support/cases/small.hpp"
@@ -17,14 +18,18 @@ BoxVerdict try_model(const Config& config, const BoxSpace& space) {
         const BoxCase c = requests.next();
         const WideNode node = widen(c.req.node, config.node_width);
         const BoxRay ray{c.req.o, c.req.neg, c.req.recip, c.req.len};
-        if (n % 2) box_children(ray, node, config, rsp);
-        else box_children_plain(ray, node, config, rsp);
+        if (n % 2)
+            box_children(ray, node, config, rsp);
+        else
+            box_children_plain(ray, node, config, rsp);
         judge_small(c, rsp, config, verdict);
     }
     REQUIRE(verdict.boxes == requests.boxes());
     return verdict;
 }
-BoxVerdict try_model(const Config& config, unsigned which) { return try_model(config, box_space(config, which)); }
+BoxVerdict try_model(const Config& config, unsigned which) {
+    return try_model(config, box_space(config, which));
+}
 
 /// Ends at the first answer that differs from the model's.
 BoxVerdict try_rtl(const Config& config, const BoxSpace& space) {
@@ -57,9 +62,11 @@ void good(const BoxVerdict& v, double most_extra) {
     REQUIRE(double(v.taken - v.met) < most_extra * double(v.boxes));
 }
 
-// One axis: N = 3, M = 4, R = 3, F = 1, planes of 2 bits, exponents 0..2: 8 origins, 8 corners, 16 directions, 3 exponents, 10
-// pairs of planes. Two axes: N = 2, M = 3, planes of 1 bit. Three: N = 1, M = 2, planes of 1 bit, exponents 0 and 1.
-const Config one_axis = small_format(3, 4, 3, 1, 2), two_axes = small_format(2, 3, 3, 1, 1), three_axes = small_format(1, 2, 3, 1, 1);
+// One axis: N = 3, M = 4, R = 3, F = 1, planes of 2 bits, exponents 0..2: 8 origins, 8 corners, 16
+// directions, 3 exponents, 10 pairs of planes. Two axes: N = 2, M = 3, planes of 1 bit. Three: N = 1, M = 2,
+// planes of 1 bit, exponents 0 and 1.
+const Config one_axis = small_format(3, 4, 3, 1, 2), two_axes = small_format(2, 3, 3, 1, 1),
+             three_axes = small_format(1, 2, 3, 1, 1);
 
 /// A chip that shades: origins with `frac` bits of fraction.
 Config shading(Config config, int frac) {
@@ -74,8 +81,8 @@ BoxSpace shadow_space(const Config& config, std::size_t axis) {
     return space;
 }
 
-/// Rays that hit a triangle whose quantised box box() does not take, or for which it names a t_near beyond the hit's t: of the
-/// requests from `first` to `last`.
+/// Rays that hit a triangle whose quantised box box() does not take, or for which it names a t_near beyond
+/// the hit's t: of the requests from `first` to `last`.
 std::uint64_t hits_lost(const Config& config, std::uint64_t first, std::uint64_t last, std::uint64_t& hits) {
     std::uint64_t lost = 0;
     BoxCase ray;
@@ -97,7 +104,7 @@ std::uint64_t hits_lost(const Config& config, std::uint64_t first, std::uint64_t
     return lost;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("model of box is right for every operand at small widths", "[box][small]") {
     for (const unsigned axis : {1u, 2u, 4u}) good(try_model(one_axis, axis), 0.2);
@@ -105,7 +112,8 @@ TEST_CASE("model of box is right for every operand at small widths", "[box][smal
     good(try_model(three_axes, 7), 0.2);
 }
 
-TEST_CASE("rtl of box is right for every operand of an axis and of all three at small widths", "[box][small]") {
+TEST_CASE("rtl of box is right for every operand of an axis and of all three at small widths",
+          "[box][small]") {
     for (const unsigned axis : {1u, 2u, 4u}) good(try_rtl(one_axis, axis), 0.2);
     good(try_rtl(three_axes, 7), 0.2);
 }
@@ -114,7 +122,9 @@ TEST_CASE("rtl of box is right for every operand of two axes at small widths", "
     for (const unsigned axes : {3u, 5u, 6u}) good(try_rtl(two_axes, axes), 0.2);
 }
 
-TEST_CASE("model of box is right for every origin between lattice points and every shadow ray at small widths", "[box][small][shading]") {
+TEST_CASE(
+    "model of box is right for every origin between lattice points and every shadow ray at small widths",
+    "[box][small][shading]") {
     for (const std::size_t axis : {0u, 1u, 2u}) {
         good(try_model(shading(one_axis, 2), 1u << axis), 0.25);
         good(try_model(shading(one_axis, 2), shadow_space(shading(one_axis, 2), axis)), 0.25);
@@ -123,14 +133,18 @@ TEST_CASE("model of box is right for every origin between lattice points and eve
     good(try_model(shading(three_axes, 1), 7), 0.3);
 }
 
-TEST_CASE("rtl of box is right for every origin between lattice points and every shadow ray of an axis at small widths", "[box][small][shading]") {
+TEST_CASE(
+    "rtl of box is right for every origin between lattice points and every shadow ray of an axis at small "
+    "widths",
+    "[box][small][shading]") {
     for (const std::size_t axis : {0u, 1u, 2u}) {
         good(try_rtl(shading(one_axis, 2), 1u << axis), 0.25);
         good(try_rtl(shading(one_axis, 2), shadow_space(shading(one_axis, 2), axis)), 0.25);
     }
 }
 
-TEST_CASE("rtl of box is right for every origin between lattice points of two and three axes at small widths", "[box][small][shading][slow]") {
+TEST_CASE("rtl of box is right for every origin between lattice points of two and three axes at small widths",
+          "[box][small][shading][slow]") {
     for (const unsigned axes : {3u, 5u, 6u}) good(try_rtl(shading(two_axes, 1), axes), 0.3);
     good(try_rtl(shading(three_axes, 1), 7), 0.3);
 }
@@ -145,7 +159,8 @@ TEST_CASE("box at small widths is as far outside as it may be", "[box][small]") 
     }
 }
 
-TEMPLATE_TEST_CASE("box does not mind a zero component that is called negative", "[box][small]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box does not mind a zero component that is called negative", "[box][small]",
+                   Model<BoxUnit>, Rtl<BoxUnit>) {
     TestType dut{one_axis};
     for (const std::size_t axis : {0u, 1u, 2u}) {
         BoxSpace space = box_space(one_axis, 1u << axis);
@@ -173,7 +188,8 @@ TEST_CASE("no box of a triangle that is hit is left out or comes too late", "[bo
     REQUIRE(hits > 1000);
 }
 
-TEST_CASE("no box of a triangle of 64 points that is hit is left out or comes too late", "[box][small][slow]") {
+TEST_CASE("no box of a triangle of 64 points that is hit is left out or comes too late",
+          "[box][small][slow]") {
     // One corner in the middle, (0, -1, 0): 2^24 rays and triangles.
     const Config config = small_format(2, 2, 3, 1, 1);
     std::uint64_t hits = 0;

@@ -14,7 +14,8 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
     Draw draw{seed};
     std::deque<BoxCase> cases;
     Dut dut{config, Frame{}, int(seed)};
-    stream(dut, config, flow, draw, count,
+    stream(
+        dut, config, flow, draw, count,
         [&](Draw& from) {
             cases.push_back(random_box_case(from, config));
             return cases.back().req;
@@ -38,27 +39,33 @@ Config tiny() {
 void same_moves(const Config& config) {
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<BoxUnit>(config, {}, flow, seed, 2000, [&](Draw& draw) { return random_req(draw, config); });
+            check_lockstep<BoxUnit>(config, {}, flow, seed, 2000,
+                                    [&](Draw& draw) { return random_req(draw, config); });
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("box loses no child that the ray meets and takes few others", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box loses no child that the ray meets and takes few others", "[box]", Model<BoxUnit>,
+                   Rtl<BoxUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
     for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
 }
 
-TEMPLATE_TEST_CASE("box loses no child that the ray meets, many draws", "[box][slow]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box loses no child that the ray meets, many draws", "[box][slow]", Model<BoxUnit>,
+                   Rtl<BoxUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
-    for (unsigned seed = 101; seed <= 110; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 2000);
+    for (unsigned seed = 101; seed <= 110; ++seed)
+        against_oracle<TestType>(name, seed, flows[seed % 4], 2000);
 }
 
-TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets and takes few others", "[box][shading]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets and takes few others",
+                   "[box][shading]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const auto name = GENERATE("shading:default", "shading:narrow");
     for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
 }
 
-TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets, other formats", "[box][shading][slow]", Model<BoxUnit>, Rtl<BoxUnit>) {
+TEMPLATE_TEST_CASE("box loses no child that a bounce or a shadow ray meets, other formats",
+                   "[box][shading][slow]", Model<BoxUnit>, Rtl<BoxUnit>) {
     const auto name = GENERATE("shading:small", "shading:wide", "shading:coarse");
     for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
 }
@@ -109,7 +116,8 @@ TEST_CASE("box sees a ray that starts on a face or inside at distance 0", "[box]
             for (const int z : {-8, 0, 8})
                 for (int way = 1; way < 27; ++way) {
                     c.req.o = {x, y, z};
-                    set_direction(c, {(way % 3 - 1) * 700, (way / 3 % 3 - 1) * 1, (way / 9 - 1) * -2048}, config);
+                    set_direction(c, {(way % 3 - 1) * 700, (way / 3 % 3 - 1) * 1, (way / 9 - 1) * -2048},
+                                  config);
                     const BoxRsp rsp = box(c.req, config);
                     REQUIRE(rsp.inner == 1);
                     REQUIRE(rsp.t_near[0] == 0);
@@ -132,10 +140,12 @@ TEST_CASE("model and rtl of box make the same moves in every cycle", "[box][lock
     same_moves(format(GENERATE("default", "small", "narrow", "wide")));
 }
 
-TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays", "[box][lockstep][shading]") {
+TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays",
+          "[box][lockstep][shading]") {
     same_moves(format(GENERATE("shading:default", "shading:narrow")));
 }
 
-TEST_CASE("model and rtl of box make the same moves with bounces and shadow rays, other formats", "[box][lockstep][shading][slow]") {
+TEST_CASE("model and rtl of box make the same moves with bounces and shadow rays, other formats",
+          "[box][lockstep][shading][slow]") {
     same_moves(format(GENERATE("shading:small", "shading:wide", "shading:coarse")));
 }

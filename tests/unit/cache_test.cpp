@@ -4,14 +4,16 @@
 using namespace rayclock;
 using namespace rayclock::test;
 
-#define ALL_CACHES CacheModel<NodeCache>, CacheRtl<NodeCache>, CacheModel<PrimCache>, CacheRtl<PrimCache>, CacheModel<SharedCache>, CacheRtl<SharedCache>
-
+#define ALL_CACHES                                                                          \
+    CacheModel<NodeCache>, CacheRtl<NodeCache>, CacheModel<PrimCache>, CacheRtl<PrimCache>, \
+        CacheModel<SharedCache>, CacheRtl<SharedCache>
 
 TEMPLATE_TEST_CASE("a hit is answered exactly three cycles after it was accepted", "[cache]", ALL_CACHES) {
     in_quick_shapes<TestType>(check_hit_latency<TestType>);
 }
 
-TEMPLATE_TEST_CASE("a miss asks memory after two cycles and is answered three after the last word", "[cache]", ALL_CACHES) {
+TEMPLATE_TEST_CASE("a miss asks memory after two cycles and is answered three after the last word", "[cache]",
+                   ALL_CACHES) {
     in_quick_shapes<TestType>(check_miss_latency<TestType>);
 }
 
@@ -23,7 +25,8 @@ TEMPLATE_TEST_CASE("hits go on while a line is on its way", "[cache]", ALL_CACHE
     in_quick_shapes<TestType>(check_hit_under_miss<TestType>);
 }
 
-TEMPLATE_TEST_CASE("misses to one line ask memory once and are answered in order, one a cycle", "[cache]", ALL_CACHES) {
+TEMPLATE_TEST_CASE("misses to one line ask memory once and are answered in order, one a cycle", "[cache]",
+                   ALL_CACHES) {
     in_quick_shapes<TestType>(check_merges<TestType>);
 }
 
@@ -48,10 +51,12 @@ TEMPLATE_TEST_CASE("answers that are not taken stop a cache, and nothing is lost
 }
 
 TEMPLATE_TEST_CASE("every request is answered once with what lies in memory", "[cache]", ALL_CACHES) {
-    in_quick_shapes<TestType>([](const Config& config) { check_random<TestType>(config, is_model<TestType> ? 5 : 2, 1500); });
+    in_quick_shapes<TestType>(
+        [](const Config& config) { check_random<TestType>(config, is_model<TestType> ? 5 : 2, 1500); });
 }
 
-TEMPLATE_TEST_CASE("model and rtl of a cache do the same in every cycle", "[cache][lockstep]", NodeCache, PrimCache, SharedCache) {
+TEMPLATE_TEST_CASE("model and rtl of a cache do the same in every cycle", "[cache][lockstep]", NodeCache,
+                   PrimCache, SharedCache) {
     for (const std::string& name : quick_shapes<TestType>()) lockstep<TestType>(cache_config(name), 3, 2500);
 }
 
@@ -73,7 +78,7 @@ TEMPLATE_TEST_CASE("caches of other shapes keep their rules", "[cache][slow]", A
     }
 }
 
-TEMPLATE_TEST_CASE("model and rtl of caches of other shapes do the same in every cycle", "[cache][lockstep][slow]", NodeCache, PrimCache,
-                   SharedCache) {
+TEMPLATE_TEST_CASE("model and rtl of caches of other shapes do the same in every cycle",
+                   "[cache][lockstep][slow]", NodeCache, PrimCache, SharedCache) {
     for (const std::string& name : other_shapes<TestType>()) lockstep<TestType>(cache_config(name), 5, 5000);
 }

@@ -23,15 +23,19 @@ TEST_CASE("every parameter can be set, and is held to its range", "[config]") {
         CAPTURE(p.key);
         Config config;
         for (const int value : {p.lo, p.hi}) {
-            set_parameter(config, p.key, p.names ? (*p.names)[std::size_t(value)] : std::to_string(value), "here");
+            set_parameter(config, p.key, p.names ? (*p.names)[std::size_t(value)] : std::to_string(value),
+                          "here");
             REQUIRE(config.*p.member == value);
-            REQUIRE(value_text(config, p) == (p.names ? (*p.names)[std::size_t(value)] : std::to_string(value)));
+            REQUIRE(value_text(config, p) ==
+                    (p.names ? (*p.names)[std::size_t(value)] : std::to_string(value)));
         }
         for (const int bad : {p.lo - 1, p.hi + 1}) {
             Config wrong;
             wrong.*p.member = bad;
             const bool line = std::string(p.key).ends_with("_line") && bad < p.lo;
-            REQUIRE_THROWS_WITH(check_config(wrong, "here"), Contains("here: " + std::string(p.key) + " must " + (line ? "be at least 64 bytes" : "lie in")));
+            REQUIRE_THROWS_WITH(check_config(wrong, "here"),
+                                Contains("here: " + std::string(p.key) + " must " +
+                                         (line ? "be at least 64 bytes" : "lie in")));
         }
         if (!p.power_of_two) continue;
         Config odd;
@@ -42,7 +46,8 @@ TEST_CASE("every parameter can be set, and is held to its range", "[config]") {
 
 TEST_CASE("a parameter that does not exist or is no number is refused", "[config]") {
     Config config;
-    REQUIRE_THROWS_WITH(set_parameter(config, "coord_bit", "12", "f"), Contains("f: ") && Contains("coord_bits"));
+    REQUIRE_THROWS_WITH(set_parameter(config, "coord_bit", "12", "f"),
+                        Contains("f: ") && Contains("coord_bits"));
     for (const char* text : {"", "x", "12x", "1.5", " 12", "99999999999"})
         REQUIRE_THROWS_WITH(set_parameter(config, "coord_bits", text, "f"), Contains("whole number"));
     REQUIRE(config.coord_bits == Config{}.coord_bits);
@@ -54,7 +59,8 @@ TEST_CASE("a named value that does not exist is refused with the nearest", "[con
         set_parameter(config, "dram", name, "f");
         REQUIRE(dram_names()[std::size_t(config.dram)] == name);
     }
-    REQUIRE_THROWS_WITH(set_parameter(config, "dram", "ddr4", "f"), Contains("f: ") && Contains("'ddr4'") && Contains("ddr3"));
+    REQUIRE_THROWS_WITH(set_parameter(config, "dram", "ddr4", "f"),
+                        Contains("f: ") && Contains("'ddr4'") && Contains("ddr3"));
     REQUIRE_THROWS_WITH(set_parameter(config, "dram", "1", "f"), Contains("'1'"));
 }
 
@@ -126,6 +132,7 @@ TEST_CASE("widths that do not fit together are refused with the rule", "[config]
 }
 
 TEST_CASE("index_bits counts the bits of 0 to n - 1", "[config]") {
-    const std::pair<int, int> cases[] = {{1, 1}, {2, 1}, {3, 2}, {4, 2}, {5, 3}, {64, 6}, {65, 7}, {1024, 10}};
+    const std::pair<int, int> cases[] = {{1, 1}, {2, 1},  {3, 2},  {4, 2},
+                                         {5, 3}, {64, 6}, {65, 7}, {1024, 10}};
     for (const auto& [n, bits] : cases) REQUIRE(index_bits(n) == bits);
 }

@@ -21,8 +21,8 @@ Frame frame_of(std::uint32_t width, std::uint32_t height) {
     return frame;
 }
 
-/// The plain rule: tiles row by row, one in every cycle in which somebody wants one, to the first who does from the one after
-/// whoever was served last. Whoever was served does not want for a while.
+/// The plain rule: tiles row by row, one in every cycle in which somebody wants one, to the first who does
+/// from the one after whoever was served last. Whoever was served does not want for a while.
 class DispatchWorld {
 public:
     DispatchWorld(const Config& config, unsigned seed, int want_percent)
@@ -58,7 +58,8 @@ private:
     std::deque<Tile> left_;
 };
 
-constexpr std::pair<std::uint32_t, std::uint32_t> sizes[] = {{1, 1}, {8, 8}, {9, 8}, {64, 1}, {1, 65}, {61, 47}, {64, 48}};
+constexpr std::pair<std::uint32_t, std::uint32_t> sizes[] = {{1, 1},  {8, 8},   {9, 8},  {64, 1},
+                                                             {1, 65}, {61, 47}, {64, 48}};
 
 /// Frames of all sizes, one after the other.
 template <class Dut> void give_tiles(const Config& config, unsigned seed, int want_percent) {
@@ -83,20 +84,24 @@ template <class Dut> void give_tiles(const Config& config, unsigned seed, int wa
     }
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("dispatch gives tiles row by row to those who want them, in turn", "[dispatch]", DispatchModel, DispatchRtl) {
+TEMPLATE_TEST_CASE("dispatch gives tiles row by row to those who want them, in turn", "[dispatch]",
+                   DispatchModel, DispatchRtl) {
     const int pipelines = GENERATE(1, 2, 8);
     for (const int want_percent : {3, 30, 100})
-        for (unsigned seed = 1; seed <= 4; ++seed) give_tiles<TestType>(machine_of(pipelines, 3), seed, want_percent);
+        for (unsigned seed = 1; seed <= 4; ++seed)
+            give_tiles<TestType>(machine_of(pipelines, 3), seed, want_percent);
 }
 
 TEMPLATE_TEST_CASE("dispatch gives tiles of every size", "[dispatch][slow]", DispatchModel, DispatchRtl) {
     const int pipelines = GENERATE(1, 4), tile_bits = GENERATE(0, 1, 6);
-    for (unsigned seed = 1; seed <= 4; ++seed) give_tiles<TestType>(machine_of(pipelines, tile_bits), seed, 40);
+    for (unsigned seed = 1; seed <= 4; ++seed)
+        give_tiles<TestType>(machine_of(pipelines, tile_bits), seed, 40);
 }
 
-TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle from the first, and passes nobody over", "[dispatch]", DispatchModel, DispatchRtl) {
+TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle from the first, and passes nobody over",
+                   "[dispatch]", DispatchModel, DispatchRtl) {
     TestType dut{machine_of(8, 3)};
     dut.want = 0xff;
     dut.start(frame_of(80, 8));
@@ -118,7 +123,8 @@ TEMPLATE_TEST_CASE("dispatch gives a tile in every cycle from the first, and pas
     }
 }
 
-TEMPLATE_TEST_CASE("dispatch reaches the last tile of the largest picture", "[dispatch]", DispatchModel, DispatchRtl) {
+TEMPLATE_TEST_CASE("dispatch reaches the last tile of the largest picture", "[dispatch]", DispatchModel,
+                   DispatchRtl) {
     const Config config = machine_of(2, 3);
     TestType dut{config};
     const std::uint32_t width = GENERATE(16384u, 16u);
@@ -143,11 +149,13 @@ TEST_CASE("model and rtl of dispatch give the same tile in every cycle", "[dispa
         DispatchRtl rtl{config, int(seed)};
         Draw draw{seed};
         for (int frames = 0; frames < 20; ++frames) {
-            const Frame frame = frame_of(std::uint32_t(draw.between(1, 60)), std::uint32_t(draw.between(1, 60)));
+            const Frame frame =
+                frame_of(std::uint32_t(draw.between(1, 60)), std::uint32_t(draw.between(1, 60)));
             model.start(frame);
             rtl.start(frame);
             for (int cycle = 0; cycle < 100; ++cycle) {
-                INFO(config.name << ", seed " << seed << ", " << frame.width << " x " << frame.height << ", cycle " << cycle);
+                INFO(config.name << ", seed " << seed << ", " << frame.width << " x " << frame.height
+                                 << ", cycle " << cycle);
                 rtl.want = model.want = std::uint32_t(draw.bits(config.pipelines));
                 model.eval();
                 rtl.eval();

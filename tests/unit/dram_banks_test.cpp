@@ -7,10 +7,13 @@
 
 using namespace rayclock;
 
-TEST_CASE("every named memory but the ideal one is a part, and its figures are those of its data sheet", "[dram]") {
+TEST_CASE("every named memory but the ideal one is a part, and its figures are those of its data sheet",
+          "[dram]") {
     for (const std::string& name : dram_names()) {
-        if (name == "ideal") REQUIRE_THROWS_AS(dram_part(name), UserError);
-        else REQUIRE(dram_part(name).name == name);
+        if (name == "ideal")
+            REQUIRE_THROWS_AS(dram_part(name), UserError);
+        else
+            REQUIRE(dram_part(name).name == name);
     }
     REQUIRE_THROWS_AS(dram_part("tape"), UserError);
     REQUIRE(peak_bytes_per_second(dram_part("sdr")) == 285'714'285);
@@ -49,7 +52,11 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
         {"tRC, refresh", &DramPart::trc, {{act, 1}, {pre, 1}}, 0, {ref, 0}},
         {"tRRD", &DramPart::trrd, {{act, 0}}, 0, {act, 1}},
         {"tFAW", &DramPart::tfaw, {{act, 0}, {pre, 0}, {act, 1}, {act, 2}, {act, 3}}, 0, {act, 0}},
-        {"tFAW, second", &DramPart::tfaw, {{act, 0}, {pre, 0}, {act, 1}, {pre, 1}, {act, 2}, {act, 3}, {act, 0}}, 2, {act, 1}},
+        {"tFAW, second",
+         &DramPart::tfaw,
+         {{act, 0}, {pre, 0}, {act, 1}, {pre, 1}, {act, 2}, {act, 3}, {act, 0}},
+         2,
+         {act, 1}},
         {"tRTP", &DramPart::trtp, {{act, 0}, {rd, 0}}, 1, {pre, 0}},
         {"tRTP, all", &DramPart::trtp, {{act, 0}, {rd, 0}}, 1, {all, 0}},
         {"tCCD", &DramPart::tccd, {{act, 0}, {rd, 0}}, 1, {rd, 0}},
@@ -60,7 +67,8 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
     const DramPart sheet = dram_part(GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu"));
     for (const Gate& gate : gates)
         for (const int extra : {0, 1}) {   // a whole number of clocks, and one picosecond more
-            // Long enough that no other gate binds: the sheet's own figures are judged with the traffic of dram_test.cpp.
+            // Long enough that no other gate binds: the sheet's own figures are judged with the traffic of
+            // dram_test.cpp.
             DramPart part = sheet;
             part.*gate.time = (part.*gate.time / part.tck + 60) * part.tck + extra;
             CAPTURE(part.name, gate.name, extra);

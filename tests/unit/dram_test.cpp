@@ -1,4 +1,5 @@
-// dram: commands by the data sheet, latency and bandwidth by formula, refresh, order, accounts; skipping is the same as clocking.
+// dram: commands by the data sheet, latency and bandwidth by formula, refresh, order, accounts; skipping is
+// the same as clocking.
 #include "tests/support/world/dram_world.hpp"
 
 using namespace rayclock;
@@ -29,18 +30,22 @@ TEST_CASE("all commands under mixed traffic keep the data sheet, and give each r
 TEST_CASE("a lone read takes as long as its row's state says, to the cycle", "[dram]") {
     const DramPart part = dram_part(any_part());
     const int khz = GENERATE(25'000, 66'000, 100'000, 133'333, 333'333, 1'000'000);
-    const std::vector<std::uint32_t> addresses{address(part, 0, 1, 3), address(part, 0, 1, 4), address(part, 5, 1, 3)};
+    const std::vector<std::uint32_t> addresses{address(part, 0, 1, 3), address(part, 0, 1, 4),
+                                               address(part, 5, 1, 3)};
     const Log log = run(part, khz, addresses, 1);
     const std::int64_t row = clocks(part, part.trcd), close = clocks(part, part.trp);
     const std::int64_t waits[]{row, 0, close + row};   // closed, open, another row open
     for (std::size_t i = 0; i < 3; ++i) {
         CAPTURE(part.name, khz, i);
         const std::uint64_t arrival = begin_of(log.accepted[i] + 1, khz) + std::uint64_t(part.request_ps);
-        std::int64_t clock = std::int64_t((arrival + std::uint64_t(part.tck) - 1) / std::uint64_t(part.tck)) + waits[i];
+        std::int64_t clock =
+            std::int64_t((arrival + std::uint64_t(part.tck) - 1) / std::uint64_t(part.tck)) + waits[i];
         // A row just opened may have to stay open for tRAS, and a bank to wait for tRC.
         if (i == 2) {
-            const std::int64_t opened = log.commands[0].clock, last = log.commands[2 * std::size_t(part.bursts())].clock;
-            const std::int64_t may_close = std::max(opened + clocks(part, part.tras), last + clocks(part, part.trtp));
+            const std::int64_t opened = log.commands[0].clock,
+                               last = log.commands[2 * std::size_t(part.bursts())].clock;
+            const std::int64_t may_close =
+                std::max(opened + clocks(part, part.tras), last + clocks(part, part.trtp));
             clock = std::max({clock, may_close + close + row, opened + clocks(part, part.trc) + row});
         }
         clock += (part.bursts() - 1) * read_step(part) + part.cl + part.burst_clocks();
@@ -67,13 +72,15 @@ TEST_CASE("reads in sequence reach the peak bandwidth less refresh, and never mo
     CHECK(reached <= peak * (1 - part.trfc / double(part.trefi)));
 }
 
-TEST_CASE("reads of ever other rows of a bank take a row cycle each, and dependent reads their latency", "[dram]") {
+TEST_CASE("reads of ever other rows of a bank take a row cycle each, and dependent reads their latency",
+          "[dram]") {
     const DramPart part = dram_part(any_part());
     std::vector<std::uint32_t> rows(2000);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = address(part, std::uint32_t(i), 2, 0);
     const Log log = run(part, 200'000, rows, 64);
     const std::int64_t reads = (part.bursts() - 1) * read_step(part);
-    const std::int64_t to_close = std::max(clocks(part, part.tras), clocks(part, part.trcd) + reads + clocks(part, part.trtp));
+    const std::int64_t to_close =
+        std::max(clocks(part, part.tras), clocks(part, part.trcd) + reads + clocks(part, part.trtp));
     const std::int64_t turn = std::max(clocks(part, part.trc), to_close + clocks(part, part.trp));
     const double bound = 64e12 / double(turn * part.tck), reached = bytes_per_second(log, 200'000);
     CHECK(reached <= bound);
@@ -104,12 +111,15 @@ TEST_CASE("a DRAM refreshes every tREFI, busy or idle or skipped, and nothing ha
     REQUIRE(dram.now() == idle);
     REQUIRE(dram.cycles(DramCause::starved) == idle);
     REQUIRE(log.size() == std::size_t(1'000'000'000 / (every * part.tck)));
-    for (std::size_t k = 0; k < log.size(); ++k) REQUIRE(log[k] == Issued{std::int64_t(k + 1) * every, Command::refresh, 0, 0});
+    for (std::size_t k = 0; k < log.size(); ++k)
+        REQUIRE(log[k] == Issued{std::int64_t(k + 1) * every, Command::refresh, 0, 0});
     REQUIRE(dram.statistics().refreshes == log.size());
 
     // A request that arrives just when a refresh begins waits for its end.
     const std::int64_t due = std::int64_t(log.size() + 1) * every;
-    const auto arrival = [&](std::uint64_t cycle) { return begin_of(cycle + 1, 100'000) + std::uint64_t(part.request_ps); };
+    const auto arrival = [&](std::uint64_t cycle) {
+        return begin_of(cycle + 1, 100'000) + std::uint64_t(part.request_ps);
+    };
     while (arrival(dram.now() + 1) <= std::uint64_t(due * part.tck)) dram.clock(nullptr);
     log.clear();
     dram.clock(nullptr);
@@ -134,7 +144,8 @@ TEST_CASE("a DRAM refreshes every tREFI, busy or idle or skipped, and nothing ha
         if (c.command == Command::refresh) {
             const std::int64_t late = c.clock - ++k * every;
             REQUIRE(late >= 0);
-            const std::int64_t to_close = part.bursts() * read_step(part) + clocks(part, part.tras) + clocks(part, part.trtp);
+            const std::int64_t to_close =
+                part.bursts() * read_step(part) + clocks(part, part.tras) + clocks(part, part.trtp);
             REQUIRE(late <= to_close + clocks(part, part.trp) + 2);
         }
     REQUIRE(k >= load.commands.back().clock / every - 1);
@@ -155,18 +166,22 @@ TEST_CASE("a faster chip waits more cycles but not more time for the same reads"
     CHECK(double(ps[3]) > 0.8 * double(ps[0]));
 }
 
-TEST_CASE("a read of an open row goes before older reads, but no request is overtaken more often than the cap", "[dram]") {
+TEST_CASE(
+    "a read of an open row goes before older reads, but no request is overtaken more often than the cap",
+    "[dram]") {
     DramPart part = dram_part(any_part());
     part.age_cap = GENERATE(1, 3, 16, 40);
     part.trefi = 1'000'000'000;   // a refresh would end the run of hits
-    std::vector<std::uint32_t> addresses(1500);   // now and then another row of the bank that all the others hit
+    std::vector<std::uint32_t> addresses(
+        1500);   // now and then another row of the bank that all the others hit
     for (std::size_t i = 0; i < addresses.size(); ++i)
         addresses[i] = address(part, i % 60 == 20 ? 1 : 0, 0, std::uint32_t(i) % row_words(part));
     const auto most_overtaken = [](const Log& log) {
         std::size_t most = 0;
         for (std::size_t at = 0; at < log.order.size(); ++at)
-            most = std::max(most, std::size_t(std::count_if(log.order.begin(), log.order.begin() + std::ptrdiff_t(at),
-                                                            [&](std::size_t other) { return other > log.order[at]; })));
+            most = std::max(
+                most, std::size_t(std::count_if(log.order.begin(), log.order.begin() + std::ptrdiff_t(at),
+                                                [&](std::size_t other) { return other > log.order[at]; })));
         return most;
     };
     const Log log = run(part, 200'000, addresses, 64);
@@ -177,7 +192,8 @@ TEST_CASE("a read of an open row goes before older reads, but no request is over
     REQUIRE(mixed_most <= std::size_t(part.age_cap));
 }
 
-TEST_CASE("a row is not closed while a request for it waits, even if the bus belongs to another bank", "[dram]") {
+TEST_CASE("a row is not closed while a request for it waits, even if the bus belongs to another bank",
+          "[dram]") {
     DramPart part = dram_part(any_part());
     part.trefi = 1'000'000'000;
     Dram dram{part, 400'000, 8};
@@ -202,7 +218,8 @@ TEST_CASE("a row is not closed while a request for it waits, even if the bus bel
     REQUIRE(dram.statistics().row_conflicts == 1);
 }
 
-TEST_CASE("the controller takes as many requests as its queue holds, and another when one has its last read", "[dram]") {
+TEST_CASE("the controller takes as many requests as its queue holds, and another when one has its last read",
+          "[dram]") {
     const DramPart part = dram_part(any_part());
     Dram dram{part, 400'000, 64};
     std::vector<Issued> log;
@@ -218,7 +235,8 @@ TEST_CASE("the controller takes as many requests as its queue holds, and another
     REQUIRE(dram.now() == cycle_from(std::uint64_t(log.back().clock * part.tck), 400'000));
 }
 
-TEST_CASE("the causes of a DRAM's cycles are a full account, and busy are those with data on the bus", "[dram]") {
+TEST_CASE("the causes of a DRAM's cycles are a full account, and busy are those with data on the bus",
+          "[dram]") {
     const DramPart part = dram_part(any_part());
     const auto [most, pause] = GENERATE(table<std::size_t, int>({{1, 0}, {8, 0}, {64, 0}, {8, 3000}}));
     const int khz = GENERATE(20'000, 133'333, 700'000);
@@ -255,7 +273,8 @@ TEST_CASE("skipping quiet cycles of a DRAM is the same as clocking them", "[dram
     const auto same = [&] {
         if (clocked.ready() != skipped.ready() || clocked.valid() != skipped.valid())
             FAIL("doors differ in cycle " << clocked.now());
-        if (clocked.valid() && (clocked.answer().id != skipped.answer().id || clocked.answer().addr != skipped.answer().addr))
+        if (clocked.valid() &&
+            (clocked.answer().id != skipped.answer().id || clocked.answer().addr != skipped.answer().addr))
             FAIL("answers differ in cycle " << clocked.now());
     };
     const auto take = [&] {
@@ -275,7 +294,8 @@ TEST_CASE("skipping quiet cycles of a DRAM is the same as clocking them", "[dram
             skipped.skip(until - skipped.now());
             const bool ready = clocked.ready(), valid = clocked.valid();
             while (clocked.now() < until) {
-                if (clocked.ready() != ready || clocked.valid() != valid) FAIL("not quiet in cycle " << clocked.now());
+                if (clocked.ready() != ready || clocked.valid() != valid)
+                    FAIL("not quiet in cycle " << clocked.now());
                 clocked.clock(nullptr);
             }
             same();
@@ -296,5 +316,6 @@ TEST_CASE("skipping quiet cycles of a DRAM is the same as clocking them", "[dram
     REQUIRE(sent - answered == std::uint64_t(std::count(under_way.begin(), under_way.end(), 1)));
     REQUIRE(clocked.statistics() == skipped.statistics());
     REQUIRE(one == other);
-    for (int i = 0; i < dram_causes; ++i) REQUIRE(clocked.cycles(DramCause(i)) == skipped.cycles(DramCause(i)));
+    for (int i = 0; i < dram_causes; ++i)
+        REQUIRE(clocked.cycles(DramCause(i)) == skipped.cycles(DramCause(i)));
 }

@@ -1,4 +1,5 @@
-// The search of fit: what it finds keeps the bound, nothing in it can be one step smaller, and no pair of N and M is cheaper.
+// The search of fit: what it finds keeps the bound, nothing in it can be one step smaller, and no pair of N
+// and M is cheaper.
 #include <catch2/catch.hpp>
 
 #include "model/core/error.hpp"
@@ -42,12 +43,14 @@ Plain plain(const Scene& scene, FrameSize size, const HitFrame& reference, const
         for (int x = 0; x < size.width; ++x)
             for (int y = 0; y < size.height; ++y) {
                 double square = 0;
-                for (const std::int32_t d : pixel_direction(std::uint32_t(x), std::uint32_t(y), job.frame, job.config)) square += double(d) * d;
-                p.deep = p.deep && std::sqrt(square) <= std::ldexp(1.0, config.dir_bits - 1 + config.t_frac_bits);
+                for (const std::int32_t d :
+                     pixel_direction(std::uint32_t(x), std::uint32_t(y), job.frame, job.config))
+                    square += double(d) * d;
+                p.deep =
+                    p.deep && std::sqrt(square) <= std::ldexp(1.0, config.dir_bits - 1 + config.t_frac_bits);
             }
         p.possible = true;
-    } catch (const UserError&) {
-    }
+    } catch (const UserError&) {}
     return p;
 }
 
@@ -58,19 +61,21 @@ Config wide_fields(Config c) {
 }
 
 /// The goal, in the words of docs/report.md.
-bool keeps(const Scene& scene, FrameSize size, const HitFrame& reference, const Config& config, const Goal& goal) {
+bool keeps(const Scene& scene, FrameSize size, const HitFrame& reference, const Config& config,
+           const Goal& goal) {
     const Plain now = plain(scene, size, reference, config);
     if (!now.possible) return false;
     const Plain wide = plain(scene, size, reference, wide_fields(config));
     REQUIRE(wide.possible);
-    const bool colour = goal.min_psnr ? now.error.psnr_db >= *goal.min_psnr : now.error.psnr_db >= std::min(wide.error.psnr_db, 60.0) - 0.1;
-    return double(now.error.pixels_other_primitive) * 100 <= goal.max_error * double(now.error.pixels) && colour &&
-           now.work <= wide.work * (1 + goal.max_work / 100) * (1 + 1e-12) && now.deep;
+    const bool colour = goal.min_psnr ? now.error.psnr_db >= *goal.min_psnr
+                                      : now.error.psnr_db >= std::min(wide.error.psnr_db, 60.0) - 0.1;
+    return double(now.error.pixels_other_primitive) * 100 <= goal.max_error * double(now.error.pixels) &&
+           colour && now.work <= wide.work * (1 + goal.max_work / 100) * (1 + 1e-12) && now.deep;
 }
 
 constexpr FrameSize size{160, 120};
 
-} // namespace
+}   // namespace
 
 TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower", "[fit]") {
     struct Case {
@@ -78,8 +83,10 @@ TEST_CASE("what fit finds keeps the goal, and nothing in it can be a step lower"
         Goal goal;
         const char* base;
     };
-    const Case c = GENERATE(Case{"teapot:4", {0.1, {}, 2}, "default"}, Case{"gears:1", {0.5, 42.0, 5}, "small"}, Case{"cornell", {2, {}, 0}, "wide"},
-                            Case{"tetra:5", {0.3, {}, 1}, "default"}, Case{"icosphere:3", {1, {}, 300}, "default"});
+    const Case c =
+        GENERATE(Case{"teapot:4", {0.1, {}, 2}, "default"}, Case{"gears:1", {0.5, 42.0, 5}, "small"},
+                 Case{"cornell", {2, {}, 0}, "wide"}, Case{"tetra:5", {0.3, {}, 1}, "default"},
+                 Case{"icosphere:3", {1, {}, 300}, "default"});
     const Scene scene = ready(c.scene, size);
     const HitFrame reference = Reference(scene).frame(*scene.camera, size);
     Measure measure(scene, size, 0);
@@ -129,7 +136,8 @@ TEST_CASE("no pair of N and M that keeps the goal is cheaper", "[fit]") {
             c.coord_bits = n, c.dir_bits = m;
             const Plain p = plain(scene, small, reference, wide_fields(c));
             INFO(name << ", N = " << n << ", M = " << m);
-            CHECK((!p.possible || 100 * double(p.error.pixels_other_primitive) > goal.max_error * double(p.error.pixels)));
+            CHECK((!p.possible ||
+                   100 * double(p.error.pixels_other_primitive) > goal.max_error * double(p.error.pixels)));
         }
 }
 
@@ -147,13 +155,16 @@ TEST_CASE("the cost counts every multiplier and every memory", "[fit]") {
     // By hand, for the default: see rtl/README.md and the modules.
     const Config c;
     const fit::Cost cost = fit::cost_of(c);
-    CHECK(cost.multiplier_adders == 3 * 2 * 34 * 14 + 3 * (2 * 19 * 17 + 16 * 8 * 17) + 12 * 20 * 19 + 6 * 19 * 19 + 9 * 40 * 19 + 3 * 39 * 19 + 2 * 56 * 58);
+    CHECK(cost.multiplier_adders == 3 * 2 * 34 * 14 + 3 * (2 * 19 * 17 + 16 * 8 * 17) + 12 * 20 * 19 +
+                                        6 * 19 * 19 + 9 * 40 * 19 + 3 * 39 * 19 + 2 * 56 * 58);
     CHECK(cost.divider_adders == 3 * 20 * 16 + 58 * (24 + 16 + 16));
     CHECK(cost.stack_bits == 64 * 16 * (24 + 24 + 4 + 7 * (24 + 3)));
     CHECK(cost.ray_bits > cost.stack_bits);
-    CHECK(cost.cache_bits == 64 * 4 * (24 - 6 + 1 + (54 + 15 + 24 + 24 + 384)) + 64 * 4 * (24 - 6 + 1 + 2 * (162 + 32)));
-    for (int Config::*member : {&Config::coord_bits, &Config::dir_bits, &Config::recip_bits, &Config::box_bits, &Config::bary_bits, &Config::stack_depth,
-                                &Config::addr_bits, &Config::prim_bits, &Config::pixel_bits}) {
+    CHECK(cost.cache_bits ==
+          64 * 4 * (24 - 6 + 1 + (54 + 15 + 24 + 24 + 384)) + 64 * 4 * (24 - 6 + 1 + 2 * (162 + 32)));
+    for (int Config::*member :
+         {&Config::coord_bits, &Config::dir_bits, &Config::recip_bits, &Config::box_bits, &Config::bary_bits,
+          &Config::stack_depth, &Config::addr_bits, &Config::prim_bits, &Config::pixel_bits}) {
         Config more = c;
         more.*member += member == &Config::stack_depth ? more.*member : 2;
         CHECK(fit::cost_of(more).total() > cost.total());
@@ -169,7 +180,8 @@ TEST_CASE("the part that makes a scene large is named", "[fit]") {
     scene.materials[1].name = "sky";
     const auto add = [&](double extent, std::uint32_t material) {
         const auto first = std::uint32_t(scene.vertices.size());
-        for (const glm::dvec3& v : {glm::dvec3{0}, glm::dvec3{extent, 0, 0}, glm::dvec3{0, extent, 0}}) scene.vertices.push_back(v);
+        for (const glm::dvec3& v : {glm::dvec3{0}, glm::dvec3{extent, 0, 0}, glm::dvec3{0, extent, 0}})
+            scene.vertices.push_back(v);
         scene.triangles.push_back({{first, first + 1, first + 2}, material});
     };
     for (int i = 0; i < 10; ++i) add(1 + 0.01 * i, 0);

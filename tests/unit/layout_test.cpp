@@ -9,15 +9,18 @@ using namespace rayclock::test;
 
 namespace {
 
-using Payloads = std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq, BoxRsp, Best, TriReq, TriRsp,
-                            Step, Done, Closest, HitOut>;
+using Payloads = std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq,
+                            BoxRsp, Best, TriReq, TriRsp, Step, Done, Closest, HitOut>;
 
 /// Lists a payload's values, so that two of them can be compared without packing.
 class ListVisitor {
 public:
     std::vector<std::int64_t> values;
-    template <class T> void operator()(const char*, const T& value, int) { values.push_back(std::int64_t(value)); }
-    template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>& value, int, int count) {
+    template <class T> void operator()(const char*, const T& value, int) {
+        values.push_back(std::int64_t(value));
+    }
+    template <class T, std::size_t n>
+    void operator()(const char*, const std::array<T, n>& value, int, int count) {
         for (std::size_t i = 0; i < std::size_t(count); ++i) values.push_back(std::int64_t(value[i]));
     }
 };
@@ -31,20 +34,25 @@ template <class P> std::vector<std::int64_t> values_of(P payload, const Config& 
 class BitVisitor {
 public:
     std::vector<bool> bits;
-    template <class T> void operator()(const char*, const T& value, int width) { add(std::uint64_t(value), width); }
-    template <class T, std::size_t n> void operator()(const char*, const std::array<T, n>& value, int width, int count) {
+    template <class T> void operator()(const char*, const T& value, int width) {
+        add(std::uint64_t(value), width);
+    }
+    template <class T, std::size_t n>
+    void operator()(const char*, const std::array<T, n>& value, int width, int count) {
         for (int i = count - 1; i >= 0; --i) add(std::uint64_t(value[std::size_t(i)]), width);
     }
 
 private:
     void add(std::uint64_t value, int width) {
-        for (int i = width - 1; i >= 0; --i) bits.push_back(value >> std::min(i, 63) & 1);   // beyond 64 the sign
+        for (int i = width - 1; i >= 0; --i)
+            bits.push_back(value >> std::min(i, 63) & 1);   // beyond 64 the sign
     }
 };
 
-} // namespace
+}   // namespace
 
-TEMPLATE_LIST_TEST_CASE("a payload survives packing, and every bit is where the rule says", "[layout]", Payloads) {
+TEMPLATE_LIST_TEST_CASE("a payload survives packing, and every bit is where the rule says", "[layout]",
+                        Payloads) {
     const Config config = format(GENERATE("default", "small", "narrow", "wide", "sheared:default"));
     const int bits = bits_of<TestType>(config);
     Draw draw{7};

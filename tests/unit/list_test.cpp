@@ -91,25 +91,30 @@ TriRsp miss(std::uint32_t ray) {
     return rsp;
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("list asks for each leaf's triangles, nearest leaf first, none beyond the best hit", "[list]", ListModel, ListRtl) {
+TEMPLATE_TEST_CASE("list asks for each leaf's triangles, nearest leaf first, none beyond the best hit",
+                   "[list]", ListModel, ListRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 3; ++seed) serve_rays<TestType>(format("default"), seed, flow, 300);
 }
 
-TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and nothing beyond the surface", "[list][shading]", ListModel, ListRtl) {
+TEMPLATE_TEST_CASE("list tests nothing more for a light that is blocked, and nothing beyond the surface",
+                   "[list][shading]", ListModel, ListRtl) {
     for (const auto* name : {"shading:default", "samples:default"})
         for (const Flow& flow : flows)
-            for (unsigned seed = 1; seed <= 2; ++seed) REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300) > 50);
+            for (unsigned seed = 1; seed <= 2; ++seed)
+                REQUIRE(serve_rays<TestType>(format(name), seed, flow, 300) > 50);
 }
 
-TEMPLATE_TEST_CASE("list asks for each leaf's triangles in nodes of four", "[list][slow]", ListModel, ListRtl) {
+TEMPLATE_TEST_CASE("list asks for each leaf's triangles in nodes of four", "[list][slow]", ListModel,
+                   ListRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 10; ++seed) serve_rays<TestType>(format("small"), seed, flow, 300);
 }
 
-TEMPLATE_TEST_CASE("list passes on in the next cycle, and the inputs wait for nothing", "[list]", ListModel, ListRtl) {
+TEMPLATE_TEST_CASE("list passes on in the next cycle, and the inputs wait for nothing", "[list]", ListModel,
+                   ListRtl) {
     Hand<TestType> hand{format("default")};
     REQUIRE_FALSE(hand.cycle(node_of(1, 2)).prim_req.offer);
     ListLinks seen = hand.cycle();
@@ -162,7 +167,8 @@ TEST_CASE("model and rtl of list make the same moves in every cycle", "[list][lo
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
 
-TEST_CASE("model and rtl of list make the same moves, nodes of four and one context", "[list][lockstep][slow]") {
+TEST_CASE("model and rtl of list make the same moves, nodes of four and one context",
+          "[list][lockstep][slow]") {
     Config one = format("small");
     one.name = "one context";
     one.contexts = 1;

@@ -1,5 +1,5 @@
-// The machine as a whole: the order in which units see the clock does not matter, nor whether idle cycles are passed over;
-// every unit's cycles add up.
+// The machine as a whole: the order in which units see the clock does not matter, nor whether idle cycles are
+// passed over; every unit's cycles add up.
 #include <algorithm>
 #include <numeric>
 
@@ -32,27 +32,33 @@ Job job_of(const char* scene, const Values& values, bool shading) {
     const Whitted settings{3};
     Scene made = make_builtin(scene, Primitives::native);
     if (!made.camera) made.camera = fit_camera(made, 20.0 / 12);
-    return make_job(made, *made.camera, {20, 12}, shaped(fitted_config(made, settings, named_config("default")), values), {}, settings);
+    return make_job(made, *made.camera, {20, 12},
+                    shaped(fitted_config(made, settings, named_config("default")), values), {}, settings);
 }
 
-std::uint64_t sum(const CauseCounts& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)); }
+std::uint64_t sum(const CauseCounts& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+}
 
-} // namespace
+}   // namespace
 
-TEST_CASE("the order in which units see the clock edge does not matter, nor whether a cycle is observed", "[machine]") {
+TEST_CASE("the order in which units see the clock edge does not matter, nor whether a cycle is observed",
+          "[machine]") {
     const Values values = GENERATE(Values{}, Values{{"pipelines", 2}, {"l2_sets", 4}, {"dram", 2}});
     const auto [scene, shading] = GENERATE(table<const char*, bool>({{"tetra:3", false}, {"balls:1", true}}));
     const Job job = job_of(scene, values, shading);
     const FrameTrace frame = record_frame(job, job.frame);
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const rayclock::Traffic traffic = seed % 2 ? rayclock::Traffic{} : disturbed(seed);
-        Machine plain{job.config, job.khz, traffic}, shuffled{job.config, job.khz, traffic}, unseen{job.config, job.khz, traffic};
+        Machine plain{job.config, job.khz, traffic}, shuffled{job.config, job.khz, traffic},
+            unseen{job.config, job.khz, traffic};
         for (Machine* machine : {&plain, &shuffled, &unseen}) machine->start(frame.frame, frame.trace);
         Draw draw{seed};
         std::array<int, pipeline_units> order{};
         std::iota(order.begin(), order.end(), 0);
         while (!plain.done()) {
-            for (int i = int(order.size()) - 1; i > 0; --i) std::swap(order[std::size_t(i)], order[std::size_t(draw.below(i + 1))]);
+            for (int i = int(order.size()) - 1; i > 0; --i)
+                std::swap(order[std::size_t(i)], order[std::size_t(draw.below(i + 1))]);
             INFO(job.config.name << ", seed " << seed << ", cycle " << plain.cycle());
             REQUIRE(plain.cycle() < 100000);
             plain.step([](const Move&) {});
@@ -87,7 +93,8 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
             if (move.channel == Channel::hit) ++seen[move.y * 20 + move.x];
         });
         for (int p = 0; p < job.config.pipelines; ++p)
-            if (machine.fire_mask(p) & ~machine.valid_mask(p)) FAIL("a transfer without an offer in cycle " << machine.cycle());
+            if (machine.fire_mask(p) & ~machine.valid_mask(p))
+                FAIL("a transfer without an offer in cycle " << machine.cycle());
     }
     REQUIRE(std::count(seen.begin(), seen.end(), 1) == 20 * 12);
 
@@ -104,38 +111,46 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     const auto count = [&](Channel c) { return moved[index(c)]; };
     const auto code = [&](Unit u, std::size_t c) { return accounts.units[index(u)][c]; };
     for (const Channel c : {Channel::slot, Channel::ray, Channel::hit}) REQUIRE(count(c) == 20 * 12);
-    for (const Channel c : {Channel::node_req, Channel::box_req, Channel::box_rsp, Channel::step}) REQUIRE(count(c) == frame.trace.visits);
-    for (const Channel c : {Channel::prim_req, Channel::tri_req, Channel::tri_rsp}) REQUIRE(count(c) == frame.trace.triangle_tests);
-    REQUIRE((count(Channel::node_miss) == count(Channel::node_fill) && count(Channel::prim_miss) == count(Channel::prim_fill)));
+    for (const Channel c : {Channel::node_req, Channel::box_req, Channel::box_rsp, Channel::step})
+        REQUIRE(count(c) == frame.trace.visits);
+    for (const Channel c : {Channel::prim_req, Channel::tri_req, Channel::tri_rsp})
+        REQUIRE(count(c) == frame.trace.triangle_tests);
+    REQUIRE((count(Channel::node_miss) == count(Channel::node_fill) &&
+             count(Channel::prim_miss) == count(Channel::prim_fill)));
     REQUIRE(count(Channel::mem_req) == count(Channel::mem_rsp));
     REQUIRE(count(Channel::mem_req) == machine.memory().stats().reads);
     const Channel asked = job.config.l2_sets > 0 ? Channel::l2_req : Channel::mem_req;
     REQUIRE(count(asked) == count(Channel::node_miss) + count(Channel::prim_miss));
     REQUIRE(code(Unit::sched, 0) == count(Channel::slot));
     REQUIRE(code(Unit::raygen, 0) == count(Channel::ray));
-    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == count(Channel::step) + frame.trace.turns);   // a turn is work, or holds a step up
+    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) ==
+            count(Channel::step) + frame.trace.turns);   // a turn is work, or holds a step up
     REQUIRE(frame.trace.turns > 0);
     REQUIRE(code(Unit::box, 0) == count(Channel::box_req));
     REQUIRE(code(Unit::tri, 0) == count(Channel::tri_req));
     REQUIRE(code(Unit::dispatch, 0) == count(Channel::tile));
     REQUIRE(code(Unit::memport, 0) == count(asked));
-    for (const auto& [cache, request, miss, line] : {std::tuple{Unit::node_cache, Channel::node_req, Channel::node_miss, job.config.node_line},
-                                                     std::tuple{Unit::prim_cache, Channel::prim_req, Channel::prim_miss, job.config.prim_line}}) {
+    for (const auto& [cache, request, miss, line] :
+         {std::tuple{Unit::node_cache, Channel::node_req, Channel::node_miss, job.config.node_line},
+          std::tuple{Unit::prim_cache, Channel::prim_req, Channel::prim_miss, job.config.prim_line}}) {
         INFO(unit_infos[index(cache)].name);
-        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) == count(request));   // hit, miss, merge: every look-up is one
+        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) ==
+                count(request));   // hit, miss, merge: every look-up is one
         REQUIRE(code(cache, 1) * std::uint64_t(line / line_bytes) == count(miss));
-        REQUIRE(code(cache, 3) == code(cache, 1) + code(cache, 2));                    // whoever waited was answered
+        REQUIRE(code(cache, 3) == code(cache, 1) + code(cache, 2));   // whoever waited was answered
     }
 }
 
 TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[machine]") {
     const Values values = GENERATE(from_range(shapes()));
-    const auto [scene, shading] = GENERATE(table<const char*, bool>({{"tetra:3", false}, {"gears:1", false}, {"balls:1", true}}));
+    const auto [scene, shading] =
+        GENERATE(table<const char*, bool>({{"tetra:3", false}, {"gears:1", false}, {"balls:1", true}}));
     const int khz = GENERATE(66000, 400000);
     const Job job = job_of(scene, values, shading);
     INFO(scene << ", " << job.config.name << ", " << khz << " kHz");
     std::vector<FrameTrace> frames;
-    for (int i = 0; i < 2; ++i) frames.push_back(record_frame(job, job.frame));   // the second with warm caches
+    for (int i = 0; i < 2; ++i)
+        frames.push_back(record_frame(job, job.frame));   // the second with warm caches
     Machine stepped{job.config, khz}, ran{job.config, khz};
     Draw draw{3};
     for (const FrameTrace& frame : frames) {
@@ -159,7 +174,8 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
 TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") {
     const Job job = small_job(GENERATE("tetra:3", "gears:1"), {16, 12}, format("small"));
     const FrameTrace frame = record_frame(job, job.frame);
-    for (const rayclock::Traffic& traffic : {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // the last: both caches wait
+    for (const rayclock::Traffic& traffic :
+         {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // the last: both caches wait
         Machine model{job.config, job.khz, traffic};
         RtlMachine rtl{job.image, job.config, job.khz, traffic};
         for (int i = 0; i < 2; ++i) {

@@ -1,4 +1,5 @@
-// memory: the ideal one's latency and bandwidth as stated; jitter and stalls, as seeded, over every kind of memory.
+// memory: the ideal one's latency and bandwidth as stated; jitter and stalls, as seeded, over every kind of
+// memory.
 #include <algorithm>
 #include <optional>
 
@@ -26,8 +27,8 @@ struct Log {
     friend bool operator==(const Log&, const Log&) = default;
 };
 
-/// Sends n requests as soon as each is accepted, ids in turn, each only after its last answer. The address is the number of
-/// the request.
+/// Sends n requests as soon as each is accepted, ids in turn, each only after its last answer. The address is
+/// the number of the request.
 template <class Port> Log run(Port& port, int n, int ids) {
     Log log;
     std::vector<char> seen(std::size_t(n), 0), busy(std::size_t(ids), 0);
@@ -66,7 +67,7 @@ Log run_disturbed(const Config& config, Traffic traffic, int n) {
     return run(port, n, 1 << config.mem_id_bits());
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("an answer of the ideal memory comes exactly mem_latency cycles after its request", "[memport]") {
     const int latency = GENERATE(1, 2, 8, 50);
@@ -129,7 +130,8 @@ TEST_CASE("without traffic a memory is as its kind says, and counts what it does
         const Memport::Answer request{0, 7};
         again.clock(cycle == 5 ? &request : nullptr);
     }
-    REQUIRE(again.deeds() == std::array<std::uint64_t, 8>{1, 7, 0, 22});   // the answer; between it and the request; the rest
+    REQUIRE(again.deeds() ==
+            std::array<std::uint64_t, 8>{1, 7, 0, 22});   // the answer; between it and the request; the rest
 }
 
 TEST_CASE("jitter lets answers overtake each other within its bound and loses nothing", "[memport]") {
@@ -154,7 +156,8 @@ TEST_CASE("jitter lets answers overtake each other within its bound and loses no
     REQUIRE(late > 250);
 }
 
-TEST_CASE("a stalling memory refuses about the stated share of cycles, the same for the same seed", "[memport]") {
+TEST_CASE("a stalling memory refuses about the stated share of cycles, the same for the same seed",
+          "[memport]") {
     Config config = memory(3, 1);
     config.node_mshrs = 64;
     const Traffic traffic{0, 40, 7};
@@ -165,7 +168,8 @@ TEST_CASE("a stalling memory refuses about the stated share of cycles, the same 
 }
 
 TEST_CASE("the sink refuses about the stated share of cycles, each sink others", "[memport]") {
-    Sink open{Traffic{}, 0}, half{Traffic{0, 50, 3}, 0}, other{Traffic{0, 50, 3}, 1}, shut{Traffic{0, 100, 3}, 0};
+    Sink open{Traffic{}, 0}, half{Traffic{0, 50, 3}, 0}, other{Traffic{0, 50, 3}, 1},
+        shut{Traffic{0, 100, 3}, 0};
     int ready = 0, differ = 0, shut_ready = 0;
     for (int i = 0; i < 4000; ++i) {
         REQUIRE(open.ready());

@@ -24,10 +24,12 @@ PrimData random_triangle(Draw& draw, int bits) {
 }
 SurfacePoint random_point(Draw& draw, const PrimData& t, int frac_bits) {
     const int one = 1 << frac_bits;
-    const std::uint32_t u = std::uint32_t(draw.below(one + 1)), v = std::uint32_t(draw.below(one + 1 - int(u)));
+    const std::uint32_t u = std::uint32_t(draw.below(one + 1)),
+                        v = std::uint32_t(draw.below(one + 1 - int(u)));
     return surface_point(t, inner_weights(u, v, frac_bits, frac_bits), frac_bits);
 }
-/// A triangle near the ray's way from p, so that it is often met; sometimes in an edge or a corner, or around p itself.
+/// A triangle near the ray's way from p, so that it is often met; sometimes in an edge or a corner, or around
+/// p itself.
 PrimData ahead(Draw& draw, const SurfacePoint& p, const Vec3l& way, int bits) {
     PrimData t = random_triangle(draw, bits);
     if (draw.percent(30)) return t;
@@ -40,8 +42,12 @@ PrimData ahead(Draw& draw, const SurfacePoint& p, const Vec3l& way, int bits) {
     t.c = draw.percent(30) ? draw.near(at, 1, bits) : draw.near(at, reach, bits);
     return t;
 }
-oracle::Point scaled(const Vec3i& p, int bits) { return {Int(p[0]) << bits, Int(p[1]) << bits, Int(p[2]) << bits}; }
-oracle::Point between(const Vec3i& a, const Vec3i& b) { return {Int(b[0]) - a[0], Int(b[1]) - a[1], Int(b[2]) - a[2]}; }
+oracle::Point scaled(const Vec3i& p, int bits) {
+    return {Int(p[0]) << bits, Int(p[1]) << bits, Int(p[2]) << bits};
+}
+oracle::Point between(const Vec3i& a, const Vec3i& b) {
+    return {Int(b[0]) - a[0], Int(b[1]) - a[1], Int(b[2]) - a[2]};
+}
 Int dot(const oracle::Point& a, const oracle::Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 oracle::Point cross(const oracle::Point& a, const oracle::Point& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -53,14 +59,15 @@ Int wide(Wide x) {
     return r + Int(std::uint64_t(x));
 }
 
-/// Weights (in units of 2^-B) of three corners after, less those before: what goes from one corner to another.
+/// Weights (in units of 2^-B) of three corners after, less those before: what goes from one corner to
+/// another.
 Rational moved(const std::array<Rational, 3>& before, const std::array<Rational, 3>& after) {
     Rational sum = 0;
     for (std::size_t k = 0; k < 3; ++k) sum += abs(after[k] - before[k]);
     return sum / 2;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("weights of a surface point are inside, and near those of the hit", "[origin]") {
     const int bary = 6;
@@ -72,12 +79,14 @@ TEST_CASE("weights of a surface point are inside, and near those of the hit", "[
                 REQUIRE(w.u >= 1);
                 REQUIRE(w.v >= 1);
                 REQUIRE(w.u + w.v < 1u << bits);
-                // The hit's true u and v are those given, or up to one unit of 2^-bary more, as far as their sum allows.
+                // The hit's true u and v are those given, or up to one unit of 2^-bary more, as far as their
+                // sum allows.
                 const Rational unit = oracle::power_of_two(bits - bary), one = oracle::power_of_two(bits);
                 const std::array<Rational, 3> after{Rational(w.u), Rational(w.v), Rational(one - w.u - w.v)};
                 for (const int more : {0, 1, 2, 3}) {
                     const Rational tu = u + Rational(more & 1, 1), tv = v + Rational(more >> 1, 1);
-                    const std::array<Rational, 3> before{Rational(tu * unit), Rational(tv * unit), Rational(one - (tu + tv) * unit)};
+                    const std::array<Rational, 3> before{Rational(tu * unit), Rational(tv * unit),
+                                                         Rational(one - (tu + tv) * unit)};
                     if (before[2] >= 0) REQUIRE(moved(before, after) <= 2);
                     // Away from the border it is a matter of rounding alone.
                     if (bits < bary && more == 0 && w.u > 1 && w.v > 1 && w.u + w.v + 1 < 1u << bits) {
@@ -89,7 +98,8 @@ TEST_CASE("weights of a surface point are inside, and near those of the hit", "[
 }
 
 TEST_CASE("a surface point lies exactly in its triangle, strictly inside, near the hit", "[origin]") {
-    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))), frac_bits = GENERATE(2, 4, 8, 13, 16);
+    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))),
+              frac_bits = GENERATE(2, 4, 8, 13, 16);
     Config config;
     config.coord_bits = bits;
     config.dir_bits = bits + 2;
@@ -104,28 +114,34 @@ TEST_CASE("a surface point lies exactly in its triangle, strictly inside, near t
         tri_test(o, d, t, {}, config, rsp);
         if (rsp.closer == 0) continue;
         ++hits;
-        const SurfacePoint p = surface_point(t, inner_weights(rsp.u, rsp.v, config.bary_bits, frac_bits), frac_bits);
-        // Seen from p the triangle's corners span three triangles whose areas have the signs and the sum of the whole's.
+        const SurfacePoint p =
+            surface_point(t, inner_weights(rsp.u, rsp.v, config.bary_bits, frac_bits), frac_bits);
+        // Seen from p the triangle's corners span three triangles whose areas have the signs and the sum of
+        // the whole's.
         const oracle::Point e1 = between(t.a, t.b), e2 = between(t.a, t.c), n = cross(e1, e2);
         oracle::Point from_a = scaled(t.a, frac_bits);
         for (std::size_t k = 0; k < 3; ++k) from_a[k] = p.at[k] - from_a[k];
         REQUIRE(dot(n, from_a) == 0);
         const Rational area = Rational(dot(n, n));
         const Rational one = oracle::power_of_two(frac_bits);
-        const Rational u = Rational(dot(cross(from_a, e2), n)) / area, v = Rational(dot(cross(e1, from_a), n)) / area;
+        const Rational u = Rational(dot(cross(from_a, e2), n)) / area,
+                       v = Rational(dot(cross(e1, from_a), n)) / area;
         REQUIRE(u > 0);
         REQUIRE(v > 0);
         REQUIRE(u + v < one);
-        const auto truth = oracle::crossing(oracle::point(o), oracle::point(d), oracle::point(t.a), oracle::point(t.b), oracle::point(t.c));
+        const auto truth = oracle::crossing(oracle::point(o), oracle::point(d), oracle::point(t.a),
+                                            oracle::point(t.b), oracle::point(t.c));
         REQUIRE(truth);
-        const std::array<Rational, 3> before{Rational(truth->u * one), Rational(truth->v * one), Rational((1 - truth->u - truth->v) * one)};
+        const std::array<Rational, 3> before{Rational(truth->u * one), Rational(truth->v * one),
+                                             Rational((1 - truth->u - truth->v) * one)};
         REQUIRE(moved(before, {u, v, Rational(one - u - v)}) <= 2);
     }
     REQUIRE(hits > 50);
 }
 
 TEST_CASE("rays from a surface point are decided exactly", "[origin]") {
-    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))), frac_bits = GENERATE(2, 8, 16);
+    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))),
+              frac_bits = GENERATE(2, 8, 16);
     Draw draw{unsigned(bits * 100 + frac_bits)};
     int hits = 0;
     std::optional<OriginHit> last;
@@ -135,18 +151,24 @@ TEST_CASE("rays from a surface point are decided exactly", "[origin]") {
         SurfacePoint p = random_point(draw, own, frac_bits);
         Vec3i d = draw.vector(bits + 2);
         Vec3l way{d[0], d[1], d[2]};
-        PrimData t = ahead(draw, p, {way[0] << frac_bits >> 3, way[1] << frac_bits >> 3, way[2] << frac_bits >> 3}, bits);
+        PrimData t = ahead(
+            draw, p, {way[0] << frac_bits >> 3, way[1] << frac_bits >> 3, way[2] << frac_bits >> 3}, bits);
         if (draw.percent(20)) {   // through a corner or an edge's middle, from a lattice point
             const Vec3i o = draw.vector(bits);
-            p.at = {std::int64_t(o[0]) << frac_bits, std::int64_t(o[1]) << frac_bits, std::int64_t(o[2]) << frac_bits};
-            for (std::size_t k = 0; k < 3; ++k) d[k] = draw.coin() ? t.a[k] + t.b[k] - 2 * o[k] : 2 * (t.c[k] - o[k]);
+            p.at = {std::int64_t(o[0]) << frac_bits, std::int64_t(o[1]) << frac_bits,
+                    std::int64_t(o[2]) << frac_bits};
+            for (std::size_t k = 0; k < 3; ++k)
+                d[k] = draw.coin() ? t.a[k] + t.b[k] - 2 * o[k] : 2 * (t.c[k] - o[k]);
         }
         const auto hit = bounce_test(p, d, t);
         const oracle::Point o{Int(p.at[0]), Int(p.at[1]), Int(p.at[2])};
-        const auto truth = oracle::crossing(o, oracle::point(d), scaled(t.a, frac_bits), scaled(t.b, frac_bits), scaled(t.c, frac_bits));
+        const auto truth = oracle::crossing(o, oracle::point(d), scaled(t.a, frac_bits),
+                                            scaled(t.b, frac_bits), scaled(t.c, frac_bits));
         CAPTURE(bits, frac_bits, i);
         REQUIRE(hit.has_value() == truth.has_value());
-        REQUIRE(!bounce_test(p, d, own).has_value() == !oracle::crossing(o, oracle::point(d), scaled(own.a, frac_bits), scaled(own.b, frac_bits), scaled(own.c, frac_bits)));
+        REQUIRE(!bounce_test(p, d, own).has_value() ==
+                !oracle::crossing(o, oracle::point(d), scaled(own.a, frac_bits), scaled(own.b, frac_bits),
+                                  scaled(own.c, frac_bits)));
         if (!hit) continue;
         ++hits;
         REQUIRE(Rational(wide(hit->num), wide(hit->det)) == truth->t);
@@ -162,7 +184,8 @@ TEST_CASE("rays from a surface point are decided exactly", "[origin]") {
 }
 
 TEST_CASE("what stands between a light and a surface point is decided exactly", "[origin]") {
-    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))), frac_bits = GENERATE(2, 8, 16);
+    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))),
+              frac_bits = GENERATE(2, 8, 16);
     Draw draw{unsigned(bits * 100 + frac_bits)};
     int blocked = 0, crossed = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -173,7 +196,8 @@ TEST_CASE("what stands between a light and a surface point is decided exactly", 
         PrimData t = ahead(draw, p, {-d[0], -d[1], -d[2]}, bits);
         if (draw.percent(10)) t.a = light;
         const oracle::Point way{Int(d[0]), Int(d[1]), Int(d[2])};
-        const auto truth = oracle::crossing(oracle::point(light), way, oracle::point(t.a), oracle::point(t.b), oracle::point(t.c));
+        const auto truth = oracle::crossing(oracle::point(light), way, oracle::point(t.a), oracle::point(t.b),
+                                            oracle::point(t.c));
         const bool between = truth && truth->t < oracle::power_of_two(-frac_bits);
         CAPTURE(bits, frac_bits, i);
         REQUIRE(shadow_test(light, d, frac_bits, t) == between);
@@ -186,27 +210,35 @@ TEST_CASE("what stands between a light and a surface point is decided exactly", 
 }
 
 TEST_CASE("every value of a secondary ray's tests fits the widths stated", "[origin]") {
-    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))), frac_bits = GENERATE(2, 16);
+    const int bits = GENERATE(from_range(std::begin(lattices), std::end(lattices))),
+              frac_bits = GENERATE(2, 16);
     const int dir_bits = bits + 2;
     const auto extreme = [](int which, int n) {
         const std::int32_t most = (1 << (n - 1)) - 1;
-        return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
+        return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1,
+                     which & 4 ? most : -most - 1};
     };
     const auto fits = [](const Int& x, int n) { return x >= -(Int(1) << (n - 1)) && x < Int(1) << (n - 1); };
     int fullest = 0;
     for (int which = 0; which < 1 << 15; which += 1 + which % 3) {   // corners of o, d, a, b, c
-        const Vec3i o = extreme(which, bits), a = extreme(which >> 3, bits), b = extreme(which >> 6, bits), c = extreme(which >> 9, bits);
-        const auto check = [&](const oracle::Point& origin, const oracle::Point& d, const RayWidths& w, int one_bits) {
+        const Vec3i o = extreme(which, bits), a = extreme(which >> 3, bits), b = extreme(which >> 6, bits),
+                    c = extreme(which >> 9, bits);
+        const auto check = [&](const oracle::Point& origin, const oracle::Point& d, const RayWidths& w,
+                               int one_bits) {
             const oracle::Point e1 = between(a, b), e2 = between(a, c);
             oracle::Point s = scaled(a, one_bits);
             for (std::size_t k = 0; k < 3; ++k) s[k] = origin[k] - s[k];
-            const Int det = dot(d, cross(e2, e1)), u = dot(d, cross(e2, s)), v = dot(d, cross(s, e1)), num = dot(cross(e1, e2), s);
+            const Int det = dot(d, cross(e2, e1)), u = dot(d, cross(e2, s)), v = dot(d, cross(s, e1)),
+                      num = dot(cross(e1, e2), s);
             const Int rest = (det << one_bits) - u - v;
-            REQUIRE((fits(det, w.det) && fits(u, w.edge) && fits(v, w.edge) && fits(rest, w.edge) && fits(num, w.num)));
-            for (std::size_t k = 0; k < 3; ++k) REQUIRE((fits(origin[k], w.point) && fits(d[k], w.direction) && fits(s[k], w.offset)));
+            REQUIRE((fits(det, w.det) && fits(u, w.edge) && fits(v, w.edge) && fits(rest, w.edge) &&
+                     fits(num, w.num)));
+            for (std::size_t k = 0; k < 3; ++k)
+                REQUIRE((fits(origin[k], w.point) && fits(d[k], w.direction) && fits(s[k], w.offset)));
             fullest += !fits(u, w.edge - 1) || !fits(rest, w.edge - 1);
         };
-        check(scaled(o, frac_bits), oracle::point(extreme(which >> 12, dir_bits)), bounce_widths(bits, dir_bits, frac_bits), frac_bits);
+        check(scaled(o, frac_bits), oracle::point(extreme(which >> 12, dir_bits)),
+              bounce_widths(bits, dir_bits, frac_bits), frac_bits);
         const Vec3i light = extreme(which >> 12, bits);
         oracle::Point way = scaled(light, frac_bits);
         for (std::size_t k = 0; k < 3; ++k) way[k] = (Int(o[k]) << frac_bits) - way[k];
@@ -223,8 +255,11 @@ TEST_CASE("a direction that is cut leaves on the side meant", "[origin]") {
         const PrimData t = random_triangle(draw, bits);
         Vec3l way{draw.number(bits + 17), draw.number(bits + 17), draw.number(bits + 17)};
         if (draw.coin())   // nearly along the surface
-            for (std::size_t k = 0; k < 3; ++k) way[k] = (t.b[k] - t.a[k]) * std::int64_t(17) + (t.c[k] - t.a[k]) * std::int64_t(5) + draw.between(-2, 2);
-        const oracle::Point n = cross(between(t.a, t.b), between(t.a, t.c)), w{Int(way[0]), Int(way[1]), Int(way[2])};
+            for (std::size_t k = 0; k < 3; ++k)
+                way[k] = (t.b[k] - t.a[k]) * std::int64_t(17) + (t.c[k] - t.a[k]) * std::int64_t(5) +
+                         draw.between(-2, 2);
+        const oracle::Point n = cross(between(t.a, t.b), between(t.a, t.c)),
+                            w{Int(way[0]), Int(way[1]), Int(way[2])};
         const int facing = sign(dot(n, w));
         if (facing == 0) continue;
         const int dir_bits = 4 + draw.below(bits);
@@ -232,7 +267,8 @@ TEST_CASE("a direction that is cut leaves on the side meant", "[origin]") {
         CAPTURE(bits, i, dir_bits);
         REQUIRE(sign(dot(n, oracle::point(d))) == facing);
         REQUIRE(side_of_direction(t, d) == facing);
-        // Some power of two makes it the way but for less than one unit, and the largest component has all bits but one, or is whole.
+        // Some power of two makes it the way but for less than one unit, and the largest component has all
+        // bits but one, or is whole.
         const std::int64_t most = (std::int64_t(1) << (dir_bits - 1)) - 1;
         bool found = false;
         for (int shift = 0; shift < bits + 18 && !found; ++shift) {
@@ -253,28 +289,38 @@ TEST_CASE("a direction that is cut leaves on the side meant", "[origin]") {
 }
 
 TEST_CASE("the box test's origins lie outward of a surface point", "[origin]") {
-    // Exhaustive on a small lattice: every origin with two fraction bits, every slab, every sign of direction.
+    // Exhaustive on a small lattice: every origin with two fraction bits, every slab, every sign of
+    // direction.
     const int frac_bits = 2, one = 1 << frac_bits;
     for (int at = -4 * one; at <= 4 * one; ++at)
         for (const int d : {-3, -1, 0, 1, 5})
             for (int lo = -5; lo <= 5; ++lo)
                 for (int hi = lo; hi <= 5; ++hi) {
                     const BoxOrigin from = box_origin({{at, -at, 0}, frac_bits}, {d, -d, 0});
-                    const oracle::Box slab{{Int(lo), Int(-9), Int(-9)}, {Int(hi), Int(9), Int(9)}, {Int(1), Int(1), Int(1)}};
-                    const oracle::Box scaled_slab{{Int(lo * one), Int(-99), Int(-99)}, {Int(hi * one), Int(99), Int(99)}, {Int(1), Int(1), Int(1)}};
-                    const auto truth = oracle::interval({Int(at), Int(0), Int(0)}, {Int(d), Int(0), Int(0)}, scaled_slab, 1);
+                    const oracle::Box slab{
+                        {Int(lo), Int(-9), Int(-9)}, {Int(hi), Int(9), Int(9)}, {Int(1), Int(1), Int(1)}};
+                    const oracle::Box scaled_slab{{Int(lo * one), Int(-99), Int(-99)},
+                                                  {Int(hi * one), Int(99), Int(99)},
+                                                  {Int(1), Int(1), Int(1)}};
+                    const auto truth =
+                        oracle::interval({Int(at), Int(0), Int(0)}, {Int(d), Int(0), Int(0)}, scaled_slab, 1);
                     CAPTURE(at, d, lo, hi);
-                    if (d != 0) REQUIRE((from.near[0] == -from.near[1] && from.far[0] == -from.far[1]));   // the mirrored ray
+                    if (d != 0)
+                        REQUIRE((from.near[0] == -from.near[1] &&
+                                 from.far[0] == -from.far[1]));   // the mirrored ray
                     if (!truth) continue;
                     if (d == 0) {   // any point that is not left out by either
                         REQUIRE(lo <= from.near[0]);
                         REQUIRE(hi >= from.far[0]);
                         continue;
                     }
-                    const Rational near = d > 0 ? Rational(lo - from.near[0], d) : Rational(from.near[0] - hi, -d);
-                    const Rational far = d > 0 ? Rational(hi - from.far[0], d) : Rational(from.far[0] - lo, -d);
+                    const Rational near =
+                        d > 0 ? Rational(lo - from.near[0], d) : Rational(from.near[0] - hi, -d);
+                    const Rational far =
+                        d > 0 ? Rational(hi - from.far[0], d) : Rational(from.far[0] - lo, -d);
                     REQUIRE(near * one <= truth->enter);
                     REQUIRE(far * one >= *truth->leave);
-                    REQUIRE(near * one > Rational(d > 0 ? lo * one - at : at - hi * one, std::abs(d)) - Rational(one, std::abs(d)));
+                    REQUIRE(near * one > Rational(d > 0 ? lo * one - at : at - hi * one, std::abs(d)) -
+                                             Rational(one, std::abs(d)));
                 }
 }

@@ -1,4 +1,5 @@
-// The exact ray-box overlap in wide integers, against the fractions of exact.hpp; and what the machine's box test adds to it.
+// The exact ray-box overlap in wide integers, against the fractions of exact.hpp; and what the machine's box
+// test adds to it.
 #include "model/accel/count.hpp"
 #include "model/oracle/extra_visits.hpp"
 #include "model/oracle/overlap.hpp"
@@ -15,8 +16,10 @@ oracle::LatticeVec wide(const Vec3i& v) { return {v[0], v[1], v[2]}; }
 /// Returns whether the ray meets the box.
 bool agree(const Vec3i& o, const Vec3i& d, const Vec3i& lo, const Vec3i& hi) {
     const auto said = oracle::overlap(wide(o), wide(d), wide(lo), wide(hi));
-    const auto exact = oracle::interval(oracle::point(o), oracle::point(d), {oracle::point(lo), oracle::point(hi), {}}, 1);
-    if (said.has_value() != exact.has_value() || (said && oracle::Rational(said->num, said->den) != exact->enter)) {
+    const auto exact =
+        oracle::interval(oracle::point(o), oracle::point(d), {oracle::point(lo), oracle::point(hi), {}}, 1);
+    if (said.has_value() != exact.has_value() ||
+        (said && oracle::Rational(said->num, said->den) != exact->enter)) {
         CAPTURE(o, d, lo, hi);
         REQUIRE(said.has_value() == exact.has_value());
         REQUIRE(oracle::Rational(said->num, said->den) == exact->enter);
@@ -37,7 +40,8 @@ ExtraVisits measure(const char* spec, const Config& config, FrameSize size, int 
     const Scene scene = make_builtin(spec);
     const Camera camera = scene.camera ? *scene.camera : fit_camera(scene, 4.0 / 3);
     const MemoryImage image = compile_scene(scene, camera.eye, config);
-    const ExtraVisits extra = extra_visits(image, make_frame(camera, size, image.lattice, config), config, every);
+    const ExtraVisits extra =
+        extra_visits(image, make_frame(camera, size, image.lattice, config), config, every);
     INFO(spec << ", N " << config.coord_bits << ", R " << config.recip_bits);
     CHECK(extra.boxes_lost == 0);
     CHECK(extra.t_late == 0);
@@ -46,14 +50,16 @@ ExtraVisits measure(const char* spec, const Config& config, FrameSize size, int 
     return extra;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the overlap is exact for every small ray and box", "[overlap]") {
-    // The corner at the origin, as only differences count: all boxes up to 1 x 1 x 1, origins -1 .. 2, directions -2 .. 2.
+    // The corner at the origin, as only differences count: all boxes up to 1 x 1 x 1, origins -1 .. 2,
+    // directions -2 .. 2.
     int met = 0;
     for (int box = 0; box < 8; ++box)
         for (int from = 0; from < 64; ++from)
-            for (int way = 0; way < 125; ++way) met += agree(digits(from, 4, -1), digits(way, 5, -2), {}, digits(box, 2, 0));
+            for (int way = 0; way < 125; ++way)
+                met += agree(digits(from, 4, -1), digits(way, 5, -2), {}, digits(box, 2, 0));
     REQUIRE(met > 5000);
 }
 
@@ -65,7 +71,8 @@ TEST_CASE("the overlap is exact at full width", "[overlap]") {
         const BoxCase c = random_box_case(draw, config);
         const oracle::Box box = child_box(c.req.node, 0);
         Vec3i lo, hi;
-        for (std::size_t k = 0; k < 3; ++k) lo[k] = box.lo[k].convert_to<std::int32_t>(), hi[k] = box.hi[k].convert_to<std::int32_t>();
+        for (std::size_t k = 0; k < 3; ++k)
+            lo[k] = box.lo[k].convert_to<std::int32_t>(), hi[k] = box.hi[k].convert_to<std::int32_t>();
         met += agree(c.req.o, c.d, lo, hi);
     }
     REQUIRE(met > 200);

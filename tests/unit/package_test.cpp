@@ -22,7 +22,9 @@ TEST_CASE("the package states the configuration's numbers", "[package]") {
     Config config = named_config("small");
     config.contexts = 32;
     const std::string text = rc_package(config);
-    for (const char* line : {"localparam int unsigned Contexts = 32;", "localparam int unsigned CoordBits = 16;", "localparam int unsigned RayBits = 5;",
-                             "logic [4:0] ray;", "} tri_rsp_t;", "logic signed [49:0] num;"})
+    for (const char* line :
+         {"localparam int unsigned Contexts = 32;", "localparam int unsigned CoordBits = 16;",
+          "localparam int unsigned RayBits = 5;", "logic [4:0] ray;", "} tri_rsp_t;",
+          "logic signed [49:0] num;"})
         REQUIRE_THAT(text, Catch::Contains(line));
 }

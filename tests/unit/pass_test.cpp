@@ -13,7 +13,9 @@ using namespace rayclock::test;
 
 namespace {
 
-void put(RtlModule& rtl, const char* name, std::uint32_t value) { std::memcpy(rtl.port(name).data, &value, rtl.port(name).bytes); }
+void put(RtlModule& rtl, const char* name, std::uint32_t value) {
+    std::memcpy(rtl.port(name).data, &value, rtl.port(name).bytes);
+}
 Words got(const RtlModule& rtl, const char* name) {
     Words words((rtl.port(name).bytes + 3) / 4);
     std::memcpy(words.data(), rtl.port(name).data, rtl.port(name).bytes);
@@ -56,9 +58,12 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     REQUIRE(got(rtl, "end_ray")[0] == in.ray);
     REQUIRE(got(rtl, "leave")[0] == std::uint32_t(out.leave));
     const ShadeState state = get_data<ShadeState>(rtl.port("end_state"), c);
-    CAPTURE(state.event, out.state.event, state.colour, out.state.colour, state.o, out.state.o, state.n, out.state.n, state.normal, out.state.normal);
-    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.far, out.state.far, state.albedo, out.state.albedo);
-    CAPTURE(state.share, out.state.share, state.light, out.state.light, state.pending, out.state.pending, state.weight, out.state.weight);
+    CAPTURE(state.event, out.state.event, state.colour, out.state.colour, state.o, out.state.o, state.n,
+            out.state.n, state.normal, out.state.normal);
+    CAPTURE(state.view, out.state.view, state.cosine, out.state.cosine, state.far, out.state.far,
+            state.albedo, out.state.albedo);
+    CAPTURE(state.share, out.state.share, state.light, out.state.light, state.pending, out.state.pending,
+            state.weight, out.state.weight);
     compare(rtl, "end_state", seen(out.state, c), c);
     REQUIRE(got(rtl, "push")[0] == std::uint32_t(out.push));
     if (out.push) compare(rtl, "pushed", out.pushed, c);
@@ -66,7 +71,8 @@ void judge(const RtlModule& rtl, const PassIn& in, const Frame& frame, const Con
     if (out.leave == PassOut::Leave::pixel) compare(rtl, "pixel", out.pixel, c);
 }
 
-/// Passes at random, with idle cycles between them if `idle`; every answer in exactly its cycle. Counts what came of them.
+/// Passes at random, with idle cycles between them if `idle`; every answer in exactly its cycle. Counts what
+/// came of them.
 void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int>& seen_leaves, int& pushes) {
     Draw draw{seed};
     const Frame frame = random_shade_frame(draw, c);
@@ -99,8 +105,11 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     const Config c = shaded_format(name);
     std::map<int, int> seen_leaves;
     int pushes = 0;
-    for (unsigned seed = first_seed; seed < first_seed + unsigned(frames); ++seed) run(c, seed, count, seed % 2 != 0, seen_leaves, pushes);
-    const auto times = [&](ShadeEvent event, PassOut::Leave leave) { return seen_leaves[8 * int(event) + int(leave)]; };
+    for (unsigned seed = first_seed; seed < first_seed + unsigned(frames); ++seed)
+        run(c, seed, count, seed % 2 != 0, seen_leaves, pushes);
+    const auto times = [&](ShadeEvent event, PassOut::Leave leave) {
+        return seen_leaves[8 * int(event) + int(leave)];
+    };
     using enum PassOut::Leave;
     REQUIRE(times(ShadeEvent::arrive, again) > 50);
     REQUIRE(times(ShadeEvent::light, spawn) > 20);
@@ -108,21 +117,25 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     REQUIRE(times(ShadeEvent::reflect, spawn) > 20);
     REQUIRE(times(ShadeEvent::reflect, again) > 20);
     REQUIRE(times(ShadeEvent::pop, pixel) > 5);
-    if (c.refraction) REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
+    if (c.refraction)
+        REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
 }
 
-} // namespace
+}   // namespace
 
-TEST_CASE("the rtl's pass is the model's, after exactly its latency, one in a cycle", "[pass][lockstep][all]") {
+TEST_CASE("the rtl's pass is the model's, after exactly its latency, one in a cycle",
+          "[pass][lockstep][all]") {
     check("all", 1, 12, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's without units that are not needed, and at the ends of the lattice", "[pass][lockstep]") {
+TEST_CASE("the rtl's pass is the model's without units that are not needed, and at the ends of the lattice",
+          "[pass][lockstep]") {
     const auto name = GENERATE("plain", "narrow");
     check(name, 1, 12, 400);
 }
 
-TEST_CASE("the rtl's pass is the model's with directions shorter than unit vectors", "[pass][lockstep][short][slow]") {
+TEST_CASE("the rtl's pass is the model's with directions shorter than unit vectors",
+          "[pass][lockstep][short][slow]") {
     check("short", 1, 12, 400);
 }
 

@@ -18,16 +18,21 @@ struct Operands {
 Operands draw_operands(Draw& draw) {
     std::uint32_t c = std::uint32_t(draw.natural(16));
     if (draw.percent(40)) c = 65536 - c % (1u << draw.between(1, 16));   // near 1, where the exponent decides
-    return {c, std::uint32_t(draw.percent(40) ? draw.natural(shine_bits) : draw.bits(draw.between(1, shine_bits)))};
+    return {c, std::uint32_t(draw.percent(40) ? draw.natural(shine_bits)
+                                              : draw.bits(draw.between(1, shine_bits)))};
 }
 
-void put(RtlModule& rtl, const char* name, std::uint32_t value) { std::memcpy(rtl.port(name).data, &value, rtl.port(name).bytes); }
+void put(RtlModule& rtl, const char* name, std::uint32_t value) {
+    std::memcpy(rtl.port(name).data, &value, rtl.port(name).bytes);
+}
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the tables of logarithm and power are rounded right", "[power]") {
-    for (std::size_t i = 0; i < log_entries; ++i) REQUIRE(log_table()[i].value == std::llround(262144 * std::log2(1 + (long double)(i) / 128)));
-    for (std::size_t i = 0; i < exp_entries; ++i) REQUIRE(exp_table()[i].value == std::llround(131072 * std::exp2(-(long double)(i) / 128)));
+    for (std::size_t i = 0; i < log_entries; ++i)
+        REQUIRE(log_table()[i].value == std::llround(262144 * std::log2(1 + (long double)(i) / 128)));
+    for (std::size_t i = 0; i < exp_entries; ++i)
+        REQUIRE(exp_table()[i].value == std::llround(131072 * std::exp2(-(long double)(i) / 128)));
     REQUIRE(log_table().back().value + log_table().back().step == 1u << 18);
     REQUIRE(exp_table().back().value - exp_table().back().step == 1u << 16);
 }
@@ -38,7 +43,8 @@ TEST_CASE("a power errs within its bound", "[power]") {
     const auto judge = [&](std::uint32_t c, std::uint32_t n) {
         const long double truth = 65536 * std::pow((long double)(c) / 65536, (long double)(n) / 16);
         const long double answer = power(c, n), share = (long double)(n) / 16384;
-        if (answer < (1 - 1.1e-2L * share) * truth - 1 || answer > (1 + 1.4e-3L * share) * truth + 2) FAIL(c << " to the " << n << " / 16");
+        if (answer < (1 - 1.1e-2L * share) * truth - 1 || answer > (1 + 1.4e-3L * share) * truth + 2)
+            FAIL(c << " to the " << n << " / 16");
         most = std::max(most, std::fabs(answer - truth));
         inside += truth > 1 && truth < 65000;
     };
@@ -62,7 +68,8 @@ TEST_CASE("powers of nothing and of one, to the first and to none", "[power]") {
 TEST_CASE("the rtl's power is the model's, after exactly its latency, one in a cycle", "[power][lockstep]") {
     for (const bool idle : {false, true})
         for (unsigned seed = 21; seed <= 23; ++seed)
-            check_cell({}, "rc_power", "power", power_stages, seed, 40000, idle, draw_operands,
+            check_cell(
+                {}, "rc_power", "power", power_stages, seed, 40000, idle, draw_operands,
                 [](RtlModule& rtl, const Operands& o) {
                     put(rtl, "c", o.c);
                     put(rtl, "n", o.n);

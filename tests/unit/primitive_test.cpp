@@ -1,5 +1,5 @@
-// The selectable ray-triangle tests: how one is chosen, and the baselines, which are what their papers say and lose what they are
-// known to lose. The sheared test: sheared_test.cpp.
+// The selectable ray-triangle tests: how one is chosen, and the baselines, which are what their papers say
+// and lose what they are known to lose. The sheared test: sheared_test.cpp.
 #include "model/core/error.hpp"
 #include "model/isect/unit24.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
@@ -15,13 +15,18 @@ TEST_CASE("a primitive test is chosen by name", "[primitive]") {
         set_parameter(config, "primitive_test", name, "f");
         REQUIRE(primitive_test_names()[std::size_t(config.primitive_test)] == name);
         check_config(config, "f");
-        if (name == "exact" || name == "sheared") REQUIRE_NOTHROW(check_rtl(config));
-        else REQUIRE_THROWS_WITH(check_rtl(config), Contains("primitive_test=" + name) && Contains("software only"));
+        if (name == "exact" || name == "sheared")
+            REQUIRE_NOTHROW(check_rtl(config));
+        else
+            REQUIRE_THROWS_WITH(check_rtl(config),
+                                Contains("primitive_test=" + name) && Contains("software only"));
     }
-    REQUIRE_THROWS_WITH(set_parameter(config, "primitive_test", "shared", "f"), Contains("f: ") && Contains("'sheared'"));
+    REQUIRE_THROWS_WITH(set_parameter(config, "primitive_test", "shared", "f"),
+                        Contains("f: ") && Contains("'sheared'"));
     set_parameter(config, "primitive_test", "sheared", "f");
     config.dir_bits = config.coord_bits + 1;
-    REQUIRE_THROWS_WITH(check_config(config, "f"), Contains("f: ") && Contains("dir_bits") && Contains("20") && Contains("19"));
+    REQUIRE_THROWS_WITH(check_config(config, "f"),
+                        Contains("f: ") && Contains("dir_bits") && Contains("20") && Contains("19"));
 }
 
 TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]") {
@@ -35,7 +40,8 @@ TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]
         const double b = 0.15 + draw.below(400) / 1000.0, c = 0.15 + draw.below(300) / 1000.0;
         const auto target = inside(t, b, c);
         const Vec3i o = far_origin(draw, 18, 110000), d = towards(o, target, config.dir_bits);
-        const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) / std::hypot(target[0], target[1], target[2]) / std::hypot(d[0], d[1], d[2]);
+        const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) /
+                              std::hypot(target[0], target[1], target[2]) / std::hypot(d[0], d[1], d[2]);
         if (std::abs(cosine) < 0.3) continue;
         const TriRsp there = ask(exact, o, d, t), here = ask(config, o, d, t);
         CAPTURE(name, i);
@@ -48,7 +54,8 @@ TEST_CASE("every test finds a hit far from edges, and where it is", "[primitive]
         REQUIRE(here.num < std::int64_t(1) << (config.num_bits() - 1));
         REQUIRE(here.det < std::int64_t(1) << (config.edge_bits() - 1));
         // A hit beats what is farther, not what is nearer; of equals the lower number wins.
-        const Best same{1, here.num, here.det, t.prim}, nearer{1, here.num - here.num / 8, here.det, t.prim}, farther{1, here.num + here.num / 8, here.det, 0};
+        const Best same{1, here.num, here.det, t.prim}, nearer{1, here.num - here.num / 8, here.det, t.prim},
+            farther{1, here.num + here.num / 8, here.det, 0};
         REQUIRE(ask(config, o, d, t, same).closer == 1);
         REQUIRE(ask(config, o, d, t, nearer).closer == 0);
         REQUIRE(ask(config, o, d, t, farther).closer == 1);
@@ -70,14 +77,17 @@ TEST_CASE("no test takes what lies behind, and none a direction of zero", "[prim
     REQUIRE(ask(config, {0, 0, 0}, {0, 0, 100000}, edge_on).closer == 0);
 }
 
-TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by nothing exact", "[primitive]") {
-    // The quad (-5, -5, 0) .. (5, 5, 0), 10 below the eye, and rays to its diagonal as (0.30458447, 0.30458447, -0.9024725).
-    // The diagonal lies opposite to both triangles' first corner: u + v is rounded, and compared with 1.
+TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by nothing exact",
+          "[primitive]") {
+    // The quad (-5, -5, 0) .. (5, 5, 0), 10 below the eye, and rays to its diagonal as (0.30458447,
+    // 0.30458447, -0.9024725). The diagonal lies opposite to both triangles' first corner: u + v is rounded,
+    // and compared with 1.
     const std::int32_t k = 5 * 2003;
     const Vec3i o{0, 0, 2 * k}, p{-k, -k, 0}, q{k, -k, 0}, r{k, k, 0}, s{-k, k, 0};
     const auto taken = [&](const char* name, const Vec3i& d) {
         int n = 0;
-        for (const PrimData& t : {PrimData{q, r, p, 1}, PrimData{s, p, r, 2}}) n += int(ask(with_test(name), o, d, t).closer);
+        for (const PrimData& t : {PrimData{q, r, p, 1}, PrimData{s, p, r, 2}})
+            n += int(ask(with_test(name), o, d, t).closer);
         return n;
     };
     int lost = 0;
@@ -85,7 +95,8 @@ TEST_CASE("a quad's diagonal is lost by Moller and Trumbore in float32, and by n
     for (int i = 0; i < 2000; ++i) {
         const double tilt = i == 0 ? 0.30458447 / 0.9024725 : draw.below(100000) / 250000.0;
         const Config config = with_test("exact");
-        const std::int32_t down = (1 << (config.dir_bits - 1)) - 1 - draw.below(1000), across = std::int32_t(std::lround(down * tilt));
+        const std::int32_t down = (1 << (config.dir_bits - 1)) - 1 - draw.below(1000),
+                           across = std::int32_t(std::lround(down * tilt));
         const Vec3i d{across, across, -down};
         CAPTURE(i, across, down);
         REQUIRE(taken("exact", d) == 1);

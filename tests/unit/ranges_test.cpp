@@ -1,5 +1,5 @@
-// The proof of ranges: nothing that a ray meets lies outside, intervals are as tight as they can be, and the widths in the
-// table are the RTL's.
+// The proof of ranges: nothing that a ray meets lies outside, intervals are as tight as they can be, and the
+// widths in the table are the RTL's.
 #include <catch2/catch.hpp>
 
 #include <fstream>
@@ -23,16 +23,26 @@ using fit::Wide;
 namespace {
 
 Config formats(int n, int m, int f, int r, int box, int bary, int width, int leaf) {
-    return shaped(named_config("default"), {{"coord_bits", n}, {"dir_bits", m}, {"t_frac_bits", f}, {"recip_bits", r}, {"box_bits", box},
-                                            {"bary_bits", bary}, {"node_width", width}, {"leaf_size", leaf}, {"stack_depth", 64}});
+    return shaped(named_config("default"), {{"coord_bits", n},
+                                            {"dir_bits", m},
+                                            {"t_frac_bits", f},
+                                            {"recip_bits", r},
+                                            {"box_bits", box},
+                                            {"bary_bits", bary},
+                                            {"node_width", width},
+                                            {"leaf_size", leaf},
+                                            {"stack_depth", 64}});
 }
 const std::vector<Config>& configs() {
-    static const std::vector<Config> all{formats(18, 20, 4, 16, 8, 16, 8, 1), formats(12, 12, 0, 8, 4, 4, 2, 3), formats(20, 22, 3, 24, 8, 24, 8, 6),
-                                         formats(14, 24, 8, 8, 5, 9, 4, 2)};
+    static const std::vector<Config> all{
+        formats(18, 20, 4, 16, 8, 16, 8, 1), formats(12, 12, 0, 8, 4, 4, 2, 3),
+        formats(20, 22, 3, 24, 8, 24, 8, 6), formats(14, 24, 8, 8, 5, 9, 4, 2)};
     return all;
 }
 
-std::string shown(const Interval& a) { return a.empty() ? "nothing" : fit::text(a.lo) + " .. " + fit::text(a.hi); }
+std::string shown(const Interval& a) {
+    return a.empty() ? "nothing" : fit::text(a.lo) + " .. " + fit::text(a.hi);
+}
 
 std::map<std::string, Interval> by_name(const std::vector<fit::Signal>& signals) {
     std::map<std::string, Interval> all;
@@ -40,9 +50,11 @@ std::map<std::string, Interval> by_name(const std::vector<fit::Signal>& signals)
     return all;
 }
 
-void see(std::map<std::string, Interval>& seen, const std::string& name, Wide value) { seen[name] = hull(seen[name], point(value)); }
+void see(std::map<std::string, Interval>& seen, const std::string& name, Wide value) {
+    seen[name] = hull(seen[name], point(value));
+}
 
-} // namespace
+}   // namespace
 
 TEST_CASE("intervals hold what their operands can make, and no more", "[fit]") {
     Draw draw{5};
@@ -55,12 +67,14 @@ TEST_CASE("intervals hold what their operands can make, and no more", "[fit]") {
         Interval sum, product, difference, shifted, shifted_up, size;
         for (Wide x = a.lo; x <= a.hi; ++x) {
             for (Wide y = b.lo; y <= b.hi; ++y) {
-                sum = hull(sum, point(x + y)), difference = hull(difference, point(x - y)), product = hull(product, point(x * y));
+                sum = hull(sum, point(x + y)), difference = hull(difference, point(x - y)),
+                product = hull(product, point(x * y));
             }
             Wide floor = x / 4, ceiling = x / 4;
             if (floor * 4 > x) --floor;
             if (ceiling * 4 < x) ++ceiling;
-            shifted = hull(shifted, point(floor)), shifted_up = hull(shifted_up, point(ceiling)), size = hull(size, point(x < 0 ? -x : x));
+            shifted = hull(shifted, point(floor)), shifted_up = hull(shifted_up, point(ceiling)),
+            size = hull(size, point(x < 0 ? -x : x));
         }
         INFO(shown(a) << " and " << shown(b));
         REQUIRE(a + b == sum);
@@ -70,7 +84,8 @@ TEST_CASE("intervals hold what their operands can make, and no more", "[fit]") {
         REQUIRE(fit::right_up(a, 2) == shifted_up);
         REQUIRE(fit::magnitude(a) == size);
     }
-    const int bits[][4] = {{0, 0, 1, 1}, {-1, 0, 1, 1}, {0, 1, 2, 1}, {-2, 1, 2, 1}, {-3, 1, 3, 1}, {0, 255, 9, 8}, {0, 256, 10, 9}, {-256, 255, 9, 8}};
+    const int bits[][4] = {{0, 0, 1, 1},  {-1, 0, 1, 1},  {0, 1, 2, 1},    {-2, 1, 2, 1},
+                           {-3, 1, 3, 1}, {0, 255, 9, 8}, {0, 256, 10, 9}, {-256, 255, 9, 8}};
     for (const auto& b : bits) {
         CHECK(fit::signed_bits({b[0], b[1]}) == b[2]);
         CHECK(fit::unsigned_bits({b[0], b[1]}) == b[3]);
@@ -101,7 +116,8 @@ TEST_CASE("every value that the rays of a frame meet lies in its interval", "[fi
         INFO(name);
         CHECK(names.count(name) == 1);
     }
-    for (const char* exact : {"raygen.d", "raygen.s1_sum", "raygen.s1_right", "raygen.s1_down", "raygen.eye", "raygen.x"}) {
+    for (const char* exact :
+         {"raygen.d", "raygen.s1_sum", "raygen.s1_right", "raygen.s1_down", "raygen.eye", "raygen.x"}) {
         INFO(exact);
         CHECK(observed.seen[exact] == by_name(ranges.signals)[exact]);
     }
@@ -109,13 +125,16 @@ TEST_CASE("every value that the rays of a frame meet lies in its interval", "[fi
 
 TEST_CASE("reciprocals of an interval are those of its directions", "[fit]") {
     Config config = formats(12, 12, 0, 9, 8, 8, 2, 1);
-    for (const Interval d : {Interval{-2047, 2047}, Interval{3, 700}, Interval{-40, -7}, Interval{-5, 2}, Interval{0, 0}, Interval{512, 1023}}) {
+    for (const Interval d : {Interval{-2047, 2047}, Interval{3, 700}, Interval{-40, -7}, Interval{-5, 2},
+                             Interval{0, 0}, Interval{512, 1023}}) {
         std::map<std::pair<bool, int>, std::array<Interval, 3>> seen;
         for (std::int32_t x = std::int32_t(d.lo); x <= std::int32_t(d.hi); ++x) {
             const Recip r = reciprocal(x, config);
             auto& [size, aligned, recip] = seen[{x < 0, int(r.len)}];
             const Wide magnitude = x < 0 ? -x : x;
-            size = hull(size, point(magnitude)), aligned = hull(aligned, point(magnitude << (12 - int(r.len)))), recip = hull(recip, point(r.recip));
+            size = hull(size, point(magnitude)),
+            aligned = hull(aligned, point(magnitude << (12 - int(r.len)))),
+            recip = hull(recip, point(r.recip));
         }
         const auto classes = fit::recip_classes(d, config);
         CHECK(classes.size() == seen.size());
@@ -135,10 +154,13 @@ TEST_CASE("box's intervals are exactly what all rays and planes of a small world
     Draw draw{11};
     for (int round = 0; round < 30; ++round) {
         Extremes e;
-        const int axis = draw.below(3), exp = draw.below(6), eye = draw.between(-2000, 2000), first = draw.between(-2000, 1990);
+        const int axis = draw.below(3), exp = draw.below(6), eye = draw.between(-2000, 2000),
+                  first = draw.between(-2000, 1990);
         const auto k = std::size_t(axis);
-        for (std::size_t other = 0; other < 3; ++other) e.direction[other] = point(2047), e.eye[other] = point(0);
-        const int d0 = draw.coin() ? draw.between(-6, 3) : draw.between(-2000, 1900), d1 = std::min(2047, d0 + draw.below(12));
+        for (std::size_t other = 0; other < 3; ++other)
+            e.direction[other] = point(2047), e.eye[other] = point(0);
+        const int d0 = draw.coin() ? draw.between(-6, 3) : draw.between(-2000, 1900),
+                  d1 = std::min(2047, d0 + draw.below(12));
         e.direction[k] = {d0, d1};
         e.eye[k] = point(eye);
         const Interval origin{first, first + 3}, lo{draw.below(9), 10}, hi{11, 11 + draw.below(200)};
@@ -166,7 +188,8 @@ TEST_CASE("box's intervals are exactly what all rays and planes of a small world
                         see(seen, "box.s3_near", neg ? near - near_step : near + near_step);
                         see(seen, "box.s3_far", neg ? far - far_step : far + far_step);
                         if (d == 0) continue;
-                        const int shift = config.t_frac_bits + config.dir_bits - config.recip_bits - int(recip.len) + exp;
+                        const int shift =
+                            config.t_frac_bits + config.dir_bits - config.recip_bits - int(recip.len) + exp;
                         see(seen, "box.s3_left", std::clamp(shift, 0, config.t_bits()));
                         see(seen, "box.s3_right", std::max(-shift, 0));
                     }
@@ -176,7 +199,9 @@ TEST_CASE("box's intervals are exactly what all rays and planes of a small world
             REQUIRE(proven.at(name).holds(range.lo));
             REQUIRE(proven.at(name).holds(range.hi));
             // One bit length and sign: nothing is lost by looking at operands one by one.
-            if (fit::recip_classes(e.direction[k], config).size() == 1 && name.find("s3_") == std::string::npos) CHECK(proven.at(name) == range);
+            if (fit::recip_classes(e.direction[k], config).size() == 1 &&
+                name.find("s3_") == std::string::npos)
+                CHECK(proven.at(name) == range);
         }
     }
 }
@@ -187,7 +212,9 @@ TEST_CASE("tri's intervals are exactly what the corners of the box of directions
     for (int round = 0; round < 20; ++round) {
         Scene scene;
         scene.materials.resize(1);
-        for (int i = 0; i < 3; ++i) scene.vertices.push_back({draw.between(-100, 100), draw.between(-100, 100), draw.between(-100, 100)});
+        for (int i = 0; i < 3; ++i)
+            scene.vertices.push_back(
+                {draw.between(-100, 100), draw.between(-100, 100), draw.between(-100, 100)});
         scene.triangles.push_back({{0, 1, 2}, 0});
         Camera camera;
         camera.eye = {double(draw.between(-150, 150)), double(draw.between(-150, 150)), 160};
@@ -200,13 +227,19 @@ TEST_CASE("tri's intervals are exactly what the corners of the box of directions
             Vec d{}, e1{}, e2{}, s{};
             for (std::size_t k = 0; k < 3; ++k) {
                 d[k] = corner >> k & 1 ? e.direction[k].hi : e.direction[k].lo;
-                e1[k] = Wide(t.b[k]) - t.a[k], e2[k] = Wide(t.c[k]) - t.a[k], s[k] = Wide(job.frame.eye[k]) - t.a[k];
+                e1[k] = Wide(t.b[k]) - t.a[k], e2[k] = Wide(t.c[k]) - t.a[k],
+                s[k] = Wide(job.frame.eye[k]) - t.a[k];
             }
-            const auto cross = [](const Vec& a, const Vec& b) { return Vec{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; };
-            const auto dot = [](const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+            const auto cross = [](const Vec& a, const Vec& b) {
+                return Vec{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+            };
+            const auto dot = [](const Vec& a, const Vec& b) {
+                return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            };
             const Vec q1 = cross(d, e1), q2 = cross(d, e2);
             const Wide a = dot(q2, e1), b = dot(q2, s), c = -dot(q1, s);
-            det = hull(det, point(a)), u = hull(u, point(b)), v = hull(v, point(c)), w = hull(w, point(a - b - c)), num = hull(num, point(dot(cross(e1, e2), s)));
+            det = hull(det, point(a)), u = hull(u, point(b)), v = hull(v, point(c)),
+            w = hull(w, point(a - b - c)), num = hull(num, point(dot(cross(e1, e2), s)));
             for (std::size_t k = 0; k < 3; ++k) p1 = hull(p1, point(q1[k])), p2 = hull(p2, point(q2[k]));
         }
         const auto axes = [](const Extremes::Axes& a) { return hull(hull(a[0], a[1]), a[2]); };
@@ -234,14 +267,24 @@ TEST_CASE("a signal that is a bit too narrow is an overflow", "[fit]") {
 
 TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
     const std::pair<const char*, std::vector<const char*>> texts[] = {
-        {"isect/rc_edges.sv", {"localparam int unsigned D = N + 1;", "localparam int unsigned C = M + D + 1;", "localparam int unsigned X = 2 * D + 1;",
-                               "localparam int unsigned E = rc_pkg::EdgeBits", "localparam int unsigned U = rc_pkg::NumBits"}},
-        {"isect/rc_tri.sv", {"logic [U+D-1:0] f1_mine_q, f1_theirs_q;", "localparam int unsigned D    = rc_pkg::EdgeBits;"}},
-        {"isect/rc_hitdiv.sv", {"localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;", "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
-        {"trav/rc_slab.sv", {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned D  = N + 1;", "localparam int unsigned P  = D + R1 + 1;",
-                             "localparam int unsigned V  = P + 1;", "logic [4:0]          s3_left_q, s3_right_q;", "logic [R1-1:0]       s3_up_q;", "logic [2*T-1:0] moved;"}},
-        {"raygen/rc_raygen.sv", {"logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;", "localparam int unsigned GD      = rc_pkg::GuardDirBits;",
-                                    "localparam int unsigned G       = GD + SubBits;"}},
+        {"isect/rc_edges.sv",
+         {"localparam int unsigned D = N + 1;", "localparam int unsigned C = M + D + 1;",
+          "localparam int unsigned X = 2 * D + 1;", "localparam int unsigned E = rc_pkg::EdgeBits",
+          "localparam int unsigned U = rc_pkg::NumBits"}},
+        {"isect/rc_tri.sv",
+         {"logic [U+D-1:0] f1_mine_q, f1_theirs_q;", "localparam int unsigned D    = rc_pkg::EdgeBits;"}},
+        {"isect/rc_hitdiv.sv",
+         {"localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;",
+          "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
+        {"trav/rc_slab.sv",
+         {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned D  = N + 1;",
+          "localparam int unsigned P  = D + R1 + 1;", "localparam int unsigned V  = P + 1;",
+          "logic [4:0]          s3_left_q, s3_right_q;", "logic [R1-1:0]       s3_up_q;",
+          "logic [2*T-1:0] moved;"}},
+        {"raygen/rc_raygen.sv",
+         {"logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;",
+          "localparam int unsigned GD      = rc_pkg::GuardDirBits;",
+          "localparam int unsigned G       = GD + SubBits;"}},
         {"raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, s0_m;"}}};
     for (const auto& [name, lines] : texts) {
         std::ifstream file(rtl_sources() / name);

@@ -16,33 +16,33 @@ Frame camera(unsigned number, const Config& config) {
     const std::int64_t one = std::int64_t(1) << guard_bits, half = one / 2;
     for (std::size_t k = 0; k < 3; ++k) {
         switch ((number + unsigned(k)) % 5) {
-        case 0:   // anything
-            frame.corner[k] = draw.number(g - 1);
-            frame.right[k] = draw.number(g - 2 - max_pixel_bits);
-            frame.down[k] = draw.number(g - 2 - max_pixel_bits);
-            break;
-        case 1:   // through zero in whole steps
-            frame.corner[k] = -100 * one;
-            frame.right[k] = config.dir_bits > 15 ? one : 0;
-            break;
-        case 2:   // halves, which go up
-            frame.corner[k] = -50 * one + half;
-            frame.right[k] = half / 8;
-            frame.down[k] = config.dir_bits > 13 ? -half / 2 : 0;
-            break;
-        case 3:   // longest to the left
-            frame.corner[k] = -(std::int64_t(1) << (g - 1)) - (draw.coin() ? 0 : -1);
-            break;
-        default:  // longest to the right
-            frame.corner[k] = (std::int64_t(1) << (g - 1)) - half - 1;
-            break;
+            case 0:   // anything
+                frame.corner[k] = draw.number(g - 1);
+                frame.right[k] = draw.number(g - 2 - max_pixel_bits);
+                frame.down[k] = draw.number(g - 2 - max_pixel_bits);
+                break;
+            case 1:   // through zero in whole steps
+                frame.corner[k] = -100 * one;
+                frame.right[k] = config.dir_bits > 15 ? one : 0;
+                break;
+            case 2:   // halves, which go up
+                frame.corner[k] = -50 * one + half;
+                frame.right[k] = half / 8;
+                frame.down[k] = config.dir_bits > 13 ? -half / 2 : 0;
+                break;
+            case 3:   // longest to the left
+                frame.corner[k] = -(std::int64_t(1) << (g - 1)) - (draw.coin() ? 0 : -1);
+                break;
+            default:   // longest to the right
+                frame.corner[k] = (std::int64_t(1) << (g - 1)) - half - 1;
+                break;
         }
     }
     return frame;
 }
 
-/// Sums of g - 1 - `free` bits at most on every axis: near the longest of them, to both sides, on one axis, so that rounding may
-/// want one bit more, and anything on the others.
+/// Sums of g - 1 - `free` bits at most on every axis: near the longest of them, to both sides, on one axis,
+/// so that rounding may want one bit more, and anything on the others.
 Frame short_camera(int free, unsigned seed, const Config& config) {
     Draw draw{seed};
     const int bits = config.guard_dir_bits() - 1 - free;
@@ -68,7 +68,8 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
     REQUIRE(ray.o == frame.eye);
     std::array<oracle::Rational, 3> exact;
     for (std::size_t k = 0; k < 3; ++k) {
-        const oracle::Int sum = oracle::Int(frame.corner[k]) + oracle::Int(slot.x) * frame.right[k] + oracle::Int(slot.y) * frame.down[k];
+        const oracle::Int sum = oracle::Int(frame.corner[k]) + oracle::Int(slot.x) * frame.right[k] +
+                                oracle::Int(slot.y) * frame.down[k];
         exact[k] = oracle::Rational(sum, oracle::Int(1) << guard_bits);
     }
     const std::array<oracle::Int, 3> direction = oracle::filled(exact, config.dir_bits, most_shift);
@@ -93,13 +94,15 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
     const Frame frame = camera(seed, config);
     Draw draw{seed};
     Dut dut{config, frame, int(seed)};
-    stream(dut, config, flow, draw, count, [&](Draw& from) { return random_slot(from, config); },
-           [&](const Slot& slot, const Ray& ray) { judge(slot, ray, frame, config); });
+    stream(
+        dut, config, flow, draw, count, [&](Draw& from) { return random_slot(from, config); },
+        [&](const Slot& slot, const Ray& ray) { judge(slot, ray, frame, config); });
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reciprocal", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reciprocal", "[raygen]",
+                   Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide", "sheared:default");
     for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 250);
 }
@@ -118,7 +121,8 @@ TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", 
     }
 }
 
-TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum is", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum is", "[raygen]",
+                   Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const Config config = format(GENERATE("default", "narrow", "wide"));
     for (int free = 0; free <= most_shift + 2; ++free)
         for (unsigned seed = 1; seed <= 12; ++seed) {
@@ -130,12 +134,14 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
             stream(dut, config, flows[0], draw, 4, ask, [&](const Slot& slot, const Ray& ray) {
                 judge(slot, ray, frame, config);
                 const auto [x, y, z] = ray.d;
-                if (free <= most_shift) REQUIRE(std::max({std::abs(x), std::abs(y), std::abs(z)}) >= 1 << (config.dir_bits - 2));
+                if (free <= most_shift)
+                    REQUIRE(std::max({std::abs(x), std::abs(y), std::abs(z)}) >= 1 << (config.dir_bits - 2));
             });
         }
 }
 
-TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>,
+                   Rtl<RaygenUnit>) {
     const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default"));
     TestType dut{config, camera(5, config)};
     check_latency(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
@@ -151,13 +157,17 @@ TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 15; ++seed)
-            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500, [&](Draw& draw) { return random_slot(draw, config); });
+            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+                                       [&](Draw& draw) { return random_slot(draw, config); });
 }
 
-TEST_CASE("model and rtl of raygen with slopes make the same moves in every cycle", "[raygen][lockstep][sheared]") {
+TEST_CASE("model and rtl of raygen with slopes make the same moves in every cycle",
+          "[raygen][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:narrow", "sheared:precise"));
-    check_lockstep<RaygenUnit>(config, Frame{}, flows[0], 1, 100, [&](Draw& draw) { return random_slot(draw, config); });   // d = 0
+    check_lockstep<RaygenUnit>(config, Frame{}, flows[0], 1, 100,
+                               [&](Draw& draw) { return random_slot(draw, config); });   // d = 0
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 15; ++seed)
-            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500, [&](Draw& draw) { return random_slot(draw, config); });
+            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+                                       [&](Draw& draw) { return random_slot(draw, config); });
 }

@@ -33,7 +33,7 @@ TEST_CASE("a merge prefers its first source but does not change an offer", "[fif
     std::optional<bool> held;   // second on offer and refused
     bool first = false, second = false;
     for (int i = 0; i < 5000; ++i) {
-        first |= draw.percent(40);     // a source that has something keeps it until it is taken
+        first |= draw.percent(40);   // a source that has something keeps it until it is taken
         second |= draw.percent(40);
         const bool valid = first || second, chosen = merge.second(first);
         if (valid) REQUIRE(chosen == held.value_or(!first));

@@ -20,22 +20,46 @@ Config pipelines(const std::string& number) {
     return config;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the units' rtl is built", "[.build]") {
     struct Job {
         const char *module, *format;
         Config (*config)(const std::string&) = test::format;
     };
-    const Job jobs[] = {{"rc_top", "small"}, {"rc_box", "default"}, {"rc_tri", "default"}, {"rc_list", "default"}, {"rc_trav", "default"},
-                        {"rc_box", "wide"}, {"rc_tri", "wide"}, {"rc_box", "narrow"}, {"rc_tri", "narrow"}, {"rc_box", "small"},
-                        {"rc_tri", "small"}, {"rc_raygen", "default"}, {"rc_raygen", "wide"}, {"rc_raygen", "narrow"}, {"rc_raygen", "small"},
-                        {"rc_sched", "default"}, {"rc_node_cache", "default", test::cache_config}, {"rc_prim_cache", "default", test::cache_config},
-                        {"rc_node_cache", "smallest", test::cache_config}, {"rc_prim_cache", "wide", test::cache_config},
-                        {"rc_l2", "direct", test::cache_config}, {"rc_unit", "default"}, {"rc_power", "default"},
-                        {"rc_pass", "all", test::shaded_format}, {"rc_pass", "plain", test::shaded_format}, {"rc_pass", "narrow", test::shaded_format},
-                        {"rc_shade", "all", test::shaded_format}, {"rc_shade", "plain", test::shaded_format},
-                        {"rc_sched", "0", tiled}, {"rc_sched", "3", tiled}, {"rc_dispatch", "1", pipelines}, {"rc_dispatch", "2", pipelines}, {"rc_dispatch", "8", pipelines}};
+    const Job jobs[] = {{"rc_top", "small"},
+                        {"rc_box", "default"},
+                        {"rc_tri", "default"},
+                        {"rc_list", "default"},
+                        {"rc_trav", "default"},
+                        {"rc_box", "wide"},
+                        {"rc_tri", "wide"},
+                        {"rc_box", "narrow"},
+                        {"rc_tri", "narrow"},
+                        {"rc_box", "small"},
+                        {"rc_tri", "small"},
+                        {"rc_raygen", "default"},
+                        {"rc_raygen", "wide"},
+                        {"rc_raygen", "narrow"},
+                        {"rc_raygen", "small"},
+                        {"rc_sched", "default"},
+                        {"rc_node_cache", "default", test::cache_config},
+                        {"rc_prim_cache", "default", test::cache_config},
+                        {"rc_node_cache", "smallest", test::cache_config},
+                        {"rc_prim_cache", "wide", test::cache_config},
+                        {"rc_l2", "direct", test::cache_config},
+                        {"rc_unit", "default"},
+                        {"rc_power", "default"},
+                        {"rc_pass", "all", test::shaded_format},
+                        {"rc_pass", "plain", test::shaded_format},
+                        {"rc_pass", "narrow", test::shaded_format},
+                        {"rc_shade", "all", test::shaded_format},
+                        {"rc_shade", "plain", test::shaded_format},
+                        {"rc_sched", "0", tiled},
+                        {"rc_sched", "3", tiled},
+                        {"rc_dispatch", "1", pipelines},
+                        {"rc_dispatch", "2", pipelines},
+                        {"rc_dispatch", "8", pipelines}};
     std::vector<test::RtlJob> all;
     for (const Job& job : jobs) all.push_back({job.module, job.format, job.config(job.format)});
     test::build_all(all);

@@ -53,7 +53,7 @@ void run(const Config& config) {
     CHECK(module.port("u").bytes > 0);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a library that is cut, gone or no library is built again before it is loaded", "[rtl]") {
     const Config config = test::format("default");
@@ -61,11 +61,14 @@ TEST_CASE("a library that is cut, gone or no library is built again before it is
     const OddFolder folder;
     // The tools that are there now only bring the library that the real ones have made.
     script(folder.path / "bin/verilator", "/bin/mkdir obj; echo > obj/Vrc.cpp");
-    script(folder.path / "bin/c++", "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done; /bin/cp '" + real.library.string() + "' $out");
+    script(folder.path / "bin/c++",
+           "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && out=$2; shift; done; /bin/cp '" +
+               real.library.string() + "' $out");
     const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"), path("PATH", folder.path / "bin");
     const fs::path library = build_rtl(config, "rc_unit").library;
     REQUIRE(library != real.library);
-    // This first: what has been loaded from a place may stay mapped, and is what the loader then gives for that place.
+    // This first: what has been loaded from a place may stay mapped, and is what the loader then gives for
+    // that place.
     const fs::path other = folder.path / "other";
     std::ofstream(other) << "no library, but sealed as if it were one";
     fs::rename(other, library);
@@ -88,7 +91,8 @@ TEST_CASE("blanks, quotes and dollars in the paths of sources and cache do not m
     const Config config = test::format("default");
     const OddFolder folder;
     fs::copy(rtl_sources(), folder.path / "rtl", fs::copy_options::recursive);
-    const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"), sources("RAYCLOCK_RTL", folder.path / "rtl"), temporary("TMPDIR", folder.path);
+    const Variable cache("RAYCLOCK_CACHE", folder.path / "cache"),
+        sources("RAYCLOCK_RTL", folder.path / "rtl"), temporary("TMPDIR", folder.path);
     CHECK(lint_rtl(config, "rc_unit") == "");
     run(config);
 }

@@ -26,13 +26,14 @@ bool misuse(SchedRtl& dut, int times) {
     return false;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("an assertion of the rtl is heard by the module it belongs to", "[rtl]") {
     Frame frame;
     frame.width = frame.height = 4;
     const Config config = format("default");
-    auto older = std::make_unique<SchedRtl>(frame, config), newer = std::make_unique<SchedRtl>(frame, config, 2);
+    auto older = std::make_unique<SchedRtl>(frame, config),
+         newer = std::make_unique<SchedRtl>(frame, config, 2);
     REQUIRE_FALSE(misuse(*older, 60));
     REQUIRE(misuse(*older, 10));
     newer->eval();
@@ -47,7 +48,8 @@ TEST_CASE("rtl modules can be closed in any order", "[rtl]") {
     frame.width = frame.height = 4;
     const Config config = format("default");
     for (const bool older_first : {false, true}) {
-        auto older = std::make_unique<SchedRtl>(frame, config), newer = std::make_unique<SchedRtl>(frame, config);
+        auto older = std::make_unique<SchedRtl>(frame, config),
+             newer = std::make_unique<SchedRtl>(frame, config);
         (older_first ? older : newer).reset();
         SchedRtl& left = older_first ? *newer : *older;
         left.slot.ready = true;

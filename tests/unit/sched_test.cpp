@@ -22,8 +22,10 @@ Config tiled(int tile_bits) {
 
 constexpr std::pair<int, int> sizes[] = {{1, 1}, {1, 9}, {64, 1}, {13, 5}, {40, 17}};
 
-template <class Dut> void give_pixels(const Config& config, const Frame& frame, unsigned seed, const Flow& flow) {
-    INFO(config.name << ", " << config.contexts << " contexts, " << frame.width << " x " << frame.height << ", " << flow.name << ", seed " << seed);
+template <class Dut>
+void give_pixels(const Config& config, const Frame& frame, unsigned seed, const Flow& flow) {
+    INFO(config.name << ", " << config.contexts << " contexts, " << frame.width << " x " << frame.height
+                     << ", " << flow.name << ", seed " << seed);
     Dut dut{frame, config, int(seed)};
     SchedWorld world{frame, config, seed, flow};
     for (int cycle = 0; !world.finished(); ++cycle) {
@@ -48,7 +50,8 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
     SchedRtl rtl{frame, config, int(seed)};
     SchedWorld world{frame, config, seed, flow};
     for (int cycle = 0; !world.finished(); ++cycle) {
-        INFO(config.name << ", " << frame.width << " x " << frame.height << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
+        INFO(config.name << ", " << frame.width << " x " << frame.height << ", " << flow.name << ", seed "
+                         << seed << ", cycle " << cycle);
         REQUIRE(cycle < 100000);
         world.drive(model);
         static_cast<SchedLinks&>(rtl) = model;
@@ -64,7 +67,8 @@ void lockstep(const Config& config, const Frame& frame, unsigned seed, const Flo
     }
 }
 
-/// Tiles as they are wanted, row by row, and every ray ends in the next cycle: the order in which pixels are given.
+/// Tiles as they are wanted, row by row, and every ray ends in the next cycle: the order in which pixels are
+/// given.
 template <class Dut> std::vector<Place> order_of(const Config& config, const Frame& frame) {
     Dut dut{frame, config};
     std::deque<Tile> tiles = tiles_of(frame, config.tile_bits);
@@ -88,24 +92,29 @@ template <class Dut> std::vector<Place> order_of(const Config& config, const Fra
     return order;
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("sched gives a tile's pixels in Morton order to the context longest free", "[sched]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched gives a tile's pixels in Morton order to the context longest free", "[sched]",
+                   SchedModel, SchedRtl) {
     for (const int tile_bits : {0, 3})
         for (const auto& [width, height] : sizes)
             for (const Flow& flow : flows)
-                for (unsigned seed = 1; seed <= 3; ++seed) give_pixels<TestType>(tiled(tile_bits), frame_of(width, height), seed, flow);
+                for (unsigned seed = 1; seed <= 3; ++seed)
+                    give_pixels<TestType>(tiled(tile_bits), frame_of(width, height), seed, flow);
 }
 
-TEMPLATE_TEST_CASE("sched gives pixels with few contexts, and with one, in tiles of every size", "[sched][slow]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched gives pixels with few contexts, and with one, in tiles of every size",
+                   "[sched][slow]", SchedModel, SchedRtl) {
     Config config = tiled(GENERATE(1, 2, 6));
     config.contexts = GENERATE(1, 2, 16);
     for (const auto& [width, height] : sizes)
         for (const Flow& flow : flows)
-            for (unsigned seed = 6; seed <= 7; ++seed) give_pixels<TestType>(config, frame_of(width, height), seed, flow);
+            for (unsigned seed = 6; seed <= 7; ++seed)
+                give_pixels<TestType>(config, frame_of(width, height), seed, flow);
 }
 
-TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are free", "[sched]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are free", "[sched]", SchedModel,
+                   SchedRtl) {
     TestType dut{frame_of(100, 100), tiled(3)};
     dut.slot.ready = true;
     dut.tile.offer = Tile{2, 1};
@@ -114,7 +123,8 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
     dut.tile.offer = Tile{3, 1};   // the next waits beside the one at hand, the third outside
-    const std::uint32_t x[] = {16, 17, 16, 17, 18, 19, 18, 19, 16, 17, 16, 17}, y[] = {8, 8, 9, 9, 8, 8, 9, 9, 10, 10, 11, 11};
+    const std::uint32_t x[] = {16, 17, 16, 17, 18, 19, 18, 19, 16, 17, 16, 17},
+                        y[] = {8, 8, 9, 9, 8, 8, 9, 9, 10, 10, 11, 11};
     for (std::uint32_t i = 0; i < 64; ++i) {
         dut.eval();
         REQUIRE(dut.tile.ready == (i == 0));
@@ -132,7 +142,8 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     dut.hit.ready = true;
     dut.eval();
     REQUIRE(dut.hit.fires());
-    REQUIRE((dut.hit.offer->x == 21 && dut.hit.offer->y == 8));   // the 17th pixel: first row of the second quarter
+    REQUIRE((dut.hit.offer->x == 21 &&
+             dut.hit.offer->y == 8));   // the 17th pixel: first row of the second quarter
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
     dut.pixel.offer.reset();
@@ -141,7 +152,8 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     REQUIRE((dut.slot.offer->ray == 17 && dut.slot.offer->x == 24 && dut.slot.offer->y == 8));
 }
 
-TEMPLATE_TEST_CASE("sched passes over a pixel outside the picture in one cycle", "[sched]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched passes over a pixel outside the picture in one cycle", "[sched]", SchedModel,
+                   SchedRtl) {
     TestType dut{frame_of(9, 9), tiled(3)};   // of tile (1, 1) only the first pixel is inside
     dut.slot.ready = true;
     std::vector<int> given;
@@ -155,7 +167,8 @@ TEMPLATE_TEST_CASE("sched passes over a pixel outside the picture in one cycle",
     REQUIRE(given == std::vector<int>{1, 65});
 }
 
-TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's tiles", "[sched]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's tiles", "[sched]",
+                   SchedModel, SchedRtl) {
     TestType dut{frame_of(9, 9), tiled(3)};
     dut.slot.ready = dut.hit.ready = true;
     const auto cycle = [&](std::optional<Tile> tile) {
@@ -171,7 +184,8 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
         const std::optional<Slot> first = cycle(Tile{1, 1});
         REQUIRE((first && first->x == 8 && first->y == 8));
         for (int i = 0; i < passed; ++i) REQUIRE_FALSE(cycle({}));
-        dut.start(frame_of(100, 100));   // those pixels would lie inside this one; none is given in this cycle either
+        dut.start(frame_of(
+            100, 100));   // those pixels would lie inside this one; none is given in this cycle either
         for (int i = 0; i < 3; ++i) REQUIRE_FALSE(cycle({}));
         cycle(Tile{5, 0});
         for (std::uint32_t i = 0; i < 4; ++i) {
@@ -182,23 +196,28 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
     }
 }
 
-TEMPLATE_TEST_CASE("sched reaches every pixel of the largest picture's rows", "[sched]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched reaches every pixel of the largest picture's rows", "[sched]", SchedModel,
+                   SchedRtl) {
     for (const int tile_bits : {0, 3}) {
         const Frame frame = frame_of(16384, 2);
         std::deque<Place> expected;
-        for (const Tile& tile : tiles_of(frame, tile_bits)) in_morton_order(tile.x << tile_bits, tile.y << tile_bits, 1u << tile_bits, expected);
+        for (const Tile& tile : tiles_of(frame, tile_bits))
+            in_morton_order(tile.x << tile_bits, tile.y << tile_bits, 1u << tile_bits, expected);
         std::erase_if(expected, [&](const Place& p) { return p.y >= frame.height; });
         const std::vector<Place> order = order_of<TestType>(tiled(tile_bits), frame);
         REQUIRE((order == std::vector<Place>(expected.begin(), expected.end())));
     }
 }
 
-TEMPLATE_TEST_CASE("sched gives out the colours of finished pixels", "[sched][shading]", SchedModel, SchedRtl) {
+TEMPLATE_TEST_CASE("sched gives out the colours of finished pixels", "[sched][shading]", SchedModel,
+                   SchedRtl) {
     for (const auto& [width, height] : sizes)
-        for (const Flow& flow : flows) give_pixels<TestType>(format("shading:default"), frame_of(width, height), 1, flow);
+        for (const Flow& flow : flows)
+            give_pixels<TestType>(format("shading:default"), frame_of(width, height), 1, flow);
 }
 
-TEST_CASE("model and rtl of sched make the same moves in every cycle, with colours", "[sched][lockstep][shading]") {
+TEST_CASE("model and rtl of sched make the same moves in every cycle, with colours",
+          "[sched][lockstep][shading]") {
     for (const Flow& flow : flows) lockstep(format("samples:small"), frame_of(40, 17), 11, flow);
 }
 
@@ -206,5 +225,6 @@ TEST_CASE("model and rtl of sched make the same moves in every cycle", "[sched][
     for (const int tile_bits : {0, 3})
         for (const auto& [width, height] : sizes)
             for (const Flow& flow : flows)
-                for (unsigned seed = 11; seed <= 13; ++seed) lockstep(tiled(tile_bits), frame_of(width, height), seed, flow);
+                for (unsigned seed = 11; seed <= 13; ++seed)
+                    lockstep(tiled(tile_bits), frame_of(width, height), seed, flow);
 }

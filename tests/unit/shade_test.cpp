@@ -17,11 +17,13 @@ Config shape(const std::string& format, int contexts, int queue) {
     return c;
 }
 
-void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, int cycles, ShadeWorld& world, const Frame& frame) {
+void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, int cycles, ShadeWorld& world,
+                         const Frame& frame) {
     ShadeModel model(c, frame);
     ShadeRtl rtl(c, frame, int(seed));
     for (int i = 0; i < cycles; ++i) {
-        INFO(c.name << ", " << c.contexts << " contexts, idle " << idle << ", stall " << stall << ", seed " << seed << ", cycle " << i);
+        INFO(c.name << ", " << c.contexts << " contexts, idle " << idle << ", stall " << stall << ", seed "
+                    << seed << ", cycle " << i);
         world.offer(model);
         static_cast<ShadeLinks&>(rtl) = model;
         model.eval();
@@ -33,7 +35,8 @@ void same_in_every_cycle(const Config& c, int idle, int stall, unsigned seed, in
         REQUIRE(same(rtl.spawn, model.spawn, c));
         if (rtl.pixel.offer && model.pixel.offer) {
             const Pixel &got = *rtl.pixel.offer, &wanted = *model.pixel.offer;
-            CAPTURE(got.colour, wanted.colour, got.first.ray, wanted.first.ray, got.first.found, wanted.first.found, got.first.t, wanted.first.t);
+            CAPTURE(got.colour, wanted.colour, got.first.ray, wanted.first.ray, got.first.found,
+                    wanted.first.found, got.first.t, wanted.first.t);
             REQUIRE(same(got, wanted, c));
         }
         REQUIRE(same(rtl.pixel, model.pixel, c));
@@ -56,7 +59,8 @@ void check(const char* format, int contexts, int queue, int cycles) {
         frame.shade.side = c.supersampling ? seed : 1;
         ShadeWorld world(c, frame, idle, stall, seed);
         same_in_every_cycle(c, idle, stall, seed++, cycles, world, frame);
-        pixels += world.pixels, shadows += world.shadows, bounces += world.bounces, samples += world.samples, closed += world.closed;
+        pixels += world.pixels, shadows += world.shadows, bounces += world.bounces, samples += world.samples,
+            closed += world.closed;
     }
     CAPTURE(pixels, shadows, bounces, samples, closed);
     REQUIRE((pixels > 10 && shadows > 10 && bounces > 10));
@@ -74,13 +78,15 @@ template <class Dut> void step(Dut& dut) {
     still(dut);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("model and rtl of shade make the same moves in every cycle", "[shade][lockstep][all]") {
     check("all", 64, 64, 3000);
 }
 
-TEST_CASE("model and rtl of shade make the same moves with a short queue, and without units that are not needed", "[shade][lockstep]") {
+TEST_CASE(
+    "model and rtl of shade make the same moves with a short queue, and without units that are not needed",
+    "[shade][lockstep]") {
     check("all", 8, 4, 3000);
     check("plain", 64, 64, 3000);
 }
@@ -114,7 +120,8 @@ TEMPLATE_TEST_CASE("shade answers after exactly its latency", "[shade]", ShadeMo
         CAPTURE(i);
         REQUIRE(dut.pixel.offer.has_value() == (i == due));
         REQUIRE_FALSE(dut.spawn.offer);
-        if (i == due) REQUIRE((dut.pixel.offer->first.ray == 5 && dut.pixel.offer->colour == frame.shade.background));
+        if (i == due)
+            REQUIRE((dut.pixel.offer->first.ray == 5 && dut.pixel.offer->colour == frame.shade.background));
         dut.commit();
         still(dut);
     }

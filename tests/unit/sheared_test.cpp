@@ -22,17 +22,21 @@ Seen seen(const Vec3i& p, const Vec3i& o, const Vec3i& d, std::size_t kz) {
 /// Distance of (0, 0) from a segment, the larger of x and y.
 long double distance_of(const Seen& p, const Seen& q) {
     // Convex along the segment: halving finds the least.
-    const auto at = [&](long double s) { return std::max(std::abs(p.x + s * (q.x - p.x)), std::abs(p.y + s * (q.y - p.y))); };
+    const auto at = [&](long double s) {
+        return std::max(std::abs(p.x + s * (q.x - p.x)), std::abs(p.y + s * (q.y - p.y)));
+    };
     long double lo = 0, hi = 1;
     for (int i = 0; i < 200; ++i) {
         const long double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
-        if (at(a) < at(b)) hi = b;
-        else lo = a;
+        if (at(a) < at(b))
+            hi = b;
+        else
+            lo = a;
     }
     return at(lo);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("slopes are the direction's, rounded to nearest", "[primitive]") {
     const Config config = with_test("sheared", GENERATE(12, 16, 18, 20));
@@ -54,9 +58,11 @@ TEST_CASE("slopes are the direction's, rounded to nearest", "[primitive]") {
                 continue;
             }
             // |2^S along - slope d_z| <= |d_z| / 2; if equal, the slope is the larger.
-            const std::int64_t exact = along << config.slope_frac_bits(), got = std::int64_t(shear.slope[j]) * d[shear.axis];
+            const std::int64_t exact = along << config.slope_frac_bits(),
+                               got = std::int64_t(shear.slope[j]) * d[shear.axis];
             REQUIRE(2 * std::abs(exact - got) <= std::int64_t(shear.size));
-            if (2 * std::abs(exact - got) == std::int64_t(shear.size)) REQUIRE(std::abs(got) > std::abs(exact));
+            if (2 * std::abs(exact - got) == std::int64_t(shear.size))
+                REQUIRE(std::abs(got) > std::abs(exact));
         }
     }
 }
@@ -71,8 +77,11 @@ TEST_CASE("the sheared test neither leaks nor hits twice on a closed surface", "
     for (int i = 0; i < 1200; ++i) {
         config.dir_bits = draw.coin() ? bits + 2 : std::min(24, 62 - 2 * bits);
         const PrimData& t = all[std::size_t(draw.below(int(all.size())))];
-        const double along = draw.below(5) * 0.25;   // corners, an edge's middle and quarters; then anywhere inside
-        const auto target = draw.percent(80) ? inside(t, along, draw.coin() ? 0 : 1 - along) : inside(t, draw.below(1000) / 2000.0, draw.below(1000) / 2000.0);
+        const double along =
+            draw.below(5) * 0.25;   // corners, an edge's middle and quarters; then anywhere inside
+        const auto target = draw.percent(80)
+                                ? inside(t, along, draw.coin() ? 0 : 1 - along)
+                                : inside(t, draw.below(1000) / 2000.0, draw.below(1000) / 2000.0);
         Vec3i o = far_origin(draw, bits, 4 * radius), d = towards(o, target, config.dir_bits);
         if (draw.below(4) == 0) {   // along an axis
             const auto k = std::size_t(draw.below(3));
@@ -83,12 +92,15 @@ TEST_CASE("the sheared test neither leaks nor hits twice on a closed surface", "
         }
         // The cosine between ray and surface, where the ray enters or leaves.
         const double from_middle = std::hypot(target[0], target[1], target[2]);
-        const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) / from_middle / std::hypot(d[0], d[1], d[2]);
+        const double cosine = (target[0] * d[0] + target[1] * d[1] + target[2] * d[2]) / from_middle /
+                              std::hypot(d[0], d[1], d[2]);
         CAPTURE(bits, i, o[0], o[1], o[2], d[0], d[1], d[2]);
         const int count = crossings(config, all, o, d);
         REQUIRE(count % 2 == 0);   // in as often as out, also where the surface is seen edge-on
-        if (std::abs(cosine) > 0.4) REQUIRE(count == 2);
-        else ++grazing;
+        if (std::abs(cosine) > 0.4)
+            REQUIRE(count == 2);
+        else
+            ++grazing;
     }
     REQUIRE(grazing > 50);
 }
@@ -103,10 +115,12 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         const Shear shear = shear_of(req.d, config);
         if (shear.size == 0) continue;
         const std::size_t kz = shear.axis;
-        const Seen a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz), c = seen(req.triangle.c, req.o, req.d, kz);
+        const Seen a = seen(req.triangle.a, req.o, req.d, kz), b = seen(req.triangle.b, req.o, req.d, kz),
+                   c = seen(req.triangle.c, req.o, req.d, kz);
         const long double sign = shear.neg ? -1 : 1;
         if (sign * a.z <= 0 || sign * b.z <= 0 || sign * c.z <= 0) continue;   // all of it ahead
-        const TriRsp there = ask(exact, req.o, req.d, req.triangle), here = ask(config, req.o, req.d, req.triangle);
+        const TriRsp there = ask(exact, req.o, req.d, req.triangle),
+                     here = ask(config, req.o, req.d, req.triangle);
         CAPTURE(bits, i);
         if (there.closer != here.closer) {
             ++differ;
@@ -118,7 +132,8 @@ TEST_CASE("the sheared test differs from the exact one next to edges only", "[pr
         const long double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
         const long double rise_x = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area;
         const long double rise_y = ((b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z)) / area;
-        const long double z = sign * (a.z - rise_x * a.x - rise_y * a.y), got = (long double)here.num / (long double)here.det;
+        const long double z = sign * (a.z - rise_x * a.x - rise_y * a.y),
+                          got = (long double)here.num / (long double)here.det;
         REQUIRE(std::abs(got - z) <= (std::abs(rise_x) + std::abs(rise_y)) * 1.000001L + 1e-6L * std::abs(z));
         REQUIRE(got >= std::min({sign * a.z, sign * b.z, sign * c.z}));
         REQUIRE(got <= std::max({sign * a.z, sign * b.z, sign * c.z}));
@@ -137,7 +152,8 @@ TEST_CASE("the sheared test's distance is rounded up, and its weights down", "[p
         if (!rsp.closer) continue;
         ++hits;
         const oracle::Rational t(oracle::Int(rsp.num), oracle::Int(rsp.det) * shear_of(req.d, config).size);
-        const oracle::Int ticks = oracle::ceil(t * oracle::power_of_two(config.dir_bits - 1 + config.t_frac_bits));
+        const oracle::Int ticks =
+            oracle::ceil(t * oracle::power_of_two(config.dir_bits - 1 + config.t_frac_bits));
         REQUIRE(rsp.t == std::min(ticks, oracle::Int((oracle::Int(1) << config.t_bits()) - 1)));
         const std::uint32_t one = 1u << config.bary_bits;
         REQUIRE(rsp.u + rsp.v <= one);
@@ -151,7 +167,8 @@ TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primi
     const Config config = with_test("sheared", 20);
     const auto extreme = [](int which, int bits) {
         const std::int32_t most = (1 << (bits - 1)) - 1;
-        return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
+        return Vec3i{which & 1 ? most : -most - 1, which & 2 ? most : -most - 1,
+                     which & 4 ? most : -most - 1};
     };
     Wide largest_num = 0, largest_det = 0;
     for (int a = 0; a < 8; ++a)
@@ -160,7 +177,8 @@ TEST_CASE("the corners of the lattice do not overflow the sheared test", "[primi
                 for (int o = 0; o < 8; ++o)
                     for (int d = 0; d < 8; ++d) {
                         if (a == b || b == c || c == a) continue;
-                        const TriRsp rsp = ask(config, extreme(o, 20), extreme(d, config.dir_bits), {extreme(a, 20), extreme(b, 20), extreme(c, 20), 7});
+                        const TriRsp rsp = ask(config, extreme(o, 20), extreme(d, config.dir_bits),
+                                               {extreme(a, 20), extreme(b, 20), extreme(c, 20), 7});
                         largest_num = std::max(largest_num, rsp.num);
                         largest_det = std::max(largest_det, rsp.det);
                     }
@@ -204,24 +222,30 @@ TEST_CASE("the tree loses no hit of the sheared test, and a closed surface shows
             REQUIRE(got.found == best.found);
             if (!best.found) continue;
             ++found;
-            REQUIRE((got.prim == closest.prim && got.t == closest.t && got.u == closest.u && got.v == closest.v));
+            REQUIRE(
+                (got.prim == closest.prim && got.t == closest.t && got.u == closest.u && got.v == closest.v));
         }
     REQUIRE(found > 500);
 }
 
 TEST_CASE("a triangle without area keeps a seam of the sheared test shut", "[primitive]") {
-    // A seam from p to q with a triangle on one side, two on the other, and a flat one between them: no T-junction.
+    // A seam from p to q with a triangle on one side, two on the other, and a flat one between them: no
+    // T-junction.
     const Config config = with_test("sheared");
     Draw draw{12};
     int open = 0;
     for (int i = 0; i < 4000; ++i) {
         const Vec3i p{draw.between(-30000, -10000), draw.between(-9000, 9000), 2 * draw.between(-5000, 5000)};
-        const Vec3i t{p[0] + draw.between(5000, 15000), p[1] + draw.between(-3000, 3000), p[2] + draw.between(-4000, 4000)};
-        const Vec3i q{2 * t[0] - p[0], 2 * t[1] - p[1], 2 * t[2] - p[2]}, left{draw.between(-9000, 9000), 60000, 0}, right{draw.between(-9000, 9000), -60000, 0};
+        const Vec3i t{p[0] + draw.between(5000, 15000), p[1] + draw.between(-3000, 3000),
+                      p[2] + draw.between(-4000, 4000)};
+        const Vec3i q{2 * t[0] - p[0], 2 * t[1] - p[1], 2 * t[2] - p[2]},
+            left{draw.between(-9000, 9000), 60000, 0}, right{draw.between(-9000, 9000), -60000, 0};
         const std::vector<PrimData> all{{p, q, left, 0}, {p, right, t, 1}, {t, right, q, 2}, {p, t, q, 3}};
         const double along = 0.05 + draw.below(900) / 1000.0;
-        const std::array<double, 3> target{p[0] + along * (q[0] - p[0]), p[1] + along * (q[1] - p[1]), p[2] + along * (q[2] - p[2])};
-        const Vec3i o{draw.between(-40000, 40000), draw.between(-40000, 40000), 120000}, d = towards(o, target, config.dir_bits);
+        const std::array<double, 3> target{p[0] + along * (q[0] - p[0]), p[1] + along * (q[1] - p[1]),
+                                           p[2] + along * (q[2] - p[2])};
+        const Vec3i o{draw.between(-40000, 40000), draw.between(-40000, 40000), 120000},
+            d = towards(o, target, config.dir_bits);
         CAPTURE(i);
         REQUIRE(crossings(config, all, o, d) % 2 == 1);
         open += crossings(config, {all.begin(), all.end() - 1}, o, d) % 2 == 0;
@@ -233,7 +257,9 @@ TEST_CASE("a triangle without area keeps a seam of the sheared test shut", "[pri
     scene.name = "seam";
     scene.materials.emplace_back();
     scene.vertices = {{-2, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 0}};
-    for (const std::array<std::uint32_t, 3>& v : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 3, 4}, {4, 3, 1}, {0, 4, 1}, {0, 0, 1}}) scene.triangles.push_back({v, 0});
+    for (const std::array<std::uint32_t, 3>& v :
+         {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 3, 4}, {4, 3, 1}, {0, 4, 1}, {0, 0, 1}})
+        scene.triangles.push_back({v, 0});
     for (const char* name : {"exact", "sheared"}) {
         const MemoryImage image = compile_scene(scene, {0, 0, 4}, with_test(name));
         REQUIRE(check_image(image, with_test(name), &scene).empty());

@@ -17,7 +17,8 @@ Frame frame_of(unsigned seed, const Config& config, int n, bool jitter) {
     Lattice lattice;
     lattice.pitch = {0.01, 0.02, 0.015};
     const int side = 1 << draw.between(1, 12);
-    Frame frame = make_frame(camera, seed % 5 == 0 ? FrameSize{1, 1} : FrameSize{side + draw.below(3), side}, lattice, config);
+    Frame frame = make_frame(camera, seed % 5 == 0 ? FrameSize{1, 1} : FrameSize{side + draw.below(3), side},
+                             lattice, config);
     frame.eye = draw.vector(config.coord_bits);
     frame.shade.side = std::uint32_t(n);
     frame.shade.stride = sample_stride(n);
@@ -58,10 +59,12 @@ std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame,
     std::array<oracle::Rational, 2> at{oracle::Rational(spawn.x), oracle::Rational(spawn.y)};
     if (!config.supersampling) return at;
     const std::uint64_t cell = std::uint64_t(spawn.sample) * s.stride % (s.side * s.side);
-    const std::uint64_t random = jenkins(s.seed, {spawn.x, spawn.y, spawn.sample}), cells[] = {cell % s.side, cell / s.side};
+    const std::uint64_t random = jenkins(s.seed, {spawn.x, spawn.y, spawn.sample}),
+                        cells[] = {cell % s.side, cell / s.side};
     for (std::size_t k = 0; k < 2; ++k) {
         const std::uint64_t place = s.jitter ? random >> 8 * k & 255 : 128;
-        const oracle::Rational exact = (oracle::Rational(cells[k]) + oracle::Rational(place, 256)) / s.side;   // in the pixel, from its corner
+        const oracle::Rational exact = (oracle::Rational(cells[k]) + oracle::Rational(place, 256)) /
+                                       s.side;   // in the pixel, from its corner
         at[k] += oracle::Rational(oracle::floor(exact * 256), 256) - oracle::Rational(1, 2);
     }
     return at;
@@ -75,7 +78,8 @@ void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config&
     const auto at = place_of(spawn, frame, config);
     std::array<oracle::Rational, 3> sum;
     for (std::size_t k = 0; k < 3; ++k)
-        sum[k] = (frame.corner[k] + at[0] * frame.right[k] + at[1] * frame.down[k]) / oracle::power_of_two(guard_bits);
+        sum[k] = (frame.corner[k] + at[0] * frame.right[k] + at[1] * frame.down[k]) /
+                 oracle::power_of_two(guard_bits);
     const std::array<oracle::Int, 3> direction = oracle::filled(sum, config.dir_bits, most_shift);
     if (camera) REQUIRE(oracle::longest(direction) >= oracle::Int(1) << (config.dir_bits - 2));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -88,21 +92,27 @@ void judge(const Spawn& spawn, const Ray& ray, const Frame& frame, const Config&
         REQUIRE(ray.d[k] == d);
         REQUIRE(ray.o[k] == o);
         REQUIRE(oracle::digits(d) <= config.ray_dir_bits());
-        if (camera) REQUIRE((-d <= oracle::Int(1) << (config.dir_bits - 1) && d < oracle::Int(1) << (config.dir_bits - 1)));
+        if (camera)
+            REQUIRE((-d <= oracle::Int(1) << (config.dir_bits - 1) && d < oracle::Int(1)
+                                                                              << (config.dir_bits - 1)));
         if (d == 0) {
             REQUIRE((ray.recip[k] == 1 && ray.len[k] == 0));
             continue;
         }
         // As long as a shadow ray's: 2^(N + B) stands for what 2^(M - 1) is to the others.
-        REQUIRE(int(ray.len[k]) == oracle::digits(d) + (shadow ? 0 : config.coord_bits + config.origin_bits + 1 - config.dir_bits));
+        REQUIRE(int(ray.len[k]) ==
+                oracle::digits(d) +
+                    (shadow ? 0 : config.coord_bits + config.origin_bits + 1 - config.dir_bits));
         const oracle::Rational exact = oracle::scaled_reciprocal(d, config.recip_bits);
         REQUIRE((ray.recip[k] <= exact && exact < oracle::Int(ray.recip[k]) + 1));
     }
 }
 
 /// Rays of shade and new pixels, each in order; a new pixel is the first sample's camera ray.
-template <class Dut> void make_rays(const Config& config, const Frame& frame, unsigned seed, const Flow& flow, int count) {
-    INFO(config.name << ", " << flow.name << ", seed " << seed << ", " << frame.shade.side << " samples a side");
+template <class Dut>
+void make_rays(const Config& config, const Frame& frame, unsigned seed, const Flow& flow, int count) {
+    INFO(config.name << ", " << flow.name << ", seed " << seed << ", " << frame.shade.side
+                     << " samples a side");
     Dut dut{frame, config, int(seed)};
     Draw draw{seed};
     Steady<Ray> steady{config};
@@ -110,7 +120,8 @@ template <class Dut> void make_rays(const Config& config, const Frame& frame, un
     int made = 0, pixels = 0;
     for (int cycle = 0; made < count; ++cycle) {
         REQUIRE(cycle < 20 * count + 1000);
-        if (!dut.spawn.offer && draw.percent(70) && !draw.percent(flow.idle_percent)) dut.spawn.offer = random_spawn(draw, frame, config);
+        if (!dut.spawn.offer && draw.percent(70) && !draw.percent(flow.idle_percent))
+            dut.spawn.offer = random_spawn(draw, frame, config);
         if (!dut.slot.offer && draw.percent(40)) {
             const Spawn pixel = random_spawn(draw, frame, config);
             dut.slot.offer = Slot{pixel.ray, pixel.x, pixel.y};
@@ -143,14 +154,16 @@ template <class Dut> void make_rays(const Config& config, const Frame& frame, un
 void same_moves(const Config& config) {
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) {
-            const Frame frame = frame_of(seed, config, config.supersampling ? int(seed % 8) + 1 : 1, seed % 2 == 0);
+            const Frame frame =
+                frame_of(seed, config, config.supersampling ? int(seed % 8) + 1 : 1, seed % 2 == 0);
             RaygenModel model{frame, config};
             RaygenRtl rtl{frame, config, int(seed)};
             Draw draw{seed};
             int made = 0;
             for (int cycle = 0; cycle < 1500; ++cycle) {
                 INFO(config.name << ", " << flow.name << ", seed " << seed << ", cycle " << cycle);
-                if (!model.spawn.offer && draw.coin() && !draw.percent(flow.idle_percent)) model.spawn.offer = random_spawn(draw, frame, config);
+                if (!model.spawn.offer && draw.coin() && !draw.percent(flow.idle_percent))
+                    model.spawn.offer = random_spawn(draw, frame, config);
                 if (!model.slot.offer && draw.coin()) {
                     const Spawn pixel = random_spawn(draw, frame, config);
                     model.slot.offer = Slot{pixel.ray, pixel.x, pixel.y};
@@ -174,32 +187,39 @@ void same_moves(const Config& config) {
 }
 
 template <class Dut> void rays_of_every_kind(const Config& config) {
-    for (unsigned seed = 1; seed <= 5; ++seed) make_rays<Dut>(config, frame_of(seed, config, 1, false), seed, flows[seed % 4], 400);
+    for (unsigned seed = 1; seed <= 5; ++seed)
+        make_rays<Dut>(config, frame_of(seed, config, 1, false), seed, flows[seed % 4], 400);
 }
 
 template <class Dut> void every_sample(const Config& config) {
     for (int n = 1; n <= most_aa; ++n)
         for (const bool jitter : {false, true})
-            make_rays<Dut>(config, frame_of(unsigned(n), config, n, jitter), unsigned(2 * n + jitter), flows[std::size_t(n % 4)], 300);
+            make_rays<Dut>(config, frame_of(unsigned(n), config, n, jitter), unsigned(2 * n + jitter),
+                           flows[std::size_t(n % 4)], 300);
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("raygen makes rays of every kind with a bracket of the reciprocal", "[raygen][shading]", RaygenModel, RaygenRtl) {
+TEMPLATE_TEST_CASE("raygen makes rays of every kind with a bracket of the reciprocal", "[raygen][shading]",
+                   RaygenModel, RaygenRtl) {
     rays_of_every_kind<TestType>(format(GENERATE("shading:default", "shading:narrow")));
 }
-TEMPLATE_TEST_CASE("raygen makes rays of every kind, other formats", "[raygen][shading][slow]", RaygenModel, RaygenRtl) {
+TEMPLATE_TEST_CASE("raygen makes rays of every kind, other formats", "[raygen][shading][slow]", RaygenModel,
+                   RaygenRtl) {
     rays_of_every_kind<TestType>(format(GENERATE("shading:small", "shading:wide")));
 }
 
-TEMPLATE_TEST_CASE("raygen sends camera rays through every sample of a pixel", "[raygen][shading]", RaygenModel, RaygenRtl) {
+TEMPLATE_TEST_CASE("raygen sends camera rays through every sample of a pixel", "[raygen][shading]",
+                   RaygenModel, RaygenRtl) {
     every_sample<TestType>(format("samples:default"));
 }
-TEMPLATE_TEST_CASE("raygen sends camera rays through every sample, other formats", "[raygen][shading][slow]", RaygenModel, RaygenRtl) {
+TEMPLATE_TEST_CASE("raygen sends camera rays through every sample, other formats", "[raygen][shading][slow]",
+                   RaygenModel, RaygenRtl) {
     every_sample<TestType>(format(GENERATE("samples:small", "samples:wide")));
 }
 
-TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in every cycle", "[raygen][shading]", RaygenModel, RaygenRtl) {
+TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in every cycle", "[raygen][shading]",
+                   RaygenModel, RaygenRtl) {
     Config config = format(GENERATE("shading:default", "samples:default"));
     if (config.supersampling) config.raygen_queue = 32;   // more than its latency
     const Frame frame = frame_of(3, config, config.supersampling ? 4 : 1, true);
@@ -235,11 +255,13 @@ TEMPLATE_TEST_CASE("raygen takes shade's ray before a new pixel, and one in ever
     REQUIRE(dut.spawn.fires());
 }
 
-TEST_CASE("model and rtl of raygen make the same moves in every cycle with rays of shade", "[raygen][lockstep][shading]") {
+TEST_CASE("model and rtl of raygen make the same moves in every cycle with rays of shade",
+          "[raygen][lockstep][shading]") {
     same_moves(format(GENERATE("shading:default", "samples:default")));
 }
 
-TEST_CASE("model and rtl of raygen make the same moves with rays of shade, other formats", "[raygen][lockstep][shading][slow]") {
+TEST_CASE("model and rtl of raygen make the same moves with rays of shade, other formats",
+          "[raygen][lockstep][shading][slow]") {
     same_moves(format(GENERATE("shading:wide", "samples:narrow")));
 }
 
@@ -250,7 +272,9 @@ TEST_CASE("a reciprocal brackets the exact one for the longest directions", "[ra
     for (int i = 0; i < 30000; ++i) {
         // Near the top, and near quotients that are whole: |d| = 2^54 / q.
         std::int32_t d = i % 3 == 0 ? (1 << 30) - 1 - i : std::int32_t(draw.number(31));
-        if (i % 3 == 1) d = std::int32_t((std::int64_t(1) << 53) / (std::int64_t(1 << 23) + draw.below(1 << 23))) + draw.between(-1, 1);
+        if (i % 3 == 1)
+            d = std::int32_t((std::int64_t(1) << 53) / (std::int64_t(1 << 23) + draw.below(1 << 23))) +
+                draw.between(-1, 1);
         if (d == 0) continue;
         const Recip r = reciprocal(d, config);
         const oracle::Rational exact = oracle::scaled_reciprocal(d, config.recip_bits);
@@ -261,14 +285,16 @@ TEST_CASE("a reciprocal brackets the exact one for the longest directions", "[ra
 }
 
 TEST_CASE("without samples a pixel's ray is what it is without shading", "[raygen][shading]") {
-    const Config plain = format("default"), config = format("shading:default"), samples = format("samples:default");
+    const Config plain = format("default"), config = format("shading:default"),
+                 samples = format("samples:default");
     for (unsigned seed = 1; seed <= 8; ++seed) {
         const Frame frame = frame_of(seed, plain, 1, false);
         Draw draw{seed};
         for (int i = 0; i < 500; ++i) {
             const Spawn spawn = random_spawn(draw, frame, plain);
             const Slot slot{spawn.ray, spawn.x, spawn.y};
-            const Ray before = raygen(slot, frame, plain), now = raygen(slot, frame, config), sample = raygen(slot, frame, samples);
+            const Ray before = raygen(slot, frame, plain), now = raygen(slot, frame, config),
+                      sample = raygen(slot, frame, samples);
             REQUIRE((now.d == before.d && sample.d == before.d));
             REQUIRE((now.recip == before.recip && sample.recip == before.recip));
             REQUIRE((now.o == ray_origin(before.o, config) && same(now, sample, samples)));

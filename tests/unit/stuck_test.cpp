@@ -24,8 +24,10 @@ struct Alone {
     std::uint64_t now = 0;
 
     explicit Alone(const Values& values)
-        : job(small_job("tetra:3", {16, 12}, shaped(format("small"), values))), frame(record_frame(job, job.frame)),
-          pipeline(job.config, shut, 0), dispatch(job.config) {
+        : job(small_job("tetra:3", {16, 12}, shaped(format("small"), values))),
+          frame(record_frame(job, job.frame)),
+          pipeline(job.config, shut, 0),
+          dispatch(job.config) {
         pipeline.start(frame.frame, frame.trace);
         dispatch.start(frame.frame);
     }
@@ -51,7 +53,8 @@ struct Alone {
     /// How many rays are where.
     std::map<std::string, int> places() const {
         std::map<std::string, int> counts;
-        for (std::uint32_t ray = 0; ray < std::uint32_t(job.config.contexts); ++ray) ++counts[pipeline.where(ray)];
+        for (std::uint32_t ray = 0; ray < std::uint32_t(job.config.contexts); ++ray)
+            ++counts[pipeline.where(ray)];
         return counts;
     }
 };
@@ -62,7 +65,7 @@ int lines_with(const std::string& text, const std::string& part) {
     return count;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("rays whose hit nobody takes wait for that", "[machine][stuck]") {
     Alone alone({{"contexts", 16}});
@@ -72,7 +75,8 @@ TEST_CASE("rays whose hit nobody takes wait for that", "[machine][stuck]") {
     REQUIRE(alone.places() == std::map<std::string, int>{{"trav: done, waits for its hit to be taken", 16}});
 }
 
-TEST_CASE("rays whose node never comes are with the node cache, and those behind them where they stand", "[machine][stuck]") {
+TEST_CASE("rays whose node never comes are with the node cache, and those behind them where they stand",
+          "[machine][stuck]") {
     Alone alone({{"contexts", 64}, {"raygen_queue", 4}});
     alone.run(5000, false, true);
     int known = 0, cached = 0;
@@ -92,7 +96,8 @@ TEST_CASE("rays whose triangle never comes are with the primitive cache or done"
     int cached = 0;
     for (const auto& [place, count] : alone.places()) {
         INFO(count << " rays: " << place);
-        CHECK((place.starts_with("prim_cache: ") || place == "trav: done, waits for its hit to be taken" || place.starts_with("list: waits for the link to prim_cache")));
+        CHECK((place.starts_with("prim_cache: ") || place == "trav: done, waits for its hit to be taken" ||
+               place.starts_with("list: waits for the link to prim_cache")));
         cached += place.starts_with("prim_cache: ") ? count : 0;
     }
     REQUIRE(cached > 0);
@@ -115,7 +120,8 @@ TEST_CASE("at any time every ray under way is somewhere", "[machine][stuck]") {
         INFO("cycle " << machine.cycle() << "\n" << text);
         if (lines_with(text, "nowhere") > 0) FAIL("a ray is nowhere");
         for (int p = 0; p < 2; ++p)
-            if (lines_with(text, "pipeline " + std::to_string(p) + " ray") != under_way[std::size_t(p)]) FAIL(under_way[std::size_t(p)] << " rays in " << p);
+            if (lines_with(text, "pipeline " + std::to_string(p) + " ray") != under_way[std::size_t(p)])
+                FAIL(under_way[std::size_t(p)] << " rays in " << p);
     }
     REQUIRE_THAT(where_rays_are(machine), Contains("no ray is under way"));
 }
@@ -163,7 +169,9 @@ TEST_CASE("a memory that takes tens of thousands of cycles to answer is no stand
         const std::uint64_t asked = dram.now();
         const Dram::Answer request{0, i * 4099};
         dram.clock(&request);
-        while (!dram.valid()) dram.quiet_until() > dram.now() + 1 ? dram.skip(dram.quiet_until() - dram.now() - 1) : dram.clock(nullptr);
+        while (!dram.valid())
+            dram.quiet_until() > dram.now() + 1 ? dram.skip(dram.quiet_until() - dram.now() - 1)
+                                                : dram.clock(nullptr);
         longest = std::max(longest, dram.now() - asked);
     }
     CHECK(longest <= pause);

@@ -1,5 +1,6 @@
-// "A ray of less weight than the threshold is not traced", for weights and thresholds as they were written: decimal numbers whose
-// products are compared in whole hundredths and ten thousandths, which the chip rounds to binary fractions.
+// "A ray of less weight than the threshold is not traced", for weights and thresholds as they were written:
+// decimal numbers whose products are compared in whole hundredths and ten thousandths, which the chip rounds
+// to binary fractions.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -15,7 +16,8 @@ namespace {
 
 enum class Way { reflected, refracted, total };
 
-/// A scene of one triangle whose material has these weights, in hundredths; as much of it as a pass must know.
+/// A scene of one triangle whose material has these weights, in hundredths; as much of it as a pass must
+/// know.
 struct Chip {
     Scene scene;
     Config config;
@@ -41,18 +43,21 @@ struct Chip {
     }
 };
 
-/// A ray of that weight has met a surface under a right angle; its `way` weighs `weight`, and is traced if `sent`.
+/// A ray of that weight has met a surface under a right angle; its `way` weighs `weight`, and is traced if
+/// `sent`.
 struct Bounced {
     std::uint32_t weight = 0;
     bool sent = false;
 };
-Bounced bounced(const Chip& chip, const Frame& frame, const Surface& s, std::uint32_t weight, std::uint32_t depth, Way way) {
+Bounced bounced(const Chip& chip, const Frame& frame, const Surface& s, std::uint32_t weight,
+                std::uint32_t depth, Way way) {
     PassIn in;
     ShadeState& state = in.state;
     state = fresh_state(0, 0);
     state.event = std::uint32_t(way == Way::refracted ? ShadeEvent::refract : ShadeEvent::reflect);
     state.weight = weight, state.depth = depth;
-    state.mirror = s.mirror, state.transmit = s.transmit, state.ratio = s.enter, state.total = way == Way::total;
+    state.mirror = s.mirror, state.transmit = s.transmit, state.ratio = s.enter,
+    state.total = way == Way::total;
     state.n = {0, 0, 1000}, state.normal = state.view = {0, 0, 1 << unit_bits}, state.cosine = 1 << unit_bits;
     const PassOut out = pass(in, frame, chip.config);
     if (way == Way::refracted) return {refract(chip.config, state).weight, out.push};
@@ -67,9 +72,10 @@ Surface surface_for(Chip& chip, int weight, Way way) {
 
 constexpr std::uint32_t one = 1 << unit_bits;
 
-} // namespace
+}   // namespace
 
-TEST_CASE("a weight that is the threshold is traced, as written, and one that is a hundredth less is not", "[threshold]") {
+TEST_CASE("a weight that is the threshold is traced, as written, and one that is a hundredth less is not",
+          "[threshold]") {
     const Way way = GENERATE(Way::reflected, Way::refracted, Way::total);
     Chip chip;
     for (int threshold = 0; threshold <= 100; ++threshold) {
@@ -84,25 +90,31 @@ TEST_CASE("a weight that is the threshold is traced, as written, and one that is
 }
 
 TEST_CASE("products of two weights are compared with the threshold as written", "[threshold]") {
-    const Way first = GENERATE(Way::reflected, Way::refracted, Way::total), second = GENERATE(Way::reflected, Way::refracted, Way::total);
+    const Way first = GENERATE(Way::reflected, Way::refracted, Way::total),
+              second = GENERATE(Way::reflected, Way::refracted, Way::total);
     Chip chip;
     std::vector<Frame> frames;
     for (int threshold = 0; threshold <= 100; ++threshold) frames.push_back(chip.frame(threshold / 100.0));
     for (int a = 1; a <= 100; ++a)
         for (int b = 1; b <= 100; ++b) {
-            const std::uint32_t weight = bounced(chip, frames[0], surface_for(chip, a, first), one, 0, first).weight;
+            const std::uint32_t weight =
+                bounced(chip, frames[0], surface_for(chip, a, first), one, 0, first).weight;
             const Surface surface = surface_for(chip, b, second);
             // Thresholds around the product, of which that of the hundredth below and at it are the ties.
-            for (int threshold = std::max(0, a * b / 100 - 1); threshold <= std::min(100, a * b / 100 + 2); ++threshold) {
+            for (int threshold = std::max(0, a * b / 100 - 1); threshold <= std::min(100, a * b / 100 + 2);
+                 ++threshold) {
                 CAPTURE(int(first), int(second), threshold, a, b);
-                const bool sent = bounced(chip, frames[std::size_t(threshold)], surface, weight, 1, second).sent;
+                const bool sent =
+                    bounced(chip, frames[std::size_t(threshold)], surface, weight, 1, second).sent;
                 REQUIRE(sent == (a * b >= 100 * threshold));
-                REQUIRE(weighs_enough(a / 100.0 * (b / 100.0), threshold / 100.0) == (a * b >= 100 * threshold));
+                REQUIRE(weighs_enough(a / 100.0 * (b / 100.0), threshold / 100.0) ==
+                        (a * b >= 100 * threshold));
             }
         }
 }
 
-TEST_CASE("no product of weights loses its tie in fifteen bounces, and none far below passes", "[threshold]") {
+TEST_CASE("no product of weights loses its tie in fifteen bounces, and none far below passes",
+          "[threshold]") {
     Chip chip;
     const Way ways[] = {Way::reflected, Way::refracted, Way::total};
     for (int mirror = 30; mirror <= 100; ++mirror)
@@ -116,7 +128,8 @@ TEST_CASE("no product of weights loses its tie in fifteen bounces, and none far 
                 const double tie = double(written), margin = (3 * bounce + 0.5) / one;
                 CAPTURE(mirror, start, bounce, tie);
                 REQUIRE(bounced(chip, chip.frame(tie), surface, weight, bounce - 1, way).sent);
-                const Bounced far = bounced(chip, chip.frame(std::min(1.0, tie + margin)), surface, weight, bounce - 1, way);
+                const Bounced far =
+                    bounced(chip, chip.frame(std::min(1.0, tie + margin)), surface, weight, bounce - 1, way);
                 REQUIRE((!far.sent || tie + margin > 1));
                 weight = far.weight;
             }

@@ -1,5 +1,5 @@
-// Traces are made by lean forms of the units, for speed: each must say exactly what the unit's public form says, and the
-// recorder as a whole what the walk says.
+// Traces are made by lean forms of the units, for speed: each must say exactly what the unit's public form
+// says, and the recorder as a whole what the walk says.
 #include "model/isect/facet.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/trace/record.hpp"
@@ -27,19 +27,27 @@ Config with(std::initializer_list<std::pair<const char*, int>> values) {
     return config;
 }
 std::vector<Config> corner_configs() {
-    return {with({}), named_config("small"), with({{"coord_bits", 12}, {"dir_bits", 12}}),
-            with({{"coord_bits", 20}, {"dir_bits", 22}}), with({{"coord_bits", 19}, {"dir_bits", 24}}),
-            with({{"dir_bits", 24}, {"recip_bits", 24}}), with({{"recip_bits", 8}}),
-            with({{"coord_bits", 20}, {"t_frac_bits", 8}, {"recip_bits", 24}}), with({{"t_frac_bits", 0}, {"bary_bits", 24}}),
-            with({{"bary_bits", 4}, {"box_bits", 4}}), with({{"box_bits", 5}, {"node_width", 4}, {"stack_depth", 64}}),
-            with({{"box_bits", 7}, {"leaf_size", 6}}), with({{"node_width", 2}, {"stack_depth", 64}}),
+    return {with({}),
+            named_config("small"),
+            with({{"coord_bits", 12}, {"dir_bits", 12}}),
+            with({{"coord_bits", 20}, {"dir_bits", 22}}),
+            with({{"coord_bits", 19}, {"dir_bits", 24}}),
+            with({{"dir_bits", 24}, {"recip_bits", 24}}),
+            with({{"recip_bits", 8}}),
+            with({{"coord_bits", 20}, {"t_frac_bits", 8}, {"recip_bits", 24}}),
+            with({{"t_frac_bits", 0}, {"bary_bits", 24}}),
+            with({{"bary_bits", 4}, {"box_bits", 4}}),
+            with({{"box_bits", 5}, {"node_width", 4}, {"stack_depth", 64}}),
+            with({{"box_bits", 7}, {"leaf_size", 6}}),
+            with({{"node_width", 2}, {"stack_depth", 64}}),
             with({{"node_width", 4}, {"stack_depth", 64}, {"leaf_size", 3}})};
 }
 
 /// The same, and each primitive test.
 std::vector<Config> configs_of_traces() {
     std::vector<Config> all = corner_configs();
-    for (int test = 1; test < int(primitive_test_names().size()); ++test) all.push_back(with({{"primitive_test", test}}));
+    for (int test = 1; test < int(primitive_test_names().size()); ++test)
+        all.push_back(with({{"primitive_test", test}}));
     all.push_back(with({{"primitive_test", 1}, {"coord_bits", 12}, {"dir_bits", 14}, {"leaf_size", 6}}));
     return all;
 }
@@ -57,7 +65,7 @@ std::vector<std::uint32_t> walked(Walk& walk, const Slot& slot) {
     return words;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a node read straight from its line is the node unpacked", "[trace]") {
     for (const Config& config : corner_configs()) {
@@ -68,9 +76,11 @@ TEST_CASE("a node read straight from its line is the node unpacked", "[trace]") 
             if (draw.coin())
                 for (auto& e : node.exp) e = std::uint32_t(draw.natural(exp_bits));
             Words line = pack(node, config);
-            for (std::size_t k = std::size_t(bits_of<Node>(config)); k < line_bits; ++k)   // what lies above does not matter
+            for (std::size_t k = std::size_t(bits_of<Node>(config)); k < line_bits;
+                 ++k)   // what lies above does not matter
                 if (line.size() <= k / 32) line.push_back(std::uint32_t(draw.bits(32)));
-            REQUIRE(same_node(read(line.data()), widen(unpack<Node>(line.data(), config), config.node_width)));
+            REQUIRE(
+                same_node(read(line.data()), widen(unpack<Node>(line.data(), config), config.node_width)));
         }
     }
 }
@@ -153,8 +163,10 @@ TEST_CASE("a triangle seen from a point is the triangle", "[trace]") {
             const Facet facet = make_facet(req.triangle, req.o);
             const FacetHit hit = test_facet(facet, req.d);
             REQUIRE(facet.prim == req.triangle.prim);
-            if (hit.on_edge()) ++edges;
-            else REQUIRE((rsp.closer != 0) == (hit.ahead() && hit.num != 0));
+            if (hit.on_edge())
+                ++edges;
+            else
+                REQUIRE((rsp.closer != 0) == (hit.ahead() && hit.num != 0));
             if (!rsp.closer) continue;
             ++ahead;
             const std::int64_t sign = hit.det < 0 ? -1 : 1;
@@ -188,7 +200,8 @@ TEST_CASE("a trace is what the walk walks, with the processor's wider vectors an
         const std::uint32_t side = RecordBlock::side;
         for (std::uint32_t y0 = 0; y0 < frame.height; y0 += side)
             for (std::uint32_t x0 = 0; x0 < frame.width; x0 += side) {
-                const RecordBlock block{x0, y0, std::min(x0 + side, frame.width), std::min(y0 + side, frame.height)};
+                const RecordBlock block{x0, y0, std::min(x0 + side, frame.width),
+                                        std::min(y0 + side, frame.height)};
                 record_block_plain(job, block, scratch, hits.data(), totals);
                 std::size_t n = 0;
                 for (std::uint32_t y = y0; y < block.y1; ++y)
@@ -197,7 +210,8 @@ TEST_CASE("a trace is what the walk walks, with the processor's wider vectors an
                         const auto expected = walked(walk, {0, x, y});
                         CAPTURE(config.node_width, config.leaf_size, config.primitive_test, x, y);
                         REQUIRE(std::equal(expected.begin(), expected.end(), trace.rays[pixel]));
-                        REQUIRE(std::equal(expected.begin(), expected.end(), &scratch.words[scratch.starts[n]]));
+                        REQUIRE(
+                            std::equal(expected.begin(), expected.end(), &scratch.words[scratch.starts[n]]));
                         REQUIRE(same(trace.hits[pixel], walk.closest(), config));
                         REQUIRE(same(hits[pixel], walk.closest(), config));
                     }

@@ -1,4 +1,5 @@
-// Traces of a chip that shades are made by a lean form of the walk: it must say what Walk and Shader say, ray by ray.
+// Traces of a chip that shades are made by a lean form of the walk: it must say what Walk and Shader say, ray
+// by ray.
 #include <catch2/catch.hpp>
 
 #include "model/raygen/raygen.hpp"
@@ -22,7 +23,8 @@ Closest walked(Walk& walk, const Ray& ray, std::vector<std::uint32_t>& words) {
 }
 
 bool same(const Closest& a, const Closest& b) {
-    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v && a.back == b.back;
+    return a.found == b.found && a.prim == b.prim && a.t == b.t && a.u == b.u && a.v == b.v &&
+           a.back == b.back;
 }
 
 struct Picture {
@@ -30,7 +32,8 @@ struct Picture {
     MemoryImage image;
     Frame frame;
 };
-Picture picture_of(const char* scene_name, const Whitted& settings, std::initializer_list<std::pair<const char*, const char*>> values) {
+Picture picture_of(const char* scene_name, const Whitted& settings,
+                   std::initializer_list<std::pair<const char*, const char*>> values) {
     const Scene scene = make_builtin(scene_name, Primitives::native);
     Config config = fitted_config(scene, settings, named_config("default"));
     for (const auto& [key, value] : values) set_parameter(config, key, value, "test");
@@ -62,13 +65,16 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
                 std::vector<std::uint32_t> words;
                 const Closest hit = walked(walk, ray, words);
                 Closest recorded;
-                const std::size_t end = record(decoder, p.config, p.frame.root, ray, 0, scratch, totals, recorded);
+                const std::size_t end =
+                    record(decoder, p.config, p.frame.root, ray, 0, scratch, totals, recorded);
                 INFO("pixel " << x << " " << y << ", ray of kind " << ray.kind);
-                REQUIRE(std::vector<std::uint32_t>(scratch.words.begin(), scratch.words.begin() + std::ptrdiff_t(end)) == words);
+                REQUIRE(std::vector<std::uint32_t>(scratch.words.begin(),
+                                                   scratch.words.begin() + std::ptrdiff_t(end)) == words);
                 REQUIRE(same(recorded, hit));
                 pixel.insert(pixel.end(), words.begin(), words.end());
                 shader.arrived(hit);
-                const std::uint32_t line = shader.wants_surface() ? shader.surface_line() | Trace::surface_flag : 0;
+                const std::uint32_t line =
+                    shader.wants_surface() ? shader.surface_line() | Trace::surface_flag : 0;
                 const int passes = shader.run();
                 pixel.push_back(line | (shader.is_finished() ? Trace::pixel_flag : 0));
                 pixel.push_back(std::uint32_t(passes));
@@ -79,12 +85,13 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
             REQUIRE(trace.colours[at] == shader.pixel().colour);
             REQUIRE(same(trace.hits[at], shader.pixel().first));
         }
-    REQUIRE((trace.counts == shader.counts() && trace.visits == totals.visits && trace.triangle_tests == totals.triangle_tests));
+    REQUIRE((trace.counts == shader.counts() && trace.visits == totals.visits &&
+             trace.triangle_tests == totals.triangle_tests));
     REQUIRE((trace.box_tests == totals.box_tests && trace.turns == totals.turns));
     CHECK(kinds[0] > 0);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("all rays of a chip that shades are recorded as they are walked", "[trace][shading]") {
     const Whitted deep{.depth = 6}, fine{.depth = 2, .aa = 3, .jitter = true, .contrast = 0.1};
@@ -98,6 +105,7 @@ TEST_CASE("all rays of a chip that shades are recorded as they are walked", "[tr
     };
     for (const Picture& p : pictures) {
         const Trace trace = record_trace(p.image, p.frame, p.config, 2);
-        for (RecordRayFunction* record : {record_any(), static_cast<RecordRayFunction*>(record_any_plain)}) require_recorded_as_walked(p, record, trace);
+        for (RecordRayFunction* record : {record_any(), static_cast<RecordRayFunction*>(record_any_plain)})
+            require_recorded_as_walked(p, record, trace);
     }
 }

@@ -1,4 +1,5 @@
-// Traces: what rays do is recorded the same by any number of threads, and holds for every machine of the format.
+// Traces: what rays do is recorded the same by any number of threads, and holds for every machine of the
+// format.
 #include <catch2/catch.hpp>
 
 #include "model/accel/memory_image.hpp"
@@ -35,10 +36,12 @@ RayTrace read_ray(const std::uint32_t* at) {
 void require_same(const Trace& a, const Trace& b, const Config& config) {
     REQUIRE(a.rays.size() == b.rays.size());
     for (std::size_t i = 0; i < a.rays.size(); ++i) {
-        if (read_ray(a.rays[i]).words != read_ray(b.rays[i]).words) FAIL("pixel " << i << " does something else");
+        if (read_ray(a.rays[i]).words != read_ray(b.rays[i]).words)
+            FAIL("pixel " << i << " does something else");
         if (!same(a.hits[i], b.hits[i], config)) FAIL("pixel " << i << " hits something else");
     }
-    REQUIRE((a.visits == b.visits && a.box_tests == b.box_tests && a.triangle_tests == b.triangle_tests && a.turns == b.turns));
+    REQUIRE((a.visits == b.visits && a.box_tests == b.box_tests && a.triangle_tests == b.triangle_tests &&
+             a.turns == b.turns));
 }
 
 void require_same(const FrameTiming& a, const FrameTiming& b) {
@@ -48,7 +51,7 @@ void require_same(const FrameTiming& a, const FrameTiming& b) {
     REQUIRE(a.memory == b.memory);
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("a trace is the same whatever the number of threads", "[trace]") {
     const char* const scene = GENERATE("gears:2", "teapot:4");
@@ -56,7 +59,8 @@ TEST_CASE("a trace is the same whatever the number of threads", "[trace]") {
     const Job job = small_job(scene, size, format("default"));
     INFO(scene << " " << size.width << " x " << size.height);
     const Trace one = record_trace(job.image, job.frame, job.config, 1);
-    for (const int threads : {2, 4, 0}) require_same(one, record_trace(job.image, job.frame, job.config, threads), job.config);
+    for (const int threads : {2, 4, 0})
+        require_same(one, record_trace(job.image, job.frame, job.config, threads), job.config);
 }
 
 TEST_CASE("a trace's sums are those of its rays, and every ray begins at the root", "[trace]") {
@@ -91,7 +95,8 @@ TEST_CASE("a trace holds for machines of other shapes", "[trace]") {
         again.push_back(record_frame(own, own.frame));
         require_same(recorded[0].trace, again[0].trace, config);
         for (const Traffic& traffic : {Traffic{}, Traffic{7, 20, 5}})
-            require_same(replay(config, 100000, recorded, traffic)[0], replay(config, 100000, again, traffic)[0]);
+            require_same(replay(config, 100000, recorded, traffic)[0],
+                         replay(config, 100000, again, traffic)[0]);
         const FrameRun run = run_model(own);
         require_same(replay(config, own.khz, recorded)[0], run);
         REQUIRE(run.hits.hits == hits_of(job, recorded[0]).hits);
@@ -99,7 +104,9 @@ TEST_CASE("a trace holds for machines of other shapes", "[trace]") {
 }
 
 TEST_CASE("frames in sequence find the caches as the last one left them", "[trace]") {
-    const Job job = small_job("gears:1", {30, 20}, shaped(format("small"), {{"dram", GENERATE(0, 2)}, {"pipelines", GENERATE(1, 2)}}));
+    const Job job =
+        small_job("gears:1", {30, 20},
+                  shaped(format("small"), {{"dram", GENERATE(0, 2)}, {"pipelines", GENERATE(1, 2)}}));
     std::vector<FrameTrace> frames;
     for (int i = 0; i < 3; ++i) frames.push_back(record_frame(job, job.frame));
     const std::vector<FrameTiming> timings = replay(job.config, job.khz, frames);

@@ -62,7 +62,9 @@ void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles)
 /// One cycle with everything ready; returns what was on offer.
 template <class Dut> struct Hand {
     Dut dut;
-    explicit Hand(const Config& config) : dut{frame_at(9), config} { dut.node_req.ready = dut.done.ready = dut.box_req.ready = true; }
+    explicit Hand(const Config& config) : dut{frame_at(9), config} {
+        dut.node_req.ready = dut.done.ready = dut.box_req.ready = true;
+    }
     TravLinks cycle(std::optional<Step> step = {}, std::optional<Ray> ray = {}) {
         dut.step.offer = step;
         dut.ray.offer = ray;
@@ -88,7 +90,8 @@ Ray ray_of(std::uint32_t number) {
     return ray;
 }
 
-Step step_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<std::uint32_t> nears, std::uint32_t base = 100) {
+Step step_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<std::uint32_t> nears,
+             std::uint32_t base = 100) {
     Step step;
     step.ray = ray;
     step.t_best = t_best;
@@ -101,38 +104,40 @@ Step step_of(std::uint32_t ray, std::uint32_t t_best, std::initializer_list<std:
     return step;
 }
 
-} // namespace
+}   // namespace
 
 TEMPLATE_TEST_CASE("trav visits what can still matter, nearest first", "[trav]", TravModel, TravRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 3; ++seed) walk_rays<TestType>(format("default"), seed, flow, 300);
 }
 
-TEMPLATE_TEST_CASE("trav visits what can still matter with four children and a deep stack", "[trav][slow]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE("trav visits what can still matter with four children and a deep stack", "[trav][slow]",
+                   TravModel, TravRtl) {
     for (const Flow& flow : flows)
         for (unsigned seed = 1; seed <= 10; ++seed) walk_rays<TestType>(format("small"), seed, flow, 300);
 }
 
-TEMPLATE_TEST_CASE("trav's decisions take two cycles, and two more for each group it drops", "[trav]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE("trav's decisions take two cycles, and two more for each group it drops", "[trav]",
+                   TravModel, TravRtl) {
     Hand<TestType> hand{format("default")};
     REQUIRE(hand.cycle({}, ray_of(3)).ray.fires());
     TravLinks seen = hand.cycle();   // a new ray asks for the root in the next cycle
     REQUIRE(seen.node_req.offer);
     REQUIRE((seen.node_req.offer->ray == 3 && seen.node_req.offer->addr == 9));
 
-    REQUIRE(hand.wait(step_of(3, 1000, {10, 500}), seen) == 2);         // visit, and 500 on the stack
+    REQUIRE(hand.wait(step_of(3, 1000, {10, 500}), seen) == 2);   // visit, and 500 on the stack
     REQUIRE(seen.node_req.offer->addr == 100);
-    REQUIRE(hand.wait(step_of(3, 1000, {20, 400}, 200), seen) == 2);    // 400 above it
+    REQUIRE(hand.wait(step_of(3, 1000, {20, 400}, 200), seen) == 2);   // 400 above it
     REQUIRE(seen.node_req.offer->addr == 200);
-    REQUIRE(hand.wait(step_of(3, 1000, {30, 600}, 300), seen) == 2);    // 600 above that
+    REQUIRE(hand.wait(step_of(3, 1000, {30, 600}, 300), seen) == 2);   // 600 above that
     REQUIRE(seen.node_req.offer->addr == 300);
-    REQUIRE(hand.wait(step_of(3, 450, {}), seen) == 4);                 // 600 dropped by another turn, then 400
+    REQUIRE(hand.wait(step_of(3, 450, {}), seen) == 4);   // 600 dropped by another turn, then 400
     REQUIRE(seen.node_req.offer->addr == 201);
-    REQUIRE(hand.wait(step_of(3, 450, {}), seen) == 2);                 // only 500 is left: the end at once
+    REQUIRE(hand.wait(step_of(3, 450, {}), seen) == 2);   // only 500 is left: the end at once
     REQUIRE(seen.done.offer);
     REQUIRE_FALSE(seen.node_req.offer);
 
-    REQUIRE(hand.cycle({}, ray_of(3)).ray.fires());                     // the same context again, with an empty stack
+    REQUIRE(hand.cycle({}, ray_of(3)).ray.fires());   // the same context again, with an empty stack
     hand.cycle();
     REQUIRE(hand.wait(step_of(3, 450, {}), seen) == 2);
     REQUIRE(seen.done.offer);
@@ -148,9 +153,11 @@ TEMPLATE_TEST_CASE("trav ends a ray at once when nothing below can matter", "[tr
     REQUIRE(seen.done.offer);
 }
 
-TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its stack", "[trav][shading]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its stack", "[trav][shading]",
+                   TravModel, TravRtl) {
     for (const Flow& flow : flows)
-        for (unsigned seed = 1; seed <= 3; ++seed) REQUIRE(walk_rays<TestType>(format("shading:default"), seed, flow, 300) > 100);
+        for (unsigned seed = 1; seed <= 3; ++seed)
+            REQUIRE(walk_rays<TestType>(format("shading:default"), seed, flow, 300) > 100);
 
     Hand<TestType> hand{format("shading:default")};
     hand.cycle({}, ray_of(3));
@@ -169,7 +176,8 @@ TEMPLATE_TEST_CASE("trav ends a ray that is stopped, and leaves nothing on its s
 
 TEST_CASE("a stack that is stopped is empty", "[trav][shading]") {
     Stack stack{format("shading:default")};
-    for (int level = 0; level < 10; ++level) REQUIRE(stack.decide(step_of(3, 1000, {1, 500})).kind == Turn::Kind::visit);
+    for (int level = 0; level < 10; ++level)
+        REQUIRE(stack.decide(step_of(3, 1000, {1, 500})).kind == Turn::Kind::visit);
     REQUIRE(stack.height() == 10);
     Step stop = step_of(3, 1000, {2, 3});
     stop.stop = 1;
@@ -190,7 +198,8 @@ TEMPLATE_TEST_CASE("trav takes a child exactly as far as the best hit", "[trav]"
     REQUIRE(seen.done.offer);
 }
 
-TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a second turn", "[trav]", TravModel, TravRtl) {
+TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a second turn", "[trav]",
+                   TravModel, TravRtl) {
     const Config config = format("default");
     Hand<TestType> hand{config};
     for (std::uint32_t ray = 0; ray < 64; ++ray) REQUIRE(hand.cycle({}, ray_of(ray)).ray.fires());
@@ -202,8 +211,8 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
         visits += seen.node_req.fires();
     }
     REQUIRE(visits == 64 * 8 - 2);
-    hand.cycle(step_of(5, 895, {}));                              // 893 on top matters
-    hand.cycle(step_of(6, 892, {}));                              // top 893 does not, and nothing below: end
+    hand.cycle(step_of(5, 895, {}));   // 893 on top matters
+    hand.cycle(step_of(6, 892, {}));   // top 893 does not, and nothing below: end
     for (int i = 0; i < 3; ++i) REQUIRE(hand.cycle().step.ready);
     Hand<TestType> other{config};
     other.cycle({}, ray_of(5));
@@ -213,7 +222,7 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
     other.wait(step_of(5, 1000, {1, 600}), seen);
     REQUIRE(other.cycle(step_of(5, 500, {})).step.ready);
     REQUIRE(other.cycle().step.ready);
-    REQUIRE_FALSE(other.cycle(step_of(9, 0, {})).step.ready);     // the ray of 5 goes round
+    REQUIRE_FALSE(other.cycle(step_of(9, 0, {})).step.ready);   // the ray of 5 goes round
     REQUIRE(other.cycle().step.ready);
 }
 
@@ -223,7 +232,8 @@ TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lo
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
 
-TEST_CASE("model and rtl of trav make the same moves, four children, one context and many", "[trav][lockstep][slow]") {
+TEST_CASE("model and rtl of trav make the same moves, four children, one context and many",
+          "[trav][lockstep][slow]") {
     Config one = format("small"), many = one;
     one.name = "one context";
     one.contexts = 1;

@@ -1,5 +1,5 @@
-// tri: rays aimed exactly at what triangles share. Around a corner or along an edge of a closed surface exactly one triangle
-// takes the ray, whichever way each of them is wound.
+// tri: rays aimed exactly at what triangles share. Around a corner or along an edge of a closed surface
+// exactly one triangle takes the ray, whichever way each of them is wound.
 #include "tests/support/cases/tri_cases.hpp"
 
 using namespace rayclock;
@@ -7,8 +7,8 @@ using namespace rayclock::test;
 
 namespace {
 
-/// A closed fan of triangles around `hub`; seen along d, its rim goes once around. Rim points are even steps from the hub, so
-/// that the middle of every spoke is a lattice point.
+/// A closed fan of triangles around `hub`; seen along d, its rim goes once around. Rim points are even steps
+/// from the hub, so that the middle of every spoke is a lattice point.
 struct Fan {
     Vec3i d{}, hub{};
     std::vector<Vec3i> rim;
@@ -34,7 +34,8 @@ Fan random_fan(Draw& draw, const Config& config) {
             const auto& to = way[(side + 1) % 4];
             p[x] += 2 * size * ((3 - part) * from[0] + part * to[0]);
             p[y] += 2 * size * ((3 - part) * from[1] + part * to[1]);
-            const int lift = 2 * draw.between(-size, size);   // along the ray: changes nothing of what it sees
+            const int lift =
+                2 * draw.between(-size, size);   // along the ray: changes nothing of what it sees
             for (std::size_t k = 0; k < 3; ++k) p[k] += lift * fan.d[k];
             fan.rim.push_back(p);
         }
@@ -42,7 +43,8 @@ Fan random_fan(Draw& draw, const Config& config) {
     return fan;
 }
 
-/// A request for each triangle of the fan, corners and winding shuffled, for a ray along d that ends at `target`.
+/// A request for each triangle of the fan, corners and winding shuffled, for a ray along d that ends at
+/// `target`.
 std::vector<TriReq> requests_at(const Fan& fan, const Vec3i& target, Draw& draw, const Config& config) {
     std::vector<TriReq> all;
     const int back = 1 << (config.coord_bits - 4);
@@ -64,9 +66,10 @@ int taken(const std::vector<TriRsp>& rsps) {
     return n;
 }
 
-} // namespace
+}   // namespace
 
-TEMPLATE_TEST_CASE("exactly one triangle around a corner or edge takes the ray", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("exactly one triangle around a corner or edge takes the ray", "[tri]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     TestType dut{config};
     for (unsigned seed = 1; seed <= 25; ++seed) {
@@ -85,7 +88,8 @@ TEMPLATE_TEST_CASE("exactly one triangle around a corner or edge takes the ray",
     }
 }
 
-TEMPLATE_TEST_CASE("a corner's weight is exactly one where the ray goes through it", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("a corner's weight is exactly one where the ray goes through it", "[tri]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config config = format(GENERATE("default", "narrow"));
     TestType dut{config};
     int seen_u = 0, seen_v = 0;

@@ -1,5 +1,5 @@
-// tri at small widths, for every ray and triangle of the lattice. Judged by signed volumes in plain integers, which are
-// themselves judged by the fractions of exact.hpp.
+// tri at small widths, for every ray and triangle of the lattice. Judged by signed volumes in plain integers,
+// which are themselves judged by the fractions of exact.hpp.
 #include <set>
 
 #include <tbb/parallel_for.h>
@@ -14,13 +14,15 @@ using namespace rayclock::test;
 namespace {
 
 std::int64_t volume(const Vec3i& p, const Vec3i& q, const Vec3i& r) {
-    return std::int64_t(p[0]) * (q[1] * r[2] - q[2] * r[1]) + std::int64_t(p[1]) * (q[2] * r[0] - q[0] * r[2]) +
+    return std::int64_t(p[0]) * (q[1] * r[2] - q[2] * r[1]) +
+           std::int64_t(p[1]) * (q[2] * r[0] - q[0] * r[2]) +
            std::int64_t(p[2]) * (q[0] * r[1] - q[1] * r[0]);
 }
 Vec3i minus(const Vec3i& a, const Vec3i& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-/// Six times the volume of d and the edge p q as seen from o: which side the ray passes it on. As o moves by (eps, eps^2, eps^3)
-/// it changes linearly, since eps x eps = 0; so its sign is that of the first of these four that is not zero.
+/// Six times the volume of d and the edge p q as seen from o: which side the ray passes it on. As o moves by
+/// (eps, eps^2, eps^3) it changes linearly, since eps x eps = 0; so its sign is that of the first of these
+/// four that is not zero.
 int side(const Vec3i& o, const Vec3i& d, const Vec3i& p, const Vec3i& q, std::int64_t& here) {
     here = volume(d, minus(p, o), minus(q, o));
     if (here != 0) return here > 0 ? 1 : -1;
@@ -33,8 +35,8 @@ int side(const Vec3i& o, const Vec3i& d, const Vec3i& p, const Vec3i& q, std::in
     return 0;
 }
 
-/// With A = a - o and so on, t d = w A + u B + v C. So u = vol(d, C, A) / S, v = vol(d, A, B) / S, w = vol(d, B, C) / S and
-/// t = vol(A, B, C) / S with S = vol(d, b - a, c - a), the sum of the three.
+/// With A = a - o and so on, t d = w A + u B + v C. So u = vol(d, C, A) / S, v = vol(d, A, B) / S, w = vol(d,
+/// B, C) / S and t = vol(A, B, C) / S with S = vol(d, b - a, c - a), the sum of the three.
 TriRsp truth(const TriReq& req, const Config& config) {
     const Vec3i &a = req.triangle.a, &b = req.triangle.b, &c = req.triangle.c;
     const std::uint32_t prim = req.triangle.prim;
@@ -44,7 +46,9 @@ TriRsp truth(const TriReq& req, const Config& config) {
     const std::int64_t s = volume(req.d, minus(b, a), minus(c, a)), sign = s > 0 ? 1 : -1;
     const std::int64_t num = sign * volume(minus(a, req.o), minus(b, req.o), minus(c, req.o)), det = sign * s;
     if (s == 0 || num <= 0) return rsp;
-    if (side(req.o, req.d, c, a, u) != sign || side(req.o, req.d, a, b, v) != sign || side(req.o, req.d, b, c, w) != sign) return rsp;
+    if (side(req.o, req.d, c, a, u) != sign || side(req.o, req.d, a, b, v) != sign ||
+        side(req.o, req.d, b, c, w) != sign)
+        return rsp;
     if (req.best.found) {
         const Wide mine = num * req.best.det, theirs = req.best.num * det;
         if (mine > theirs || (mine == theirs && prim > req.best.prim)) return rsp;
@@ -61,7 +65,8 @@ TriRsp truth(const TriReq& req, const Config& config) {
 }
 
 bool equal(const TriRsp& a, const TriRsp& b) {
-    return std::tie(a.ray, a.closer, a.num, a.det, a.prim, a.t, a.u, a.v) == std::tie(b.ray, b.closer, b.num, b.det, b.prim, b.t, b.u, b.v);
+    return std::tie(a.ray, a.closer, a.num, a.det, a.prim, a.t, a.u, a.v) ==
+           std::tie(b.ray, b.closer, b.num, b.det, b.prim, b.t, b.u, b.v);
 }
 
 struct Count {
@@ -70,12 +75,13 @@ struct Count {
 Count try_rtl(const Config& config, std::uint64_t first, std::uint64_t last) {
     Rtl<TriUnit> rtl{config};
     Count count;
-    pour(rtl, last - first, [&] { return tri_request(first++, config); },
-         [&](const TriReq& req, const TriRsp& rsp) {
-             const TriRsp right = truth(req, config);
-             count.hits += right.closer;
-             count.wrong += !equal(rsp, right);
-         });
+    pour(
+        rtl, last - first, [&] { return tri_request(first++, config); },
+        [&](const TriReq& req, const TriRsp& rsp) {
+            const TriRsp right = truth(req, config);
+            count.hits += right.closer;
+            count.wrong += !equal(rsp, right);
+        });
     return count;
 }
 Count try_model(const Config& config, std::uint64_t first, std::uint64_t last) {
@@ -109,7 +115,7 @@ std::vector<TriReq> fractions(const Config& config) {
     return all;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("signed volumes say what exact fractions say", "[tri][small]") {
     for (const Config& config : {cube, lattice})
@@ -139,11 +145,12 @@ TEST_CASE("tri is right for every fraction of a hit against every hit to beat", 
                 }
     REQUIRE(requests.size() > 5000);
     std::size_t next = 0, wrong = 0;
-    pour(rtl, requests.size(), [&] { return requests[next++]; },
-         [&](const TriReq& req, const TriRsp& rsp) {
-             const TriRsp right = truth(req, cube);
-             wrong += !equal(rsp, right) || !equal(tri(req, cube), right);
-         });
+    pour(
+        rtl, requests.size(), [&] { return requests[next++]; },
+        [&](const TriReq& req, const TriRsp& rsp) {
+            const TriRsp right = truth(req, cube);
+            wrong += !equal(rsp, right) || !equal(tri(req, cube), right);
+        });
     REQUIRE(wrong == 0);
 }
 
@@ -153,7 +160,8 @@ TEST_CASE("model of tri is right for every ray and triangle of 64 points", "[tri
     REQUIRE(count.hits > 1000000);
 }
 
-TEST_CASE("rtl of tri is right for every ray and triangle of 64 points with one corner in the middle", "[tri][small][slow]") {
+TEST_CASE("rtl of tri is right for every ray and triangle of 64 points with one corner in the middle",
+          "[tri][small][slow]") {
     // a = (0, -1, 0): differences to it have both signs on every axis.
     const std::uint64_t a = 2 + 4 * 1 + 16 * 2, block = tri_requests(lattice) / 64;
     REQUIRE(tri_request(a * block, lattice).triangle.a == Vec3i{0, -1, 0});

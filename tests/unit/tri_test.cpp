@@ -12,7 +12,8 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
     Draw draw{seed};
     Dut dut{config, Frame{}, int(seed)};
     int hits = 0;
-    stream(dut, config, flow, draw, count, [&](Draw& from) { return random_tri_req(from, config); },
+    stream(
+        dut, config, flow, draw, count, [&](Draw& from) { return random_tri_req(from, config); },
         [&](const TriReq& req, const TriRsp& rsp) {
             judge(req, rsp, config);
             hits += rsp.closer != 0;
@@ -26,16 +27,18 @@ Vec3i extreme(int which, int bits) {
     return {which & 1 ? most : -most - 1, which & 2 ? most : -most - 1, which & 4 ? most : -most - 1};
 }
 
-} // namespace
+}   // namespace
 
 TEMPLATE_TEST_CASE("tri decides and measures exactly", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
     for (unsigned seed = 1; seed <= 4; ++seed) against_oracle<TestType>(name, seed, flows[seed - 1], 1500);
 }
 
-TEMPLATE_TEST_CASE("tri decides and measures exactly, many draws", "[tri][slow]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri decides and measures exactly, many draws", "[tri][slow]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide");
-    for (unsigned seed = 101; seed <= 110; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 4000);
+    for (unsigned seed = 101; seed <= 110; ++seed)
+        against_oracle<TestType>(name, seed, flows[seed % 4], 4000);
 }
 
 TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
@@ -50,7 +53,8 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
                         TriReq req;
                         req.o = extreme(o, config.coord_bits);
                         req.d = extreme(d, config.dir_bits);
-                        req.triangle = {extreme(a, config.coord_bits), extreme(b, config.coord_bits), extreme(c, config.coord_bits), 7};
+                        req.triangle = {extreme(a, config.coord_bits), extreme(b, config.coord_bits),
+                                        extreme(c, config.coord_bits), 7};
                         requests.push_back(req);
                     }
     TestType dut{config};
@@ -58,7 +62,8 @@ TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<
     for (std::size_t i = 0; i < rsps.size(); ++i) judge(requests[i], rsps[i], config);
 }
 
-TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice", "[tri][lockstep][sheared]") {
+TEST_CASE("model and rtl of the sheared tri are equal at the corners of the lattice",
+          "[tri][lockstep][sheared]") {
     const Config config = format(GENERATE("sheared:default", "sheared:wide"));
     std::vector<TriReq> requests;
     for (int i = 0; i < 1 << 15; i += 3) {   // corners a, b, c, origin and direction
@@ -66,7 +71,8 @@ TEST_CASE("model and rtl of the sheared tri are equal at the corners of the latt
         req.o = extreme(i >> 9 & 7, config.coord_bits);
         req.d = extreme(i >> 12 & 7, config.dir_bits);
         req.shear = shear_of(req.d, config);
-        req.triangle = {extreme(i & 7, config.coord_bits), extreme(i >> 3 & 7, config.coord_bits), extreme(i >> 6 & 7, config.coord_bits), 7};
+        req.triangle = {extreme(i & 7, config.coord_bits), extreme(i >> 3 & 7, config.coord_bits),
+                        extreme(i >> 6 & 7, config.coord_bits), 7};
         requests.push_back(req);
     }
     Rtl<TriUnit> dut{config};
@@ -80,7 +86,8 @@ TEST_CASE("model and rtl of the sheared tri are equal at the corners of the latt
     REQUIRE(hits > 50);
 }
 
-TEMPLATE_TEST_CASE("tri keeps the nearer hit, and of equals the lower number", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri keeps the nearer hit, and of equals the lower number", "[tri]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config config = format("default");
     TestType dut{config};
     TriReq req;
@@ -105,7 +112,8 @@ TEMPLATE_TEST_CASE("tri keeps the nearer hit, and of equals the lower number", "
     }
 }
 
-TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
+TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
     const Config config = format("default");
     TestType dut{config};
     TriReq ahead;
@@ -143,12 +151,15 @@ TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lock
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_tri_req(draw, config); });
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+                                    [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
 TEST_CASE("model and rtl of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {
-    const Config config = format(GENERATE("sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
+    const Config config =
+        format(GENERATE("sheared:default", "sheared:small", "sheared:narrow", "sheared:wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500, [&](Draw& draw) { return random_tri_req(draw, config); });
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+                                    [&](Draw& draw) { return random_tri_req(draw, config); });
 }

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int cell_bits = 44;   // of rc_unit's operands unless its user says otherwise
 
-/// Vectors of every length up to `bits`; with corners, components much shorter than the longest, and all but zero below 17 bits.
+/// Vectors of every length up to `bits`; with corners, components much shorter than the longest, and all but
+/// zero below 17 bits.
 Vec3l draw_vector(Draw& draw, int bits) {
     const int longest = draw.between(2, bits);
     Vec3l v{};
@@ -24,18 +25,21 @@ Vec3l draw_vector(Draw& draw, int bits) {
     return v;
 }
 
-} // namespace
+}   // namespace
 
 TEST_CASE("the inverse root errs within its bound for every operand", "[unit_vector]") {
     for (std::size_t i = 0; i < root_entries; ++i)
-        REQUIRE(inverse_root_table()[i].value == std::llround(262144.0L / std::sqrt(1 + (long double)(i) / 128)));
+        REQUIRE(inverse_root_table()[i].value ==
+                std::llround(262144.0L / std::sqrt(1 + (long double)(i) / 128)));
     REQUIRE(inverse_root_table().back().value - inverse_root_table().back().step == 131072);
     long double below = 0, above = 0, below_share = 0, above_share = 0;
     for (std::uint32_t sum = 0; sum < 3u << 17; ++sum)
         for (const std::uint32_t end : {sum, sum + 1}) {   // what is true falls from one end to the other
-            const long double truth = 262144.0L / std::sqrt(1 + (long double)(end) / 131072), error = inverse_root(sum) - truth;
+            const long double truth = 262144.0L / std::sqrt(1 + (long double)(end) / 131072),
+                              error = inverse_root(sum) - truth;
             below = std::min(below, error), above = std::max(above, error);
-            below_share = std::min(below_share, 65536 * error / truth), above_share = std::max(above_share, 65536 * error / truth);
+            below_share = std::min(below_share, 65536 * error / truth),
+            above_share = std::max(above_share, 65536 * error / truth);
         }
     INFO(below << " " << above << ", of itself " << below_share << " " << above_share);
     REQUIRE((below > -0.5L && above < 3.7L));
@@ -49,7 +53,8 @@ TEST_CASE("a unit vector's components and length err within their bounds", "[uni
         for (int i = 0; i < 100000; ++i) {
             const Vec3l v = draw_vector(draw, 63);
             const Vec3i u = unit_vector(v);
-            const long double length = std::hypot((long double)(v[0]), (long double)(v[1]), (long double)(v[2]));
+            const long double length =
+                std::hypot((long double)(v[0]), (long double)(v[1]), (long double)(v[2]));
             if (length == 0) {
                 REQUIRE(u == Vec3i{});
                 continue;
@@ -58,7 +63,8 @@ TEST_CASE("a unit vector's components and length err within their bounds", "[uni
                 most = std::max(most, std::fabs(u[k] - 65536 * (v[k] / length)));
                 REQUIRE((std::abs(u[k]) <= 65536 && std::int64_t(u[k]) * (v[k] < 0 ? -1 : 1) >= 0));
             }
-            const long double over = std::hypot((long double)(u[0]), (long double)(u[1]), (long double)(u[2])) - 65536;
+            const long double over =
+                std::hypot((long double)(u[0]), (long double)(u[1]), (long double)(u[2])) - 65536;
             shortest = std::min(shortest, over), longest = std::max(longest, over);
         }
     }
@@ -79,10 +85,13 @@ TEST_CASE("a unit vector does not depend on the scale, if nothing is cut", "[uni
     REQUIRE(unit_vector({0, -(std::int64_t(1) << 62), 0}) == Vec3i{0, -65536, 0});
 }
 
-TEST_CASE("the rtl's unit vector is the model's, after exactly its latency, one in a cycle", "[unit_vector][lockstep]") {
+TEST_CASE("the rtl's unit vector is the model's, after exactly its latency, one in a cycle",
+          "[unit_vector][lockstep]") {
     for (const bool idle : {false, true})
         for (unsigned seed = 11; seed <= 13; ++seed)
-            check_cell({}, "rc_unit", "u", unit_stages, seed, 20000, idle, [](Draw& draw) { return draw_vector(draw, cell_bits); },
+            check_cell(
+                {}, "rc_unit", "u", unit_stages, seed, 20000, idle,
+                [](Draw& draw) { return draw_vector(draw, cell_bits); },
                 [](RtlModule& rtl, const Vec3l& v) {
                     Words words;
                     words.assign((3 * cell_bits + 31) / 32, 0);

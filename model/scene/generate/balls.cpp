@@ -30,7 +30,8 @@ Offsets child_directions() {
     return offsets;
 }
 
-/// Takes e_z to the unit vector u. The poles do occur, up to rounding, and fix the azimuth of the children there.
+/// Takes e_z to the unit vector u. The poles do occur, up to rounding, and fix the azimuth of the children
+/// there.
 glm::dmat3 turned_to(const glm::dvec3& u) {
     if (u.z >= 0.9999) return glm::dmat3(1);
     if (u.z <= -0.9999) return glm::dmat3({-1, 0, 0}, {0, 1, 0}, {0, 0, -1});
@@ -45,7 +46,8 @@ glm::dmat3 turned_to(const glm::dvec3& u) {
     return turn;
 }
 
-void flake(MeshWriter& mesh, const Offsets& offsets, int depth, const glm::dvec3& centre, double radius, const glm::dvec3& up) {
+void flake(MeshWriter& mesh, const Offsets& offsets, int depth, const glm::dvec3& centre, double radius,
+           const glm::dvec3& up) {
     mesh.sphere(centre, radius);
     if (depth == 0) return;
     const glm::dmat3 turn = turned_to(up);
@@ -61,7 +63,7 @@ std::uint64_t spheres(int size) {
     return (nine_to_the - 1) / 8;
 }
 
-} // namespace
+}   // namespace
 
 PrimitiveCounts balls_counts(int size, Primitives primitives) {
     if (primitives == Primitives::native) return {.triangles = 2, .spheres = spheres(size)};
@@ -77,10 +79,15 @@ Scene make_balls(int size, Primitives primitives) {
     mesh.reserve((is_cut ? spheres(size) * sphere_vertices : 0) + 4, balls_counts(size, primitives), is_cut);
     mesh.material({.name = "floor", .colour{1, 0.75, 0.33}, .ambient = 0.2, .diffuse = 0.4});
     mesh.flat({{12, 12, -0.5}, {-12, 12, -0.5}, {-12, -12, -0.5}, {12, -12, -0.5}});
-    mesh.material({.name = "balls", .colour{1, 0.9, 0.7}, .ambient = 0.15, .diffuse = 0.5, .highlight = 0.5,
-                   .shine = shine_of(37), .mirror = 0.5});
+    mesh.material({.name = "balls",
+                   .colour{1, 0.9, 0.7},
+                   .ambient = 0.15,
+                   .diffuse = 0.5,
+                   .highlight = 0.5,
+                   .shine = shine_of(37),
+                   .mirror = 0.5});
     flake(mesh, child_directions(), size, glm::dvec3(0), 0.5, {0, 0, 1});
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

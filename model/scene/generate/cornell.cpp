@@ -1,7 +1,7 @@
-// The Cornell box, after the measurements that Cornell University published of the real one (millimetres): a room
-// that is open towards the camera, a red and a green wall, two white blocks on the floor. Sides that meet share
-// their corners. The lamp is a panel that fills a hole in the ceiling; as light has no area here, a point light
-// hangs a little below it. Everything is flat: no normals.
+// The Cornell box, after the measurements that Cornell University published of the real one (millimetres): a
+// room that is open towards the camera, a red and a green wall, two white blocks on the floor. Sides that
+// meet share their corners. The lamp is a panel that fills a hole in the ceiling; as light has no area here,
+// a point light hangs a little below it. Everything is flat: no normals.
 #include <array>
 
 #include "model/scene/generate/generate.hpp"
@@ -41,16 +41,16 @@ struct Walls {
 
 Scene make_room(const Walls& walls);
 
-} // namespace
-
+}   // namespace
 
 std::uint64_t cornell_triangles(int) { return room + ceiling_and_lamp + 2 * block_sides; }
 std::uint64_t mirrors_triangles(int) { return cornell_triangles(1) + 2; }
 
 Scene make_cornell(int) { return make_room({}); }
 
-/// All four walls are mirrors, and the camera is inside: a ray goes on until it meets the floor, the ceiling or a block. The two coloured
-/// walls face each other; each keeps a little of its colour, so that one can count how often a picture was mirrored.
+/// All four walls are mirrors, and the camera is inside: a ray goes on until it meets the floor, the ceiling
+/// or a block. The two coloured walls face each other; each keeps a little of its colour, so that one can
+/// count how often a picture was mirrored.
 Scene make_mirrors(int) {
     Walls walls;
     walls.closed = true;
@@ -69,12 +69,15 @@ namespace {
 Scene make_room(const Walls& walls) {
     Scene scene;
     scene.background = glm::dvec3(0);
-    scene.camera = Camera{{278, 273, -800}, {278, 273, 0}, {0, 1, 0}, 39.3};   // a 25 mm film behind a 35 mm lens
+    scene.camera =
+        Camera{{278, 273, -800}, {278, 273, 0}, {0, 1, 0}, 39.3};   // a 25 mm film behind a 35 mm lens
     scene.lights = white_lights({{278, 500, 279.5}});
     MeshWriter mesh(scene);
     const Corners floor = add(mesh, {{{552.8, 0, 0}, {0, 0, 0}, {0, 0, 559.2}, {549.6, 0, 559.2}}});
-    const Corners ceiling = add(mesh, {{{556, 548.8, 0}, {0, 548.8, 0}, {0, 548.8, 559.2}, {556, 548.8, 559.2}}});
-    const Corners lamp = add(mesh, {{{343, 548.8, 227}, {213, 548.8, 227}, {213, 548.8, 332}, {343, 548.8, 332}}});
+    const Corners ceiling =
+        add(mesh, {{{556, 548.8, 0}, {0, 548.8, 0}, {0, 548.8, 559.2}, {556, 548.8, 559.2}}});
+    const Corners lamp =
+        add(mesh, {{{343, 548.8, 227}, {213, 548.8, 227}, {213, 548.8, 332}, {343, 548.8, 332}}});
 
     mesh.material({.name = "white", .colour = glm::dvec3(0.73), .ambient = 0.15, .diffuse = 0.9});
     quad(mesh, floor);
@@ -99,6 +102,6 @@ Scene make_room(const Walls& walls) {
     return scene;
 }
 
-} // namespace
+}   // namespace
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,8 +1,8 @@
 // Haines' "gears": n^3 interlocked gears (spd.md 3.2), each a closed prism over a 144-gon with 36 teeth.
 //
-// The 144-gon is not convex. It is cut into the 36 teeth, four corners each, and the convex 72-gon between them,
-// which is halved again and again: a fan would give long thin triangles, poison for a bounding-volume hierarchy.
-// All diagonals run from corner to corner, so top, bottom and sides meet without T-junctions.
+// The 144-gon is not convex. It is cut into the 36 teeth, four corners each, and the convex 72-gon between
+// them, which is halved again and again: a fan would give long thin triangles, poison for a bounding-volume
+// hierarchy. All diagonals run from corner to corner, so top, bottom and sides meet without T-junctions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,10 @@ constexpr int triangles_per_gear = 2 * (corners - 2) + 2 * corners;
 struct GearShape {
     double spacing, outer, inner, thickness;
     explicit GearShape(int n)
-        : spacing(1 / (n - 0.05 * (n - 1))), outer(0.995 * spacing), inner(0.9 * spacing), thickness(std::min(0.1, 0.5 / n)) {}
+        : spacing(1 / (n - 0.05 * (n - 1))),
+          outer(0.995 * spacing),
+          inner(0.9 * spacing),
+          thickness(std::min(0.1, 0.5 / n)) {}
 };
 
 /// Corner of the outline, tooth by tooth: two on the tooth, two at its foot.
@@ -61,20 +64,24 @@ void gear(MeshWriter& mesh, const GearShape& shape, const glm::dvec3& centre, do
     const std::uint32_t top = mesh.vertex(centre + outline(shape, phase, 0)), bottom = top + corners;
     for (std::uint32_t i = 1; i < corners; ++i) mesh.vertex(centre + outline(shape, phase, i));
     for (std::uint32_t i = 0; i < corners; ++i) mesh.vertex(centre + outline(shape, phase, i) + down);
-    cut_outline([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh.triangle(top + a, top + b, top + c); });
+    cut_outline(
+        [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh.triangle(top + a, top + b, top + c); });
     for (std::uint32_t e = 0; e < corners; ++e) {
         const std::uint32_t next = (e + 1) % corners;
         mesh.triangle(top + e, bottom + e, bottom + next);
         mesh.triangle(bottom + next, top + next, top + e);
     }
-    cut_outline([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh.triangle(bottom + c, bottom + b, bottom + a); });
+    cut_outline([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        mesh.triangle(bottom + c, bottom + b, bottom + a);
+    });
 }
 
 Material gear_material(int x, int y, int z) {
     const auto component = [](int number) { return 0.01 + number % 7 / 7.0; };
     const glm::dvec3 q(component(5 * (3 * x + 2 * y + z + 1)), component(3 * (3 * y + 2 * z + x + 1)),
                        component(2 * (3 * z + 2 * x + y + 1)));
-    Material material{.name = "gear " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z)};
+    Material material{.name =
+                          "gear " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z)};
     material.colour = q / std::max({q.x, q.y, q.z});
     const bool is_clear = (4 * x + 2 * y + z) % 5 == 0;
     material.ambient = is_clear ? 0.2 : 0.1;
@@ -84,7 +91,7 @@ Material gear_material(int x, int y, int z) {
     return material;
 }
 
-} // namespace
+}   // namespace
 
 std::uint64_t gears_triangles(int size) {
     const auto n = static_cast<std::uint64_t>(size);
@@ -94,11 +101,18 @@ std::uint64_t gears_triangles(int size) {
 Scene make_gears(int size) {
     Scene scene;
     scene.camera = Camera{{-1.1, -2.1, 2.6}, {0, 0, 0}, {0, 0, 1}, 45};
-    scene.lights = white_lights({{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}});
+    scene.lights =
+        white_lights({{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}});
     MeshWriter mesh(scene);
-    mesh.reserve((gears_triangles(size) - 2) / triangles_per_gear * 2 * corners + 4, {.triangles = gears_triangles(size)}, false);
-    mesh.material({.name = "ground", .colour{1, 0.85, 0.7}, .ambient = 0.15, .diffuse = 0.3, .highlight = 0.3,
-                   .shine = shine_of(37), .mirror = 0.6});
+    mesh.reserve((gears_triangles(size) - 2) / triangles_per_gear * 2 * corners + 4,
+                 {.triangles = gears_triangles(size)}, false);
+    mesh.material({.name = "ground",
+                   .colour{1, 0.85, 0.7},
+                   .ambient = 0.15,
+                   .diffuse = 0.3,
+                   .highlight = 0.3,
+                   .shine = shine_of(37),
+                   .mirror = 0.6});
     const std::uint32_t ground = mesh.vertex({2, 2, 0});
     for (const glm::dvec3& corner : {glm::dvec3(-2, 2, 0), {-2, -2, 0}, {2, -2, 0}}) mesh.vertex(corner);
     mesh.triangle(ground, ground + 1, ground + 2);
@@ -109,11 +123,12 @@ Scene make_gears(int size) {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const double r = shape.spacing;
-                const glm::dvec3 centre(-1 + r + 1.9 * r * x, -1 + r + 1.9 * r * y, 1 - static_cast<double>(z) / size);
+                const glm::dvec3 centre(-1 + r + 1.9 * r * x, -1 + r + 1.9 * r * y,
+                                        1 - static_cast<double>(z) / size);
                 mesh.material(gear_material(x, y, z));
                 gear(mesh, shape, centre, std::numbers::pi / 36 * ((x + y + z) % 2));
             }
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

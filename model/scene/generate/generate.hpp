@@ -6,11 +6,12 @@
 
 namespace rayclock {
 
-// builtin.cpp lists the scenes; most have a file of their own. Each has the exact number of primitives by formula and the
-// scene itself for a size >= 1. Memory and time grow with the result only, and the same size always gives the
-// same bits. Curved things come as Haines' package cuts them by default (tessellation factor 3) with smooth normals;
-// a scene without curved triangles has no normals. Lights are 1/sqrt(their number) strong; three or more still blow out
-// what they all shine on, so such surfaces have half of Haines' Kd (shading is free in his description).
+// builtin.cpp lists the scenes; most have a file of their own. Each has the exact number of primitives by
+// formula and the scene itself for a size >= 1. Memory and time grow with the result only, and the same size
+// always gives the same bits. Curved things come as Haines' package cuts them by default (tessellation factor
+// 3) with smooth normals; a scene without curved triangles has no normals. Lights are 1/sqrt(their number)
+// strong; three or more still blow out what they all shine on, so such surfaces have half of Haines' Kd
+// (shading is free in his description).
 
 PrimitiveCounts balls_counts(int size, Primitives primitives);
 Scene make_balls(int size, Primitives primitives);
@@ -49,4 +50,4 @@ Scene make_plane(int size);
 std::uint64_t square_triangles(int size);
 Scene make_square(int size);
 
-} // namespace rayclock
+}   // namespace rayclock

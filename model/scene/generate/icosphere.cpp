@@ -1,5 +1,5 @@
-// A closed sphere without poles or seams: the icosahedron, every triangle cut in four `size` times, all vertices on
-// the unit sphere and shared, normals radial.
+// A closed sphere without poles or seams: the icosahedron, every triangle cut in four `size` times, all
+// vertices on the unit sphere and shared, normals radial.
 #include <array>
 #include <cstdlib>
 #include <numbers>
@@ -22,12 +22,22 @@ struct Ball {
 Ball icosahedron() {
     constexpr double g = std::numbers::phi;
     Ball ball;
-    for (const glm::dvec3& p : {glm::dvec3(-1, g, 0), {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g}, {0, -1, -g},
-                                {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}})
+    for (const glm::dvec3& p : {glm::dvec3(-1, g, 0),
+                                {1, g, 0},
+                                {-1, -g, 0},
+                                {1, -g, 0},
+                                {0, -1, g},
+                                {0, 1, g},
+                                {0, -1, -g},
+                                {0, 1, -g},
+                                {g, 0, -1},
+                                {g, 0, 1},
+                                {-g, 0, -1},
+                                {-g, 0, 1}})
         ball.points.push_back(unit(p));
-    ball.faces = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                  {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                  {3, 8, 9},   {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    ball.faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                  {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                  {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     return ball;
 }
 
@@ -40,7 +50,7 @@ public:
     std::uint32_t operator()(std::uint32_t a, std::uint32_t b) {
         if (a > b) std::swap(a, b);
         for (auto& [other, middle] : edges_[a]) {
-            if (middle == 0) {      // point 0 is a corner of the icosahedron, never a middle: a free place
+            if (middle == 0) {   // point 0 is a corner of the icosahedron, never a middle: a free place
                 other = b;
                 middle = static_cast<std::uint32_t>(ball_.points.size());
                 ball_.points.push_back(unit(ball_.points[a] + ball_.points[b]));
@@ -66,7 +76,7 @@ void cut_in_four(Ball& ball) {
     ball.faces = std::move(finer);
 }
 
-} // namespace
+}   // namespace
 
 std::uint64_t icosphere_triangles(int size) { return std::uint64_t{20} << 2 * size; }
 
@@ -78,7 +88,11 @@ Scene make_icosphere(int size) {
     Scene scene;
     scene.camera = Camera{{2, 1.5, 2.5}, {0, 0, 0}, {0, 1, 0}, 45};
     scene.lights = white_lights({{4, 5, 6}, {-6, 2, 3}});
-    scene.materials.push_back({.name = "ball", .colour{0.85, 0.6, 0.3}, .ambient = 0.1, .diffuse = 0.8, .highlight = 0.4,
+    scene.materials.push_back({.name = "ball",
+                               .colour{0.85, 0.6, 0.3},
+                               .ambient = 0.1,
+                               .diffuse = 0.8,
+                               .highlight = 0.4,
                                .shine = shine_of(20)});
     scene.normals = ball.points;
     scene.vertices = std::move(ball.points);
@@ -87,4 +101,4 @@ Scene make_icosphere(int size) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -11,13 +11,14 @@ namespace {
 
 constexpr int f = tessellation;
 
-/// Grid line k = 0..f of a cube side from -1 to 1, at equal angles seen from the centre; odd, with exact ends.
+/// Grid line k = 0..f of a cube side from -1 to 1, at equal angles seen from the centre; odd, with exact
+/// ends.
 double grid_line(int k) {
     if (k == 0 || k == f) return k == 0 ? -1 : 1;
     return std::tan(std::numbers::pi / 4 * (2 * k - f) / f);
 }
 
-} // namespace
+}   // namespace
 
 glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
 
@@ -28,9 +29,12 @@ std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions) {
     return lights;
 }
 
-double shine_of(double degrees) { return std::log(0.5) / std::log(std::cos(degrees * std::numbers::pi / 180)); }
+double shine_of(double degrees) {
+    return std::log(0.5) / std::log(std::cos(degrees * std::numbers::pi / 180));
+}
 
-MeshWriter::MeshWriter(Scene& scene, Primitives primitives, int sectors) : scene_(scene), primitives_(primitives), sectors_(sectors) {
+MeshWriter::MeshWriter(Scene& scene, Primitives primitives, int sectors)
+    : scene_(scene), primitives_(primitives), sectors_(sectors) {
     // Points of the (f+1)^3 lattice on the cube's surface; sides that meet in an edge find the same points.
     std::uint32_t number[f + 1][f + 1][f + 1] = {};
     const auto on_surface = [](int k) { return k == 0 || k == f; };
@@ -48,7 +52,8 @@ MeshWriter::MeshWriter(Scene& scene, Primitives primitives, int sectors) : scene
                     const auto at = [&](int u, int v) {
                         int k[3] = {};
                         k[axis] = side;
-                        // On the far side u, v and the outward normal are right-handed; on the near side swap u and v.
+                        // On the far side u, v and the outward normal are right-handed; on the near side swap
+                        // u and v.
                         k[(axis + 1) % 3] = side == f ? u : v;
                         k[(axis + 2) % 3] = side == f ? v : u;
                         return number[k[0]][k[1]][k[2]];
@@ -103,7 +108,8 @@ void MeshWriter::sphere(const glm::dvec3& centre, double radius) {
     for (const auto& [a, b, c] : sphere_faces_) triangle(first + a, first + b, first + c);
 }
 
-void MeshWriter::cone(const glm::dvec3& base, double base_radius, const glm::dvec3& apex, double apex_radius) {
+void MeshWriter::cone(const glm::dvec3& base, double base_radius, const glm::dvec3& apex,
+                      double apex_radius) {
     const double length = glm::length(apex - base);
     const glm::dvec3 axis = (apex - base) / length;
     glm::dvec3 start = glm::cross(axis, {0, 0, 1});
@@ -127,4 +133,4 @@ void MeshWriter::cone(const glm::dvec3& base, double base_radius, const glm::dve
     }
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -11,7 +11,8 @@
 
 namespace rayclock {
 
-/// Haines' tessellation factor f: a sphere is six f x f grids, a cone or cylinder 4 f sectors if no other number is asked for.
+/// Haines' tessellation factor f: a sphere is six f x f grids, a cone or cylinder 4 f sectors if no other
+/// number is asked for.
 constexpr int tessellation = 3;
 constexpr int sphere_triangles = 12 * tessellation * tessellation;
 constexpr int sphere_vertices = 6 * tessellation * tessellation + 2;
@@ -24,7 +25,8 @@ constexpr std::uint64_t cone_vertices(int sectors) { return 2 * static_cast<std:
 /// A scene is written either with normals throughout or without any.
 class MeshWriter {
 public:
-    explicit MeshWriter(Scene& scene, Primitives primitives = Primitives::triangles, int sectors = cone_sectors);
+    explicit MeshWriter(Scene& scene, Primitives primitives = Primitives::triangles,
+                        int sectors = cone_sectors);
 
     /// Memory for what is to come. Without normals, those of vertex(), flat() and cone() are dropped.
     void reserve(std::uint64_t vertices, const PrimitiveCounts& counts, bool with_normals);
@@ -49,10 +51,10 @@ public:
 private:
     Scene& scene_;
     Primitives primitives_;
-    int sectors_;                                                ///< of a cone
+    int sectors_;   ///< of a cone
     bool with_normals_ = true;
     std::uint32_t material_ = 0;
-    std::vector<glm::dvec3> sphere_points_;                      ///< of the unit sphere
+    std::vector<glm::dvec3> sphere_points_;   ///< of the unit sphere
     std::vector<std::array<std::uint32_t, 3>> sphere_faces_;
 };
 
@@ -64,4 +66,4 @@ std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions);
 /// Phong's exponent for a highlight that falls to one half at `degrees` (spd.md 2.4), 0 < degrees < 90.
 double shine_of(double degrees);
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,8 +1,9 @@
 // Haines' "mount": a fractal mountain and four glass spheres (spd.md 3.3).
 //
-// The published recursion evaluates the noise of every inner edge twice; here a grid of heights is refined level by
-// level instead, with the same sums, so that the heights are the same bits. The terrain is flat-shaded: since the
-// spheres are smooth, its triangles have vertices of their own, bitwise equal where they meet.
+// The published recursion evaluates the noise of every inner edge twice; here a grid of heights is refined
+// level by level instead, with the same sums, so that the heights are the same bits. The terrain is
+// flat-shaded: since the spheres are smooth, its triangles have vertices of their own, bitwise equal where
+// they meet.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -13,7 +14,8 @@
 namespace rayclock {
 namespace {
 
-/// b * 2^exponent, or 0 where the exponent is negative: the original shifts by a negative number of bits there.
+/// b * 2^exponent, or 0 where the exponent is negative: the original shifts by a negative number of bits
+/// there.
 std::uint32_t shifted(std::uint32_t b, int exponent) { return exponent < 0 ? 0 : b << exponent; }
 
 /// Normally distributed, and a function of the grid point alone (polar method, Marsaglia and Bray 1964).
@@ -33,7 +35,8 @@ double noise(int size, std::uint32_t a, std::uint32_t b) {
 /// Heights at the (2^size + 1)^2 grid points.
 class Terrain {
 public:
-    explicit Terrain(int size) : size_(size), side_(std::uint32_t{1} << size), heights_(std::size_t{side_ + 1} * (side_ + 1)) {
+    explicit Terrain(int size)
+        : size_(size), side_(std::uint32_t{1} << size), heights_(std::size_t{side_ + 1} * (side_ + 1)) {
         for (std::uint32_t width = side_; width > 1; width /= 2) refine(width);
     }
 
@@ -53,12 +56,15 @@ private:
         const double amplitude = roughness * 2 * h / side_;
         for (std::uint32_t y = 0; y <= side_; y += width)
             for (std::uint32_t x = 0; x < side_; x += width) {
-                height(x + h, y) = (height(x, y) + height(x + width, y)) / 2 + amplitude * noise(size_, x + h, y);
-                height(y, x + h) = (height(y, x) + height(y, x + width)) / 2 + amplitude * noise(size_, y, x + h);
+                height(x + h, y) =
+                    (height(x, y) + height(x + width, y)) / 2 + amplitude * noise(size_, x + h, y);
+                height(y, x + h) =
+                    (height(y, x) + height(y, x + width)) / 2 + amplitude * noise(size_, y, x + h);
             }
         for (std::uint32_t y = 0; y < side_; y += width)
             for (std::uint32_t x = 0; x < side_; x += width) {
-                const double sum = height(x, y) + height(x + width, y) + height(x + width, y + width) + height(x, y + width);
+                const double sum =
+                    height(x, y) + height(x + width, y) + height(x + width, y + width) + height(x, y + width);
                 height(x + h, y + h) = sum / 4 + 1.4142136 * amplitude * noise(size_, x + h, y + h);
             }
     }
@@ -95,7 +101,7 @@ void rock(MeshWriter& mesh, const Terrain& terrain, std::uint32_t width, std::ui
     rock(mesh, terrain, h, x, y + h);
 }
 
-} // namespace
+}   // namespace
 
 PrimitiveCounts mount_counts(int size, Primitives primitives) {
     const std::uint64_t rock_triangles = std::uint64_t{2} << 2 * size;
@@ -111,8 +117,15 @@ Scene make_mount(int size, Primitives primitives) {
     MeshWriter mesh(scene, primitives);
     const std::uint64_t rock_corners = 3 * mount_counts(size, Primitives::native).triangles;
     mesh.reserve(rock_corners + (is_cut ? 4 * sphere_vertices : 0), mount_counts(size, primitives), is_cut);
-    mesh.material({.name = "glass", .colour{1, 1, 1}, .ambient = 0.2, .diffuse = 0.1, .highlight = 0.4,
-                   .shine = shine_of(6.7), .mirror = 0.1, .transmit = 0.9, .index = 1.5});
+    mesh.material({.name = "glass",
+                   .colour{1, 1, 1},
+                   .ambient = 0.2,
+                   .diffuse = 0.1,
+                   .highlight = 0.4,
+                   .shine = shine_of(6.7),
+                   .mirror = 0.1,
+                   .transmit = 0.9,
+                   .index = 1.5});
     glass_spheres(mesh);
     mesh.material({.name = "rock", .colour{0.5, 0.45, 0.35}, .ambient = 0.15, .diffuse = 1});
     const Terrain terrain(size);
@@ -120,4 +133,4 @@ Scene make_mount(int size, Primitives primitives) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

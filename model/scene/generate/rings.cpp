@@ -27,8 +27,8 @@ Group group_points() {
         points[0][k] = {x, y, 0};
         for (std::size_t m = 1; m < rings_per_group; ++m) {
             const double turn = pi * (2 * static_cast<double>(m) - 1) / 5, tilted = y * std::cos(alpha);
-            points[m][k] = {x * std::cos(turn) - tilted * std::sin(turn), x * std::sin(turn) + tilted * std::cos(turn),
-                            y * std::sin(alpha)};
+            points[m][k] = {x * std::cos(turn) - tilted * std::sin(turn),
+                            x * std::sin(turn) + tilted * std::cos(turn), y * std::sin(alpha)};
         }
     }
     return points;
@@ -50,14 +50,15 @@ void group(MeshWriter& mesh, const Group& points, const glm::dvec3& offset, std:
     for (std::size_t m = 0; m < rings_per_group; ++m) {
         mesh.use_material(ring_material + static_cast<std::uint32_t>(m));
         for (std::size_t k = 0; k < joints; ++k) {
-            const glm::dvec3 base = points[m][k] + offset, apex = points[m][(k + joints - 1) % joints] + offset;
+            const glm::dvec3 base = points[m][k] + offset,
+                             apex = points[m][(k + joints - 1) % joints] + offset;
             mesh.cone(base, thickness, apex, thickness);
             mesh.sphere(base, thickness);
         }
     }
 }
 
-} // namespace
+}   // namespace
 
 PrimitiveCounts rings_counts(int size, Primitives primitives, int sectors) {
     const std::uint64_t all = links(size), cones = all * cone_triangles(sectors);
@@ -71,15 +72,21 @@ Scene make_rings(int size, Primitives primitives, int sectors) {
     scene.camera = Camera{{-1, -spacing, 0.5}, {-1, 1 - spacing, 0.5}, {0, 0, 1}, 45};
     scene.lights = white_lights({{3, -spacing, 3}, {-4, -spacing, 1}, {2, -spacing, -4}});
     MeshWriter mesh(scene, primitives, sectors);
-    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
+    const std::uint64_t vertices =
+        (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
     mesh.reserve(links(size) * vertices + 4, rings_counts(size, primitives, sectors), true);
     wall(mesh, size, spacing);
     const auto ring_material = static_cast<std::uint32_t>(scene.materials.size());
     constexpr std::array<glm::dvec3, rings_per_group> colours{
         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}}};
     for (std::size_t m = 0; m < rings_per_group; ++m)
-        mesh.material({.name = "ring " + std::to_string(m), .colour = colours[m], .ambient = 0.15, .diffuse = 0.5,
-                       .highlight = 0.3, .shine = shine_of(37), .mirror = 0.2});
+        mesh.material({.name = "ring " + std::to_string(m),
+                       .colour = colours[m],
+                       .ambient = 0.15,
+                       .diffuse = 0.5,
+                       .highlight = 0.3,
+                       .shine = shine_of(37),
+                       .mirror = 0.2});
     const Group points = group_points();
     for (int d = 0; d < size; ++d)
         for (int j = 0; j <= d; ++j)
@@ -88,4 +95,4 @@ Scene make_rings(int size, Primitives primitives, int sectors) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,5 +1,6 @@
-// The sphere picture of the literature (Whitted 1980; the chips that came after him drew it too): reflecting spheres and one of
-// glass above an endless checkered plane. Spheres and a plane only, nothing is cut into triangles.
+// The sphere picture of the literature (Whitted 1980; the chips that came after him drew it too): reflecting
+// spheres and one of glass above an endless checkered plane. Spheres and a plane only, nothing is cut into
+// triangles.
 #include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
@@ -7,9 +8,11 @@ namespace rayclock {
 namespace {
 
 /// Squares of side 1 in the plane y = 0, around the origin.
-Plane floor_plane(std::uint32_t material) { return {.point{0, 0, 0}, .u{1, 0, 0}, .v{0, 0, -1}, .material = material}; }
+Plane floor_plane(std::uint32_t material) {
+    return {.point{0, 0, 0}, .u{1, 0, 0}, .v{0, 0, -1}, .material = material};
+}
 
-} // namespace
+}   // namespace
 
 Scene make_spheres(int) {
     Scene scene;
@@ -17,16 +20,50 @@ Scene make_spheres(int) {
     scene.camera = Camera{{0.6, 1.9, 6.2}, {0, 0.85, 0}, {0, 1, 0}, 40};
     scene.lights = white_lights({{6, 9, 7}, {-8, 6, 4}});
     scene.materials = {
-        {.name = "floor", .colour{0.9, 0.75, 0.2}, .ambient = 0.15, .diffuse = 0.7, .mirror = 0.1, .checkered = true, .other{0.7, 0.1, 0.08}},
-        {.name = "glass", .colour = glm::dvec3(1), .ambient = 0.1, .diffuse = 0.02, .highlight = 0.6, .shine = 120,
-         .mirror = 0.1, .transmit = 0.85, .index = 1.5},
-        {.name = "mirror", .colour{0.9, 0.95, 1}, .ambient = 0.1, .diffuse = 0.1, .highlight = 0.6, .shine = 80, .mirror = 0.8},
-        {.name = "gold", .colour{1, 0.7, 0.25}, .ambient = 0.15, .diffuse = 0.4, .highlight = 0.5, .shine = 40, .mirror = 0.4},
-        {.name = "blue", .colour{0.15, 0.25, 0.85}, .ambient = 0.15, .diffuse = 0.7, .highlight = 0.4, .shine = 20, .mirror = 0.15},
+        {.name = "floor",
+         .colour{0.9, 0.75, 0.2},
+         .ambient = 0.15,
+         .diffuse = 0.7,
+         .mirror = 0.1,
+         .checkered = true,
+         .other{0.7, 0.1, 0.08}},
+        {.name = "glass",
+         .colour = glm::dvec3(1),
+         .ambient = 0.1,
+         .diffuse = 0.02,
+         .highlight = 0.6,
+         .shine = 120,
+         .mirror = 0.1,
+         .transmit = 0.85,
+         .index = 1.5},
+        {.name = "mirror",
+         .colour{0.9, 0.95, 1},
+         .ambient = 0.1,
+         .diffuse = 0.1,
+         .highlight = 0.6,
+         .shine = 80,
+         .mirror = 0.8},
+        {.name = "gold",
+         .colour{1, 0.7, 0.25},
+         .ambient = 0.15,
+         .diffuse = 0.4,
+         .highlight = 0.5,
+         .shine = 40,
+         .mirror = 0.4},
+        {.name = "blue",
+         .colour{0.15, 0.25, 0.85},
+         .ambient = 0.15,
+         .diffuse = 0.7,
+         .highlight = 0.4,
+         .shine = 20,
+         .mirror = 0.15},
         {.name = "chalk", .colour{0.9, 0.9, 0.85}, .ambient = 0.15, .diffuse = 0.9},
     };
-    scene.spheres = {{{0.75, 1, 1.4}, 0.75, 1}, {{-0.9, 1.2, -0.6}, 1.2, 2}, {{1.9, 0.7, -1.3}, 0.7, 3},
-                     {{-1.35, 0.45, 1.7}, 0.45, 4}, {{2.1, 0.3, 0.5}, 0.3, 5}};
+    scene.spheres = {{{0.75, 1, 1.4}, 0.75, 1},
+                     {{-0.9, 1.2, -0.6}, 1.2, 2},
+                     {{1.9, 0.7, -1.3}, 0.7, 3},
+                     {{-1.35, 0.45, 1.7}, 0.45, 4},
+                     {{2.1, 0.3, 0.5}, 0.3, 5}};
     scene.planes = {floor_plane(0)};
     return scene;
 }
@@ -37,7 +74,12 @@ Scene make_plane(int) {
     scene.background = {0.45, 0.6, 0.85};
     scene.camera = Camera{{0.3, 1.5, 4}, {0.9, 1.1, 0}, {0, 1, 0}, 45};
     scene.lights = white_lights({{-100, 300, 100}});
-    scene.materials = {{.name = "plane", .colour = glm::dvec3(0.95), .ambient = 0.35, .diffuse = 0.65, .checkered = true, .other = glm::dvec3(0.03)}};
+    scene.materials = {{.name = "plane",
+                        .colour = glm::dvec3(0.95),
+                        .ambient = 0.35,
+                        .diffuse = 0.65,
+                        .checkered = true,
+                        .other = glm::dvec3(0.03)}};
     scene.planes = {floor_plane(0)};
     return scene;
 }
@@ -57,4 +99,4 @@ Scene make_square(int) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,7 +1,7 @@
 // Haines' "teapot": Newell's teapot on a checkerboard (spd.md 3.5).
 //
-// Patches that share a row of control points, in either direction, get bitwise equal vertices along it: the weights
-// and the sums below are symmetric under reversal of a parameter, and exact at its ends.
+// Patches that share a row of control points, in either direction, get bitwise equal vertices along it: the
+// weights and the sums below are symmetric under reversal of a parameter, and exact at its ends.
 #include <array>
 #include <cmath>
 
@@ -51,15 +51,18 @@ glm::dvec3 normal_at(const TeapotPatch& patch, const glm::dvec3& p, int i, int j
 }
 
 void add_patch(MeshWriter& mesh, const Scene& scene, const TeapotPatch& patch, int n) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size()), row = static_cast<std::uint32_t>(n) + 1;
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size()),
+               row = static_cast<std::uint32_t>(n) + 1;
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j) {
             glm::dvec3 p = evaluate(patch, bernstein(i, n), bernstein(j, n));
-            if (is_cusp(p)) p = teapot_points[patch[0]];    // rounding would pull the copies of the point apart
+            if (is_cusp(p))
+                p = teapot_points[patch[0]];   // rounding would pull the copies of the point apart
             mesh.vertex(p, normal_at(patch, p, i, j, n));
         }
     const auto emit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (is_cusp(scene.vertices[a]) + is_cusp(scene.vertices[b]) + is_cusp(scene.vertices[c]) < 2) mesh.triangle(a, b, c);
+        if (is_cusp(scene.vertices[a]) + is_cusp(scene.vertices[b]) + is_cusp(scene.vertices[c]) < 2)
+            mesh.triangle(a, b, c);
     };
     for (std::uint32_t i = 0; i + 1 < row; ++i)
         for (std::uint32_t j = 0; j + 1 < row; ++j) {
@@ -71,13 +74,19 @@ void add_patch(MeshWriter& mesh, const Scene& scene, const TeapotPatch& patch, i
 
 /// All corners lie in one plane, so squares share them; first the odd squares, then the even ones.
 void checkerboard(MeshWriter& mesh, const Scene& scene, int n) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size()), row = static_cast<std::uint32_t>(n) + 1;
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size()),
+               row = static_cast<std::uint32_t>(n) + 1;
     const auto line = [n](int i) { return 4 * (2.0 * i / n - 1); };
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j) mesh.vertex({line(i), line(j), 0}, {0, 0, 1});
     for (const std::uint32_t parity : {1u, 0u}) {
-        mesh.material({.name = parity == 1 ? "odd squares" : "even squares", .colour = glm::dvec3(parity == 1 ? 1 : 0.5),
-                       .ambient = 0.15, .diffuse = 0.5, .highlight = 0.5, .shine = shine_of(30), .mirror = 0.5});
+        mesh.material({.name = parity == 1 ? "odd squares" : "even squares",
+                       .colour = glm::dvec3(parity == 1 ? 1 : 0.5),
+                       .ambient = 0.15,
+                       .diffuse = 0.5,
+                       .highlight = 0.5,
+                       .shine = shine_of(30),
+                       .mirror = 0.5});
         for (std::uint32_t i = 0; i + 1 < row; ++i)
             for (std::uint32_t j = 0; j + 1 < row; ++j) {
                 if ((i + j) % 2 != parity) continue;
@@ -88,7 +97,7 @@ void checkerboard(MeshWriter& mesh, const Scene& scene, int n) {
     }
 }
 
-} // namespace
+}   // namespace
 
 std::uint64_t teapot_triangles(int size) {
     const auto n = static_cast<std::uint64_t>(size);
@@ -103,10 +112,15 @@ Scene make_teapot(int size) {
     const auto grid = static_cast<std::uint64_t>(size + 1) * static_cast<std::uint64_t>(size + 1);
     mesh.reserve((teapot_patches.size() + 1) * grid, {.triangles = teapot_triangles(size)}, true);
     checkerboard(mesh, scene, size);
-    mesh.material({.name = "teapot", .colour{1, 0.5, 0.1}, .ambient = 0.15, .diffuse = 0.75, .highlight = 0.25,
-                   .shine = shine_of(37), .mirror = 0.25});
+    mesh.material({.name = "teapot",
+                   .colour{1, 0.5, 0.1},
+                   .ambient = 0.15,
+                   .diffuse = 0.75,
+                   .highlight = 0.25,
+                   .shine = shine_of(37),
+                   .mirror = 0.25});
     for (const TeapotPatch& patch : teapot_patches) add_patch(mesh, scene, patch, size);
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

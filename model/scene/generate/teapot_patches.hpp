@@ -12,4 +12,4 @@ using TeapotPatch = std::array<std::uint16_t, 16>;
 extern const std::array<glm::dvec3, 290> teapot_points;
 extern const std::array<TeapotPatch, 32> teapot_patches;
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -1,4 +1,5 @@
-// Haines' "tetra": Sierpinski's tetrahedron (spd.md 3.6). The corners that neighbours touch at are not shared.
+// Haines' "tetra": Sierpinski's tetrahedron (spd.md 3.6). The corners that neighbours touch at are not
+// shared.
 #include <array>
 
 #include "model/scene/generate/generate.hpp"
@@ -11,7 +12,8 @@ constexpr std::array<glm::dvec3, 4> corners{{{-1, -1, 1}, {-1, 1, -1}, {1, -1, -
 
 void pyramid(MeshWriter& mesh, int depth, const glm::dvec3& centre, double half_side) {
     if (depth > 1) {
-        for (const glm::dvec3& corner : corners) pyramid(mesh, depth - 1, centre + half_side / 2 * corner, half_side / 2);
+        for (const glm::dvec3& corner : corners)
+            pyramid(mesh, depth - 1, centre + half_side / 2 * corner, half_side / 2);
         return;
     }
     std::array<std::uint32_t, 4> p{};
@@ -22,13 +24,16 @@ void pyramid(MeshWriter& mesh, int depth, const glm::dvec3& centre, double half_
     mesh.triangle(p[1], p[0], p[3]);
 }
 
-} // namespace
+}   // namespace
 
 std::uint64_t tetra_triangles(int size) { return std::uint64_t{1} << 2 * size; }
 
 Scene make_tetra(int size) {
     Scene scene;
-    scene.camera = Camera{{1.022846, -3.177154, -2.174512}, {-0.004103, -0.004103, 0.216539}, {-0.816497, -0.816497, 0.816497}, 45};
+    scene.camera = Camera{{1.022846, -3.177154, -2.174512},
+                          {-0.004103, -0.004103, 0.216539},
+                          {-0.816497, -0.816497, 0.816497},
+                          45};
     scene.lights = white_lights({{2, -18, -5}});
     MeshWriter mesh(scene);
     mesh.reserve(tetra_triangles(size), {.triangles = tetra_triangles(size)}, false);
@@ -37,4 +42,4 @@ Scene make_tetra(int size) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -22,7 +22,8 @@ glm::dmat3 fork(double beta_degrees, double delta_degrees, double kappa) {
 
 using Forks = std::array<glm::dmat3, 2>;
 
-void branch(MeshWriter& mesh, const Forks& forks, int depth, const glm::dmat3& frame, const glm::dvec3& base, double thickness) {
+void branch(MeshWriter& mesh, const Forks& forks, int depth, const glm::dmat3& frame, const glm::dvec3& base,
+            double thickness) {
     const double base_radius = 0.15 * thickness, top_radius = 0.67 * base_radius;
     const glm::dvec3 top = frame[2] + base;
     mesh.cone(base, base_radius, top, top_radius);
@@ -33,7 +34,7 @@ void branch(MeshWriter& mesh, const Forks& forks, int depth, const glm::dmat3& f
 
 std::uint64_t branches(int size) { return (std::uint64_t{2} << size) - 1; }
 
-} // namespace
+}   // namespace
 
 PrimitiveCounts tree_counts(int size, Primitives primitives, int sectors) {
     const std::uint64_t all = branches(size), cones = all * cone_triangles(sectors);
@@ -44,10 +45,16 @@ PrimitiveCounts tree_counts(int size, Primitives primitives, int sectors) {
 Scene make_tree(int size, Primitives primitives, int sectors) {
     Scene scene;
     scene.camera = Camera{{4.5, 0.4, 2}, {0, 0, 1.5}, {0, 0, 1}, 45};
-    scene.lights = white_lights({{-5, 5, 50}, {30, -30, 30}, {-40, -30, 20},
-                                 {10, 30, 40}, {-30, 40, 10}, {50, 25, 20}, {-10, -60, 30}});
+    scene.lights = white_lights({{-5, 5, 50},
+                                 {30, -30, 30},
+                                 {-40, -30, 20},
+                                 {10, 30, 40},
+                                 {-30, 40, 10},
+                                 {50, 25, 20},
+                                 {-10, -60, 30}});
     MeshWriter mesh(scene, primitives, sectors);
-    const std::uint64_t vertices = (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
+    const std::uint64_t vertices =
+        (primitives == Primitives::native ? 0 : sphere_vertices) + cone_vertices(sectors);
     mesh.reserve(branches(size) * vertices + 4, tree_counts(size, primitives, sectors), true);
     mesh.material({.name = "field", .colour{0.2, 0.7, 0.2}, .ambient = 0.1, .diffuse = 0.5});
     mesh.flat({{50, 50, 0}, {-50, 50, 0}, {-50, -50, 0}, {50, -50, 0}});
@@ -56,4 +63,4 @@ Scene make_tree(int size, Primitives primitives, int sectors) {
     return scene;
 }
 
-} // namespace rayclock
+}   // namespace rayclock

@@ -26,30 +26,44 @@ std::vector<Point> measure(Stage& stage, Engine engine) {
     std::vector<Point> points;
     const auto add = [&](const std::string& label, const Whitted& settings) {
         const Shot shot = stage.take(engine, settings);
-        points.push_back({label, settings, shot.rays, shot.run ? shot.run->cycles : 0, distance(shot.picture, best)});
+        points.push_back(
+            {label, settings, shot.rays, shot.run ? shot.run->cycles : 0, distance(shot.picture, best)});
     };
     for (const int side : sides) add(fmt::format("{}x{}", side, side), {.depth = depth, .aa = side});
     for (int shift = 1; shift <= finest; ++shift)
-        add(fmt::format("1/{}", 1 << shift), {.depth = depth, .aa = adaptive_side, .contrast = 1.0 / (1 << shift)});
+        add(fmt::format("1/{}", 1 << shift),
+            {.depth = depth, .aa = adaptive_side, .contrast = 1.0 / (1 << shift)});
     return points;
 }
 
 nlohmann::ordered_json json_of(const std::vector<Point>& points) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Point& p : points) {
-        list.push_back({{"aa", p.settings.aa}, {"contrast", p.settings.contrast}, {"samples", p.rays.primary}, {"rays", p.rays.all()}, {"rmse", p.error.rmse}, {"psnr_db", p.error.psnr_db}});
+        list.push_back({{"aa", p.settings.aa},
+                        {"contrast", p.settings.contrast},
+                        {"samples", p.rays.primary},
+                        {"rays", p.rays.all()},
+                        {"rmse", p.error.rmse},
+                        {"psnr_db", p.error.psnr_db}});
         if (p.cycles) list.back()["cycles"] = p.cycles;
     }
     return list;
 }
 
-double cost(const Point& p, int khz) { return p.cycles ? double(p.cycles) / khz : double(p.rays.all()) / 1e3; }
+double cost(const Point& p, int khz) {
+    return p.cycles ? double(p.cycles) / khz : double(p.rays.all()) / 1e3;
+}
 
 /// Even samples are dark, adaptive ones pale, but for those that beat the former.
 plot::Drawing drawing(const std::string& title, const std::vector<Point>& points, int khz) {
-    plot::Panel even{"the same everywhere", points[0].cycles ? "milliseconds a frame at 66 MHz" : "rays, thousands", "RMSE against 8x8 samples", true, {}};
+    plot::Panel even{"the same everywhere",
+                     points[0].cycles ? "milliseconds a frame at 66 MHz" : "rays, thousands",
+                     "RMSE against 8x8 samples",
+                     true,
+                     {}};
     plot::Panel adaptive = even;
-    adaptive.title = fmt::format("4 samples, and the rest of {}x{} where needed", adaptive_side, adaptive_side);
+    adaptive.title =
+        fmt::format("4 samples, and the rest of {}x{} where needed", adaptive_side, adaptive_side);
     for (const Point& p : points) {
         if (p.settings.contrast == 0) {
             even.marks.push_back({cost(p, khz), p.error.rmse, p.label, true, false});
@@ -59,7 +73,10 @@ plot::Drawing drawing(const std::string& title, const std::vector<Point>& points
             even.marks.push_back({cost(p, khz), p.error.rmse, "", false, false});
         }
     }
-    return plot::chart(title, "left: samples a pixel; right: the contrast above which a pixel gets all; pale: the other panel's", {even, adaptive});
+    return plot::chart(
+        title,
+        "left: samples a pixel; right: the contrast above which a pixel gets all; pale: the other panel's",
+        {even, adaptive});
 }
 
 double work(const Point& p) { return p.cycles ? double(p.cycles) : double(p.rays.all()); }
@@ -71,20 +88,27 @@ std::string sentence(const std::vector<Point>& points, Engine engine) {
         if (e.settings.contrast > 0) continue;
         const Point* least = nullptr;
         for (const Point& p : points)
-            if (p.settings.contrast > 0 && p.error.rmse <= e.error.rmse && work(p) < work(e) && (!least || work(p) < work(*least))) least = &p;
+            if (p.settings.contrast > 0 && p.error.rmse <= e.error.rmse && work(p) < work(e) &&
+                (!least || work(p) < work(*least)))
+                least = &p;
         if (least) even = &e, cheap = least;
     }
     if (!even) return fmt::format("By the {}, no contrast beats an even grid.", name_of(engine));
-    return fmt::format("By the {}, contrast {} has an error of {:.4f}, {} everywhere of {:.4f} with {:.2f} times the {}.", name_of(engine), cheap->label, cheap->error.rmse, even->label,
-                       even->error.rmse, work(*even) / work(*cheap), cheap->cycles ? "cycles" : "rays");
+    return fmt::format(
+        "By the {}, contrast {} has an error of {:.4f}, {} everywhere of {:.4f} with {:.2f} times the {}.",
+        name_of(engine), cheap->label, cheap->error.rmse, even->label, even->error.rmse,
+        work(*even) / work(*cheap), cheap->cycles ? "cycles" : "rays");
 }
 
-} // namespace
+}   // namespace
 
 void adaptive(Page& page) {
-    page.say(fmt::format("\n## Samples where they are needed\n\nAfter four samples, one in each quarter of the pixel, the other {} of {}x{} are taken only if some channel differs by more than the "
-                         "contrast among the four (after Mitchell 1987). Depth {}. Error beside the same engine's picture of 8x8 samples everywhere.\n",
-                         adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, depth));
+    page.say(
+        fmt::format("\n## Samples where they are needed\n\nAfter four samples, one in each quarter of the "
+                    "pixel, the other {} of {}x{} are taken only if some channel differs by more than the "
+                    "contrast among the four (after Mitchell 1987). Depth {}. Error beside the same engine's "
+                    "picture of 8x8 samples everywhere.\n",
+                    adaptive_side * adaptive_side - 4, adaptive_side, adaptive_side, depth));
     for (const char* scene : scenes) {
         Stage stage(page.studio(), scene, {.depth = depth, .aa = most_aa});
         page.say(fmt::format("\n### `{}`\n\n", scene));
@@ -95,10 +119,16 @@ void adaptive(Page& page) {
             const int khz = stage.job().khz;
             const double pixels = double(stage.job().size.width) * stage.job().size.height;
             if (e == page.measured().back())
-                page.say(page.plot(std::string("adaptive-") + scene, drawing(fmt::format("{}, {}x{} pixels, {}", scene, stage.job().size.width, stage.job().size.height, name_of(e)), points, khz)) + "\n\n");
+                page.say(page.plot(std::string("adaptive-") + scene,
+                                   drawing(fmt::format("{}, {}x{} pixels, {}", scene, stage.job().size.width,
+                                                       stage.job().size.height, name_of(e)),
+                                           points, khz)) +
+                         "\n\n");
             for (const Point& p : points)
-                rows.push_back({p.settings.contrast > 0 ? "contrast " + p.label : p.label, name_of(e), fmt::format("{:.2f}", double(p.rays.primary) / pixels), grouped(p.rays.all()),
-                                p.cycles ? grouped(p.cycles) : "", fmt::format("{:.5f}", p.error.rmse), decibels(p.error.psnr_db)});
+                rows.push_back({p.settings.contrast > 0 ? "contrast " + p.label : p.label, name_of(e),
+                                fmt::format("{:.2f}", double(p.rays.primary) / pixels), grouped(p.rays.all()),
+                                p.cycles ? grouped(p.cycles) : "", fmt::format("{:.5f}", p.error.rmse),
+                                decibels(p.error.psnr_db)});
             sentences += sentence(points, e) + " ";
             page.numbers["adaptive"][scene][name_of(e)] = json_of(points);
         }
@@ -107,4 +137,4 @@ void adaptive(Page& page) {
     }
 }
 
-} // namespace rayclock::figures
+}   // namespace rayclock::figures

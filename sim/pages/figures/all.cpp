@@ -16,7 +16,7 @@ the units that the scene needs, at 66 MHz with DDR3.
 {}
 )";
 
-} // namespace
+}   // namespace
 
 std::string make_page(Page& page, const std::string& command) {
     for (void (*figure)(Page&) : {bounces, endless_plane, edge, test_share, cutoffs, adaptive}) {
@@ -24,7 +24,8 @@ std::string make_page(Page& page, const std::string& command) {
         figure(page);
     }
     const FrameSize size = page.studio().size;
-    return fmt::format(fmt::runtime(intro), command, size.width, size.height, page.rtl_sentence()) + page.text();
+    return fmt::format(fmt::runtime(intro), command, size.width, size.height, page.rtl_sentence()) +
+           page.text();
 }
 
-} // namespace rayclock::figures
+}   // namespace rayclock::figures

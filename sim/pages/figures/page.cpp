@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 Page::Page(const Studio& studio, std::string folder) : studio_(studio), folder_(std::move(folder)) {
     std::error_code error;
     fs::create_directories(fs::path(folder_) / "figures", error);
-    if (error || !fs::is_directory(fs::path(folder_) / "figures")) throw UserError(folder_ + ": cannot be made a folder for the figures");
+    if (error || !fs::is_directory(fs::path(folder_) / "figures"))
+        throw UserError(folder_ + ": cannot be made a folder for the figures");
     check_writable((fs::path(folder_) / "figures" / "page.png").string());
 }
 
@@ -27,7 +28,8 @@ void Page::table(const std::vector<std::string>& head, const std::vector<std::ve
 }
 
 std::string Page::picture(const std::string& name, const Picture& picture) {
-    write_picture((fs::path(folder_) / "figures" / (name + ".png")).string(), picture, {picture.size, std::vector<Hit>(picture.pixels.size())});
+    write_picture((fs::path(folder_) / "figures" / (name + ".png")).string(), picture,
+                  {picture.size, std::vector<Hit>(picture.pixels.size())});
     return fmt::format("![{0}](figures/{0}.png)", name);
 }
 
@@ -36,7 +38,8 @@ std::string Page::plot(const std::string& name, const plot::Drawing& drawing) {
     return fmt::format("![{0}](figures/{0}.svg)", name);
 }
 
-std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string& what, const Whitted& settings) {
+std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string& what,
+                                                 const Whitted& settings) {
     std::vector<std::pair<Engine, Shot>> all;
     for (const Engine e : {Engine::reference, Engine::model})
         if (studio_.has(e)) all.emplace_back(e, stage.take(e, settings));
@@ -52,8 +55,9 @@ std::vector<std::pair<Engine, Shot>> Page::shots(Stage& stage, const std::string
     if (!studio_.has(Engine::model)) return all;
     const Shot &model = all[all.size() - 2].second, &rtl = all.back().second;
     if (model.run->colours != rtl.run->colours || model.run->cycles != rtl.run->cycles)
-        throw std::runtime_error(fmt::format("{}: the RTL's picture is not the model's: {} cycles and {}, colours {}", what, rtl.run->cycles, model.run->cycles,
-                                             model.run->colours == rtl.run->colours ? "equal" : "not equal"));
+        throw std::runtime_error(fmt::format(
+            "{}: the RTL's picture is not the model's: {} cycles and {}, colours {}", what, rtl.run->cycles,
+            model.run->cycles, model.run->colours == rtl.run->colours ? "equal" : "not equal"));
     ++rtl_compared_;
     return all;
 }
@@ -69,11 +73,16 @@ std::string Page::rtl_sentence() const {
     if (!studio_.has(Engine::rtl)) return "The RTL was not asked for.";
     if (!rtl_trouble_.empty()) return "The RTL was left out: " + rtl_trouble_ + ".";
     if (rtl_compared_ == 0) return fmt::format("The RTL drew {} pictures.", rtl_pictures_);
-    return fmt::format("The RTL drew {} of these pictures as well, and each was compared when this page was made: all are the model's bit for bit, and took as "
-                       "many cycles. So they are not shown a second time.", rtl_compared_);
+    return fmt::format(
+        "The RTL drew {} of these pictures as well, and each was compared when this page was made: all are "
+        "the model's bit for bit, and took as "
+        "many cycles. So they are not shown a second time.",
+        rtl_compared_);
 }
 
 std::string per_cent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-std::string decibels(double psnr_db) { return std::isfinite(psnr_db) ? fmt::format("{:.1f}", psnr_db) : "equal"; }
+std::string decibels(double psnr_db) {
+    return std::isfinite(psnr_db) ? fmt::format("{:.1f}", psnr_db) : "equal";
+}
 
-} // namespace rayclock::figures
+}   // namespace rayclock::figures

@@ -35,10 +35,13 @@ public:
     /// The same with NAME.svg.
     std::string plot(const std::string& name, const plot::Drawing& drawing);
 
-    /// The picture of this name by each engine that was asked for. The RTL's must be the model's, bit for bit and in as many cycles; if it
-    /// is not, UserError names it. Without the RTL, or if it cannot be built, it is left out.
-    std::vector<std::pair<Engine, Shot>> shots(Stage& stage, const std::string& what, const Whitted& settings);
-    /// Those by which curves are measured: not the RTL if the model is there, for its cycles and colours are the same.
+    /// The picture of this name by each engine that was asked for. The RTL's must be the model's, bit for bit
+    /// and in as many cycles; if it is not, UserError names it. Without the RTL, or if it cannot be built, it
+    /// is left out.
+    std::vector<std::pair<Engine, Shot>> shots(Stage& stage, const std::string& what,
+                                               const Whitted& settings);
+    /// Those by which curves are measured: not the RTL if the model is there, for its cycles and colours are
+    /// the same.
     std::vector<Engine> measured() const;
     /// What became of the RTL, as a sentence for the page.
     std::string rtl_sentence() const;
@@ -55,18 +58,18 @@ private:
 };
 
 /// Columns that most tables of the page end with.
-std::string per_cent(double share);           ///< 0.123 -> "12.3 %"
-std::string decibels(double psnr_db);         ///< "41.2", or "equal"
+std::string per_cent(double share);     ///< 0.123 -> "12.3 %"
+std::string decibels(double psnr_db);   ///< "41.2", or "equal"
 
 // The figures, in the order of the page. Each appends its section and its numbers.
-void bounces(Page& page);        ///< spheres at depth 0..5
-void endless_plane(Page& page);  ///< without and with anti-aliasing
-void edge(Page& page);           ///< regular and jittered
-void test_share(Page& page);     ///< time in intersection tests
-void cutoffs(Page& page);        ///< depth and threshold: speed against error
-void adaptive(Page& page);       ///< samples only where they are needed
+void bounces(Page& page);         ///< spheres at depth 0..5
+void endless_plane(Page& page);   ///< without and with anti-aliasing
+void edge(Page& page);            ///< regular and jittered
+void test_share(Page& page);      ///< time in intersection tests
+void cutoffs(Page& page);         ///< depth and threshold: speed against error
+void adaptive(Page& page);        ///< samples only where they are needed
 
 /// The whole page; `command` is what to type for it.
 std::string make_page(Page& page, const std::string& command);
 
-} // namespace rayclock::figures
+}   // namespace rayclock::figures

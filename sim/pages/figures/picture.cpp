@@ -22,7 +22,8 @@ Distance distance(const Picture& a, const Picture& b) {
 
 Picture amplified_difference(const Picture& a, const Picture& b, double factor) {
     Picture out{a.size, {}};
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) out.pixels.push_back(glm::min(float(factor) * glm::abs(a.pixels[i] - b.pixels[i]), glm::vec3(1)));
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        out.pixels.push_back(glm::min(float(factor) * glm::abs(a.pixels[i] - b.pixels[i]), glm::vec3(1)));
     return out;
 }
 
@@ -36,8 +37,10 @@ Picture magnified(const Picture& picture, int x, int y, int w, int h, int factor
     Picture out{{w * factor, h * factor}, {}};
     for (int j = 0; j < h * factor; ++j)
         for (int i = 0; i < w * factor; ++i)
-            out.pixels.push_back(picture.pixels[std::size_t(y + j / factor) * std::size_t(picture.size.width) + std::size_t(x + i / factor)]);
+            out.pixels.push_back(
+                picture.pixels[std::size_t(y + j / factor) * std::size_t(picture.size.width) +
+                               std::size_t(x + i / factor)]);
     return out;
 }
 
-} // namespace rayclock::figures
+}   // namespace rayclock::figures

@@ -30,12 +30,13 @@ struct Shot {
     std::optional<FrameRun> run;   ///< of a machine
 };
 
-/// A scene with one machine for all settings up to `most`: units, stack and registers are those that `most` needs, so that only the
-/// settings differ from picture to picture.
+/// A scene with one machine for all settings up to `most`: units, stack and registers are those that `most`
+/// needs, so that only the settings differ from picture to picture.
 class Stage {
 public:
     Stage(const Studio& studio, const std::string& scene, const Whitted& most, FrameSize size);
-    Stage(const Studio& studio, const std::string& scene, const Whitted& most) : Stage(studio, scene, most, studio.size) {}
+    Stage(const Studio& studio, const std::string& scene, const Whitted& most)
+        : Stage(studio, scene, most, studio.size) {}
 
     Shot take(Engine engine, const Whitted& settings);
     const Scene& scene() const { return scene_; }
@@ -51,4 +52,4 @@ private:
 /// Throws UserError if Ctrl-C was pressed: a page is written whole or not at all.
 void stop_if_interrupted();
 
-} // namespace rayclock::figures
+}   // namespace rayclock::figures

@@ -13,7 +13,9 @@ void cache(std::string_view bytes) {
     if (!passes([&] { parse_json(path, bytes); })) return demand(!value, "an entry is sound JSON");
     auto json = Json::parse(bytes, nullptr, false);
     if (!json.is_object() || !json.contains("value")) return demand(!value, "an entry has a value");
-    const auto text = [](const Json& part) { return part.dump(-1, ' ', false, Json::error_handler_t::replace); };
+    const auto text = [](const Json& part) {
+        return part.dump(-1, ' ', false, Json::error_handler_t::replace);
+    };
     json["key"] = key;
     json["check"] = jobs::hash_text(text(json["value"]));
     const auto found = jobs::entry_value(path, text(json), key);
@@ -22,4 +24,4 @@ void cache(std::string_view bytes) {
     demand(!jobs::entry_value(path, text(json), "another key"), "an entry is of its key only");
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

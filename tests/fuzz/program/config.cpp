@@ -17,9 +17,10 @@ void config(std::string_view bytes) {
             written[p.key] = p.names ? nlohmann::json(value_text(config, p)) : nlohmann::json(value);
         }
         const Config again = parse_config(path, written.dump());
-        for (const Parameter& p : parameters()) demand(config.*p.member == again.*p.member, "what is written is read again");
+        for (const Parameter& p : parameters())
+            demand(config.*p.member == again.*p.member, "what is written is read again");
         demand(again.name == config.name, "a name that was made printable stays as it is");
     });
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

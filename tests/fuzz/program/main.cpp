@@ -1,7 +1,7 @@
 // rc_fuzz: libFuzzer around the target that RC_FUZZ_TARGET names.
 //
-// RC_FUZZ_LARGE=BYTES blows every input up: a part of it is repeated until there are so many bytes. So a small input stands for a
-// large file, and what takes a time that grows with the square is found.
+// RC_FUZZ_LARGE=BYTES blows every input up: a part of it is repeated until there are so many bytes. So a
+// small input stands for a large file, and what takes a time that grows with the square is found.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -21,20 +21,30 @@ struct Target {
     const char* name;
     void (*run)(std::string_view bytes);
 };
-constexpr std::array<Target, 10> targets{{{"obj", obj}, {"mtl", mtl}, {"ply", ply}, {"stl", stl}, {"gltf", gltf}, {"scene", scene},
-                                          {"config", config}, {"state", state}, {"cache", cache}, {"options", options}}};
+constexpr std::array<Target, 10> targets{{{"obj", obj},
+                                          {"mtl", mtl},
+                                          {"ply", ply},
+                                          {"stl", stl},
+                                          {"gltf", gltf},
+                                          {"scene", scene},
+                                          {"config", config},
+                                          {"state", state},
+                                          {"cache", cache},
+                                          {"options", options}}};
 
 void (*chosen)(std::string_view) = nullptr;
 std::size_t large = 0;
 
 std::string blown_up(std::string_view bytes) {
-    // Lines, or what stands between commas: so a list grows, and is often still a list. Which, follows from the bytes themselves.
+    // Lines, or what stands between commas: so a list grows, and is often still a list. Which, follows from
+    // the bytes themselves.
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < bytes.size(); ++i)
         if (bytes[i] == ',' || bytes[i] == '\n') ends.push_back(i);
     if (ends.size() < 2) ends = {0, bytes.size()};
     const std::size_t hash = std::hash<std::string_view>()(bytes);
-    const std::size_t first = hash % (ends.size() - 1), count = 1 + hash / 65'536 % std::min<std::size_t>(4, ends.size() - 1 - first);
+    const std::size_t first = hash % (ends.size() - 1),
+                      count = 1 + hash / 65'536 % std::min<std::size_t>(4, ends.size() - 1 - first);
     const std::size_t from = ends[first], to = ends[first + count];
     std::string all(bytes.substr(0, from));
     const std::string_view part = bytes.substr(from, to - from), rest = bytes.substr(to);
@@ -42,7 +52,8 @@ std::string blown_up(std::string_view bytes) {
     return all += rest;
 }
 
-/// libFuzzer's own limit is by the clock on the wall, which says little on a machine that does other things as well.
+/// libFuzzer's own limit is by the clock on the wall, which says little on a machine that does other things
+/// as well.
 constexpr double most_seconds = 10;
 
 double processor_seconds() {
@@ -51,9 +62,11 @@ double processor_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-} // namespace
+}   // namespace
 
-std::filesystem::path file(const std::string& name) { return std::filesystem::path(RAYCLOCK_FUZZ_FILES) / name; }
+std::filesystem::path file(const std::string& name) {
+    return std::filesystem::path(RAYCLOCK_FUZZ_FILES) / name;
+}
 
 void demand(bool holds, const char* claim) {
     if (holds) return;
@@ -63,10 +76,11 @@ void demand(bool holds, const char* claim) {
 
 void check_sentence(const std::string& sentence) {
     demand(!sentence.empty() && sentence.size() < 1000, "a sentence has up to 1000 letters");
-    for (const char c : sentence) demand(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "a sentence has no control characters");
+    for (const char c : sentence)
+        demand(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "a sentence has no control characters");
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
     using namespace rayclock::fuzz;
@@ -88,8 +102,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     const double start = processor_seconds();
     try {
-        if (large > 0) chosen(blown_up(bytes));
-        else chosen(bytes);
+        if (large > 0)
+            chosen(blown_up(bytes));
+        else
+            chosen(bytes);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "rc_fuzz: no UserError: %s\n", error.what());
         std::abort();

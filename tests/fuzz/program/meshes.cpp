@@ -10,10 +10,11 @@ using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 
 /// As load_mesh_file() does it.
 void check_mesh(Read read, const std::string& name, std::string_view bytes, Finite finite) {
-    check_reader(bytes, [&](Loading& loading) { return read(file(name), std::string(bytes), loading); }, finite);
+    check_reader(
+        bytes, [&](Loading& loading) { return read(file(name), std::string(bytes), loading); }, finite);
 }
 
-} // namespace
+}   // namespace
 
 void obj(std::string_view bytes) { check_mesh(read_obj, "fuzzed.obj", bytes, Finite::always); }
 void ply(std::string_view bytes) { check_mesh(read_ply, "fuzzed.ply", bytes, Finite::always); }
@@ -39,4 +40,4 @@ void mtl(std::string_view bytes) {
         Finite::always);
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

@@ -1,7 +1,8 @@
-// The command line: main() of the program and the options that commands share, with commands that only read them.
+// The command line: main() of the program and the options that commands share, with commands that only read
+// them.
 //
-// An input has a word in each line. Whatever a command would do after it has read its options is left out, so that nothing is
-// written, built or drawn.
+// An input has a word in each line. Whatever a command would do after it has read its options is left out, so
+// that nothing is written, built or drawn.
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -23,8 +24,8 @@ namespace {
 
 /// The options that commands share, and those of single commands whose values are read from text.
 struct Options {
-    std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2", max_error = "0.1%",
-                max_work = "0%", max_other = "1%";
+    std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2",
+                       max_error = "0.1%", max_work = "0%", max_other = "1%";
     std::vector<std::string> axes;
     std::optional<double> min_psnr;
     ConfigChoice config;
@@ -72,11 +73,13 @@ int read_options(const Options& o) {
     };
     read([&] {
         const FrameSize frame = parse_size(o.size);
-        const bool sensible = frame.width > 0 && frame.height > 0 && std::int64_t{frame.width} * frame.height <= 1 << 26;
+        const bool sensible =
+            frame.width > 0 && frame.height > 0 && std::int64_t{frame.width} * frame.height <= 1 << 26;
         fuzz::demand(sensible, "a picture has a sensible size");
     });
     read([&] {
-        for (const int khz : parse_clocks(o.clocks)) fuzz::demand(khz >= 1000 && khz <= 100'000'000, "a clock is in range");
+        for (const int khz : parse_clocks(o.clocks))
+            fuzz::demand(khz >= 1000 && khz <= 100'000'000, "a clock is in range");
     });
     read([&] {
         const Config config = load_config(o.config);
@@ -86,20 +89,23 @@ int read_options(const Options& o) {
     });
     read([&] { parse_values("--bits", o.bits); });
     read([&] { fuzz::demand(parse_rays(o.rays) >= 1, "there is a ray"); });
-    read([&] { fuzz::demand(parse_percent("--max-error", o.max_error, false) > 0, "an error may be above 0"); });
+    read([&] {
+        fuzz::demand(parse_percent("--max-error", o.max_error, false) > 0, "an error may be above 0");
+    });
     read([&] { parse_percent("--max-work", o.max_work, true); });
     read([&] { parse_percent("--max-other", o.max_other, true); });
     read([&] { check_psnr(o.min_psnr); });
     read([&] { traffic_of(o.traffic); });
     read([&] { camera_path(o.frames, Camera{}); });
     read([&] {
-        if (is_builtin(o.scene)) builtin_counts(o.scene, o.finish.fresnel ? Primitives::native : Primitives::triangles);
+        if (is_builtin(o.scene))
+            builtin_counts(o.scene, o.finish.fresnel ? Primitives::native : Primitives::triangles);
     });
     if (!refused.empty()) throw UserError(refused);
     return 0;
 }
 
-} // namespace
+}   // namespace
 
 #define COMMAND(name) \
     Command name##_command() { return command<Options>(#name, "", "", declare, read_options); }
@@ -127,7 +133,7 @@ void guard_streams() {}
 void write_output(std::string_view) {}
 std::string finish_output() { return {}; }
 
-} // namespace rayclock
+}   // namespace rayclock
 
 namespace rayclock::fuzz {
 
@@ -135,9 +141,12 @@ void options(std::string_view bytes) {
     constexpr std::size_t most = 200;
     std::vector<std::string> words{"rayclock"};
     for (const char c : bytes) {
-        if (c == '\n' && words.size() < most) words.emplace_back();
-        else if (words.size() == 1) words.push_back(c == '\0' ? std::string{} : std::string(1, c));
-        else if (c != '\0') words.back() += c;
+        if (c == '\n' && words.size() < most)
+            words.emplace_back();
+        else if (words.size() == 1)
+            words.push_back(c == '\0' ? std::string{} : std::string(1, c));
+        else if (c != '\0')
+            words.back() += c;
     }
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -146,4 +155,4 @@ void options(std::string_view bytes) {
     demand(code == 0 || code == 2, "options are good, or refused as a UserError");
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

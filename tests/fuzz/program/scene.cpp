@@ -6,7 +6,9 @@
 namespace rayclock::fuzz {
 
 void scene(std::string_view bytes) {
-    check_reader(bytes, [&](Loading& loading) { return read_json_scene(file("fuzzed.json"), bytes, loading).scene; }, Finite::checked);
+    check_reader(
+        bytes, [&](Loading& loading) { return read_json_scene(file("fuzzed.json"), bytes, loading).scene; },
+        Finite::checked);
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

@@ -37,15 +37,19 @@ Answer answer_of(const std::function<Scene(Loading&)>& read) {
 
 void check_indices(const Scene& scene) {
     for (const Triangle& t : scene.triangles) {
-        for (const std::uint32_t v : t.vertex) demand(v < scene.vertices.size(), "a triangle's vertices are in range");
+        for (const std::uint32_t v : t.vertex)
+            demand(v < scene.vertices.size(), "a triangle's vertices are in range");
         demand(t.material < scene.materials.size(), "a triangle's material is in range");
     }
-    for (const Sphere& s : scene.spheres) demand(s.material < scene.materials.size(), "a sphere's material is in range");
-    for (const Plane& p : scene.planes) demand(p.material < scene.materials.size(), "a plane's material is in range");
-    demand(scene.normals.empty() || scene.normals.size() == scene.vertices.size(), "every vertex has a normal, or none has");
+    for (const Sphere& s : scene.spheres)
+        demand(s.material < scene.materials.size(), "a sphere's material is in range");
+    for (const Plane& p : scene.planes)
+        demand(p.material < scene.materials.size(), "a plane's material is in range");
+    demand(scene.normals.empty() || scene.normals.size() == scene.vertices.size(),
+           "every vertex has a normal, or none has");
 }
 
-} // namespace
+}   // namespace
 
 void check_reader(std::string_view bytes, const std::function<Scene(Loading&)>& read, Finite finite) {
     Answer answer = answer_of(read);
@@ -65,4 +69,4 @@ void check_reader(std::string_view bytes, const std::function<Scene(Loading&)>& 
     });
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

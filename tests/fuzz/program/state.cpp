@@ -28,13 +28,17 @@ void check_state(std::string_view text) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const stress::Counts& c = cells[i].counts;
             demand(c.rays == rays_after(batches)[i], "a state has the rays of its batches");
-            demand(c.leaks <= c.rays && c.double_hits <= c.rays && c.oracle_mismatches <= c.rays && c.walked <= c.rays, "no count is above that of rays");
-            demand(c.boxes_extra <= c.boxes && c.false_shadows <= c.shadow_rays && c.light_leaks <= c.shadow_rays, "no part is above its whole");
+            demand(c.leaks <= c.rays && c.double_hits <= c.rays && c.oracle_mismatches <= c.rays &&
+                       c.walked <= c.rays,
+                   "no count is above that of rays");
+            demand(c.boxes_extra <= c.boxes && c.false_shadows <= c.shadow_rays &&
+                       c.light_leaks <= c.shadow_rays,
+                   "no part is above its whole");
         }
     });
 }
 
-} // namespace
+}   // namespace
 
 void state(std::string_view bytes) {
     check_state(bytes);
@@ -43,9 +47,11 @@ void state(std::string_view bytes) {
     auto json = nlohmann::ordered_json::parse(bytes, nullptr, false);
     if (!json.is_object() || !json.contains("batches") || !json.contains("counts")) return;
     using Json = nlohmann::ordered_json;
-    const auto text = [](const Json& part) { return nlohmann::json(part).dump(-1, ' ', false, Json::error_handler_t::replace); };
+    const auto text = [](const Json& part) {
+        return nlohmann::json(part).dump(-1, ' ', false, Json::error_handler_t::replace);
+    };
     json["check"] = jobs::hash_text(text(json["batches"]) + text(json["counts"]));
     check_state(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

@@ -1,7 +1,7 @@
 // What is fuzzed: parsers by name, each with what must hold of all that it lets pass.
 //
-// A parser may throw UserError and nothing else. Any other exception, a sanitizer's finding, a broken demand, too much time or
-// too much memory is a finding of libFuzzer, which keeps the input.
+// A parser may throw UserError and nothing else. Any other exception, a sanitizer's finding, a broken demand,
+// too much time or too much memory is a finding of libFuzzer, which keeps the input.
 #pragma once
 #include <exception>
 #include <filesystem>
@@ -43,4 +43,4 @@ template <class Call> bool passes(const Call& call) {
     }
 }
 
-} // namespace rayclock::fuzz
+}   // namespace rayclock::fuzz

@@ -6,8 +6,8 @@
 
 namespace rayclock::campaign {
 
-/// What is asked for: `count` faults drawn from `seed`, and the rows that CMake has written into the folder `rows`, unless it
-/// is empty.
+/// What is asked for: `count` faults drawn from `seed`, and the rows that CMake has written into the folder
+/// `rows`, unless it is empty.
 struct Order {
     std::filesystem::path folder;
     std::uint64_t seed = 0;
@@ -15,8 +15,8 @@ struct Order {
     std::filesystem::path rows;
 };
 
-/// Draws faults of rtl/, takes out what Verilator refuses, and draws others instead. Leaves FOLDER/rtl, whose modules are
-/// built as they are asked for, and FOLDER's lists.
+/// Draws faults of rtl/, takes out what Verilator refuses, and draws others instead. Leaves FOLDER/rtl, whose
+/// modules are built as they are asked for, and FOLDER's lists.
 void make_rtl_copy(const std::filesystem::path& source, const Order& order);
 
 /// From now on this process, and those that it starts, use FOLDER/rtl.
@@ -24,14 +24,16 @@ void use_rtl_copy(const std::filesystem::path& folder);
 /// The file that says which of the RTL's faults is awake.
 Caller caller_of(const std::filesystem::path& folder);
 
-/// The same of the model's arithmetic. Leaves FOLDER/objects, the faulty files compiled, to be linked in front of the libraries.
+/// The same of the model's arithmetic. Leaves FOLDER/objects, the faulty files compiled, to be linked in
+/// front of the libraries.
 void make_model_copy(const std::filesystem::path& source, const Order& order);
 
-/// Links a test program of the build folder once more, to FOLDER, with the model's faults in it; the environment's RC_FAULT
-/// says which is awake.
-void link_with_faults(const std::filesystem::path& folder, const std::filesystem::path& build, const std::string& program);
+/// Links a test program of the build folder once more, to FOLDER, with the model's faults in it; the
+/// environment's RC_FAULT says which is awake.
+void link_with_faults(const std::filesystem::path& folder, const std::filesystem::path& build,
+                      const std::string& program);
 
 /// The command's status, as the shell knows it.
 int shell(const std::string& command);
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

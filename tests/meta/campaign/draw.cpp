@@ -20,4 +20,4 @@ std::optional<Mutant> Draw::next() {
     return m;
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

@@ -21,4 +21,4 @@ private:
     int drawn_ = 0;
 };
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

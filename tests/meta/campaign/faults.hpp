@@ -4,7 +4,8 @@
 
 namespace rayclock::campaign {
 
-/// A changed expression. An expression that needs a register of its own (`latched late`) has `late` set, and no text.
+/// A changed expression. An expression that needs a register of its own (`latched late`) has `late` set, and
+/// no text.
 struct Fault {
     std::string what;    ///< the operator's name
     std::string text;    ///< takes the region's place
@@ -15,4 +16,4 @@ struct Fault {
 /// Everything that the operators make of a region; `plain` is the file as blanked().
 std::vector<Fault> faults(const std::string& plain, const Region& region, Language language);
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

@@ -14,10 +14,11 @@ namespace rayclock::campaign {
 namespace {
 
 std::string seen(const TortureCase& torture, const LockstepResult& result) {
-    return torture.name + (result.first ? fmt::format(": {} {}", result.first->unit, result.first->channel) : ": counters");
+    return torture.name +
+           (result.first ? fmt::format(": {} {}", result.first->unit, result.first->channel) : ": counters");
 }
 
-} // namespace
+}   // namespace
 
 TortureJudge::TortureJudge(const std::vector<std::string>& chips, bool records) {
     for (const std::string& chip : chips)
@@ -25,35 +26,41 @@ TortureJudge::TortureJudge(const std::vector<std::string>& chips, bool records) 
             cases_.push_back({std::move(torture), {}});
             Prepared& p = cases_.back();
             if (!records) continue;
-            for (const Frame& frame : p.torture.frames) p.frames.push_back(record_frame(p.torture.job, frame, 1));
+            for (const Frame& frame : p.torture.frames)
+                p.frames.push_back(record_frame(p.torture.job, frame, 1));
         }
 }
 
 Verdict TortureJudge::operator()(int seconds_at_most) const {
-    return in_child([this](std::string& by) {
-        for (const Prepared& p : cases_) {
-            by = p.torture.name;
-            const LockstepResult result = run_lockstep(p.torture.job, p.frames, p.torture.traffic, {}, p.torture.seed);
-            if (result.agrees()) continue;
-            by = seen(p.torture, result);
-            return true;
-        }
-        return false;
-    }, seconds_at_most);
+    return in_child(
+        [this](std::string& by) {
+            for (const Prepared& p : cases_) {
+                by = p.torture.name;
+                const LockstepResult result =
+                    run_lockstep(p.torture.job, p.frames, p.torture.traffic, {}, p.torture.seed);
+                if (result.agrees()) continue;
+                by = seen(p.torture, result);
+                return true;
+            }
+            return false;
+        },
+        seconds_at_most);
 }
 
 Verdict TortureJudge::with_fault(int number, int seconds_at_most) const {
-    return in_child([this, number](std::string& by) {
-        rc_fault = number;
-        for (const Prepared& p : cases_) {
-            by = p.torture.name;
-            const LockstepResult result = run_torture(p.torture);
-            if (result.agrees()) continue;
-            by = seen(p.torture, result);
-            return true;
-        }
-        return false;
-    }, seconds_at_most);
+    return in_child(
+        [this, number](std::string& by) {
+            rc_fault = number;
+            for (const Prepared& p : cases_) {
+                by = p.torture.name;
+                const LockstepResult result = run_torture(p.torture);
+                if (result.agrees()) continue;
+                by = seen(p.torture, result);
+                return true;
+            }
+            return false;
+        },
+        seconds_at_most);
 }
 
 Verdict in_child(const std::function<bool(std::string&)>& work, int seconds_at_most) {
@@ -89,10 +96,11 @@ Verdict in_child(const std::function<bool(std::string&)>& work, int seconds_at_m
     verdict.noticed = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        verdict.by = signal == SIGXCPU || signal == SIGKILL ? "it does not end" : fmt::format("signal {}", signal);
+        verdict.by =
+            signal == SIGXCPU || signal == SIGKILL ? "it does not end" : fmt::format("signal {}", signal);
     }
     verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return verdict;
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

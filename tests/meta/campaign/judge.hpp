@@ -1,5 +1,6 @@
 #pragma once
-// Runs the torture set on one called mutant after the other, each in a process of its own, so that a crash is a verdict as well.
+// Runs the torture set on one called mutant after the other, each in a process of its own, so that a crash is
+// a verdict as well.
 #include <functional>
 
 #include "sim/torture/torture.hpp"
@@ -12,8 +13,8 @@ namespace rayclock::campaign {
 
 class TortureJudge {
 public:
-    /// `chips`: of torture_chips(), those that are run, in this order. `records` what rays do, once for all faults of the RTL; for
-    /// faults of the model nothing must have been worked out before they wake.
+    /// `chips`: of torture_chips(), those that are run, in this order. `records` what rays do, once for all
+    /// faults of the RTL; for faults of the model nothing must have been worked out before they wake.
     TortureJudge(const std::vector<std::string>& chips, bool records);
     Verdict operator()(int seconds_at_most) const;
     /// The same with a fault of the model awake, so that what rays do is recorded anew.
@@ -27,7 +28,8 @@ private:
     std::vector<Prepared> cases_;
 };
 
-/// Runs `work` in a child, which ends with 0 if nothing was noticed; it may write a word to the descriptor first.
+/// Runs `work` in a child, which ends with 0 if nothing was noticed; it may write a word to the descriptor
+/// first.
 Verdict in_child(const std::function<bool(std::string&)>& work, int seconds_at_most);
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

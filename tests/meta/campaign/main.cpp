@@ -1,8 +1,11 @@
 // rc_campaign: faults by the hundred, drawn at random or from a table, and what notices them.
-//   rc_campaign rtl FOLDER SEED COUNT [ROWS]          draws faults of rtl/ and runs the torture set on each; with ROWS, where
-//                                                     CMake has written the rows of tests/meta/mutants_*.cmake, on those as well
-//   rc_campaign model FOLDER SEED COUNT BUILD [ROWS]  the same for the model's arithmetic, beside the sound RTL
-//   rc_campaign tests FOLDER BUILD PAGE quick|slow    gives what the torture set did not notice to the tests of the build folder;
+//   rc_campaign rtl FOLDER SEED COUNT [ROWS]          draws faults of rtl/ and runs the torture set on each;
+//   with ROWS, where
+//                                                     CMake has written the rows of
+//                                                     tests/meta/mutants_*.cmake, on those as well
+//   rc_campaign model FOLDER SEED COUNT BUILD [ROWS]  the same for the model's arithmetic, beside the sound
+//   RTL rc_campaign tests FOLDER BUILD PAGE quick|slow    gives what the torture set did not notice to the
+//   tests of the build folder;
 //                                                     PAGE says what changes nothing, and why
 //   rc_campaign report FOLDER PAGE PERCENT            counts
 // FOLDER keeps all that is done; started again, a command goes on where it was.
@@ -34,7 +37,8 @@ int rtl(const Words& words) {
 int model(const Words& words) {
     const Order order = order_of(words, 5);
     if (!fs::exists(order.folder / "mutants")) make_model_copy(source, order);
-    if (!fs::exists(order.folder / "rc_campaign")) link_with_faults(order.folder, fs::absolute(words[4]), "tests/meta/rc_campaign");
+    if (!fs::exists(order.folder / "rc_campaign"))
+        link_with_faults(order.folder, fs::absolute(words[4]), "tests/meta/rc_campaign");
     return shell(fmt::format("'{0}/rc_campaign' faults '{0}'", order.folder.string())) == 0 ? 0 : 1;
 }
 
@@ -43,16 +47,19 @@ int run(const Words& words) {
     const std::size_t n = words.size();
     if (what == "rtl" && (n == 4 || n == 5)) return rtl(words);
     if (what == "model" && (n == 5 || n == 6)) return model(words);
-    if (what == "faults" && n == 2) return torture_model(words[1]), 0;   // `model` calls it, in the program with the faults
+    if (what == "faults" && n == 2)
+        return torture_model(words[1]), 0;   // `model` calls it, in the program with the faults
     if (what == "tests" && n == 5 && (words[4] == "quick" || words[4] == "slow"))
-        return test_survivors(fs::absolute(words[1]), fs::absolute(words[2]), words[3], words[4] == "slow"), 0;
+        return test_survivors(fs::absolute(words[1]), fs::absolute(words[2]), words[3], words[4] == "slow"),
+               0;
     if (what == "report" && n == 4) return report(words[1], words[2], std::stod(words[3])) ? 0 : 1;
-    fmt::print(stderr, "rc_campaign rtl FOLDER SEED COUNT [ROWS] | model FOLDER SEED COUNT BUILD [ROWS] | "
-                       "tests FOLDER BUILD PAGE quick|slow | report FOLDER PAGE PERCENT\n");
+    fmt::print(stderr,
+               "rc_campaign rtl FOLDER SEED COUNT [ROWS] | model FOLDER SEED COUNT BUILD [ROWS] | "
+               "tests FOLDER BUILD PAGE quick|slow | report FOLDER PAGE PERCENT\n");
     return 2;
 }
 
-} // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     try {

@@ -17,14 +17,17 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Where the machine's arithmetic is. Faults are drawn from its sources, not its headers.
-constexpr const char* arithmetic[] = {"model/isect/", "model/trav/", "model/list/", "model/raygen/", "model/shade/"};
+constexpr const char* arithmetic[] = {"model/isect/", "model/trav/", "model/list/", "model/raygen/",
+                                      "model/shade/"};
 /// Primitive tests that no RTL has, and pictures of hits alone: no machine runs them.
-constexpr const char* not_in_a_machine[] = {"model/isect/moller.cpp", "model/isect/woop.cpp", "model/isect/unit24.cpp",
-                                            "model/isect/truncated.cpp", "model/shade/shade.cpp"};
+constexpr const char* not_in_a_machine[] = {"model/isect/moller.cpp", "model/isect/woop.cpp",
+                                            "model/isect/unit24.cpp", "model/isect/truncated.cpp",
+                                            "model/shade/shade.cpp"};
 
-/// What model and RTL share: memory images, memory's timing, pictures to compare with. A fault there changes both alike.
-constexpr const char* shared[] = {"model/accel/", "model/mem/dram", "model/mem/memport", "model/core/", "model/oracle/",
-                                  "model/reference/", "model/scene/"};
+/// What model and RTL share: memory images, memory's timing, pictures to compare with. A fault there changes
+/// both alike.
+constexpr const char* shared[] = {"model/accel/",  "model/mem/dram",   "model/mem/memport", "model/core/",
+                                  "model/oracle/", "model/reference/", "model/scene/"};
 
 bool is_shared(const Mutant& m) {
     const auto begins = [&](const char* folder) { return m.file.starts_with(folder); };
@@ -45,7 +48,8 @@ public:
         fs::create_directories(folder_ / "objects");
         std::ofstream(folder_ / "fault.hpp") << "extern int rc_fault;\n";
         for (const auto& entry : fs::recursive_directory_iterator(source_ / "model"))
-            if (entry.path().extension() == ".cpp") units_[fs::relative(entry.path(), source_).string()] = included(entry.path());
+            if (entry.path().extension() == ".cpp")
+                units_[fs::relative(entry.path(), source_).string()] = included(entry.path());
     }
 
     /// Numbers of the mutants that the compiler refuses; none if all objects are made.
@@ -67,7 +71,8 @@ public:
 private:
     std::set<std::string> included(const fs::path& unit) const {
         const fs::path list = folder_ / "included";
-        if (shell(fmt::format("c++ -std=c++20 -MM -I'{}' '{}' > '{}'", source_.string(), unit.string(), list.string())) != 0)
+        if (shell(fmt::format("c++ -std=c++20 -MM -I'{}' '{}' > '{}'", source_.string(), unit.string(),
+                              list.string())) != 0)
             throw std::runtime_error(unit.string() + " cannot be read");
         std::set<std::string> files;
         std::ifstream in(list);
@@ -80,13 +85,16 @@ private:
         const fs::path log = folder_ / "log";
         std::string object = unit;
         std::replace(object.begin(), object.end(), '/', '_');
-        const std::string command =
-            fmt::format("c++ -std=c++20 -O2 -DNDEBUG -ffp-contract=off -w -include '{0}/fault.hpp' -I'{0}' -I'{1}' -c '{0}/{2}' "
-                        "-o '{0}/objects/{3}.o' 2> '{4}'", folder_.string(), source_.string(), unit, object, log.string());
+        const std::string command = fmt::format(
+            "c++ -std=c++20 -O2 -DNDEBUG -ffp-contract=off -w -include '{0}/fault.hpp' -I'{0}' -I'{1}' -c "
+            "'{0}/{2}' "
+            "-o '{0}/objects/{3}.o' 2> '{4}'",
+            folder_.string(), source_.string(), unit, object, log.string());
         if (shell(command) == 0) return {};
         const std::string said = text_of(log);
         std::string errors;
-        for (std::size_t at = said.find(" error: "); at != std::string::npos; at = said.find(" error: ", at + 1))
+        for (std::size_t at = said.find(" error: "); at != std::string::npos;
+             at = said.find(" error: ", at + 1))
             errors += said.substr(said.rfind('\n', at) + 1, at - said.rfind('\n', at)) + "\n";
         const std::set<int> out = named_in(errors);
         if (!out.empty()) return out;
@@ -101,11 +109,12 @@ private:
 
 std::string objects_of(const fs::path& folder) {
     std::string objects;
-    for (const auto& entry : fs::directory_iterator(folder / "objects")) objects += fmt::format(" '{}'", entry.path().string());
+    for (const auto& entry : fs::directory_iterator(folder / "objects"))
+        objects += fmt::format(" '{}'", entry.path().string());
     return objects;
 }
 
-} // namespace
+}   // namespace
 
 int shell(const std::string& command) { return std::system(command.c_str()); }
 
@@ -138,14 +147,18 @@ void make_model_copy(const fs::path& source, const Order& order) {
         for (std::vector<Mutant>* list : {&mutants, &rows})
             std::erase_if(*list, [&](const Mutant& m) { return numbers.contains(m.number); });
     }
-    fmt::print("{} faults drawn, {} cannot be built; rows that one copy cannot hold: {}\n", mutants.size(), out.size(), others.size());
+    fmt::print("{} faults drawn, {} cannot be built; rows that one copy cannot hold: {}\n", mutants.size(),
+               out.size(), others.size());
     for (const std::string& name : others) fmt::print("  {}\n", name);
-    std::ofstream(order.folder / "fault.cpp") << "#include <cstdlib>\nint rc_fault = std::getenv(\"RC_FAULT\") ? std::atoi(std::getenv(\"RC_FAULT\")) : 0;\n";
+    std::ofstream(order.folder / "fault.cpp")
+        << "#include <cstdlib>\nint rc_fault = std::getenv(\"RC_FAULT\") ? "
+           "std::atoi(std::getenv(\"RC_FAULT\")) : 0;\n";
 }
 
 void link_with_faults(const fs::path& folder, const fs::path& build, const std::string& program) {
     const fs::path list = folder / "commands";
-    if (shell(fmt::format("ninja -C '{}' -t commands '{}' > '{}'", build.string(), program, list.string())) != 0)
+    if (shell(fmt::format("ninja -C '{}' -t commands '{}' > '{}'", build.string(), program, list.string())) !=
+        0)
         throw std::runtime_error("ninja does not know " + program);
     const std::string all = text_of(list), output = " -o " + program + " ";
     const std::size_t at = all.find(output);
@@ -153,10 +166,11 @@ void link_with_faults(const fs::path& folder, const fs::path& build, const std::
     const std::size_t line = all.rfind('\n', at) + 1, from = std::max(line, all.rfind("&& ", at) + 3);
     std::string command = all.substr(from, std::min(all.find(" && ", at), all.find('\n', at)) - from);
     const fs::path target = folder / fs::path(program).filename();
-    command.replace(command.find(output), output.size(),
-                    fmt::format(" -o '{}' '{}/fault.cpp'{} ", target.string(), folder.string(), objects_of(folder)));
+    command.replace(
+        command.find(output), output.size(),
+        fmt::format(" -o '{}' '{}/fault.cpp'{} ", target.string(), folder.string(), objects_of(folder)));
     if (shell(fmt::format("cd '{}' && {}", build.string(), command)) != 0)
         throw std::runtime_error(program + " with the model's faults cannot be linked");
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

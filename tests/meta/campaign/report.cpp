@@ -15,20 +15,23 @@ struct Count {
 
 void print(const char* what, const Count& c) {
     const auto share = [&](int part) { return c.all > 0 ? 100.0 * part / c.all : 0; };
-    fmt::print("{}: {}; noticed by the torture set {} ({:.1f} %), with the quick tests {} ({:.1f} %), with slow ones {} ({:.1f} %)\n",
-               what, c.all, c.torture, share(c.torture), c.quick, share(c.quick), c.slow, share(c.slow));
+    fmt::print(
+        "{}: {}; noticed by the torture set {} ({:.1f} %), with the quick tests {} ({:.1f} %), with slow "
+        "ones {} ({:.1f} %)\n",
+        what, c.all, c.torture, share(c.torture), c.quick, share(c.quick), c.slow, share(c.slow));
 }
 
-} // namespace
+}   // namespace
 
 bool report(const fs::path& folder, const fs::path& page, double percent) {
-    const Lines mutants = lines_of(folder / "mutants"), torture = lines_of(folder / "torture"), quick = lines_of(folder / "quick"),
-                slow = lines_of(folder / "slow");
+    const Lines mutants = lines_of(folder / "mutants"), torture = lines_of(folder / "torture"),
+                quick = lines_of(folder / "quick"), slow = lines_of(folder / "slow");
     const std::set<std::string> same = argued(page);
     Count drawn, rows;
     int equivalent = 0;
     for (const auto& [number, m] : mutants) {
-        const bool by_torture = is_noticed(torture, number), by_quick = by_torture || is_noticed(quick, number),
+        const bool by_torture = is_noticed(torture, number),
+                   by_quick = by_torture || is_noticed(quick, number),
                    by_slow = by_quick || is_noticed(slow, number);
         if (!by_slow && same.contains(description(m))) {
             ++equivalent;
@@ -44,4 +47,4 @@ bool report(const fs::path& folder, const fs::path& page, double percent) {
     return drawn.slow * 100.0 >= percent * drawn.all;
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

@@ -25,13 +25,14 @@ std::set<int> refused(const fs::path& source, const fs::path& folder, const std:
             errors += said.substr(at, said.find('\n', at) - at) + "\n";
         if (errors.empty() && said.find("%Warning") == std::string::npos) continue;
         const std::set<int> out = named_in(errors.empty() ? said : errors);
-        if (out.empty()) throw std::runtime_error("the copy of the RTL cannot be built:\n" + said.substr(0, 2000));
+        if (out.empty())
+            throw std::runtime_error("the copy of the RTL cannot be built:\n" + said.substr(0, 2000));
         return out;
     }
     return {};
 }
 
-} // namespace
+}   // namespace
 
 Caller caller_of(const fs::path& folder) { return Caller(folder / "called"); }
 
@@ -66,8 +67,9 @@ void make_rtl_copy(const fs::path& source, const Order& order) {
         for (std::vector<Mutant>* list : {&mutants, &rows})
             std::erase_if(*list, [&](const Mutant& m) { return numbers.contains(m.number); });
     }
-    fmt::print("{} faults drawn, {} cannot be built; rows that one copy cannot hold: {}\n", mutants.size(), out.size(), others.size());
+    fmt::print("{} faults drawn, {} cannot be built; rows that one copy cannot hold: {}\n", mutants.size(),
+               out.size(), others.size());
     for (const std::string& name : others) fmt::print("  {}\n", name);
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

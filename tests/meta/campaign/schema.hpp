@@ -1,6 +1,6 @@
 #pragma once
-// Mutant schemata: one copy of the sources that holds many faults, each asleep until its number is called (Untch, Offutt,
-// Harrold 1993, "Mutation analysis using mutant schemata"). So one build serves them all.
+// Mutant schemata: one copy of the sources that holds many faults, each asleep until its number is called
+// (Untch, Offutt, Harrold 1993, "Mutation analysis using mutant schemata"). So one build serves them all.
 #include <filesystem>
 #include <map>
 #include <set>
@@ -12,11 +12,11 @@ namespace rayclock::campaign {
 /// A changed expression. Several of one number are one fault.
 struct Mutant {
     int number = 0;
-    std::string file;        ///< below the source tree
+    std::string file;   ///< below the source tree
     int line = 0;
     Region region;
     Fault fault;
-    std::string added;       ///< items of the module that the changed expression needs
+    std::string added;   ///< items of the module that the changed expression needs
     std::size_t added_at = 0;
 };
 
@@ -35,13 +35,17 @@ std::string text_of(const std::filesystem::path& file);
 int line_of(const std::string& text, std::size_t at);
 
 /// Every fault of every file below `folder` of the source tree, in the order of the files.
-std::vector<Mutant> all_faults(const std::filesystem::path& source, const std::string& folder, Language language);
+std::vector<Mutant> all_faults(const std::filesystem::path& source, const std::string& folder,
+                               Language language);
 
-/// Copies `source`/`folder` to `to`, with the mutants in it. Throws std::logic_error if two change overlapping text.
-void write_schema(const std::filesystem::path& source, const std::string& folder, const std::filesystem::path& to,
-                  const std::vector<Mutant>& mutants, Language language, const Caller& caller);
+/// Copies `source`/`folder` to `to`, with the mutants in it. Throws std::logic_error if two change
+/// overlapping text.
+void write_schema(const std::filesystem::path& source, const std::string& folder,
+                  const std::filesystem::path& to, const std::vector<Mutant>& mutants, Language language,
+                  const Caller& caller);
 
-/// Numbers of the mutants that a compiler's message is about: each stands in the copy as a file of its own (`line).
+/// Numbers of the mutants that a compiler's message is about: each stands in the copy as a file of its own
+/// (`line).
 std::set<int> named_in(const std::string& said);
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

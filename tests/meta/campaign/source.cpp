@@ -21,7 +21,8 @@ void blank(std::string& text, std::size_t from, std::size_t to) {
 /// Steps through one chunk between two ends of statements.
 class Chunk {
 public:
-    Chunk(const std::string& text, std::size_t begin, std::size_t end, Language language, std::size_t& block, std::vector<Region>& found)
+    Chunk(const std::string& text, std::size_t begin, std::size_t end, Language language, std::size_t& block,
+          std::vector<Region>& found)
         : text_(text), at_(begin), end_(end), language_(language), block_(block), found_(found) {}
 
     void read() {
@@ -61,7 +62,8 @@ private:
                 if (w == x) return true;
             return false;
         };
-        if (is({"begin", "end", "else", "endcase", "generate", "endgenerate", "endfunction", "unique", "do"})) {
+        if (is({"begin", "end", "else", "endcase", "generate", "endgenerate", "endfunction", "unique",
+                "do"})) {
             at_ += w.size();
             skip_space();
             if (w != "else" && at_ < end_ && text_[at_] == ':') {   // begin : name
@@ -105,9 +107,13 @@ private:
     /// "2'd1:" or "default:".
     bool label() {
         std::size_t to = at_;
-        while (to < end_ && (is_word(text_[to]) || text_[to] == '\'' || text_[to] == ',' || text_[to] == ' ' || text_[to] == '.')) ++to;
-        if (to == at_ || to >= end_ || text_[to] != ':' || (to + 1 < end_ && text_[to + 1] == ':')) return false;
-        if (std::string_view(text_).substr(at_, to - at_).find("begin") != npos || word() == "end") return false;
+        while (to < end_ && (is_word(text_[to]) || text_[to] == '\'' || text_[to] == ',' ||
+                             text_[to] == ' ' || text_[to] == '.'))
+            ++to;
+        if (to == at_ || to >= end_ || text_[to] != ':' || (to + 1 < end_ && text_[to + 1] == ':'))
+            return false;
+        if (std::string_view(text_).substr(at_, to - at_).find("begin") != npos || word() == "end")
+            return false;
         at_ = to + 1;
         return true;
     }
@@ -126,8 +132,9 @@ private:
     }
     void assignment() {
         static constexpr std::array<std::string_view, 19> not_first{
-            "localparam", "parameter", "typedef", "input", "output", "genvar", "import", "package", "logic", "module",
-            "static", "using", "namespace", "struct", "class", "enum", "template", "assert", "wire"};
+            "localparam", "parameter", "typedef",  "input",  "output", "genvar",    "import",
+            "package",    "logic",     "module",   "static", "using",  "namespace", "struct",
+            "class",      "enum",      "template", "assert", "wire"};
         for (const std::string_view w : not_first)
             if (word() == w) return;
         int depth = 0;
@@ -158,7 +165,8 @@ private:
             i = at_;
         }
     }
-    /// The first comma from `at` on that ends an expression, or the end; npos if it may be one between arguments of a template.
+    /// The first comma from `at` on that ends an expression, or the end; npos if it may be one between
+    /// arguments of a template.
     std::size_t comma(std::size_t at) const {
         int depth = 0;
         bool has_template = false;
@@ -179,7 +187,7 @@ private:
     std::vector<Region>& found_;
 };
 
-} // namespace
+}   // namespace
 
 std::size_t behind_bracket(const std::string& text, std::size_t at) {
     int depth = 0;
@@ -195,8 +203,10 @@ std::string blanked(const std::string& text, Language language) {
     std::string out = text;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto end_of_line = [&] { return std::min(out.find('\n', i), out.size()); };
-        if (out.compare(i, 2, "//") == 0) blank(out, i, end_of_line());
-        else if (out.compare(i, 2, "/*") == 0) blank(out, i, std::min(out.find("*/", i), out.size()) + 2);
+        if (out.compare(i, 2, "//") == 0)
+            blank(out, i, end_of_line());
+        else if (out.compare(i, 2, "/*") == 0)
+            blank(out, i, std::min(out.find("*/", i), out.size()) + 2);
         else if (out[i] == '"') {
             const std::size_t to = out.find('"', i + 1);
             blank(out, i, to == npos ? out.size() : to + 1);
@@ -231,4 +241,4 @@ std::vector<Region> regions(const std::string& text, Language language) {
     return found;
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

@@ -11,8 +11,8 @@ enum class Language { verilog, cpp };
 struct Region {
     std::size_t begin = 0, end = 0;
     std::string target;        ///< what is assigned, for its width; empty of a condition or a port
-    std::size_t outside = 0;   ///< where the item of the module around it begins: a declaration can stand before it;
-                               ///< npos in a function
+    std::size_t outside = 0;   ///< where the item of the module around it begins: a declaration can stand
+                               ///< before it; npos in a function
     bool is_condition = false;
 };
 
@@ -24,4 +24,4 @@ std::vector<Region> regions(const std::string& text, Language language);
 /// Position behind the bracket that closes the one at `at`; npos if there is none.
 std::size_t behind_bracket(const std::string& text, std::size_t at);
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

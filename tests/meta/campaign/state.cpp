@@ -17,7 +17,7 @@ std::string one_field(std::string text) {
     return text;
 }
 
-} // namespace
+}   // namespace
 
 Lines lines_of(const fs::path& file) {
     Lines lines;
@@ -38,7 +38,8 @@ void write_list(const fs::path& file, const std::vector<Mutant>& mutants) {
     for (const Mutant& m : mutants) {
         if (m.number == last) continue;   // a row that changes several expressions
         last = m.number;
-        list << m.number << '\t' << m.file << '\t' << m.line << '\t' << m.fault.what << '\t' << one_field(m.fault.shown) << '\n';
+        list << m.number << '\t' << m.file << '\t' << m.line << '\t' << m.fault.what << '\t'
+             << one_field(m.fault.shown) << '\n';
     }
     list.close();
     fs::rename(fresh, file);
@@ -51,8 +52,9 @@ bool is_noticed(const Lines& results, int number) {
 
 void append(const fs::path& file, int number, const Verdict& verdict) {
     std::ofstream results(file, std::ios::app);
-    results << number << '\t' << (verdict.noticed ? "noticed" : "survived") << '\t' << fmt::format("{:.1f}", verdict.seconds)
-            << '\t' << (verdict.noticed ? one_field(verdict.by) : "") << std::endl;
+    results << number << '\t' << (verdict.noticed ? "noticed" : "survived") << '\t'
+            << fmt::format("{:.1f}", verdict.seconds) << '\t'
+            << (verdict.noticed ? one_field(verdict.by) : "") << std::endl;
 }
 
 std::string description(const std::vector<std::string>& m) {
@@ -69,4 +71,4 @@ std::set<std::string> argued(const fs::path& page) {
     return all;
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

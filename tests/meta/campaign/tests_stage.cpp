@@ -19,17 +19,38 @@ struct Fitting {
     const char *file, *tags;
 };
 constexpr Fitting fitting[] = {
-    {"rtl/trav/rc_stack", "trav"},     {"rtl/trav/rc_trav", "trav"},         {"rtl/trav/", "box"},
-    {"rtl/isect/", "tri"},             {"rtl/list/", "list"},                {"rtl/mem/rc_arbiter", "machine"},
-    {"rtl/mem/", "cache"},             {"rtl/raygen/", "raygen"},            {"rtl/sched/rc_dispatch", "dispatch"},
-    {"rtl/sched/", "sched"},           {"rtl/fixed/rc_unit", "unit_vector"}, {"rtl/fixed/rc_power", "power"},
-    {"rtl/fixed/", "tri"},             {"rtl/shade/rc_shade", "shade"},      {"rtl/shade/rc_contexts", "shade"},
-    {"rtl/shade/", "pass"},            {"rtl/prim/rc_wait", "pass"},         {"rtl/prim/", "list"},
-    {"rtl/", "machine"},               {"model/trav/box", "box"},            {"model/trav/slab", "box"},
-    {"model/trav/", "trav"},           {"model/isect/origin", "origin"},     {"model/isect/any", "any"},
-    {"model/isect/", "tri"},           {"model/list/", "list"},              {"model/raygen/", "raygen"},
-    {"model/shade/approach", "approach"}, {"model/shade/unit", "unit_vector"}, {"model/shade/power", "power"},
-    {"model/shade/square", "square_root"}, {"model/shade/", "pass"},
+    {"rtl/trav/rc_stack", "trav"},
+    {"rtl/trav/rc_trav", "trav"},
+    {"rtl/trav/", "box"},
+    {"rtl/isect/", "tri"},
+    {"rtl/list/", "list"},
+    {"rtl/mem/rc_arbiter", "machine"},
+    {"rtl/mem/", "cache"},
+    {"rtl/raygen/", "raygen"},
+    {"rtl/sched/rc_dispatch", "dispatch"},
+    {"rtl/sched/", "sched"},
+    {"rtl/fixed/rc_unit", "unit_vector"},
+    {"rtl/fixed/rc_power", "power"},
+    {"rtl/fixed/", "tri"},
+    {"rtl/shade/rc_shade", "shade"},
+    {"rtl/shade/rc_contexts", "shade"},
+    {"rtl/shade/", "pass"},
+    {"rtl/prim/rc_wait", "pass"},
+    {"rtl/prim/", "list"},
+    {"rtl/", "machine"},
+    {"model/trav/box", "box"},
+    {"model/trav/slab", "box"},
+    {"model/trav/", "trav"},
+    {"model/isect/origin", "origin"},
+    {"model/isect/any", "any"},
+    {"model/isect/", "tri"},
+    {"model/list/", "list"},
+    {"model/raygen/", "raygen"},
+    {"model/shade/approach", "approach"},
+    {"model/shade/unit", "unit_vector"},
+    {"model/shade/power", "power"},
+    {"model/shade/square", "square_root"},
+    {"model/shade/", "pass"},
 };
 
 std::string tag_of(const std::string& file) {
@@ -42,31 +63,41 @@ struct Step {
     std::string program, cases;
 };
 
-/// What a fault in `file` is given to, the likeliest first. Of the slow tests only those of the unit, and slow whole frames.
+/// What a fault in `file` is given to, the likeliest first. Of the slow tests only those of the unit, and
+/// slow whole frames.
 std::vector<Step> steps_for(const std::string& file, bool slow) {
     const std::string tag = tag_of(file);
-    if (slow) return {{"rc_unit_tests", fmt::format("[{}][slow]", tag)}, {"rc_system_tests", "[slow]"}, {"rc_unit_tests", "[slow]"}};
+    if (slow)
+        return {{"rc_unit_tests", fmt::format("[{}][slow]", tag)},
+                {"rc_system_tests", "[slow]"},
+                {"rc_unit_tests", "[slow]"}};
     if (!file.starts_with("rtl/"))   // what needs no RTL first
         return {{"rc_unit_tests", fmt::format("[{}]~[slow]~[lockstep]~*Rtl*", tag)},
                 {"rc_unit_tests", "~[slow]~[lockstep]~[rtl]~*Rtl*"},
                 {"rc_unit_tests", fmt::format("[{}]~[slow]", tag)},
                 {"rc_system_tests", "~[slow]"}};
-    return {{"rc_unit_tests", fmt::format("[{}]~[slow]", tag)}, {"rc_unit_tests", "~[slow]"}, {"rc_system_tests", "~[slow]"}};
+    return {{"rc_unit_tests", fmt::format("[{}]~[slow]", tag)},
+            {"rc_unit_tests", "~[slow]"},
+            {"rc_system_tests", "~[slow]"}};
 }
 
 class Runner {
 public:
-    Runner(fs::path folder, fs::path programs, bool is_rtl) : folder_(std::move(folder)), programs_(std::move(programs)), is_rtl_(is_rtl) {}
+    Runner(fs::path folder, fs::path programs, bool is_rtl)
+        : folder_(std::move(folder)), programs_(std::move(programs)), is_rtl_(is_rtl) {}
 
     /// Runs the steps until one fails. Time is the processor's, so that a busy machine changes no verdict.
     Verdict operator()(int number, const std::vector<Step>& steps) const {
         const auto start = std::chrono::steady_clock::now();
         Verdict verdict;
-        if (is_rtl_) caller_of(folder_).call(number);
-        else setenv("RC_FAULT", std::to_string(number).c_str(), 1);
+        if (is_rtl_)
+            caller_of(folder_).call(number);
+        else
+            setenv("RC_FAULT", std::to_string(number).c_str(), 1);
         for (const Step& step : steps) {
-            const int status = shell(fmt::format("ulimit -t 1200; '{}/{}' '{}' --abort > '{}/log' 2>&1", programs_.string(), step.program,
-                                                 step.cases, folder_.string()));
+            const int status =
+                shell(fmt::format("ulimit -t 1200; '{}/{}' '{}' --abort > '{}/log' 2>&1", programs_.string(),
+                                  step.program, step.cases, folder_.string()));
             verdict.noticed = status != 0;
             verdict.by = fmt::format("{} {}: {}", step.program, step.cases, failed_case());
             if (text_of(folder_ / "log").find("No test") != std::string::npos && status == 0) continue;
@@ -90,14 +121,16 @@ private:
     bool is_rtl_;
 };
 
-} // namespace
+}   // namespace
 
 void test_survivors(const fs::path& folder, const fs::path& build, const fs::path& page, bool slow) {
     const bool is_rtl = fs::exists(folder / "rtl");
-    const Lines mutants = lines_of(folder / "mutants"), tortured = lines_of(folder / "torture"), quick = lines_of(folder / "quick");
+    const Lines mutants = lines_of(folder / "mutants"), tortured = lines_of(folder / "torture"),
+                quick = lines_of(folder / "quick");
     const fs::path results = folder / (slow ? "slow" : "quick");
     const Lines done = lines_of(results);
-    if (is_rtl) use_rtl_copy(folder);
+    if (is_rtl)
+        use_rtl_copy(folder);
     else
         for (const char* program : {"tests/rc_unit_tests", "tests/rc_system_tests"})
             if (!fs::exists(folder / fs::path(program).filename())) link_with_faults(folder, build, program);
@@ -105,21 +138,25 @@ void test_survivors(const fs::path& folder, const fs::path& build, const fs::pat
     const Runner run(folder, is_rtl ? build / "tests" : folder, is_rtl);
     std::set<std::string> sound;   // tests that pass with every fault asleep
     for (const auto& [number, mutant] : mutants) {
-        if (number > first_row || !tortured.contains(number) || is_noticed(tortured, number) || done.contains(number)) continue;
+        if (number > first_row || !tortured.contains(number) || is_noticed(tortured, number) ||
+            done.contains(number))
+            continue;
         if ((slow && is_noticed(quick, number)) || same.contains(description(mutant))) continue;
         const std::vector<Step> steps = steps_for(mutant[1], slow);
         for (const Step& step : steps) {
             if (!sound.insert(step.program + step.cases).second) continue;
-            if (const Verdict v = run(0, {step}); v.noticed) throw std::runtime_error("with every fault asleep this fails: " + v.by);
-            else fmt::print("sound in {:.1f} s: {} {}\n", v.seconds, step.program, step.cases);
+            if (const Verdict v = run(0, {step}); v.noticed)
+                throw std::runtime_error("with every fault asleep this fails: " + v.by);
+            else
+                fmt::print("sound in {:.1f} s: {} {}\n", v.seconds, step.program, step.cases);
             std::fflush(stdout);
         }
         const Verdict verdict = run(number, steps);
         append(results, number, verdict);
-        fmt::print("{} in {:.1f} s: {} {}\n", verdict.noticed ? "noticed" : "SURVIVED", verdict.seconds, description(mutant),
-                   verdict.noticed ? verdict.by : "");
+        fmt::print("{} in {:.1f} s: {} {}\n", verdict.noticed ? "noticed" : "SURVIVED", verdict.seconds,
+                   description(mutant), verdict.noticed ? verdict.by : "");
         std::fflush(stdout);
     }
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

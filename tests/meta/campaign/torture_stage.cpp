@@ -37,7 +37,7 @@ void torture_all(const fs::path& folder, const std::function<Verdict(int)>& judg
     fmt::print("{} of {} noticed by the torture set\n", noticed, mutants.size());
 }
 
-} // namespace
+}   // namespace
 
 void torture_rtl(const fs::path& folder) {
     use_rtl_copy(folder);
@@ -59,4 +59,4 @@ void torture_model(const fs::path& folder) {
     torture_all(folder, [&](int number) { return judge.with_fault(number, most_seconds); });
 }
 
-} // namespace rayclock::campaign
+}   // namespace rayclock::campaign

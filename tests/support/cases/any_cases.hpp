@@ -1,5 +1,6 @@
 #pragma once
-// Requests for the tri of a chip that shades, every kind of ray and primitive, and the verdict of exact geometry on its answers.
+// Requests for the tri of a chip that shades, every kind of ray and primitive, and the verdict of exact
+// geometry on its answers.
 #include "model/isect/any.hpp"
 #include "model/isect/tri.hpp"
 #include "model/oracle/ball.hpp"
@@ -7,8 +8,8 @@
 
 namespace rayclock::test {
 
-/// Formats by name, each with all kinds of primitives unless `kinds` says which: both that ship, a narrow lattice, the widest,
-/// one with a finer distance than any other.
+/// Formats by name, each with all kinds of primitives unless `kinds` says which: both that ship, a narrow
+/// lattice, the widest, one with a finer distance than any other.
 inline Config any_format(const std::string& name, const std::string& kinds = "sphere plane") {
     Config c = format(name == "fine" ? "wide" : name);
     c.shading = 1;
@@ -17,38 +18,58 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     if (name == "narrow") c.dir_bits = 15, c.origin_bits = 2, c.bary_bits = 5, c.t_frac_bits = 0;
     if (name == "wide") c.origin_bits = 10;
     if (name == "fine") c.origin_bits = 10, c.t_frac_bits = 6, c.bary_bits = 19;
-    if (c.spheres) c.tri_queue = 64;   // the door lets a request in every cycle only if the queue is as long as the pipeline
+    if (c.spheres)
+        c.tri_queue =
+            64;   // the door lets a request in every cycle only if the queue is as long as the pipeline
     c.name = name + " " + kinds;
     return c;
 }
 
-inline Wide wide_bits(Draw& draw, int bits) { return bits <= 64 ? Wide(draw.bits(bits)) : Wide(draw.bits(bits - 64)) << 64 | draw.bits(64); }
+inline Wide wide_bits(Draw& draw, int bits) {
+    return bits <= 64 ? Wide(draw.bits(bits)) : Wide(draw.bits(bits - 64)) << 64 | draw.bits(64);
+}
 inline oracle::Int big(Wide x) {
     oracle::Int r = std::int64_t(x >> 64);
     r <<= 64;
     return r + std::uint64_t(x);
 }
-inline Wide narrow(const oracle::Int& x) { return Wide((x >> 64).convert_to<std::int64_t>()) << 64 | oracle::Int(x & ~std::uint64_t(0)).convert_to<std::uint64_t>(); }
+inline Wide narrow(const oracle::Int& x) {
+    return Wide((x >> 64).convert_to<std::int64_t>()) << 64 |
+           oracle::Int(x & ~std::uint64_t(0)).convert_to<std::uint64_t>();
+}
 
 // ---- What a request is in the scene: lattice steps, t = num / det.
 inline bool is_shadow(const TriReq& r) { return RayKind(r.kind) == RayKind::shadow; }
-inline bool leaves(const TriReq& r) { return RayKind(r.kind) == RayKind::bounce || RayKind(r.kind) == RayKind::away; }
-inline bool is_sphere(const TriReq& r, const Config& c) { return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere; }
-inline bool is_plane(const TriReq& r, const Config& c) { return c.planes && PrimKind(r.triangle.kind) == PrimKind::plane; }
-inline oracle::Place3 place(const Vec3i& p) { return {oracle::Rational(p[0]), oracle::Rational(p[1]), oracle::Rational(p[2])}; }
+inline bool leaves(const TriReq& r) {
+    return RayKind(r.kind) == RayKind::bounce || RayKind(r.kind) == RayKind::away;
+}
+inline bool is_sphere(const TriReq& r, const Config& c) {
+    return c.spheres && PrimKind(r.triangle.kind) == PrimKind::sphere;
+}
+inline bool is_plane(const TriReq& r, const Config& c) {
+    return c.planes && PrimKind(r.triangle.kind) == PrimKind::plane;
+}
+inline oracle::Place3 place(const Vec3i& p) {
+    return {oracle::Rational(p[0]), oracle::Rational(p[1]), oracle::Rational(p[2])};
+}
 inline oracle::Place3 origin_of(const TriReq& r, const Config& c) {
     oracle::Place3 o = place(r.o);
     for (auto& x : o) x *= oracle::power_of_two(-c.origin_bits);
     return o;
 }
 inline oracle::Ball ball_of(const TriReq& r, const Config& c) {
-    return {origin_of(r, c), place(r.d), place(r.triangle.a), oracle::Rational(radius_squared(r.triangle, c.coord_bits))};
+    return {origin_of(r, c), place(r.d), place(r.triangle.a),
+            oracle::Rational(radius_squared(r.triangle, c.coord_bits))};
 }
 inline std::optional<oracle::Crossing> flat_crossing(const TriReq& r, const Config& c) {
     const PrimData& p = r.triangle;
-    if (is_plane(r, c)) return oracle::plane_crossing(origin_of(r, c), place(r.d), place(p.a), place(p.b), place(p.c));
+    if (is_plane(r, c))
+        return oracle::plane_crossing(origin_of(r, c), place(r.d), place(p.a), place(p.b), place(p.c));
     // Moved by (e, e^2, e^3), the origin may as well be moved so many steps of 2^-B: all in that unit.
-    const auto scaled = [&](const Vec3i& v) { return oracle::Point{oracle::Int(v[0]) << c.origin_bits, oracle::Int(v[1]) << c.origin_bits, oracle::Int(v[2]) << c.origin_bits}; };
+    const auto scaled = [&](const Vec3i& v) {
+        return oracle::Point{oracle::Int(v[0]) << c.origin_bits, oracle::Int(v[1]) << c.origin_bits,
+                             oracle::Int(v[2]) << c.origin_bits};
+    };
     auto at = oracle::crossing(oracle::point(r.o), oracle::point(r.d), scaled(p.a), scaled(p.b), scaled(p.c));
     if (!at) return at;
     at->t *= oracle::power_of_two(-c.origin_bits);
@@ -60,7 +81,9 @@ inline int side_of_ray(const TriReq& r) {
     oracle::Int sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        sum += (edge(r.triangle.b, i) * edge(r.triangle.c, j) - edge(r.triangle.b, j) * edge(r.triangle.c, i)) * r.d[k];
+        sum +=
+            (edge(r.triangle.b, i) * edge(r.triangle.c, j) - edge(r.triangle.b, j) * edge(r.triangle.c, i)) *
+            r.d[k];
     }
     return sum > 0 ? 1 : sum < 0 ? -1 : 0;
 }
@@ -68,23 +91,28 @@ inline int side_of_ray(const TriReq& r) {
 // ---- Verdict.
 
 /// t's units in a distance of 1.
-inline oracle::Rational unit_of(const Config& c) { return oracle::power_of_two(c.dir_bits - 1 + c.t_frac_bits); }
+inline oracle::Rational unit_of(const Config& c) {
+    return oracle::power_of_two(c.dir_bits - 1 + c.t_frac_bits);
+}
 inline oracle::Int most_t(const Config& c) { return (oracle::Int(1) << c.t_bits()) - 1; }
 
 /// The most that t of a sphere may be too large, as model/isect/any.hpp states it.
 inline oracle::Rational sphere_excess(const oracle::Ball& ball, const Config& c) {
     const oracle::Rational unit = unit_of(c), a = ball.speed_squared();
     const oracle::Rational radius = sqrt(oracle::ceil(ball.radius_squared * unit * unit / a)) + 1;
-    return 1 + std::max(oracle::Rational(unit * oracle::power_of_two(-c.origin_bits) / a), oracle::Rational(radius * oracle::power_of_two(1 - root_bits)));
+    return 1 + std::max(oracle::Rational(unit * oracle::power_of_two(-c.origin_bits) / a),
+                        oracle::Rational(radius * oracle::power_of_two(1 - root_bits)));
 }
 inline oracle::Meets sphere_truth(const TriReq& r, const Config& c) {
     const oracle::Ball ball = ball_of(r, c);
-    if (leaves(r) && r.self == r.triangle.prim) return r.inside ? oracle::meets_from_its_surface(ball) : oracle::Meets::no;
+    if (leaves(r) && r.self == r.triangle.prim)
+        return r.inside ? oracle::meets_from_its_surface(ball) : oracle::Meets::no;
     return oracle::meets(ball);
 }
 inline bool blocked_truth(const TriReq& r, const Config& c) {
     if (r.finite && PrimKind(r.triangle.kind) == PrimKind::plane) return false;
-    if (!is_shadow(r)) return is_sphere(r, c) ? sphere_truth(r, c) != oracle::Meets::no : flat_crossing(r, c).has_value();
+    if (!is_shadow(r))
+        return is_sphere(r, c) ? sphere_truth(r, c) != oracle::Meets::no : flat_crossing(r, c).has_value();
     const oracle::Rational end = oracle::power_of_two(-c.origin_bits);
     if (is_sphere(r, c)) {
         const oracle::Ball ball = ball_of(r, c);
@@ -95,7 +123,8 @@ inline bool blocked_truth(const TriReq& r, const Config& c) {
 }
 
 inline void judge_zeros(const TriRsp& rsp) {
-    REQUIRE((rsp.num == 0 && rsp.det == 0 && rsp.prim == 0 && rsp.t == 0 && rsp.u == 0 && rsp.v == 0 && rsp.back == 0));
+    REQUIRE((rsp.num == 0 && rsp.det == 0 && rsp.prim == 0 && rsp.t == 0 && rsp.u == 0 && rsp.v == 0 &&
+             rsp.back == 0));
 }
 /// `alone` is the answer to the same request without a hit to beat.
 inline void judge_sphere(const TriReq& r, const TriRsp& alone, const Config& c) {
@@ -119,13 +148,16 @@ inline void judge_flat(const TriReq& r, const TriRsp& alone, const Config& c) {
     if (!at) return judge_zeros(alone);
     REQUIRE(alone.prim == r.triangle.prim);
     REQUIRE(oracle::Rational(big(alone.num), big(alone.det)) == at->t);
-    REQUIRE(big(alone.det) == at->volume * (RayKind(r.kind) == RayKind::bounce ? oracle::power_of_two(c.origin_bits) : oracle::Rational(1)));
+    REQUIRE(big(alone.det) == at->volume * (RayKind(r.kind) == RayKind::bounce
+                                                ? oracle::power_of_two(c.origin_bits)
+                                                : oracle::Rational(1)));
     REQUIRE(alone.t == std::min(oracle::ceil(at->t * unit_of(c)), most_t(c)));
     REQUIRE(alone.back == (side_of_ray(r) > 0));
     const oracle::Int size = oracle::Int(1) << (c.uv_bits() - 1);
     const auto coordinate = [&](const oracle::Rational& x) {
         oracle::Int whole = oracle::floor(x * oracle::power_of_two(c.bary_bits));
-        if (c.planes) whole = whole < -size ? oracle::Int(-size) : whole >= size ? oracle::Int(size - 1) : whole;
+        if (c.planes)
+            whole = whole < -size ? oracle::Int(-size) : whole >= size ? oracle::Int(size - 1) : whole;
         return whole < 0 ? oracle::Int(whole + 2 * size) : whole;
     };
     REQUIRE(alone.u == coordinate(at->u));
@@ -141,19 +173,25 @@ inline void judge_any(const TriReq& r, const TriRsp& rsp, const Config& c) {
     TriReq unbeaten = r;
     unbeaten.best = {};
     const TriRsp alone = r.best.found ? tri(unbeaten, c) : rsp;
-    if (is_sphere(r, c)) judge_sphere(r, alone, c);
-    else judge_flat(r, alone, c);
+    if (is_sphere(r, c))
+        judge_sphere(r, alone, c);
+    else
+        judge_flat(r, alone, c);
     if (!r.best.found) return;
-    const bool closer = alone.closer && oracle::goes_before(oracle::Rational(big(alone.num), big(alone.det)), r.triangle.prim,
-                                                            oracle::Rational(big(r.best.num), big(r.best.det)), r.best.prim);
+    const bool closer =
+        alone.closer && oracle::goes_before(oracle::Rational(big(alone.num), big(alone.det)), r.triangle.prim,
+                                            oracle::Rational(big(r.best.num), big(r.best.det)), r.best.prim);
     REQUIRE((rsp.closer != 0) == closer);
-    if (closer) REQUIRE(same(rsp, alone, c));
-    else judge_zeros(rsp);
+    if (closer)
+        REQUIRE(same(rsp, alone, c));
+    else
+        judge_zeros(rsp);
 }
 
 // ---- Requests.
 
-/// A hit to beat: none, anything, exactly as far as this one's own in another fraction, or a hair nearer or farther.
+/// A hit to beat: none, anything, exactly as far as this one's own in another fraction, or a hair nearer or
+/// farther.
 inline Best any_best(Draw& draw, const Config& c, const TriRsp& own, std::uint32_t prim) {
     Best best;
     if (draw.coin()) return best;
@@ -169,8 +207,10 @@ inline Best any_best(Draw& draw, const Config& c, const TriRsp& own, std::uint32
     best.num = fits ? own.num * factor : own.num;
     best.det = fits ? own.det * factor : own.det;
     if (draw.coin()) return best;
-    if (draw.coin() && (best.num + 1) >> num_bits == 0) ++best.num;
-    else if (best.num > 1) --best.num;
+    if (draw.coin() && (best.num + 1) >> num_bits == 0)
+        ++best.num;
+    else if (best.num > 1)
+        --best.num;
     return best;
 }
 
@@ -192,16 +232,21 @@ inline PrimData random_prim(Draw& draw, const Config& c, const Vec3i& near) {
     p.c = draw.coin() ? draw.vector(n) : draw.near(p.b, reach, n);
     if (PrimKind(p.kind) != PrimKind::sphere) return p;
     std::uint64_t square = 0;
-    for (std::size_t k = 0; k < 3; ++k) square += std::uint64_t((std::int64_t(near[k]) - p.a[k]) * (std::int64_t(near[k]) - p.a[k]));
-    const std::uint64_t most = (std::uint64_t(1) << (2 * n)) - 1, reach2 = std::uint64_t(reach) * std::uint64_t(reach);
-    const std::uint64_t rooms[] = {0, 1, most, square, square + 1, square - 1, square / 4, square + reach2, draw.natural(2 * n), reach2};
+    for (std::size_t k = 0; k < 3; ++k)
+        square += std::uint64_t((std::int64_t(near[k]) - p.a[k]) * (std::int64_t(near[k]) - p.a[k]));
+    const std::uint64_t most = (std::uint64_t(1) << (2 * n)) - 1,
+                        reach2 = std::uint64_t(reach) * std::uint64_t(reach);
+    const std::uint64_t rooms[] = {
+        0, 1, most, square, square + 1, square - 1, square / 4, square + reach2, draw.natural(2 * n), reach2};
     const std::uint64_t room = std::min(rooms[draw.below(int(std::size(rooms)))], most);
-    p.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)), std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
+    p.b = {std::int32_t(std::int64_t(room << (64 - n)) >> (64 - n)),
+           std::int32_t(std::int64_t(room >> n << (64 - n)) >> (64 - n)), 0};
     p.c = {};
     return p;
 }
 
-/// Most rays are aimed at a corner, an edge, the inside, or past a sphere's rim; origins and ends often lie on the primitive.
+/// Most rays are aimed at a corner, an edge, the inside, or past a sphere's rim; origins and ends often lie
+/// on the primitive.
 inline TriReq random_any_req(Draw& draw, const Config& c) {
     const int n = c.coord_bits, b = c.origin_bits;
     TriReq r;
@@ -214,27 +259,37 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     r.inside = std::uint32_t(draw.coin());
     if (!c.spheres) r.self = r.inside = 0;
     r.finite = c.planes && ends_at_any(r.kind) && draw.percent(30);
-    // Where the ray goes through, in units of 2^-B: weights of the corners, or the centre and as far beside it as it likes.
+    // Where the ray goes through, in units of 2^-B: weights of the corners, or the centre and as far beside
+    // it as it likes.
     Vec3l at{};
-    const int weights[][3] = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}, {1, 1, 2}, {2, 1, 1}, {1, 2, 1}, {9, -4, -1}};
+    const int weights[][3] = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 0}, {2, 0, 2},
+                              {0, 2, 2}, {1, 1, 2}, {2, 1, 1}, {1, 2, 1}, {9, -4, -1}};
     const auto& w = weights[draw.below(10)];
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t sum = std::int64_t(w[0]) * p.a[k] + std::int64_t(w[1]) * p.b[k] + std::int64_t(w[2]) * p.c[k];
+        const std::int64_t sum =
+            std::int64_t(w[0]) * p.a[k] + std::int64_t(w[1]) * p.b[k] + std::int64_t(w[2]) * p.c[k];
         at[k] = sum * (std::int64_t(1) << b) / 4;
     }
     if (is_sphere(r, c)) {
         const auto radius = std::int64_t(std::sqrt(double(radius_squared(p, n))) * double(1 << b));
         const std::size_t axis = std::size_t(draw.below(3));
         for (std::size_t k = 0; k < 3; ++k) at[k] = std::int64_t(p.a[k]) * (std::int64_t(1) << b);
-        at[axis] += draw.coin() ? radius * (draw.coin() ? 1 : -1) : draw.between(-1, 1) * (radius / draw.between(1, 4));
+        at[axis] += draw.coin() ? radius * (draw.coin() ? 1 : -1)
+                                : draw.between(-1, 1) * (radius / draw.between(1, 4));
         if (draw.coin()) at[axis] += draw.between(-2, 2);
     }
-    const auto point = [&](const Vec3l& v) { return Vec3i{clip(v[0], n + b), clip(v[1], n + b), clip(v[2], n + b)}; };
-    const auto lattice = [&](const Vec3i& v) { return Vec3i{v[0] * (1 << b), v[1] * (1 << b), v[2] * (1 << b)}; };
+    const auto point = [&](const Vec3l& v) {
+        return Vec3i{clip(v[0], n + b), clip(v[1], n + b), clip(v[2], n + b)};
+    };
+    const auto lattice = [&](const Vec3i& v) {
+        return Vec3i{v[0] * (1 << b), v[1] * (1 << b), v[2] * (1 << b)};
+    };
     r.o = lattice(from);
     if (leaves(r) && !draw.percent(10)) {
-        if (draw.coin()) r.o = point(at);   // from the primitive itself
-        else for (auto& x : r.o) x = clip(x + draw.between(0, (1 << b) - 1), n + b);
+        if (draw.coin())
+            r.o = point(at);   // from the primitive itself
+        else
+            for (auto& x : r.o) x = clip(x + draw.between(0, (1 << b) - 1), n + b);
     }
     if (is_shadow(r)) {
         Vec3i end = draw.coin() ? point(at) : lattice(draw.vector(n));
@@ -260,4 +315,4 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     return r;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -5,7 +5,8 @@
 
 namespace rayclock::test {
 
-/// A request, and the direction that its reciprocals were made of. If the chip shades, the origin has fraction bits.
+/// A request, and the direction that its reciprocals were made of. If the chip shades, the origin has
+/// fraction bits.
 struct BoxCase {
     BoxReq req;
     Vec3i d{};
@@ -19,7 +20,8 @@ inline void set_direction(BoxCase& c, const Vec3i& d, const Config& config) {
         c.req.neg[k] = d[k] < 0;
         c.req.len[k] = std::uint32_t(oracle::digits(d[k]));
         if (d[k] != 0 && !c.is_long) c.req.len[k] += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
-        c.req.recip[k] = d[k] == 0 ? 1 : std::uint32_t(oracle::floor(oracle::scaled_reciprocal(d[k], config.recip_bits)));
+        c.req.recip[k] =
+            d[k] == 0 ? 1 : std::uint32_t(oracle::floor(oracle::scaled_reciprocal(d[k], config.recip_bits)));
     }
 }
 
@@ -42,11 +44,13 @@ inline Node random_node(Draw& draw, const Config& config, const Vec3i& o) {
     node.org = draw.coin() ? draw.vector(config.coord_bits) : draw.near(o, reach, config.coord_bits);
     node.base = std::uint32_t(draw.natural(max_addr_bits));
     const int children = draw.between(1, config.node_width), inner = draw.between(0, children);
-    for (std::size_t k = 0; k < 3; ++k) node.exp[k] = std::uint32_t(draw.below(config.coord_bits - config.box_bits + 2));
+    for (std::size_t k = 0; k < 3; ++k)
+        node.exp[k] = std::uint32_t(draw.below(config.coord_bits - config.box_bits + 2));
     for (std::size_t i = 0; i < std::size_t(children); ++i) {
         node.kind[i] = std::uint32_t(int(i) < inner ? 1 : draw.between(2, 7));
         for (std::size_t k = 0; k < 3; ++k) {
-            auto lo = std::uint32_t(draw.natural(config.box_bits)), hi = std::uint32_t(draw.natural(config.box_bits));
+            auto lo = std::uint32_t(draw.natural(config.box_bits)),
+                 hi = std::uint32_t(draw.natural(config.box_bits));
             if (draw.below(8) == 0) hi = lo;
             node.lo[3 * i + k] = std::min(lo, hi);
             node.hi[3 * i + k] = std::max(lo, hi);
@@ -55,8 +59,8 @@ inline Node random_node(Draw& draw, const Config& config, const Vec3i& o) {
     return node;
 }
 
-/// Half of the rays are aimed at a corner, an edge, a face or the inside of a child; some start there. If the chip shades, they are
-/// camera rays, bounces and shadow rays.
+/// Half of the rays are aimed at a corner, an edge, a face or the inside of a child; some start there. If the
+/// chip shades, they are camera rays, bounces and shadow rays.
 inline BoxCase random_box_case(Draw& draw, const Config& config) {
     BoxCase c;
     const int frac = config.origin_frac();
@@ -64,7 +68,8 @@ inline BoxCase random_box_case(Draw& draw, const Config& config) {
     c.is_long = kind == RayKind::shadow;
     c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
     const Vec3i near = draw.vector(config.coord_bits);
-    for (std::size_t k = 0; k < 3; ++k) c.req.o[k] = near[k] * (1 << frac) + (kind == RayKind::bounce ? int(draw.natural(frac)) : 0);
+    for (std::size_t k = 0; k < 3; ++k)
+        c.req.o[k] = near[k] * (1 << frac) + (kind == RayKind::bounce ? int(draw.natural(frac)) : 0);
     static_cast<Node&>(c.req.node) = random_node(draw, config, near);
     const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     Vec3i d = draw.vector(bits);
@@ -75,11 +80,14 @@ inline BoxCase random_box_case(Draw& draw, const Config& config) {
         const std::int64_t most = (std::int64_t(1) << (bits - 1)) - 1;
         const int factor = 1 << draw.below(4);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int64_t lo = box.lo[k].convert_to<std::int64_t>(), hi = box.hi[k].convert_to<std::int64_t>();
+            const std::int64_t lo = box.lo[k].convert_to<std::int64_t>(),
+                               hi = box.hi[k].convert_to<std::int64_t>();
             const std::int64_t places[] = {lo, hi, lo + (hi - lo) / 2, lo - 1, hi + 1};
             const std::int64_t target = places[draw.below(5)], grid = 1 << (config.origin_width() - 1);
-            const std::int64_t parts = c.is_long ? 1 : 1 << frac;   // a short direction has no room for the fraction
-            if (kind != RayKind::shadow && draw.below(8) == 0 && target >= -grid && target < grid) c.req.o[k] = std::int32_t(target);
+            const std::int64_t parts =
+                c.is_long ? 1 : 1 << frac;   // a short direction has no room for the fraction
+            if (kind != RayKind::shadow && draw.below(8) == 0 && target >= -grid && target < grid)
+                c.req.o[k] = std::int32_t(target);
             d[k] = std::int32_t(std::clamp((target - c.req.o[k]) * factor / parts, -most - 1, most));
         }
     }
@@ -95,7 +103,8 @@ inline std::optional<std::uint32_t> reported(const BoxRsp& rsp, std::uint32_t of
     return std::nullopt;
 }
 
-/// No child that the ray meets is missing, t_near is never beyond the entry, and no child is there without the licence.
+/// No child that the ray meets is missing, t_near is never beyond the entry, and no child is there without
+/// the licence.
 inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     const Node& node = c.req.node;
     const auto o = oracle::point(c.req.o), d = oracle::point(c.d);
@@ -123,7 +132,8 @@ inline void judge_boxes(const BoxCase& c, const BoxRsp& rsp, const Config& confi
     REQUIRE(found == rsp.inner + rsp.leaves);
 }
 
-/// Counts and order: inner children first, each part by (t_near, offset), zeros behind; ray and base come back.
+/// Counts and order: inner children first, each part by (t_near, offset), zeros behind; ray and base come
+/// back.
 inline void judge_order(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     REQUIRE(rsp.ray == c.req.ray);
     REQUIRE(rsp.base == c.req.node.base);
@@ -138,7 +148,8 @@ inline void judge_order(const BoxCase& c, const BoxRsp& rsp, const Config& confi
         REQUIRE((rsp.count[i] == 0) == (i < rsp.inner));
         REQUIRE((rsp.offset[i] < 2 * inner) == (i < rsp.inner));
         if (i > 0 && i != rsp.inner)
-            REQUIRE(std::pair(rsp.t_near[i - 1], rsp.offset[i - 1]) < std::pair(rsp.t_near[i], rsp.offset[i]));
+            REQUIRE(std::pair(rsp.t_near[i - 1], rsp.offset[i - 1]) <
+                    std::pair(rsp.t_near[i], rsp.offset[i]));
     }
 }
 
@@ -160,4 +171,4 @@ inline void judge(const BoxCase& c, const BoxRsp& rsp, const Config& config) {
     judge_counts(c, rsp, config);
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

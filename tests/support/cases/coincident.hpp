@@ -7,7 +7,8 @@
 
 namespace rayclock::test {
 
-/// Every triangle twice more, its corners turned and in the other order, with corners of their own; in an order of their own.
+/// Every triangle twice more, its corners turned and in the other order, with corners of their own; in an
+/// order of their own.
 inline Scene tripled(Scene scene, std::uint32_t seed, std::vector<std::uint32_t>& original) {
     const std::size_t count = scene.triangles.size();
     std::vector<Triangle> all;
@@ -37,4 +38,4 @@ inline std::uint32_t lowest(const std::vector<std::uint32_t>& original, std::uin
     return std::uint32_t(std::find(original.begin(), original.end(), original[number]) - original.begin());
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

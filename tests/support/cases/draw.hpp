@@ -24,7 +24,8 @@ public:
         std::int64_t value = std::int64_t(bits(n) << (64 - n)) >> (64 - n);
         if (coin()) {
             const std::int64_t power = std::int64_t(1) << below(n - 1);
-            const std::int64_t corners[] = {0, 1, -1, least, most, least + 1, most - 1, power, -power, power - 1, last_};
+            const std::int64_t corners[] = {0,        1,     -1,     least,     most, least + 1,
+                                            most - 1, power, -power, power - 1, last_};
             value = corners[below(int(std::size(corners)))];
             if (value < least || value > most) value = 0;
         }
@@ -37,7 +38,8 @@ public:
         const std::uint64_t corners[] = {0, 1, most, most - 1, std::uint64_t(1) << below(n), natural_};
         return natural_ = std::min(corners[below(int(std::size(corners)))], most);
     }
-    /// Three signed numbers of n bits; one time in four a pair is equal, one in eight opposite where that fits.
+    /// Three signed numbers of n bits; one time in four a pair is equal, one in eight opposite where that
+    /// fits.
     Vec3i vector(int n) {
         Vec3i v;
         for (auto& x : v) x = std::int32_t(number(n));
@@ -63,14 +65,17 @@ class FillVisitor {
 public:
     explicit FillVisitor(Draw& draw) : draw_(draw) {}
     template <class T> void operator()(const char*, T& value, int width) { value = any<T>(width); }
-    template <class T, std::size_t n> void operator()(const char*, std::array<T, n>& value, int width, int count) {
+    template <class T, std::size_t n>
+    void operator()(const char*, std::array<T, n>& value, int width, int count) {
         for (std::size_t i = 0; i < std::size_t(count); ++i) value[i] = any<T>(width);
     }
 
 private:
     template <class T> T any(int width) {
-        if constexpr (std::is_signed_v<T> || sizeof(T) > 8) return T(draw_.number(std::min(width, 63)));
-        else return T(draw_.natural(width));
+        if constexpr (std::is_signed_v<T> || sizeof(T) > 8)
+            return T(draw_.number(std::min(width, 63)));
+        else
+            return T(draw_.natural(width));
     }
     Draw& draw_;
 };
@@ -81,4 +86,4 @@ template <class P> P random_payload(Draw& draw, const Config& config) {
     return payload;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

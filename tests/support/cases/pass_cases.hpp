@@ -1,5 +1,6 @@
 #pragma once
-// Configurations of chips that shade, and random passes of their unit shade: every event, every kind of surface.
+// Configurations of chips that shade, and random passes of their unit shade: every event, every kind of
+// surface.
 #include "model/shade/bounce.hpp"
 #include "model/shade/pass.hpp"
 #include "model/shade/unit_vector.hpp"
@@ -7,8 +8,9 @@
 
 namespace rayclock::test {
 
-/// "all" has every unit of default, "plain" none but shading itself, "mirror" all but refraction; "narrow" and "broad" are at the
-/// ends of the lattice, "short" has directions shorter than a unit vector's components.
+/// "all" has every unit of default, "plain" none but shading itself, "mirror" all but refraction; "narrow"
+/// and "broad" are at the ends of the lattice, "short" has directions shorter than a unit vector's
+/// components.
 inline Config shaded_format(const std::string& name) {
     Config c;
     c.name = name;
@@ -17,8 +19,12 @@ inline Config shaded_format(const std::string& name) {
     c.spheres = c.planes = c.smooth = c.refraction = c.supersampling = 1;
     c.lights = 3;
     if (name == "mirror") c.refraction = 0;
-    if (name == "narrow") c.coord_bits = 12, c.dir_bits = 24, c.recip_bits = 15, c.origin_bits = 16, c.lights = 1, c.bounces = 15;
-    if (name == "broad") c.coord_bits = 20, c.dir_bits = 22, c.recip_bits = 18, c.origin_bits = 10, c.bary_bits = 10, c.lights = 5;
+    if (name == "narrow")
+        c.coord_bits = 12, c.dir_bits = 24, c.recip_bits = 15, c.origin_bits = 16, c.lights = 1,
+        c.bounces = 15;
+    if (name == "broad")
+        c.coord_bits = 20, c.dir_bits = 22, c.recip_bits = 18, c.origin_bits = 10, c.bary_bits = 10,
+        c.lights = 5;
     if (name == "short") c.coord_bits = 14, c.dir_bits = 14, c.origin_bits = 6;
     check_config(c, name);
     return c;
@@ -27,7 +33,9 @@ inline Config shaded_format(const std::string& name) {
 inline std::uint32_t share_up_to(Draw& draw, int bits) {   // 0..2^bits
     return draw.percent(20) ? (draw.coin() ? 1u << bits : 0) : std::uint32_t(draw.natural(bits));
 }
-inline std::array<std::uint32_t, 3> shares_up_to(Draw& draw, int bits) { return {share_up_to(draw, bits), share_up_to(draw, bits), share_up_to(draw, bits)}; }
+inline std::array<std::uint32_t, 3> shares_up_to(Draw& draw, int bits) {
+    return {share_up_to(draw, bits), share_up_to(draw, bits), share_up_to(draw, bits)};
+}
 
 inline Vec3i draw_unit(Draw& draw) {
     Vec3l v{};
@@ -40,7 +48,9 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
     ShadeFrame& s = frame.shade;
     s.depth = std::uint32_t(draw.below(16));
     s.threshold = draw.coin() ? 0 : share_up_to(draw, unit_bits + 1) >> draw.below(18);
-    if (draw.percent(30)) s.threshold = 3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many bounces
+    if (draw.percent(30))
+        s.threshold =
+            3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many bounces
     s.side = c.supersampling ? std::uint32_t(draw.between(1, 8)) : 1;
     s.contrast = draw.coin() ? 0 : share_up_to(draw, unit_bits);
     s.share = share_up_to(draw, unit_bits), s.first_share = share_up_to(draw, unit_bits);
@@ -58,14 +68,18 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
 
 inline Vec3i draw_place(Draw& draw, const Config& c) {   // a point that o can say
     Vec3i o{};
-    for (auto& x : o) x = std::int32_t(std::max(draw.number(c.origin_width()), 1 - (std::int64_t(1) << (c.origin_width() - 1))));
+    for (auto& x : o)
+        x = std::int32_t(
+            std::max(draw.number(c.origin_width()), 1 - (std::int64_t(1) << (c.origin_width() - 1))));
     return o;
 }
 
 inline Surface random_surface(Draw& draw, const Config& c) {
     Surface s;
     s.kind = std::uint32_t(draw.below(3));
-    if ((s.kind == std::uint32_t(PrimKind::plane) && !c.planes) || (s.kind == std::uint32_t(PrimKind::sphere) && !c.spheres)) s.kind = 0;
+    if ((s.kind == std::uint32_t(PrimKind::plane) && !c.planes) ||
+        (s.kind == std::uint32_t(PrimKind::sphere) && !c.spheres))
+        s.kind = 0;
     s.a = draw.vector(c.coord_bits), s.b = draw.vector(c.coord_bits), s.c = draw.vector(c.coord_bits);
     if (s.kind == std::uint32_t(PrimKind::triangle)) {   // edges of whole 2^fine steps
         s.fine = std::uint32_t(draw.below(std::clamp(c.bary_bits - c.origin_bits, 0, most_fine) + 1));
@@ -77,7 +91,8 @@ inline Surface random_surface(Draw& draw, const Config& c) {
     for (auto& x : s.normal) x = s.smooth ? std::max(std::int32_t(draw.number(corner_bits)), -1023) : 0;
     if (s.kind == std::uint32_t(PrimKind::plane)) {
         for (std::size_t side = 0; side < 2; ++side)
-            s.normal[side] = std::int32_t(draw.number(corner_bits)), s.normal[2 + side] = draw.between(-1, c.bary_bits + corner_bits - 1);
+            s.normal[side] = std::int32_t(draw.number(corner_bits)),
+            s.normal[2 + side] = draw.between(-1, c.bary_bits + corner_bits - 1);
     }
     s.checkered = draw.coin(), s.schlick = draw.coin();
     s.colour = shares_up_to(draw, share_bits), s.other = shares_up_to(draw, share_bits);
@@ -96,7 +111,8 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
     hit.t = std::uint32_t(draw.natural(draw.between(1, c.t_bits())));
     if (surface.kind == std::uint32_t(PrimKind::plane)) {
         const std::uint32_t mask = (1u << c.uv_bits()) - 1;
-        hit.u = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask, hit.v = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask;
+        hit.u = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask,
+        hit.v = std::uint32_t(draw.number(draw.between(2, c.uv_bits()))) & mask;
     } else if (surface.kind == std::uint32_t(PrimKind::triangle)) {
         const std::uint32_t one = 1u << c.bary_bits;
         hit.u = std::uint32_t(draw.percent(10) ? one : draw.natural(c.bary_bits));
@@ -105,15 +121,18 @@ inline Closest random_closest(Draw& draw, const Config& c, const Surface& surfac
     return hit;
 }
 
-/// Puts a point beyond the lattice so that the ray that it sends, now or to a light beyond, comes near a point of the lattice.
+/// Puts a point beyond the lattice so that the ray that it sends, now or to a light beyond, comes near a
+/// point of the lattice.
 inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState& s) {
     const Vec3i within = draw_place(draw, c);
     const bool is_light = s.event == std::uint32_t(ShadeEvent::light);
     const Vec3i d = s.event == std::uint32_t(ShadeEvent::refract) ? refract(c, s).d : reflect(c, s).d;
     const int further = draw.between(1, 6);
-    const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1, steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
+    const std::int64_t most = (std::int64_t(1) << (c.point_width() - 1)) - 1,
+                       steps = std::int64_t(draw.natural(approach_steps)) << c.approach_shift();
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t to_light = (std::int64_t(frame.shade.place[3 * s.light + k]) << c.origin_bits) - within[k];
+        const std::int64_t to_light =
+            (std::int64_t(frame.shade.place[3 * s.light + k]) << c.origin_bits) - within[k];
         s.o[k] = std::clamp(within[k] - (is_light ? to_light >> further : d[k] * steps), -most, most);
     }
 }
@@ -122,7 +141,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     ShadeState s;
     s.event = std::uint32_t(draw.below(5));
     if (s.event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.event = 0;
-    if (s.event == std::uint32_t(ShadeEvent::refract) && !c.refraction) s.event = std::uint32_t(ShadeEvent::reflect);
+    if (s.event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
+        s.event = std::uint32_t(ShadeEvent::reflect);
     s.pending = std::uint32_t(draw.below(3));
     s.x = std::uint32_t(draw.natural(c.pixel_bits)), s.y = std::uint32_t(draw.natural(c.pixel_bits));
     if (c.supersampling) {
@@ -133,7 +153,8 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
             s.least[k] = share_up_to(draw, unit_bits), s.most[k] = share_up_to(draw, unit_bits);
         }
     }
-    s.found = draw.coin(), s.prim = std::uint32_t(draw.natural(c.prim_bits)), s.t = std::uint32_t(draw.natural(c.t_bits()));
+    s.found = draw.coin(), s.prim = std::uint32_t(draw.natural(c.prim_bits)),
+    s.t = std::uint32_t(draw.natural(c.t_bits()));
     s.u = std::uint32_t(draw.natural(c.uv_bits())), s.v = std::uint32_t(draw.natural(c.uv_bits()));
     s.colour = shares_up_to(draw, unit_bits), s.share = shares_up_to(draw, unit_bits);
     if (c.supersampling && draw.coin()) s.least = s.most = s.colour;   // samples that agree
@@ -178,4 +199,4 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
     return in;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

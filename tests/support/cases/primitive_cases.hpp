@@ -18,7 +18,8 @@ inline Config with_test(const std::string& test, int coord_bits = 18) {
     return config;
 }
 
-inline TriRsp ask(const Config& config, const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best = {}) {
+inline TriRsp ask(const Config& config, const Vec3i& o, const Vec3i& d, const PrimData& triangle,
+                  const Best& best = {}) {
     TriRsp rsp;
     tri_test_of(config)(o, d, triangle, best, config, rsp);
     return rsp;
@@ -31,7 +32,9 @@ inline std::vector<PrimData> sphere(int size, double radius) {
     for (const auto& t : scene.triangles) {
         std::array<Vec3i, 3> corner;
         for (std::size_t i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) corner[i][std::size_t(k)] = std::int32_t(std::lround(scene.vertices[t.vertex[i]][k] * radius));
+            for (int k = 0; k < 3; ++k)
+                corner[i][std::size_t(k)] =
+                    std::int32_t(std::lround(scene.vertices[t.vertex[i]][k] * radius));
         all.push_back({corner[0], corner[1], corner[2], std::uint32_t(all.size())});
     }
     return all;
@@ -63,9 +66,11 @@ inline std::array<double, 3> inside(const PrimData& t, double b, double c) {
     return p;
 }
 
-/// The triangles of a closed sphere that take a ray aimed at a corner, an edge or anywhere. From outside, so that all lie ahead.
+/// The triangles of a closed sphere that take a ray aimed at a corner, an edge or anywhere. From outside, so
+/// that all lie ahead.
 inline int crossings(const Config& config, const std::vector<PrimData>& all, const Vec3i& o, const Vec3i& d) {
-    return int(std::count_if(all.begin(), all.end(), [&](const PrimData& t) { return ask(config, o, d, t).closer != 0; }));
+    return int(std::count_if(all.begin(), all.end(),
+                             [&](const PrimData& t) { return ask(config, o, d, t).closer != 0; }));
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

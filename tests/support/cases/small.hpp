@@ -1,6 +1,6 @@
 #pragma once
-// Formats so small that every operand can be tried. They lie below what check_config lets a user choose; the units' formulas
-// hold for them all the same.
+// Formats so small that every operand can be tried. They lie below what check_config lets a user choose; the
+// units' formulas hold for them all the same.
 #include <functional>
 
 #include "model/oracle/overlap.hpp"
@@ -10,7 +10,8 @@ namespace rayclock::test {
 
 inline Config small_format(int coord_bits, int dir_bits, int recip_bits, int t_frac_bits, int box_bits) {
     Config config;
-    config.name = "small" + std::to_string(coord_bits) + std::to_string(dir_bits) + std::to_string(recip_bits);
+    config.name =
+        "small" + std::to_string(coord_bits) + std::to_string(dir_bits) + std::to_string(recip_bits);
     config.coord_bits = coord_bits;
     config.dir_bits = dir_bits;
     config.recip_bits = recip_bits;
@@ -21,9 +22,10 @@ inline Config small_format(int coord_bits, int dir_bits, int recip_bits, int t_f
     return config;
 }
 
-/// stream() at full rate, without its checks and messages, which cost more than the unit: `count` requests from make(), each
-/// handed with its answer to judge(request, answer).
-template <class Dut, class Make, class Judge> void pour(Dut& dut, std::uint64_t count, Make make, Judge judge) {
+/// stream() at full rate, without its checks and messages, which cost more than the unit: `count` requests
+/// from make(), each handed with its answer to judge(request, answer).
+template <class Dut, class Make, class Judge>
+void pour(Dut& dut, std::uint64_t count, Make make, Judge judge) {
     using Req = typename Dut::Unit::Req;
     std::deque<Req> waiting;
     std::uint64_t sent = 0, received = 0;
@@ -45,7 +47,8 @@ template <class Dut, class Make, class Judge> void pour(Dut& dut, std::uint64_t 
     }
 }
 
-// ---- Boxes. On one axis: origin, the node's corner and exponent, and a direction; then planes lo <= hi of a child.
+// ---- Boxes. On one axis: origin, the node's corner and exponent, and a direction; then planes lo <= hi of a
+// child.
 struct AxisCase {
     std::int32_t o = 0, org = 0, d = 0;
     std::uint32_t exp = 0;
@@ -60,7 +63,8 @@ inline std::vector<AxisCase> all_axis_cases(const Config& c) {
     for (int o = -from; o < from; ++o)
         for (int org = -n; org < n; ++org)
             for (int d = -m; d < m; ++d)
-                for (int e = 0; e <= c.coord_bits - c.box_bits + 1; ++e) all.push_back({o, org, d, std::uint32_t(e)});
+                for (int e = 0; e <= c.coord_bits - c.box_bits + 1; ++e)
+                    all.push_back({o, org, d, std::uint32_t(e)});
     return all;
 }
 /// The same with the directions of shadow rays, from lattice points.
@@ -70,7 +74,8 @@ inline std::vector<AxisCase> all_shadow_cases(const Config& c) {
     for (int o = -n; o < n; ++o)
         for (int org = -n; org < n; ++org)
             for (int d = -m; d < m; ++d)
-                for (int e = 0; e <= c.coord_bits - c.box_bits + 1; ++e) all.push_back({o << c.origin_frac(), org, d, std::uint32_t(e), true});
+                for (int e = 0; e <= c.coord_bits - c.box_bits + 1; ++e)
+                    all.push_back({o << c.origin_frac(), org, d, std::uint32_t(e), true});
     return all;
 }
 inline std::vector<PlanePair> all_planes(const Config& c) {
@@ -115,7 +120,9 @@ public:
         for (const auto& axis : space_.axes) n *= axis.size();
         return n;
     }
-    std::uint64_t boxes() const { return space_.axes[0].size() * space_.axes[1].size() * space_.axes[2].size() * space_.children(); }
+    std::uint64_t boxes() const {
+        return space_.axes[0].size() * space_.axes[1].size() * space_.axes[2].size() * space_.children();
+    }
 
     BoxCase next() {
         BoxCase c;
@@ -125,7 +132,8 @@ public:
             c.d[k] = a.d;
             c.is_long |= a.is_long;
             c.req.neg[k] = a.d < 0;
-            std::tie(c.req.recip[k], c.req.len[k]) = recip_[a.is_long][std::size_t(a.d + (1 << (config_.ray_dir_bits() - 1)))];
+            std::tie(c.req.recip[k], c.req.len[k]) =
+                recip_[a.is_long][std::size_t(a.d + (1 << (config_.ray_dir_bits() - 1)))];
             c.req.node.org[k] = a.org;
             c.req.node.exp[k] = a.exp;
         }
@@ -154,12 +162,14 @@ private:
 
     BoxSpace space_;
     Config config_;
-    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2> recip_;   // of short and of long directions
+    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2>
+        recip_;   // of short and of long directions
     std::array<std::size_t, 3> at_{};
     std::size_t child_ = 0;
 };
 
-/// What came of it. A box is lost if the ray meets it and the answer has it not; late if t_near is beyond the entry.
+/// What came of it. A box is lost if the ray meets it and the answer has it not; late if t_near is beyond the
+/// entry.
 struct BoxVerdict {
     std::uint64_t boxes = 0, met = 0, taken = 0, lost = 0, late = 0;
 };
@@ -175,8 +185,10 @@ inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& confi
         for (std::size_t k = 0; k < 3; ++k) {
             o[k] = c.req.o[k];
             d[k] = c.d[k];
-            lo[k] = (c.req.node.org[k] + (std::int64_t(c.req.node.lo[3 * i + k]) << c.req.node.exp[k])) * parts;
-            hi[k] = (c.req.node.org[k] + (std::int64_t(c.req.node.hi[3 * i + k]) << c.req.node.exp[k])) * parts;
+            lo[k] =
+                (c.req.node.org[k] + (std::int64_t(c.req.node.lo[3 * i + k]) << c.req.node.exp[k])) * parts;
+            hi[k] =
+                (c.req.node.org[k] + (std::int64_t(c.req.node.hi[3 * i + k]) << c.req.node.exp[k])) * parts;
         }
         ++verdict.boxes;
         const auto enter = oracle::overlap(o, d, lo, hi);
@@ -191,7 +203,9 @@ inline void judge_small(const BoxCase& c, const BoxRsp& rsp, const Config& confi
 
 /// The `number`-th vector of n-bit components.
 inline Vec3i vector_of(std::uint64_t number, int n) {
-    const auto part = [&](int k) { return std::int32_t(number >> (n * k) & ((1u << n) - 1)) - (1 << (n - 1)); };
+    const auto part = [&](int k) {
+        return std::int32_t(number >> (n * k) & ((1u << n) - 1)) - (1 << (n - 1));
+    };
     return {part(0), part(1), part(2)};
 }
 /// The `number`-th request of all: b, c, o, d, and a last.
@@ -211,6 +225,8 @@ inline TriReq tri_request(std::uint64_t number, const Config& config) {
     req.triangle.a = take(n);
     return req;
 }
-inline std::uint64_t tri_requests(const Config& config) { return std::uint64_t(1) << (3 * (4 * config.coord_bits + config.dir_bits)); }
+inline std::uint64_t tri_requests(const Config& config) {
+    return std::uint64_t(1) << (3 * (4 * config.coord_bits + config.dir_bits));
+}
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -7,12 +7,14 @@
 namespace rayclock::test {
 
 inline std::optional<oracle::Crossing> crossing(const TriReq& req) {
-    return oracle::crossing(oracle::point(req.o), oracle::point(req.d), oracle::point(req.triangle.a), oracle::point(req.triangle.b),
-                            oracle::point(req.triangle.c));
+    return oracle::crossing(oracle::point(req.o), oracle::point(req.d), oracle::point(req.triangle.a),
+                            oracle::point(req.triangle.b), oracle::point(req.triangle.c));
 }
 
-/// A hit to beat: none, anything, exactly as far as the crossing at t (in another fraction), or a hair nearer or farther.
-inline Best random_best(Draw& draw, const Config& config, const std::optional<oracle::Rational>& t, std::uint32_t prim) {
+/// A hit to beat: none, anything, exactly as far as the crossing at t (in another fraction), or a hair nearer
+/// or farther.
+inline Best random_best(Draw& draw, const Config& config, const std::optional<oracle::Rational>& t,
+                        std::uint32_t prim) {
     Best best;
     if (draw.coin()) return best;
     best.found = 1;
@@ -23,13 +25,16 @@ inline Best random_best(Draw& draw, const Config& config, const std::optional<or
     if (!t || draw.below(4) == 0) return best;
     const oracle::Int num = numerator(*t), den = denominator(*t);
     oracle::Int factor = draw.between(1, 5);
-    const oracle::Int num_most = (oracle::Int(1) << (config.num_bits() - 1)) - 1, det_most = (oracle::Int(1) << (config.edge_bits() - 1)) - 1;
+    const oracle::Int num_most = (oracle::Int(1) << (config.num_bits() - 1)) - 1,
+                      det_most = (oracle::Int(1) << (config.edge_bits() - 1)) - 1;
     if (num * factor > num_most || den * factor > det_most) factor = 1;
     best.num = oracle::Int(num * factor).convert_to<std::int64_t>();
     best.det = oracle::Int(den * factor).convert_to<std::int64_t>();
     if (draw.coin()) return best;
-    if (draw.coin() && best.num < num_most) ++best.num;
-    else if (best.num > 1) --best.num;
+    if (draw.coin() && best.num < num_most)
+        ++best.num;
+    else if (best.num > 1)
+        --best.num;
     return best;
 }
 
@@ -56,12 +61,14 @@ inline TriReq random_tri_req(Draw& draw, const Config& config) {
     req.o = draw.coin() ? draw.vector(n) : draw.near(req.triangle.a, reach, n);
     req.d = draw.vector(config.dir_bits);
     if (draw.percent(75)) {
-        const int weights[][3] = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}, {1, 1, 2}, {2, 1, 1}, {1, 2, 1}};
+        const int weights[][3] = {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 0}, {2, 0, 2},
+                                  {0, 2, 2}, {1, 1, 2}, {2, 1, 1}, {1, 2, 1}};
         const auto& w = weights[draw.below(9)];
         const int factor = draw.below(4) == 0 ? draw.between(-2, 4) : 1;
         const std::int64_t most = (std::int64_t(1) << (config.dir_bits - 1)) - 1;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::int64_t way = std::int64_t(w[0]) * req.triangle.a[k] + std::int64_t(w[1]) * req.triangle.b[k] +
+            const std::int64_t way = std::int64_t(w[0]) * req.triangle.a[k] +
+                                     std::int64_t(w[1]) * req.triangle.b[k] +
                                      std::int64_t(w[2]) * req.triangle.c[k] - 4 * std::int64_t(req.o[k]);
             req.d[k] = std::int32_t(std::clamp((way >> 2) * factor, -most - 1, most));
         }
@@ -76,7 +83,8 @@ inline void judge(const TriReq& req, const TriRsp& rsp, const Config& config) {
     const auto at = crossing(req);
     bool closer = at.has_value();
     if (at && req.best.found)
-        closer = oracle::goes_before(at->t, req.triangle.prim, oracle::Rational(req.best.num, req.best.det), req.best.prim);
+        closer = oracle::goes_before(at->t, req.triangle.prim, oracle::Rational(req.best.num, req.best.det),
+                                     req.best.prim);
     REQUIRE(rsp.ray == req.ray);
     REQUIRE(rsp.closer == closer);
     if (!closer) {
@@ -85,7 +93,8 @@ inline void judge(const TriReq& req, const TriRsp& rsp, const Config& config) {
     }
     const oracle::Rational weight = oracle::power_of_two(config.bary_bits);
     const oracle::Int beyond = (oracle::Int(1) << config.t_bits()) - 1;
-    const oracle::Int t = oracle::ceil(at->t * oracle::power_of_two(config.dir_bits - 1 + config.t_frac_bits));
+    const oracle::Int t =
+        oracle::ceil(at->t * oracle::power_of_two(config.dir_bits - 1 + config.t_frac_bits));
     REQUIRE(rsp.prim == req.triangle.prim);
     REQUIRE(rsp.det == at->volume);
     REQUIRE(oracle::Rational(rsp.num, rsp.det) == at->t);
@@ -94,4 +103,4 @@ inline void judge(const TriReq& req, const TriRsp& rsp, const Config& config) {
     REQUIRE(rsp.v == oracle::floor(at->v * weight));
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

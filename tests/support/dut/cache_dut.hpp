@@ -27,7 +27,9 @@ struct NodeCache {
     static int ids(const Config& c) { return c.contexts; }
     static std::uint32_t id(const Req& req) { return req.ray; }
     static std::uint32_t id(const Rsp& rsp) { return rsp.ray; }
-    static Rsp answer(const Req& req, const Config& c) { return {req.ray, unpack<Node>(line_at(req.addr).data(), c)}; }
+    static Rsp answer(const Req& req, const Config& c) {
+        return {req.ray, unpack<Node>(line_at(req.addr).data(), c)};
+    }
 };
 struct PrimCache {
     using Req = PrimReq;
@@ -70,7 +72,8 @@ template <class K> struct CacheLinks {
 
 template <class K> class CacheModel : public CacheLinks<K> {
 public:
-    explicit CacheModel(const Config& config, int = 1) : config_(config), cache_(K::shape(config)), asked_(std::size_t(K::shape(config).ids)) {}
+    explicit CacheModel(const Config& config, int = 1)
+        : config_(config), cache_(K::shape(config)), asked_(std::size_t(K::shape(config).ids)) {}
     void eval() {
         this->req.ready = cache_.ready();
         this->rsp.offer.reset();
@@ -133,16 +136,30 @@ inline Config cache_config(const std::string& name) {
         c.node_line = c.prim_line = c.l2_line = line;
         c.node_mshrs = c.prim_mshrs = c.l2_mshrs = mshrs;
     };
-    if (name == "default") c.l2_sets = 64;
-    else if (name == "smallest") { all(1, 1, 64, 1); c.contexts = 4; c.cache_queue = 2; }
-    else if (name == "one context") { all(1, 1, 256, 1); c.contexts = 1; c.cache_queue = 2; }
-    else if (name == "direct") all(16, 1, 128, 2);
-    else if (name == "wide") { all(4, 8, 256, 16); c.cache_queue = 8; }
-    else if (name == "four") all(4, 2, 64, 4);
-    else if (name == "set") { all(1, 4, 128, 64); c.contexts = 256; }
-    else throw std::logic_error("no cache is called " + name);
+    if (name == "default")
+        c.l2_sets = 64;
+    else if (name == "smallest") {
+        all(1, 1, 64, 1);
+        c.contexts = 4;
+        c.cache_queue = 2;
+    } else if (name == "one context") {
+        all(1, 1, 256, 1);
+        c.contexts = 1;
+        c.cache_queue = 2;
+    } else if (name == "direct")
+        all(16, 1, 128, 2);
+    else if (name == "wide") {
+        all(4, 8, 256, 16);
+        c.cache_queue = 8;
+    } else if (name == "four")
+        all(4, 2, 64, 4);
+    else if (name == "set") {
+        all(1, 4, 128, 64);
+        c.contexts = 256;
+    } else
+        throw std::logic_error("no cache is called " + name);
     check_config(c, name);
     return c;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

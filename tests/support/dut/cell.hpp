@@ -1,5 +1,6 @@
 #pragma once
-// A pipelined arithmetic cell without a door: valid and operands in, the answer a fixed number of cycles later.
+// A pipelined arithmetic cell without a door: valid and operands in, the answer a fixed number of cycles
+// later.
 #include <catch2/catch.hpp>
 #include <deque>
 #include <optional>
@@ -9,12 +10,13 @@
 
 namespace rayclock::test {
 
-/// Hands `count` operands to a cell, with idle cycles between them if `idle`, and compares in every cycle: the answer must
-/// come after exactly `stages` cycles, one in each cycle if asked so, and stay until the next one (a stage works only if valid).
-/// make(draw) gives operands, drive(rtl, operands) sets them, answer(operands) is what must come out of `port`.
+/// Hands `count` operands to a cell, with idle cycles between them if `idle`, and compares in every cycle:
+/// the answer must come after exactly `stages` cycles, one in each cycle if asked so, and stay until the next
+/// one (a stage works only if valid). make(draw) gives operands, drive(rtl, operands) sets them,
+/// answer(operands) is what must come out of `port`.
 template <class Make, class Drive, class Answer>
-void check_cell(const Config& config, const char* module, const char* port, int stages, unsigned seed, int count, bool idle, Make make,
-                Drive drive, Answer answer) {
+void check_cell(const Config& config, const char* module, const char* port, int stages, unsigned seed,
+                int count, bool idle, Make make, Drive drive, Answer answer) {
     using Operands = decltype(make(std::declval<Draw&>()));
     RtlModule rtl(config, module, int(seed));
     Draw draw{seed};
@@ -31,7 +33,9 @@ void check_cell(const Config& config, const char* module, const char* port, int 
             Words words((rtl.port(port).bytes + 3) / 4);
             std::memcpy(words.data(), rtl.port(port).data, rtl.port(port).bytes);
             const Words expected = answer(*shown);
-            if (words != expected) FAIL("got word 0 " << words[0] << " of " << words.size() << ", last " << words.back() << "; the model says " << expected[0] << ", " << expected.back());
+            if (words != expected)
+                FAIL("got word 0 " << words[0] << " of " << words.size() << ", last " << words.back()
+                                   << "; the model says " << expected[0] << ", " << expected.back());
         }
         under_way.push_back(valid ? std::optional(operands) : std::nullopt);
         if (under_way.front()) shown = under_way.front();
@@ -42,4 +46,4 @@ void check_cell(const Config& config, const char* module, const char* port, int 
     REQUIRE(shown);
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,6 +1,6 @@
 #pragma once
-// One face for a unit's two machines, so that one test body runs on both: links with offer and ready, eval() before the
-// clock edge, commit() for the edge.
+// One face for a unit's two machines, so that one test body runs on both: links with offer and ready, eval()
+// before the clock edge, commit() for the edge.
 #include <cstring>
 #include <optional>
 
@@ -12,14 +12,17 @@
 
 namespace rayclock::test {
 
-/// A link in one cycle. On an input the test sets `offer` and eval() sets `ready`; on an output the other way round.
+/// A link in one cycle. On an input the test sets `offer` and eval() sets `ready`; on an output the other way
+/// round.
 template <class P> struct Link {
     std::optional<P> offer;
     bool ready = false;
     bool fires() const { return offer && ready; }
 };
 
-template <class P> bool same(const P& a, const P& b, const Config& config) { return pack(a, config) == pack(b, config); }
+template <class P> bool same(const P& a, const P& b, const Config& config) {
+    return pack(a, config) == pack(b, config);
+}
 template <class P> bool same(const std::optional<P>& a, const std::optional<P>& b, const Config& config) {
     return a.has_value() == b.has_value() && (!a || same(*a, *b, config));
 }
@@ -36,7 +39,9 @@ struct RaygenUnit {
     static constexpr bool has_frame = true;
     static int latency(const Config& c) { return c.raygen_latency(); }
     static int queue(const Config& c) { return c.raygen_queue; }
-    static Ray answer(const Slot& slot, const Frame& frame, const Config& c) { return raygen(slot, frame, c); }
+    static Ray answer(const Slot& slot, const Frame& frame, const Config& c) {
+        return raygen(slot, frame, c);
+    }
 };
 struct BoxUnit {
     using Req = BoxReq;
@@ -86,9 +91,12 @@ private:
 /// The links of a verilated unit.
 class RtlLinks {
 public:
-    RtlLinks(const Config& config, const char* module, int seed) : config_(config), rtl_(config, module, seed) {}
+    RtlLinks(const Config& config, const char* module, int seed)
+        : config_(config), rtl_(config, module, seed) {}
 
-    template <class P> void fix(const char* name, const P& value) { set_data(rtl_.port(name), value, config_); }
+    template <class P> void fix(const char* name, const P& value) {
+        set_data(rtl_.port(name), value, config_);
+    }
     template <class P> void drive_in(const char* name, const Link<P>& link) {
         const RcPort& port = rtl_.port(name);
         *port.valid = link.offer.has_value();
@@ -99,8 +107,12 @@ public:
         *port.valid = seen.has_value();
         if (seen) set_data(port, *seen, config_);
     }
-    template <class P> void drive_out(const char* name, const Link<P>& link) { *rtl_.port(name).ready = link.ready; }
-    template <class P> void read_in(const char* name, Link<P>& link) const { link.ready = *rtl_.port(name).ready != 0; }
+    template <class P> void drive_out(const char* name, const Link<P>& link) {
+        *rtl_.port(name).ready = link.ready;
+    }
+    template <class P> void read_in(const char* name, Link<P>& link) const {
+        link.ready = *rtl_.port(name).ready != 0;
+    }
     template <class P> void read_out(const char* name, Link<P>& link) const {
         const RcPort& port = rtl_.port(name);
         link.offer.reset();
@@ -138,7 +150,8 @@ public:
     Link<typename U::Req> in;
     Link<typename U::Rsp> out;
 
-    explicit Rtl(const Config& config, const Frame& frame = {}, int seed = 1) : links_(config, U::name, seed) {
+    explicit Rtl(const Config& config, const Frame& frame = {}, int seed = 1)
+        : links_(config, U::name, seed) {
         if constexpr (U::has_frame) links_.fix("frame", frame);
         links_.drive_in(U::in, in);
         links_.drive_out(U::out, out);
@@ -157,9 +170,10 @@ private:
     RtlLinks links_;
 };
 
-/// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions, the widest; each
-/// also as "sheared:..." with that primitive test, one whose reciprocals are longer than its slopes, and one of coarse reciprocals; as "shading:..." of a chip
-/// that shades, with all primitives, and as "samples:..." of one with several samples in a pixel and triangles only.
+/// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions,
+/// the widest; each also as "sheared:..." with that primitive test, one whose reciprocals are longer than its
+/// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, and as
+/// "samples:..." of one with several samples in a pixel and triangles only.
 inline Config format(const std::string& name) {
     if (name.starts_with("shading:") || name.starts_with("samples:")) {
         Config config = format(name.substr(8));
@@ -196,4 +210,4 @@ inline Config format(const std::string& name) {
     return config;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -5,8 +5,8 @@
 
 namespace rayclock::test {
 
-/// What both machines of list show. `ray` is only listened to. A triangle from memory goes on to tri, and a finished ray to its
-/// hit, in the same cycle.
+/// What both machines of list show. `ray` is only listened to. A triangle from memory goes on to tri, and a
+/// finished ray to its hit, in the same cycle.
 struct ListLinks {
     std::optional<Ray> ray;
     Link<BoxRsp> box_rsp;
@@ -22,7 +22,8 @@ struct ListLinks {
 /// List says when, the Leaves of each context what.
 class ListModel : public ListLinks {
 public:
-    explicit ListModel(const Config& config, int = 1) : list_(config), rays_(std::size_t(config.contexts)), leaves_(rays_.size(), Leaves(config)) {}
+    explicit ListModel(const Config& config, int = 1)
+        : list_(config), rays_(std::size_t(config.contexts)), leaves_(rays_.size(), Leaves(config)) {}
     void eval() {
         box_rsp.ready = tri_rsp.ready = true;
         prim_req.offer.reset();
@@ -33,7 +34,9 @@ public:
         tri_req.offer.reset();
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
-            tri_req.offer = TriReq{r.ray, r.o, r.d, prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear, r.kind, r.self, r.inside, r.finite};
+            tri_req.offer = TriReq{
+                r.ray,  r.o,      r.d,     prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear, r.kind,
+                r.self, r.inside, r.finite};
         }
         done.ready = closest.ready;
         closest.offer.reset();
@@ -41,9 +44,10 @@ public:
     }
     void commit() {
         const bool boxed = box_rsp.fires(), tested = tri_rsp.fires();
-        list_.clock(boxed ? &box_rsp.offer->ray : nullptr, boxed && leaves_[box_rsp.offer->ray].begin(*box_rsp.offer),
-                    tested ? &tri_rsp.offer->ray : nullptr, tested && leaves_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(),
-                    step.fires());
+        list_.clock(
+            boxed ? &box_rsp.offer->ray : nullptr, boxed && leaves_[box_rsp.offer->ray].begin(*box_rsp.offer),
+            tested ? &tri_rsp.offer->ray : nullptr,
+            tested && leaves_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(), step.fires());
         if (!ray) return;
         rays_[ray->ray] = *ray;
         leaves_[ray->ray].clear(RayKind(ray->kind));
@@ -90,4 +94,4 @@ private:
     RtlLinks links_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -3,7 +3,8 @@
 
 namespace rayclock::test {
 
-/// What both machines of raygen show, if the chip shades: rays that shade asks for and new pixels, on one door.
+/// What both machines of raygen show, if the chip shades: rays that shade asks for and new pixels, on one
+/// door.
 struct RaygenLinks {
     Link<Spawn> spawn;
     Link<Slot> slot;
@@ -63,4 +64,4 @@ private:
     RtlLinks links_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

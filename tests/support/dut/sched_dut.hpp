@@ -5,7 +5,8 @@
 
 namespace rayclock::test {
 
-/// What both machines of sched show. A tile comes only where there is room; a finished ray's hit passes through in the same cycle.
+/// What both machines of sched show. A tile comes only where there is room; a finished ray's hit passes
+/// through in the same cycle.
 struct SchedLinks {
     Link<Tile> tile;
     Link<Slot> slot;
@@ -28,7 +29,10 @@ public:
         const Slot& place = sched_.pixel(pixel.offer->first.ray);
         hit.offer = HitOut{place.x, place.y, pixel.offer->first, pixel.offer->colour};
     }
-    void commit() { sched_.clock(slot.fires(), tile.fires() ? &*tile.offer : nullptr, hit.fires() ? &pixel.offer->first.ray : nullptr); }
+    void commit() {
+        sched_.clock(slot.fires(), tile.fires() ? &*tile.offer : nullptr,
+                     hit.fires() ? &pixel.offer->first.ray : nullptr);
+    }
 
 private:
     Sched sched_;
@@ -128,4 +132,4 @@ private:
     RtlLinks links_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -5,7 +5,8 @@
 
 namespace rayclock::test {
 
-/// What both machines of shade show. `slot` and `ray` are only listened to; `surf_waits` is said by the cache.
+/// What both machines of shade show. `slot` and `ray` are only listened to; `surf_waits` is said by the
+/// cache.
 struct ShadeLinks {
     std::optional<Slot> slot;
     std::optional<Ray> ray;
@@ -26,7 +27,9 @@ public:
     void eval() {
         closest.ready = true;
         surf_req.offer.reset(), spawn.offer.reset(), pixel.offer.reset();
-        if (shade_.surf_valid()) surf_req.offer = SurfReq{shade_.surf_ray(), frame_.shade.surfaces + contexts_[shade_.surf_ray()].in.hit.prim};
+        if (shade_.surf_valid())
+            surf_req.offer =
+                SurfReq{shade_.surf_ray(), frame_.shade.surfaces + contexts_[shade_.surf_ray()].in.hit.prim};
         if (shade_.spawn_valid()) spawn.offer = contexts_[shade_.spawn_ray()].out.spawn;
         if (shade_.pixel_valid()) pixel.offer = contexts_[shade_.pixel_ray()].out.pixel;
         surf_rsp.ready = shade_.ready();
@@ -40,14 +43,17 @@ public:
             wants = in.hit.found && in.state.event == std::uint32_t(ShadeEvent::arrive);
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
-        shade_.clock(now_++, closest.offer ? &closest.offer->ray : nullptr, wants, surf_rsp.fires() ? &surf_rsp.offer->ray : nullptr, surf_req.fires(),
-                     spawn.fires(), pixel.fires(), [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
+        shade_.clock(now_++, closest.offer ? &closest.offer->ray : nullptr, wants,
+                     surf_rsp.fires() ? &surf_rsp.offer->ray : nullptr, surf_req.fires(), spawn.fires(),
+                     pixel.fires(),
+                     [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
         if (slot) {
             contexts_[slot->ray] = {};
             contexts_[slot->ray].in.ray = slot->ray;
             contexts_[slot->ray].in.state = fresh_state(slot->x, slot->y);
         }
-        if (ray && !ends_at_any(ray->kind)) contexts_[ray->ray].in.o = ray->o, contexts_[ray->ray].in.d = ray->d;
+        if (ray && !ends_at_any(ray->kind))
+            contexts_[ray->ray].in.o = ray->o, contexts_[ray->ray].in.d = ray->d;
     }
 
 private:
@@ -104,12 +110,18 @@ private:
     RtlLinks links_;
 };
 
-/// What lies around shade: contexts get pixels, rays are sent and answered, surfaces come from memory, in the order asked for.
-/// All at random, `idle` and `stall` percent of the cycles without.
+/// What lies around shade: contexts get pixels, rays are sent and answered, surfaces come from memory, in the
+/// order asked for. All at random, `idle` and `stall` percent of the cycles without.
 class ShadeWorld {
 public:
     ShadeWorld(const Config& config, const Frame& frame, int idle, int stall, unsigned seed)
-        : config_(config), frame_(frame), idle_(idle), stall_(stall), draw_(seed), free_(std::size_t(config.contexts)), surfaces_(free_.size()) {
+        : config_(config),
+          frame_(frame),
+          idle_(idle),
+          stall_(stall),
+          draw_(seed),
+          free_(std::size_t(config.contexts)),
+          surfaces_(free_.size()) {
         for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = std::uint32_t(i);
     }
     int pixels = 0, shadows = 0, bounces = 0, samples = 0, closed = 0;
@@ -119,14 +131,16 @@ public:
         in.slot.reset(), in.ray.reset();
         if (!free_.empty() && !draw_.percent(idle_)) {
             const std::uint32_t ray = take(free_);
-            in.slot = Slot{ray, std::uint32_t(draw_.natural(config_.pixel_bits)), std::uint32_t(draw_.natural(config_.pixel_bits))};
+            in.slot = Slot{ray, std::uint32_t(draw_.natural(config_.pixel_bits)),
+                           std::uint32_t(draw_.natural(config_.pixel_bits))};
             made_.push_back(camera_ray(ray));
         } else if (!made_.empty() && !draw_.percent(idle_)) {
             in.ray = take(made_);
             flying_.push_back(in.ray->ray);
         }
         in.closest.offer.reset();
-        if (in.ray || flying_.empty() || draw_.percent(idle_)) {   // a ray is not answered in the cycle in which it is sent
+        if (in.ray || flying_.empty() ||
+            draw_.percent(idle_)) {   // a ray is not answered in the cycle in which it is sent
         } else {
             const std::uint32_t ray = take(flying_);
             surfaces_[ray] = random_surface(draw_, config_);
@@ -139,7 +153,8 @@ public:
         }
         in.surf_rsp.offer = surface_;
         in.surf_waits = draw_.coin();
-        in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_), in.pixel.ready = !draw_.percent(stall_);
+        in.surf_req.ready = !draw_.percent(stall_), in.spawn.ready = !draw_.percent(stall_),
+        in.pixel.ready = !draw_.percent(stall_);
     }
     /// What has come of it.
     void take_over(const ShadeLinks& out) {
@@ -153,7 +168,9 @@ public:
         ray.kind = s.kind, ray.o = s.o;
         if (s.kind != std::uint32_t(RayKind::camera)) ray.d = s.d;
         made_.push_back(ray);
-        (s.kind == std::uint32_t(RayKind::camera) ? samples : s.kind == std::uint32_t(RayKind::bounce) ? bounces : shadows)++;
+        (s.kind == std::uint32_t(RayKind::camera)   ? samples
+         : s.kind == std::uint32_t(RayKind::bounce) ? bounces
+                                                    : shadows)++;
     }
 
 private:
@@ -182,4 +199,4 @@ private:
     std::optional<SurfRsp> surface_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

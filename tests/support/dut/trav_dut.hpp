@@ -18,7 +18,9 @@ struct TravLinks {
 class TravModel : public TravLinks {
 public:
     TravModel(const Frame& frame, const Config& config, int = 1)
-        : root_(frame.root), trav_(config), contexts_(std::size_t(config.contexts), Context{{}, {}, Stack(config), 0}) {}
+        : root_(frame.root),
+          trav_(config),
+          contexts_(std::size_t(config.contexts), Context{{}, {}, Stack(config), 0}) {}
     void eval() {
         ray.ready = trav_.ray_ready();
         step.ready = trav_.step_ready();
@@ -33,11 +35,12 @@ public:
         box_req.offer.reset();
         if (!node_rsp.offer) return;
         const Ray& r = contexts_[node_rsp.offer->ray].ray;
-        box_req.offer = BoxReq{r.ray, r.o, {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0}, r.recip, r.len, node_rsp.offer->node};
+        box_req.offer =
+            BoxReq{r.ray, r.o, {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0}, r.recip, r.len, node_rsp.offer->node};
     }
     void commit() {
-        trav_.clock(ray.fires() ? &ray.offer->ray : nullptr, step.fires() ? &step.offer->ray : nullptr, node_req.fires(), done.fires(),
-                    [&](std::uint32_t number) {
+        trav_.clock(ray.fires() ? &ray.offer->ray : nullptr, step.fires() ? &step.offer->ray : nullptr,
+                    node_req.fires(), done.fires(), [&](std::uint32_t number) {
                         Context& c = contexts_[number];
                         const Turn turn = c.stack.decide(c.step);
                         c.addr = turn.addr;
@@ -94,4 +97,4 @@ private:
     RtlLinks links_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -36,9 +36,12 @@ inline void build_all(const std::vector<RtlJob>& jobs) {
         if (build.was_cached) {
             ++kept;
         } else {
-            std::printf("RTL module %zu of %zu: %s, %s: ", done, jobs.size(), job.module.c_str(), job.name.c_str());
-            if (error) std::printf("FAILED\n");
-            else std::printf("built in %.0f s\n", build.seconds);
+            std::printf("RTL module %zu of %zu: %s, %s: ", done, jobs.size(), job.module.c_str(),
+                        job.name.c_str());
+            if (error)
+                std::printf("FAILED\n");
+            else
+                std::printf("built in %.0f s\n", build.seconds);
             std::fflush(stdout);
         }
     });
@@ -47,4 +50,4 @@ inline void build_all(const std::vector<RtlJob>& jobs) {
     if (failed) std::rethrow_exception(failed);
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

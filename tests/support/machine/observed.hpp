@@ -1,5 +1,6 @@
 #pragma once
-// What the units' signals really are while rays are walked: the RTL's stages written down once more, from the links' payloads.
+// What the units' signals really are while rays are walked: the RTL's stages written down once more, from the
+// links' payloads.
 #include <map>
 #include <string>
 
@@ -17,12 +18,14 @@ public:
 
     std::map<std::string, fit::Interval> seen;
 
-    Observed(const MemoryImage& image, const Frame& frame, const Config& config) : image_(image), frame_(frame), c_(config), decoder_(image, config) {}
+    Observed(const MemoryImage& image, const Frame& frame, const Config& config)
+        : image_(image), frame_(frame), c_(config), decoder_(image, config) {}
 
     void frame() {
         std::uint32_t ray = 0;
         for (std::uint32_t y = 0; y < frame_.height; ++y)
-            for (std::uint32_t x = 0; x < frame_.width; ++x, ray = (ray + 1) % std::uint32_t(c_.contexts)) pixel({ray, x, y});
+            for (std::uint32_t x = 0; x < frame_.width; ++x, ray = (ray + 1) % std::uint32_t(c_.contexts))
+                pixel({ray, x, y});
     }
 
 private:
@@ -47,7 +50,8 @@ private:
             }
             Step step = walk.step();
             see("list.t_best", step.t_best);
-            for (Turn turn = stack.decide(step); turn.kind == Turn::Kind::again; turn = stack.decide(step)) step.inner = 0;
+            for (Turn turn = stack.decide(step); turn.kind == Turn::Kind::again; turn = stack.decide(step))
+                step.inner = 0;
             see("trav.height", stack.height());
             see("trav.ray", step.ray);
             walk.decide(done);
@@ -66,7 +70,8 @@ private:
             see("raygen.down", frame_.down[k]);
             see("raygen.s1_right", Wide(frame_.right[k]) * slot.x);
             see("raygen.s1_down", Wide(frame_.down[k]) * slot.y);
-            see("raygen.s1_sum", Wide(frame_.right[k]) * slot.x + Wide(frame_.down[k]) * slot.y + frame_.corner[k]);
+            see("raygen.s1_sum",
+                Wide(frame_.right[k]) * slot.x + Wide(frame_.down[k]) * slot.y + frame_.corner[k]);
             see("raygen.d", ray.d[k]);
             const std::int64_t size = ray.d[k] < 0 ? -std::int64_t(ray.d[k]) : ray.d[k];
             see("raygen.s0_mag", size);
@@ -98,7 +103,8 @@ private:
             see("box.plane", hi);
             see("box.step", (neg ? hi : lo) * r);
             see("box.step", (neg ? lo : hi) * up);
-            const Wide near_sum = neg ? near - hi * r : near + lo * r, far_sum = neg ? far - lo * up : far + hi * up;
+            const Wide near_sum = neg ? near - hi * r : near + lo * r,
+                       far_sum = neg ? far - lo * up : far + hi * up;
             see("box.s3_near", near_sum);
             see("box.s3_far", far_sum);
             if (zero) continue;
@@ -128,13 +134,18 @@ private:
     }
 
     using Vec = std::array<Wide, 3>;
-    static Vec cross(const Vec& a, const Vec& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
+    static Vec cross(const Vec& a, const Vec& b) {
+        return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
     static Wide dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
     /// rc_edges, rc_tri and rc_hitdiv. Steps the walk.
     void triangle(const Ray& ray, const PrimData& t, const Best& best, Walk& walk) {
-        const auto minus = [](const Vec3i& a, const Vec3i& b) { return Vec{Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]}; };
-        const Vec e1 = minus(t.b, t.a), e2 = minus(t.c, t.a), s = minus(ray.o, t.a), d{ray.d[0], ray.d[1], ray.d[2]};
+        const auto minus = [](const Vec3i& a, const Vec3i& b) {
+            return Vec{Wide(a[0]) - b[0], Wide(a[1]) - b[1], Wide(a[2]) - b[2]};
+        };
+        const Vec e1 = minus(t.b, t.a), e2 = minus(t.c, t.a), s = minus(ray.o, t.a),
+                  d{ray.d[0], ray.d[1], ray.d[2]};
         const Vec p1 = cross(d, e1), p2 = cross(d, e2), n = cross(e1, e2);
         for (std::size_t k = 0; k < 3; ++k) {
             for (const Vec3i& corner : {t.a, t.b, t.c}) see("tri.a, b, c", corner[k]);
@@ -143,7 +154,8 @@ private:
             see("tri.s2_p1", p1[k]);
             see("tri.s2_p2", p2[k]);
             see("tri.s2_n", n[k]);
-            for (const Wide term : {p2[k] * e1[k], p2[k] * s[k], p1[k] * s[k]}) see("tri.terms of det, u, v", term);
+            for (const Wide term : {p2[k] * e1[k], p2[k] * s[k], p1[k] * s[k]})
+                see("tri.terms of det, u, v", term);
             see("tri.terms of num", n[k] * s[k]);
         }
         const Wide det = dot(p2, e1), u = dot(p2, s), v = -dot(p1, s), num = dot(n, s);
@@ -162,7 +174,8 @@ private:
             see("tri.f1_mine, f1_theirs", Wide(rsp.num) * to_beat.det);
             see("tri.f1_mine, f1_theirs", Wide(to_beat.num) * rsp.det);
         }
-        see("tri.num_wide", Wide(rsp.num) << (c_.dir_bits > c_.coord_bits + 3 ? c_.dir_bits - c_.coord_bits - 3 : 0));
+        see("tri.num_wide", Wide(rsp.num)
+                                << (c_.dir_bits > c_.coord_bits + 3 ? c_.dir_bits - c_.coord_bits - 3 : 0));
         see("tri.t", ((Wide(rsp.num) << (c_.dir_bits - 1 + c_.t_frac_bits)) + rsp.det - 1) / rsp.det);
         see("tri.u, v", rsp.u);
         see("tri.u, v", rsp.v);
@@ -174,4 +187,4 @@ private:
     Decoder decoder_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

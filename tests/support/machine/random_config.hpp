@@ -9,20 +9,23 @@
 
 namespace rayclock::test {
 
-/// How large a value is drawn, of those that are legal: no larger than a small frame can tell, or Verilator takes gladly.
+/// How large a value is drawn, of those that are legal: no larger than a small frame can tell, or Verilator
+/// takes gladly.
 inline int most_of(const Parameter& p) {
     const std::string key = p.key;
-    const std::pair<const char*, int> most[] = {{"contexts", 128}, {"mem_latency", 60}, {"mem_interval", 4}, {"raygen_queue", 64}, {"box_queue", 64},
-                                                {"tri_queue", 64}, {"cache_queue", 64}, {"node_sets", 64}, {"prim_sets", 64}, {"l2_sets", 128},
-                                                {"node_mshrs", 16}, {"prim_mshrs", 16}, {"l2_mshrs", 32}, {"primitive_test", 1},
-                                                {"shade_queue", 64}, {"surf_sets", 64}, {"surf_mshrs", 16}, {"lights", 16}};
+    const std::pair<const char*, int> most[] = {
+        {"contexts", 128},  {"mem_latency", 60},   {"mem_interval", 4}, {"raygen_queue", 64},
+        {"box_queue", 64},  {"tri_queue", 64},     {"cache_queue", 64}, {"node_sets", 64},
+        {"prim_sets", 64},  {"l2_sets", 128},      {"node_mshrs", 16},  {"prim_mshrs", 16},
+        {"l2_mshrs", 32},   {"primitive_test", 1}, {"shade_queue", 64}, {"surf_sets", 64},
+        {"surf_mshrs", 16}, {"lights", 16}};
     for (const auto& [name, value] : most)
         if (key == name) return std::min(value, p.hi);
     return p.hi;
 }
 
-/// Legal configuration; every other value from a corner of its range. `single`: one that does not shade, on one pipeline. One pipeline, or one time in four two; a shared cache
-/// one time in three.
+/// Legal configuration; every other value from a corner of its range. `single`: one that does not shade, on
+/// one pipeline. One pipeline, or one time in four two; a shared cache one time in three.
 inline Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);
     const auto draw = [&](const Parameter& p, int hi) {
@@ -44,10 +47,14 @@ inline Config random_config(std::uint64_t seed, bool single) {
         config.pixel_bits = 7 + widths.below(max_pixel_bits - 6);
         config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
         if (rng.below(3) != 0) config.l2_sets = 0;
-        // Two in three do not shade. The others have what the scenes need at least: spheres, planes and samples are as drawn.
+        // Two in three do not shade. The others have what the scenes need at least: spheres, planes and
+        // samples are as drawn.
         config.shading = !single && seed % 3 == 0;
-        if (config.shading) config.smooth = config.refraction = 1, config.lights = std::max(config.lights, 5), config.bounces = std::max(config.bounces, 5);
-        else config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
+        if (config.shading)
+            config.smooth = config.refraction = 1, config.lights = std::max(config.lights, 5),
+            config.bounces = std::max(config.bounces, 5);
+        else
+            config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
         try {
             check_config(config, config.name);
             return config;
@@ -57,4 +64,4 @@ inline Config random_config(std::uint64_t seed, bool single) {
     }
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -7,7 +7,8 @@
 
 namespace rayclock::test {
 
-/// The words of the ray that `walk` has started on, as Trace describes them, put together from what Walk says step by step.
+/// The words of the ray that `walk` has started on, as Trace describes them, put together from what Walk says
+/// step by step.
 inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
     for (bool done = false; !done;) {
         const std::size_t head = words.size();
@@ -25,4 +26,4 @@ inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
     }
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -5,9 +5,12 @@
 namespace rayclock::test {
 
 template <class K> std::vector<std::string> quick_shapes() {
-    if constexpr (std::is_same_v<K, NodeCache>) return {"default", "smallest"};
-    else if constexpr (std::is_same_v<K, PrimCache>) return {"default", "wide"};
-    else return {"direct"};
+    if constexpr (std::is_same_v<K, NodeCache>)
+        return {"default", "smallest"};
+    else if constexpr (std::is_same_v<K, PrimCache>)
+        return {"default", "wide"};
+    else
+        return {"direct"};
 }
 template <class K> std::vector<std::string> other_shapes() {
     std::vector<std::string> others;
@@ -19,7 +22,8 @@ template <class K> std::vector<std::string> other_shapes() {
 template <class Dut> constexpr bool is_model = std::is_same_v<Dut, CacheModel<typename Dut::Kind>>;
 
 /// Asks for a lone line and returns the ids of its words, when memory has been asked for all of them.
-template <class Dut> std::vector<std::uint32_t> send_for(CacheBench<Dut>& bench, std::uint32_t id, std::uint32_t addr) {
+template <class Dut>
+std::vector<std::uint32_t> send_for(CacheBench<Dut>& bench, std::uint32_t id, std::uint32_t addr) {
     std::vector<std::uint32_t> words;
     CacheLinks<typename Dut::Kind> seen = bench.ask(id, addr);
     REQUIRE(seen.req.fires());
@@ -54,7 +58,8 @@ template <class Dut> void check_miss_latency(const Config& config) {
     Draw draw{7};
     const auto words = std::uint32_t(bench.shape.words);
     for (std::uint32_t round = 0; round < 40; ++round) {
-        const std::uint32_t line = (round * 977 + 3) % ((1u << max_addr_bits) / words), addr = bench.addr(line, round % bench.parts());
+        const std::uint32_t line = (round * 977 + 3) % ((1u << max_addr_bits) / words),
+                            addr = bench.addr(line, round % bench.parts());
         REQUIRE(bench.ask(0, addr).req.fires());
         const auto looked_up = bench.cycle();
         REQUIRE(looked_up.deed == CacheDeed::miss);
@@ -73,7 +78,7 @@ template <class Dut> void check_miss_latency(const Config& config) {
             ids.push_back(seen.miss.offer->id);
         }
         REQUIRE_FALSE(bench.cycle().miss.offer);
-        while (!ids.empty()) {                                 // words in any order
+        while (!ids.empty()) {   // words in any order
             for (int pause = draw.below(4); pause > 0; --pause) REQUIRE_FALSE(bench.cycle().rsp.offer);
             const auto at = ids.begin() + draw.below(int(ids.size()));
             REQUIRE_FALSE(bench.cycle({}, *at).rsp.offer);
@@ -89,7 +94,8 @@ template <class Dut> void check_miss_latency(const Config& config) {
 template <class Dut> void check_throughput_of_hits(const Config& config) {
     using K = typename Dut::Kind;
     CacheBench<Dut> bench{config};
-    const auto lines = std::uint32_t(std::min(bench.shape.sets * bench.shape.ways, 8)), ids = std::uint32_t(K::ids(config));
+    const auto lines = std::uint32_t(std::min(bench.shape.sets * bench.shape.ways, 8)),
+               ids = std::uint32_t(K::ids(config));
     if (ids < 4) return;
     for (std::uint32_t line = 0; line < lines; ++line) bench.get(bench.addr(line));
     const auto addr = [&](std::uint32_t i) { return bench.addr(i % lines, i / lines % bench.parts()); };
@@ -131,7 +137,8 @@ template <class Dut> void check_hit_under_miss(const Config& config) {
     REQUIRE(bench.right(bench.cycle().rsp.offer, ids - 1, bench.addr(9)));
 }
 
-/// `more` requests for a line that is on its way; the last of them is accepted `late` cycles after the line's last word.
+/// `more` requests for a line that is on its way; the last of them is accepted `late` cycles after the line's
+/// last word.
 template <class Dut> void check_merge(const Config& config, std::uint32_t more, int late) {
     CacheBench<Dut> bench{config};
     const auto ids = std::uint32_t(Dut::Kind::ids(config));
@@ -228,7 +235,8 @@ template <class Dut> void check_waiting_way_stays(const Config& config) {
 }
 
 /// `lines` are on their way; one more must wait, doing `deed`, until the first of them has come.
-template <class Dut> void check_stall(const Config& config, const std::vector<std::uint32_t>& lines, std::uint32_t blocked, CacheDeed deed) {
+template <class Dut> void check_stall(const Config& config, const std::vector<std::uint32_t>& lines,
+                                      std::uint32_t blocked, CacheDeed deed) {
     CacheBench<Dut> bench{config};
     std::vector<std::uint32_t> words, others;
     for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -327,7 +335,8 @@ template <class K> void lockstep(const Config& config, int seeds, int cycles) {
                 CacheModel<K> model{config};
                 CacheWorld<K> world{config, unsigned(10 * seed + round), flow, 1 << 30};
                 for (int cycle = 0; cycle < cycles; ++cycle) {
-                    INFO(config.name << ", " << flow.name << ", seed " << seed << ", round " << round << ", cycle " << cycle);
+                    INFO(config.name << ", " << flow.name << ", seed " << seed << ", round " << round
+                                     << ", cycle " << cycle);
                     world.drive(model);
                     static_cast<CacheLinks<K>&>(rtl) = model;
                     model.eval();
@@ -347,8 +356,12 @@ template <class K> void lockstep(const Config& config, int seeds, int cycles) {
     const CacheShape shape = K::shape(config);
     for (std::size_t deed = 0; deed < cache_deeds; ++deed) {   // what can happen did
         INFO(config.name << ", deed " << deed);
-        if (CacheDeed(deed) == CacheDeed::conflict && (shape.mshrs <= shape.ways || K::ids(config) <= shape.ways)) continue;
-        if (CacheDeed(deed) == CacheDeed::mshrs && (shape.mshrs > shape.sets * shape.ways || K::ids(config) <= shape.mshrs)) continue;
+        if (CacheDeed(deed) == CacheDeed::conflict &&
+            (shape.mshrs <= shape.ways || K::ids(config) <= shape.ways))
+            continue;
+        if (CacheDeed(deed) == CacheDeed::mshrs &&
+            (shape.mshrs > shape.sets * shape.ways || K::ids(config) <= shape.mshrs))
+            continue;
         if (CacheDeed(deed) == CacheDeed::merge && K::ids(config) == 1) continue;
         if (CacheDeed(deed) == CacheDeed::answers && K::ids(config) <= shape.queue) continue;
         REQUIRE(deeds[deed] > 0);
@@ -362,4 +375,4 @@ template <class Dut, class Check> void in_quick_shapes(Check check) {
     }
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,6 +1,6 @@
 #pragma once
-// What surrounds a cache in a test: rays that ask and a memory that answers late and in any order; and a plain description of
-// which line a set gives up.
+// What surrounds a cache in a test: rays that ask and a memory that answers late and in any order; and a
+// plain description of which line a set gives up.
 #include <map>
 #include <set>
 
@@ -9,7 +9,8 @@
 
 namespace rayclock::test {
 
-/// Tree-PLRU, told simply: the ways of a set are halved again and again; of each two halves one knows which was used last.
+/// Tree-PLRU, told simply: the ways of a set are halved again and again; of each two halves one knows which
+/// was used last.
 class OldestWay {
 public:
     explicit OldestWay(int ways) : ways_(ways) {}
@@ -40,7 +41,9 @@ private:
 class SetJudge {
 public:
     explicit SetJudge(int ways) : lines_(std::size_t(ways)), age_(ways) {}
-    bool has(std::uint32_t line) const { return std::find(lines_.begin(), lines_.end(), line) != lines_.end(); }
+    bool has(std::uint32_t line) const {
+        return std::find(lines_.begin(), lines_.end(), line) != lines_.end();
+    }
     int oldest() const { return age_.oldest(); }
     std::optional<std::uint32_t> line(int way) const { return lines_[std::size_t(way)]; }
     /// A request for `line`; the way that it is in now. It may not drive out what `waiting` ways hold.
@@ -49,7 +52,8 @@ public:
         int way = int(at - lines_.begin());
         if (at == lines_.end()) {
             way = age_.oldest();
-            if (waiting.count(way)) for (way = 0; waiting.count(way); ++way) {}
+            if (waiting.count(way))
+                for (way = 0; waiting.count(way); ++way) {}
             lines_[std::size_t(way)] = line;
         }
         age_.use(way);
@@ -61,15 +65,24 @@ private:
     OldestWay age_;
 };
 
-/// Requests with all ids, to lines that hit, miss, merge and drive each other out; a memory of a random latency whose words
-/// overtake each other. Checks that every request is answered once with what lies in memory, and that memory is asked for the
-/// words of a line once, while somebody waits for it.
+/// Requests with all ids, to lines that hit, miss, merge and drive each other out; a memory of a random
+/// latency whose words overtake each other. Checks that every request is answered once with what lies in
+/// memory, and that memory is asked for the words of a line once, while somebody waits for it.
 template <class K> class CacheWorld {
 public:
     using Req = typename K::Req;
     CacheWorld(const Config& config, unsigned seed, const Flow& flow, int requests)
-        : config_(config), shape_(K::shape(config)), flow_(flow), draw_(seed), left_(requests), asked_(std::size_t(K::ids(config))),
-          lines_(std::size_t(shape_.mshrs)), rsp_(config), miss_(config), slowest_(1 << draw_.below(7)), rest_(draw_.below(2) * 40) {}
+        : config_(config),
+          shape_(K::shape(config)),
+          flow_(flow),
+          draw_(seed),
+          left_(requests),
+          asked_(std::size_t(K::ids(config))),
+          lines_(std::size_t(shape_.mshrs)),
+          rsp_(config),
+          miss_(config),
+          slowest_(1 << draw_.below(7)),
+          rest_(draw_.below(2) * 40) {}
 
     bool finished() const { return left_ == 0 && !pending_ && under_way_ == 0; }
     int answers() const { return answers_; }
@@ -124,14 +137,20 @@ private:
         if (free.empty()) return;
         const int room = shape_.sets * shape_.ways, kind = draw_.below(100);
         const std::uint32_t lines = (1u << max_addr_bits) / words();
-        if (kind < 40) line_ = std::uint32_t(draw_.below((room + 1) / 2));
-        else if (kind < 60) line_ = std::uint32_t(draw_.below(3 * room));
-        else if (kind < 80) line_ = (line_ + std::uint32_t(shape_.sets * draw_.below(8))) % lines;   // in the same set
-        else if (kind < 85) line_ = std::uint32_t(draw_.natural(max_addr_bits)) / words();
+        if (kind < 40)
+            line_ = std::uint32_t(draw_.below((room + 1) / 2));
+        else if (kind < 60)
+            line_ = std::uint32_t(draw_.below(3 * room));
+        else if (kind < 80)
+            line_ = (line_ + std::uint32_t(shape_.sets * draw_.below(8))) % lines;   // in the same set
+        else if (kind < 85)
+            line_ = std::uint32_t(draw_.natural(max_addr_bits)) / words();
         Req req;
         const std::uint32_t id = free[std::size_t(draw_.below(int(free.size())))];
-        if constexpr (requires { req.ray; }) req.ray = id;
-        else req.id = id;
+        if constexpr (requires { req.ray; })
+            req.ray = id;
+        else
+            req.id = id;
         req.addr = line_ * words() * K::parts + std::uint32_t(draw_.below(int(words() * K::parts)));
         pending_ = req;
         --left_;
@@ -156,9 +175,11 @@ private:
         if (mine.asked == all()) REQUIRE(mine.came == all());
         if (mine.came == all()) mine = {};
         if (mine.asked == 0) {
-            for (const OnItsWay& other : lines_) REQUIRE_FALSE((other.line == line && other.asked != 0 && other.came != all()));
+            for (const OnItsWay& other : lines_)
+                REQUIRE_FALSE((other.line == line && other.asked != 0 && other.came != all()));
             mine.line = line;
-            REQUIRE(std::any_of(asked_.begin(), asked_.end(), [&](const auto& req) { return req && line_of(*req) == line; }));
+            REQUIRE(std::any_of(asked_.begin(), asked_.end(),
+                                [&](const auto& req) { return req && line_of(*req) == line; }));
         }
         REQUIRE(mine.line == line);
         REQUIRE((mine.asked >> word & 1) == 0);
@@ -180,7 +201,7 @@ private:
     std::vector<std::optional<Req>> asked_;   // by id
     std::vector<OnItsWay> lines_;             // by MSHR
     std::vector<Word> words_;
-    std::set<std::uint32_t> came_;            // lines that have ever come
+    std::set<std::uint32_t> came_;   // lines that have ever come
     Steady<typename K::Rsp> rsp_;
     Steady<typename K::Miss> miss_;
     int slowest_, rest_;
@@ -192,7 +213,9 @@ private:
 template <class Dut> class CacheBench {
 public:
     using K = typename Dut::Kind;
-    explicit CacheBench(const Config& config_) : config(config_), shape(K::shape(config_)), dut(config_) { dut.rsp.ready = dut.miss.ready = true; }
+    explicit CacheBench(const Config& config_) : config(config_), shape(K::shape(config_)), dut(config_) {
+        dut.rsp.ready = dut.miss.ready = true;
+    }
 
     /// Address of a part of a word of a line, `part` counted through the line.
     std::uint32_t addr(std::uint32_t line, std::uint32_t part = 0) const { return line * parts() + part; }
@@ -215,8 +238,10 @@ public:
     CacheLinks<K> ask(std::uint32_t id, std::uint32_t address) { return cycle(request(id, address)); }
     static typename K::Req request(std::uint32_t id, std::uint32_t address) {
         typename K::Req req;
-        if constexpr (requires { req.ray; }) req.ray = id;
-        else req.id = id;
+        if constexpr (requires { req.ray; })
+            req.ray = id;
+        else
+            req.id = id;
         req.addr = address;
         return req;
     }
@@ -253,4 +278,4 @@ public:
     int misses = 0;                                  ///< words asked for
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -15,18 +15,23 @@ using Command = DramCommand;
 using Issued = Dram::Issued;
 
 inline std::int64_t clocks(const DramPart& part, int ps) { return (ps + part.tck - 1) / part.tck; }
-inline std::uint64_t begin_of(std::uint64_t cycle, int khz) { return cycle * 1'000'000'000 / std::uint64_t(khz); }
+inline std::uint64_t begin_of(std::uint64_t cycle, int khz) {
+    return cycle * 1'000'000'000 / std::uint64_t(khz);
+}
 inline std::uint64_t cycle_from(std::uint64_t ps, int khz) {
     std::uint64_t cycle = ps / 1'000'000 * std::uint64_t(khz) / 1'000;   // no later than that
     while (begin_of(cycle, khz) < ps) ++cycle;
     return cycle;
 }
 inline std::uint32_t row_words(const DramPart& part) { return std::uint32_t(part.row_bytes() / 64); }
-inline std::uint32_t address(const DramPart& part, std::uint32_t row, std::uint32_t bank, std::uint32_t word) {
+inline std::uint32_t address(const DramPart& part, std::uint32_t row, std::uint32_t bank,
+                             std::uint32_t word) {
     return (row * std::uint32_t(part.banks) + bank) * row_words(part) + word;
 }
 /// Clocks of the DRAM from one read command of a request to its next.
-inline std::int64_t read_step(const DramPart& part) { return std::max(clocks(part, part.tccd), std::int64_t(part.burst_clocks())); }
+inline std::int64_t read_step(const DramPart& part) {
+    return std::max(clocks(part, part.tccd), std::int64_t(part.burst_clocks()));
+}
 
 /// What came of some requests, by their number, and what the memory did for them.
 struct Log {
@@ -39,8 +44,10 @@ struct Log {
     friend bool operator==(const Log&, const Log&) = default;
 };
 
-/// Sends the addresses in turn, each as soon as it is accepted and fewer than `most` are under way, or after a pause.
-inline Log run(const DramPart& part, int khz, const std::vector<std::uint32_t>& addresses, std::size_t most, int most_pause = 0) {
+/// Sends the addresses in turn, each as soon as it is accepted and fewer than `most` are under way, or after
+/// a pause.
+inline Log run(const DramPart& part, int khz, const std::vector<std::uint32_t>& addresses, std::size_t most,
+               int most_pause = 0) {
     Dram dram{part, khz, int(most)};
     Log log;
     dram.record(&log.commands);
@@ -97,11 +104,13 @@ double bytes_per_second(const Log& log, int khz) {
     return 64e12 * double(log.order.size()) / double(ps);
 }
 
-/// Judges a list of commands by the data sheet, in picoseconds and pair by pair; shares nothing with DramBanks.
+/// Judges a list of commands by the data sheet, in picoseconds and pair by pair; shares nothing with
+/// DramBanks.
 inline void check_commands(const DramPart& part, const std::vector<Issued>& all) {
     std::map<int, std::uint32_t> open;
     const auto gate = [&](std::size_t from, std::size_t to, int ps, const char* name) {
-        if ((all[to].clock - all[from].clock) * part.tck < ps) FAIL(name << " of " << part.name << " at clock " << all[to].clock);
+        if ((all[to].clock - all[from].clock) * part.tck < ps)
+            FAIL(name << " of " << part.name << " at clock " << all[to].clock);
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Issued& c = all[i];
@@ -114,23 +123,28 @@ inline void check_commands(const DramPart& part, const std::vector<Issued>& all)
         if (c.command == Command::activate) REQUIRE(open.emplace(c.bank, c.row).second);
         int activates = 0;
         for (std::size_t k = i; k-- > 0 && i - k < 200;) {
-            const bool same = all[k].bank == c.bank || c.command == Command::precharge_all || c.command == Command::refresh;
-            const bool after_close = (all[k].command == Command::precharge && same) || all[k].command == Command::precharge_all;
+            const bool same =
+                all[k].bank == c.bank || c.command == Command::precharge_all || c.command == Command::refresh;
+            const bool after_close =
+                (all[k].command == Command::precharge && same) || all[k].command == Command::precharge_all;
             switch (all[k].command) {
-            case Command::activate:
-                if (c.command == Command::activate && ++activates == 4) gate(k, i, part.tfaw, "tFAW");
-                if (c.command == Command::activate) gate(k, i, part.trrd, "tRRD");
-                if ((c.command == Command::activate || c.command == Command::refresh) && same) gate(k, i, part.trc, "tRC");
-                if (c.command == Command::read && same) gate(k, i, part.trcd, "tRCD");
-                if (closes && same) gate(k, i, part.tras, "tRAS");
-                break;
-            case Command::read:
-                if (c.command == Command::read) gate(k, i, std::max(part.tccd, part.burst_clocks() * part.tck), "tCCD");
-                if (closes && same) gate(k, i, part.trtp, "tRTP");
-                break;
-            case Command::refresh: gate(k, i, part.trfc, "tRFC"); break;
-            default:
-                if ((c.command == Command::activate || c.command == Command::refresh) && after_close) gate(k, i, part.trp, "tRP");
+                case Command::activate:
+                    if (c.command == Command::activate && ++activates == 4) gate(k, i, part.tfaw, "tFAW");
+                    if (c.command == Command::activate) gate(k, i, part.trrd, "tRRD");
+                    if ((c.command == Command::activate || c.command == Command::refresh) && same)
+                        gate(k, i, part.trc, "tRC");
+                    if (c.command == Command::read && same) gate(k, i, part.trcd, "tRCD");
+                    if (closes && same) gate(k, i, part.tras, "tRAS");
+                    break;
+                case Command::read:
+                    if (c.command == Command::read)
+                        gate(k, i, std::max(part.tccd, part.burst_clocks() * part.tck), "tCCD");
+                    if (closes && same) gate(k, i, part.trtp, "tRTP");
+                    break;
+                case Command::refresh: gate(k, i, part.trfc, "tRFC"); break;
+                default:
+                    if ((c.command == Command::activate || c.command == Command::refresh) && after_close)
+                        gate(k, i, part.trp, "tRP");
             }
         }
     }
@@ -138,7 +152,8 @@ inline void check_commands(const DramPart& part, const std::vector<Issued>& all)
 
 inline std::string any_part() { return GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu"); }
 
-/// Gates that no real part has in this order: a row may close before the next read, short bursts, few banks, a small queue.
+/// Gates that no real part has in this order: a row may close before the next read, short bursts, few banks,
+/// a small queue.
 inline DramPart odd_part() {
     DramPart part = dram_part("ddr3");
     part.name = "odd";
@@ -157,4 +172,4 @@ inline DramPart odd_part() {
     return part;
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,18 +1,18 @@
 #pragma once
-// What surrounds list in a test: box answers with leaves, memory, tri and trav, and a plain description of the triangles that a
-// node makes list ask for.
+// What surrounds list in a test: box answers with leaves, memory, tri and trav, and a plain description of
+// the triangles that a node makes list ask for.
 #include "tests/support/dut/list_dut.hpp"
 #include "tests/support/world/traffic.hpp"
 
 namespace rayclock::test {
 
-/// One ray at list, told simply: leaves from near to far, each triangle of a leaf in turn, no leaf that begins beyond the best hit.
-/// One that asks for a light wants nothing more after its first hit.
+/// One ray at list, told simply: leaves from near to far, each triangle of a leaf in turn, no leaf that
+/// begins beyond the best hit. One that asks for a light wants nothing more after its first hit.
 struct LeafWalk {
     Ray ray;
-    TriRsp found;             ///< best so far; closer 0: none
+    TriRsp found;   ///< best so far; closer 0: none
     BoxRsp node;
-    std::size_t leaf = 0;     ///< of the node's leaves
+    std::size_t leaf = 0;   ///< of the node's leaves
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
 
@@ -20,7 +20,9 @@ struct LeafWalk {
     bool blocked() const { return asks_for_light() && found.closer; }
     std::uint32_t t_best() const { return found.closer ? found.t : beyond; }
     std::size_t entry() const { return node.inner + leaf; }
-    bool more() const { return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[entry()] <= t_best()); }
+    bool more() const {
+        return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[entry()] <= t_best());
+    }
     std::uint32_t address() const { return 2 * node.base + node.offset[entry()] + triangle; }
     void next() {
         if (++triangle < node.count[entry()]) return;
@@ -116,7 +118,8 @@ private:
             c.walk.ray = random_payload<Ray>(draw_, config_);
             c.walk.ray.ray = std::uint32_t(number);
             // To the surface: t = 2^-B, in units of 2^-F of a direction of N + B bits.
-            c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits) : (1u << config_.t_bits()) - 1;
+            c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits)
+                                                 : (1u << config_.t_bits()) - 1;
             dut.ray = c.walk.ray;
             waiting_for_box_.push_back(std::uint32_t(number));
             --left_;
@@ -136,9 +139,11 @@ private:
         const std::uint32_t best = contexts_[rsp.ray].walk.t_best();
         for (std::size_t i = 0; i < std::size_t(children); ++i) {
             std::uint32_t& t = near[i >= rsp.inner];
-            t = draw_.below(4) == 0 ? std::max(t, best + std::uint32_t(draw_.below(4) == 0)) : t + std::uint32_t(draw_.below(40));   // exactly as far counts
+            t = draw_.below(4) == 0 ? std::max(t, best + std::uint32_t(draw_.below(4) == 0))
+                                    : t + std::uint32_t(draw_.below(40));   // exactly as far counts
             rsp.t_near[i] = t = std::min(t, (1u << config_.t_bits()) - 1);
-            rsp.offset[i] = i < rsp.inner ? 2 * std::uint32_t(draw_.below(config_.node_width)) : std::uint32_t(draw_.bits(offset_bits));
+            rsp.offset[i] = i < rsp.inner ? 2 * std::uint32_t(draw_.below(config_.node_width))
+                                          : std::uint32_t(draw_.bits(offset_bits));
             rsp.count[i] = i < rsp.inner ? 0 : std::uint32_t(draw_.between(1, 6));
         }
         box_ = rsp;
@@ -179,7 +184,8 @@ private:
 
     void check_test(const TriReq& req) const {
         const LeafWalk& walk = contexts_[prim_->ray].walk;
-        TriReq expected{walk.ray.ray, walk.ray.o, walk.ray.d, prim_->triangle, {}, walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside, walk.ray.finite};
+        TriReq expected{walk.ray.ray,   walk.ray.o,    walk.ray.d,    prim_->triangle, {},
+                        walk.ray.shear, walk.ray.kind, walk.ray.self, walk.ray.inside, walk.ray.finite};
         if (walk.found.closer) expected.best = {1, walk.found.num, walk.found.det, walk.found.prim};
         REQUIRE(same(req, expected, config_));
     }
@@ -199,8 +205,10 @@ private:
             REQUIRE(step.slot[i] == walk.node.offset[i] / 2);
         }
         c.here = false;
-        if (--c.nodes > 0 && !walk.blocked()) waiting_for_box_.push_back(step.ray);
-        else ending_.push_back(step.ray);
+        if (--c.nodes > 0 && !walk.blocked())
+            waiting_for_box_.push_back(step.ray);
+        else
+            ending_.push_back(step.ray);
     }
 
     void check_closest(const Closest& closest) const {
@@ -222,4 +230,4 @@ private:
     std::optional<Done> done_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

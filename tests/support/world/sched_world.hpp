@@ -1,6 +1,6 @@
 #pragma once
-// What surrounds sched in a test: tiles that come in any order and rays that end in any order, and the plain rule of which
-// pixel goes to which context.
+// What surrounds sched in a test: tiles that come in any order and rays that end in any order, and the plain
+// rule of which pixel goes to which context.
 #include "tests/support/dut/sched_dut.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -11,7 +11,8 @@ struct Place {
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// Pixels of a square in Morton order: its four quarters one after the other, upper left, upper right, lower left, lower right.
+/// Pixels of a square in Morton order: its four quarters one after the other, upper left, upper right, lower
+/// left, lower right.
 inline void in_morton_order(std::uint32_t x, std::uint32_t y, std::uint32_t side, std::deque<Place>& to) {
     if (side == 1) {
         to.push_back({x, y});
@@ -33,12 +34,16 @@ inline std::deque<Tile> tiles_of(const Frame& frame, int tile_bits) {
     return tiles;
 }
 
-/// Tiles in order of arrival, two at most, pixels in Morton order; one outside the picture costs a cycle. Contexts 0, 1, 2 ... and
-/// then as they came free.
+/// Tiles in order of arrival, two at most, pixels in Morton order; one outside the picture costs a cycle.
+/// Contexts 0, 1, 2 ... and then as they came free.
 class SchedWorld {
 public:
     SchedWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow)
-        : frame_(frame), config_(config), flow_(flow), draw_(seed), coming_(tiles_of(frame, config.tile_bits)) {
+        : frame_(frame),
+          config_(config),
+          flow_(flow),
+          draw_(seed),
+          coming_(tiles_of(frame, config.tile_bits)) {
         if (seed % 2) shuffle();
         for (std::uint32_t ray = 0; ray < std::uint32_t(config.contexts); ++ray) free_.push_back(ray);
     }
@@ -68,12 +73,14 @@ public:
         REQUIRE(dut.slot.offer.has_value() == (has_pixel && !free_.empty()));
         REQUIRE(dut.pixel.ready == dut.hit.ready);
         REQUIRE(dut.hit.offer.has_value() == pixel_.has_value());
-        if (pixel_) REQUIRE(same(*dut.hit.offer, HitOut{place_.x, place_.y, pixel_->first, pixel_->colour}, config_));
+        if (pixel_)
+            REQUIRE(same(*dut.hit.offer, HitOut{place_.x, place_.y, pixel_->first, pixel_->colour}, config_));
         if (dut.slot.offer) {
             const Slot& slot = *dut.slot.offer;
             REQUIRE((Place{slot.x, slot.y} == tiles_.front().front() && slot.ray == free_.front()));
         }
-        if (dut.cause) REQUIRE(*dut.cause == (dut.slot.fires() ? 0u : dut.slot.offer ? 3u : has_pixel ? 1u : 2u));
+        if (dut.cause)
+            REQUIRE(*dut.cause == (dut.slot.fires() ? 0u : dut.slot.offer ? 3u : has_pixel ? 1u : 2u));
         if (dut.slot.fires()) {
             running_.push_back(*dut.slot.offer);
             free_.pop_front();
@@ -84,7 +91,8 @@ public:
         }
         if (dut.tile.fires()) {   // its pixels from the next cycle on
             tiles_.emplace_back();
-            in_morton_order(tile_->x << config_.tile_bits, tile_->y << config_.tile_bits, 1u << config_.tile_bits, tiles_.back());
+            in_morton_order(tile_->x << config_.tile_bits, tile_->y << config_.tile_bits,
+                            1u << config_.tile_bits, tiles_.back());
             tile_.reset();
         }
         if (dut.hit.fires()) {   // free from the next cycle on
@@ -97,7 +105,8 @@ public:
 private:
     bool inside(const Place& p) const { return p.x < frame_.width && p.y < frame_.height; }
     void shuffle() {
-        for (std::size_t i = coming_.size(); i > 1; --i) std::swap(coming_[i - 1], coming_[std::size_t(draw_.below(int(i)))]);
+        for (std::size_t i = coming_.size(); i > 1; --i)
+            std::swap(coming_[i - 1], coming_[std::size_t(draw_.below(int(i)))]);
     }
 
     Frame frame_;
@@ -114,4 +123,4 @@ private:
     std::uint32_t hits_ = 0;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

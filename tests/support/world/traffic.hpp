@@ -1,5 +1,6 @@
 #pragma once
-// How a test talks to a unit: four kinds of traffic, and what every unit behind a door must do under all of them.
+// How a test talks to a unit: four kinds of traffic, and what every unit behind a door must do under all of
+// them.
 #include <deque>
 
 #include <catch2/catch.hpp>
@@ -14,7 +15,8 @@ struct Flow {
     int idle_percent;    ///< cycles in which the source has nothing
     int stall_percent;   ///< cycles in which the sink takes nothing
 };
-constexpr std::array<Flow, 4> flows{{{"full rate", 0, 0}, {"idle source", 60, 0}, {"stalling sink", 0, 60}, {"both", 40, 40}}};
+constexpr std::array<Flow, 4> flows{
+    {{"full rate", 0, 0}, {"idle source", 60, 0}, {"stalling sink", 0, 60}, {"both", 40, 40}}};
 
 /// Sees to it that an offer that was not taken stays as it is.
 template <class P> class Steady {
@@ -30,8 +32,8 @@ private:
     std::optional<P> held_;
 };
 
-/// Sends `count` requests and hands each request with its answer to judge(req, rsp), in order. Nothing may be lost, doubled or
-/// left over, and a stalled answer may not change.
+/// Sends `count` requests and hands each request with its answer to judge(req, rsp), in order. Nothing may be
+/// lost, doubled or left over, and a stalled answer may not change.
 template <class Dut, class Make, class Judge>
 void stream(Dut& dut, const Config& config, const Flow& flow, Draw& draw, int count, Make make, Judge judge) {
     using Req = typename Dut::Unit::Req;
@@ -66,16 +68,20 @@ void stream(Dut& dut, const Config& config, const Flow& flow, Draw& draw, int co
 }
 
 /// Answers to the given requests, at full rate.
-template <class Dut> std::vector<typename Dut::Unit::Rsp> answers(Dut& dut, const Config& config, const std::vector<typename Dut::Unit::Req>& requests) {
+template <class Dut>
+std::vector<typename Dut::Unit::Rsp> answers(Dut& dut, const Config& config,
+                                             const std::vector<typename Dut::Unit::Req>& requests) {
     std::vector<typename Dut::Unit::Rsp> all;
     std::size_t next = 0;
     Draw draw{1};
-    stream(dut, config, flows[0], draw, int(requests.size()), [&](Draw&) { return requests[next++]; },
-           [&](const auto&, const auto& rsp) { all.push_back(rsp); });
+    stream(
+        dut, config, flows[0], draw, int(requests.size()), [&](Draw&) { return requests[next++]; },
+        [&](const auto&, const auto& rsp) { all.push_back(rsp); });
     return all;
 }
 
-/// A lone request is answered in exactly cycle latency + 1, whether or not the sink is waiting, after any pause.
+/// A lone request is answered in exactly cycle latency + 1, whether or not the sink is waiting, after any
+/// pause.
 template <class Dut, class Make> void check_latency(Dut& dut, const Config& config, Make make) {
     Draw draw{3};
     const int expected = Dut::Unit::latency(config) + 1;
@@ -105,7 +111,8 @@ template <class Dut, class Make> void check_latency(Dut& dut, const Config& conf
     }
 }
 
-/// n requests take n + latency + 1 cycles when nobody stalls; with a sink that takes nothing, as many get in as the queue holds.
+/// n requests take n + latency + 1 cycles when nobody stalls; with a sink that takes nothing, as many get in
+/// as the queue holds.
 template <class Dut, class Make> void check_throughput(Dut& dut, const Config& config, Make make) {
     Draw draw{5};
     constexpr int n = 1000;
@@ -134,8 +141,9 @@ template <class Dut, class Make> void check_throughput(Dut& dut, const Config& c
 }
 
 /// Model and RTL do the same in every cycle: ready, valid and payload.
-template <class Unit, class Make>
-void check_lockstep(const Config& config, const Frame& frame, const Flow& flow, unsigned seed, int cycles, Make make) {
+template <class Unit, class Make> void check_lockstep(const Config& config, const Frame& frame,
+                                                      const Flow& flow, unsigned seed, int cycles,
+                                                      Make make) {
     Model<Unit> model{config, frame};
     Rtl<Unit> rtl{config, frame, int(seed)};
     Draw draw{seed};
@@ -158,4 +166,4 @@ void check_lockstep(const Config& config, const Frame& frame, const Flow& flow, 
     REQUIRE(moved > cycles / 5);
 }
 
-} // namespace rayclock::test
+}   // namespace rayclock::test

@@ -1,5 +1,6 @@
 #pragma once
-// What surrounds trav in a test: rays with invented trees, and a plain description of the nodes each ray must visit.
+// What surrounds trav in a test: rays with invented trees, and a plain description of the nodes each ray must
+// visit.
 #include <map>
 
 #include "tests/support/world/traffic.hpp"
@@ -7,18 +8,20 @@
 
 namespace rayclock::test {
 
-/// The walk of one ray, told simply: children left for later lie on a pile, nearest on top; the next node is the topmost that
-/// is not beyond the best hit.
+/// The walk of one ray, told simply: children left for later lie on a pile, nearest on top; the next node is
+/// the topmost that is not beyond the best hit.
 class Walk {
 public:
     struct Place {
         std::uint32_t near, addr;
         int level;   ///< how many groups may lie under it
     };
-    /// The next place after `step`, or nothing: the ray is done. `level` is that of the node that was just tested.
+    /// The next place after `step`, or nothing: the ray is done. `level` is that of the node that was just
+    /// tested.
     std::optional<Place> next(const Step& step, int level) {
         if (step.stop) return std::nullopt;
-        for (std::size_t i = step.inner; i-- > 0;) pile_.push_back({step.t_near[i], step.base + step.slot[i], level + 1});
+        for (std::size_t i = step.inner; i-- > 0;)
+            pile_.push_back({step.t_near[i], step.base + step.slot[i], level + 1});
         while (!pile_.empty()) {
             const Place top = pile_.back();
             pile_.pop_back();
@@ -31,12 +34,17 @@ private:
     std::vector<Place> pile_;
 };
 
-/// Rays in all contexts, each with one thing under way: spawn -> node -> step -> node ... -> done. Steps are invented, siblings in
-/// order of t_near, t_best never growing. Checks every node and every end against Walk.
+/// Rays in all contexts, each with one thing under way: spawn -> node -> step -> node ... -> done. Steps are
+/// invented, siblings in order of t_near, t_best never growing. Checks every node and every end against Walk.
 class TravWorld {
 public:
     TravWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow, int rays)
-        : frame_(frame), config_(config), flow_(flow), draw_(seed), left_(rays), contexts_(std::size_t(config.contexts)) {}
+        : frame_(frame),
+          config_(config),
+          flow_(flow),
+          draw_(seed),
+          left_(rays),
+          contexts_(std::size_t(config.contexts)) {}
 
     bool finished() const { return ended_ == started_ && left_ == 0; }
     int nodes() const { return nodes_; }
@@ -146,8 +154,7 @@ private:
         step.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
         std::vector<std::uint32_t> nears;
         const std::uint32_t about = std::min(c.t_best, 1u << 20);
-        for (int i = 0; i < config_.node_width; ++i)
-            nears.push_back(draw_near(about, deep));
+        for (int i = 0; i < config_.node_width; ++i) nears.push_back(draw_near(about, deep));
         std::sort(nears.begin(), nears.begin() + step.inner);
         for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i) {
             step.t_near[i] = nears[i];
@@ -172,7 +179,8 @@ private:
     /// The ray's own numbers and the node from memory, nothing else.
     void check_box(const BoxReq& req) const {
         const Ray& ray = contexts_[node_rsp_->ray].ray;
-        const BoxReq expected{ray.ray, ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len, node_rsp_->node};
+        const BoxReq expected{ray.ray,   ray.o,   {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0},
+                              ray.recip, ray.len, node_rsp_->node};
         REQUIRE(same(req, expected, config_));
     }
 
@@ -188,4 +196,4 @@ private:
     std::optional<NodeRsp> node_rsp_;
 };
 
-} // namespace rayclock::test
+}   // namespace rayclock::test
