@@ -102,9 +102,9 @@ double parse_percent(const std::string& option, const std::string& typed, bool z
     const bool is_number =
         used > 0 && used == number.size() && number.find_first_not_of("0123456789.e-") == std::string::npos;
     if (!is_number)
-        throw UserError(fmt::format("{}: '{}' is not a percentage, for example 0.1%", option, typed));
+        throw UserError(fmt::format("{}: {} is not a percentage, for example 0.1%", option, shown(typed)));
     if (!(value > 0 || (zero && value == 0)) || !(value < 100))
-        throw UserError(fmt::format("{}: '{}' must lie {} 100 %", option, typed,
+        throw UserError(fmt::format("{}: {} must lie {} 100 %", option, shown(typed),
                                     zero ? "from 0 to below" : "above 0 and below"));
     return value;
 }

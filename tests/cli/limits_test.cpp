@@ -68,5 +68,7 @@ TEST_CASE("the report has the limits and what is beyond them") {
 TEST_CASE("limits that are none are refused") {
     check_refused(verify({"--max-other", "many"}), {"--max-other", "many"});
     check_refused(verify({"--max-other", "-1%"}), {"--max-other", "-1"});
+    check_refused(verify({"--max-other", "3\xd4" + std::string(500, '7')}),
+                  {"--max-other: '3\\xd477", "...", "is not a percentage"});
     check_refused(verify({"--min-psnr", "nan"}), {"--min-psnr", "nan"});
 }
