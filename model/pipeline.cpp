@@ -52,7 +52,7 @@ void Pipeline::moving_shaded(Moves& m, std::uint64_t now) {
         m.surf_out = {shade_.surf_ray(), surf_addr(shade_.surf_ray())};
     if ((m.surf_rsp = surf_cache_.valid(now) && shade_.ready())) m.surf_in = surf_cache_.answer();
     if ((m.hit = shade_.pixel_valid() && sink_.ready())) m.ended = shade_.pixel_ray();
-    // Codes of accounts.hpp.
+    // Codes of units.hpp.
     const bool offered = shade_.offers(surf_cache_.valid(now));
     shade_code_ = offered ? (shade_.ready() ? 0 : 3) : surf_cache_.waits() ? 1 : 2;
 }

@@ -1,8 +1,7 @@
 #pragma once
 #include <string>
 
-#include "model/core/accounts.hpp"
-#include "model/core/channels.hpp"
+#include "model/core/links.hpp"
 #include "model/list/list.hpp"
 #include "model/mem/cache.hpp"
 #include "model/mem/memport.hpp"
@@ -177,7 +176,7 @@ private:
 }
 
 inline void Pipeline::account_units(const Moves& m, std::uint64_t now) {
-    // Codes of accounts.hpp: 0 where a link moves; a refused offer and an idle link have their own.
+    // Codes of units.hpp: 0 where a link moves; a refused offer and an idle link have their own.
     const std::uint32_t sched = m.slot ? 0 : sched_.slot_valid() ? 3 : sched_.pixel_valid() ? 1 : 2;
     const std::uint32_t raygen = m.ray ? 0 : raygen_.valid(now) ? 2 : 1;
     const std::uint32_t trav = m.step ? 0

@@ -160,7 +160,7 @@ module rc_pipeline (
     rc_tally u_shade_tally (.clk_i, .cause_i(shade_cause));
   end
 
-  // What each unit did in this cycle; codes in model/core/accounts.hpp.
+  // What each unit did in this cycle; codes in model/core/units.hpp.
   assign raygen_cause = !ray_valid ? 3'd1 : ray_ready ? 3'd0 : 3'd2;
   assign trav_cause   = step_valid ? (step_ready ? 3'd0 : 3'd2) : {2'b00, step_ready};
   assign box_cause    = box_req_valid ? (box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;

@@ -7,7 +7,8 @@
 // pipeline of their own, rc_sphere, which is longer; the others' answers wait for it.
 //
 // Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 per cycle, answers in
-// order. A triangle seen edge-on never hits.
+// order. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
+// A triangle seen edge-on never hits.
 `default_nettype none
 module rc_tri (
   input  logic             clk_i,
@@ -19,11 +20,9 @@ module rc_tri (
   input  logic             rsp_ready_i,
   output rc_pkg::tri_rsp_t rsp_o
 );
-  localparam bit          IsSheared = rc_pkg::PrimitiveTest == 1;
+  localparam bit          IsSheared = rc_pkg::PrimitiveTest == rc_pkg::TestSheared;
   localparam int unsigned N    = rc_pkg::CoordBits;
   localparam int unsigned M    = rc_pkg::DirBits;
-  localparam int unsigned W    = rc_pkg::OriginWidth;
-  localparam int unsigned H    = rc_pkg::RayDirBits;
   localparam int unsigned T    = rc_pkg::TBits;
   localparam int unsigned V    = rc_pkg::UvBits;
   localparam int unsigned D    = rc_pkg::EdgeBits;   // of det, u, v
@@ -35,11 +34,14 @@ module rc_tri (
   localparam int unsigned Front = IsSheared ? 6 : 4; // stages before the comparison
   localparam int unsigned Pre   = Front + 2;         // and before the divisions
   localparam int unsigned Divide = ((T > V - 1 ? T : V - 1) + 1) / 2;   // stages of these
-  localparam int unsigned Late   = L - Pre - Divide; // and after them
+  localparam int unsigned Flat   = Pre + Divide;     // what is no sphere is done
+  localparam int unsigned Ball   = 8 + rc_pkg::RootBits / 2 + (T + 1) / 2;   // of rc_sphere
+  localparam int unsigned Core   = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
+  localparam int unsigned Late   = Core - Flat;      // stages of the others meanwhile
+  localparam int unsigned Extra  = L - Core;
   localparam int unsigned BackW  = rc_pkg::Shading;
   localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
   localparam int unsigned HitW   = TailW + T + 2 * V;
-  localparam int unsigned TriRayW = rc_pkg::TriRayBits;
 
   logic admit;
   assign admit = req_valid_i && req_ready_o;
@@ -58,7 +60,6 @@ module rc_tri (
   // Stages up to Front: the ray and the triangle, and whether they meet. num / den is t,
   // num / det what is compared with other hits of the ray.
   logic [rc_pkg::TriReqW-1:0] req;
-  logic [TriRayW-1:0]         tri_ray;
   logic [3*N-1:0]             s0_a, s0_b, s0_c;
   logic                       f0_hit;
   logic [D-1:0]               f0_det, f0_u, f0_v;
@@ -70,25 +71,25 @@ module rc_tri (
   logic                       s0_plane, s0_sphere;
   logic                       s0_skips;    // the ray asks no planes, and this is one
   assign req     = req_i;
-  assign tri_ray = req[rc_pkg::TriReqW-I-1 -: TriRayW];
   assign s0_a    = req_i.a;
   assign s0_b    = req_i.b;
   assign s0_c    = req_i.c;
   if (rc_pkg::Shading == 1) begin : gen_kind
-    assign {s0_any, s0_leaves} = tri_ray[TriRayW-1 -: 2];
+    assign s0_any    = req_i.kind == rc_pkg::RayShadow || req_i.kind == rc_pkg::RayAway;
+    assign s0_leaves = req_i.kind == rc_pkg::RayBounce || req_i.kind == rc_pkg::RayAway;
   end else begin : gen_camera
     assign s0_any    = 1'b0;
     assign s0_leaves = 1'b0;
   end
   if (rc_pkg::Planes == 1 || rc_pkg::Spheres == 1) begin : gen_prim_kind
-    assign s0_plane  = rc_pkg::Planes == 1 && req[rc_pkg::TriReqW-I-TriRayW-1 -: 2] == 2'd1;
-    assign s0_sphere = rc_pkg::Spheres == 1 && req[rc_pkg::TriReqW-I-TriRayW-1 -: 2] == 2'd2;
+    assign s0_plane  = rc_pkg::Planes == 1 && req_i.prim_kind == rc_pkg::PrimPlane;
+    assign s0_sphere = rc_pkg::Spheres == 1 && req_i.prim_kind == rc_pkg::PrimSphere;
   end else begin : gen_triangle
     assign s0_plane  = 1'b0;
     assign s0_sphere = 1'b0;
   end
   if (rc_pkg::Planes == 1) begin : gen_finite
-    assign s0_skips = s0_plane && tri_ray[TriRayW-3];
+    assign s0_skips = s0_plane && req_i.is_finite;
   end else begin : gen_no_planes
     assign s0_skips = 1'b0;
   end
@@ -109,8 +110,8 @@ module rc_tri (
   if (IsSheared) begin : gen_sheared
     logic [M-1:0] f0_size;
     rc_shear u_shear (
-      .clk_i, .valid_i({valid_q[4:0], admit}), .s0_shear_i(tri_ray[TriRayW-1:3*N]),
-      .s0_o_i(tri_ray[3*N-1:0]), .s0_a_i(s0_a), .s0_b_i(s0_b), .s0_c_i(s0_c),
+      .clk_i, .valid_i({valid_q[4:0], admit}),
+      .s0_shear_i({req_i.axis, req_i.neg, req_i.size, req_i.slope}), .s0_o_i(req_i.o), .s0_a_i(s0_a), .s0_b_i(s0_b), .s0_c_i(s0_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     assign f0_den = {{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};
@@ -119,7 +120,7 @@ module rc_tri (
     rc_edges u_edges (
       .clk_i, .s0_valid_i(flat), .s1_valid_i(flat_q[0]), .s2_valid_i(flat_q[1]),
       .s3_valid_i(flat_q[2]), .s0_leaves_i(s0_leaves), .s0_plane_i(s0_plane),
-      .s0_o_i(tri_ray[3*H +: 3*W]), .s0_d_i(tri_ray[3*H-1:0]), .s0_a_i(s0_a), .s0_b_i(s0_b),
+      .s0_o_i(req_i.o), .s0_d_i(req_i.d), .s0_a_i(s0_a), .s0_b_i(s0_b),
       .s0_c_i(s0_c),
       .s4_hit_o(f0_hit), .s4_det_o(f0_det), .s4_num_o(f0_num), .s4_u_o(f0_u), .s4_v_o(f0_v),
       .s4_back_o(f0_back), .s4_u_neg_o(f0_u_neg), .s4_v_neg_o(f0_v_neg));
@@ -154,7 +155,7 @@ module rc_tri (
   logic [E-1:0]   f1_den_q;
   logic [D-1:0]   f1_det_q, f1_u_q, f1_v_q;
   logic [P-1:0]   f1_prim_q;
-  logic [3:0]     f1_flags_q;   // any, back, u_neg, v_neg
+  logic           f1_any_q, f1_back_q, f1_u_neg_q, f1_v_neg_q;
   always_ff @(posedge clk_i) begin
     if (flat_q[Front-1]) f1_hit_q <= f0_hit;
     if (flat_q[Front-1] && f0_hit) begin
@@ -170,7 +171,10 @@ module rc_tri (
       f1_u_q    <= f0_u;
       f1_v_q    <= f0_v;
       f1_prim_q <= f0_prim;
-      f1_flags_q <= {f0_any, f0_back, f0_u_neg, f0_v_neg};
+      f1_any_q   <= f0_any;
+      f1_back_q  <= f0_back;
+      f1_u_neg_q <= f0_u_neg;
+      f1_v_neg_q <= f0_v_neg;
     end
   end
 
@@ -180,7 +184,7 @@ module rc_tri (
   logic [E-1:0] f2_den_q;
   logic [D-1:0] f2_det_q, f2_u_q, f2_v_q;
   logic [P-1:0] f2_prim_q;
-  logic [3:0]   f2_flags_q;
+  logic         f2_any_q, f2_back_q, f2_u_neg_q, f2_v_neg_q;
   assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q < f1_theirs_q
                                   || (f1_mine_q == f1_theirs_q && f1_first_q));
   always_ff @(posedge clk_i) begin
@@ -192,7 +196,10 @@ module rc_tri (
       f2_u_q    <= f1_u_q;
       f2_v_q    <= f1_v_q;
       f2_prim_q <= f1_prim_q;
-      f2_flags_q <= f1_flags_q;
+      f2_any_q   <= f1_any_q;
+      f2_back_q  <= f1_back_q;
+      f2_u_neg_q <= f1_u_neg_q;
+      f2_v_neg_q <= f1_v_neg_q;
     end
   end
 
@@ -200,17 +207,17 @@ module rc_tri (
   logic         f2_divide, f2_block;
   logic [T-1:0] t;
   logic [V-1:0] u, v;
-  assign f2_divide = flat_q[Pre-1] && f2_closer_q && !f2_flags_q[3];
-  assign f2_block  = flat_q[Pre-1] && f2_closer_q && f2_flags_q[3];
+  assign f2_divide = flat_q[Pre-1] && f2_closer_q && !f2_any_q;
+  assign f2_block  = flat_q[Pre-1] && f2_closer_q && f2_any_q;
   rc_hitdiv #(.Stages(Divide), .E(E)) u_hitdiv (
     .clk_i, .valid_i(f2_divide), .num_i(f2_num_q), .den_i(f2_den_q), .det_i(f2_det_q),
-    .u_i(f2_u_q), .v_i(f2_v_q), .u_neg_i(f2_flags_q[1]), .v_neg_i(f2_flags_q[0]),
+    .u_i(f2_u_q), .v_i(f2_v_q), .u_neg_i(f2_u_neg_q), .v_neg_i(f2_v_neg_q),
     .t_o(t), .u_o(u), .v_o(v));
 
   logic [Divide-1:0] closer_q, block_q;
   logic [TailW-2:0]  f2_tail, tail;
   if (rc_pkg::Shading == 1) begin : gen_back
-    assign f2_tail = {f2_flags_q[2], f2_num_q, f2_det_q, f2_prim_q};
+    assign f2_tail = {f2_back_q, f2_num_q, f2_det_q, f2_prim_q};
   end else begin : gen_no_back
     assign f2_tail = {f2_num_q, f2_det_q, f2_prim_q};
   end
@@ -226,7 +233,7 @@ module rc_tri (
   logic [HitW-2:0] hit;
   if (rc_pkg::Spheres == 1) begin : gen_sphere
     localparam int unsigned BallBestW = 2 + U + D;
-    localparam int unsigned BestStage = L - 2;
+    localparam int unsigned BestStage = Core - 2;
     localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
     logic [Late-1:0]      late_closer_q, late_block_q;
     logic [HitW-2:0]      flat_hit;
@@ -247,22 +254,22 @@ module rc_tri (
       .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}), .data_o(flat_hit));
 
     assign s0_ball          = admit && s0_sphere;
-    assign s0_self          = tri_ray[TriRayW-3-rc_pkg::Planes -: P];
-    assign s0_best_prim     = req[P-1:0];
-    assign s0_found_num_det = req[P +: U+D+1];
-    assign s0_prim          = req[P+U+D+1 +: P];
+    assign s0_self          = req_i.self;
+    assign s0_best_prim     = req_i.best_prim;
+    assign s0_found_num_det = {req_i.found, req_i.best_num, req_i.best_det};
+    assign s0_prim          = req_i.prim;
     assign s0_own           = (s0_any || s0_leaves) && s0_self == s0_prim;
     assign s0_first         = s0_prim <= s0_best_prim;
     rc_wait #(.Width(BallBestW), .Stages(BestStage)) u_ball_best (
       .clk_i, .rst_ni, .valid_i(s0_ball), .data_i({s0_first, s0_found_num_det}),
       .data_o(ball_best));
-    rc_wait #(.Width(P), .Stages(L)) u_ball_prim (
+    rc_wait #(.Width(P), .Stages(Core)) u_ball_prim (
       .clk_i, .rst_ni, .valid_i(s0_ball), .data_i(s0_prim), .data_o(ball_prim));
     assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
     rc_sphere u_sphere (
       .clk_i, .rst_ni, .s0_valid_i(s0_ball), .s0_any_i(s0_any), .s0_leaves_i(s0_leaves),
       .s0_own_i(s0_own),
-      .s0_inside_i(tri_ray[3*H+3*W]), .s0_o_i(tri_ray[3*H +: 3*W]), .s0_d_i(tri_ray[3*H-1:0]),
+      .s0_inside_i(req_i.is_inside), .s0_o_i(req_i.o), .s0_d_i(req_i.d),
       .s0_c_i(s0_a), .s0_rr_i(s0_b[2*N-1:0]), .best_found_i(ball_found),
       .best_first_i(ball_first), .best_num_i(ball_best_num), .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
@@ -277,9 +284,20 @@ module rc_tri (
     assign hit     = {tail, t, u, v};
   end
 
+  logic            end_closer, end_blocked;
+  logic [HitW-2:0] end_hit;
+  if (Extra == 0) begin : gen_now
+    assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
+  end else begin : gen_later
+    rc_delay #(.Width(HitW + 1), .Stages(Extra)) u_end (
+      .clk_i, .valid_i(valid_q[L-2:Core-1]), .data_i({closer, blocked, hit}),
+      .data_o({end_closer, end_blocked, end_hit}));
+  end
+
   logic                       queue_ready;
   logic [rc_pkg::TriRspW-1:0] queue_data, rsp_data;
-  assign queue_data = closer ? {end_ray, 1'b1, hit} : {end_ray, blocked, {(HitW-1){1'b0}}};
+  assign queue_data = end_closer ? {end_ray, 1'b1, end_hit}
+                                 : {end_ray, end_blocked, {(HitW-1){1'b0}}};
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));
@@ -292,6 +310,6 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, req, s0_leaves, s0_plane, s0_sphere, f2_flags_q[2]};
+  assign unused = ^{queue_ready, req, s0_leaves, s0_plane, s0_sphere, f2_back_q};
 endmodule
 `default_nettype wire

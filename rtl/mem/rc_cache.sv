@@ -45,6 +45,10 @@ module rc_cache #(
   output logic                             waits_o,        // lines are on their way
   output logic [2:0]                       deed_o
 );
+  if (Parts < 1 || Parts > 2) $error("rc_cache: Parts must be 1 or 2");
+  if (IdBits < 1 || PartW < 1) $error("rc_cache: IdBits and PartW must be at least 1");
+  if (Queue < 2) $error("rc_cache: Queue must be at least 2");
+  if (AddrBits <= WordB + $clog2(Sets)) $error("rc_cache: AddrBits must leave a tag");
   // Where the address ends in parts of zero bits, they are one bit that is always zero.
   localparam int unsigned SetB  = $clog2(Sets);
   localparam int unsigned WayB  = $clog2(Ways);
@@ -87,12 +91,12 @@ module rc_cache #(
   assign miss  = look && !found && !full && !conflict;
   assign pop   = hit || merge || miss;
   always_comb begin
-    if (!draining && !valid) deed_o = 3'd4;                    // starved
-    else if (!open)          deed_o = 3'd7;                    // answers
-    else if (draining)       deed_o = 3'd3;                    // drain
-    else if (found)          deed_o = joins ? 3'd2 : 3'd0;     // merge, hit
-    else if (full)           deed_o = 3'd5;                    // mshrs
-    else                     deed_o = conflict ? 3'd6 : 3'd1;  // conflict, miss
+    if (!draining && !valid) deed_o = rc_pkg::DeedStarved;
+    else if (!open)          deed_o = rc_pkg::DeedAnswers;
+    else if (draining)       deed_o = rc_pkg::DeedDrain;
+    else if (found)          deed_o = joins ? rc_pkg::DeedMerge : rc_pkg::DeedHit;
+    else if (full)           deed_o = rc_pkg::DeedMshrs;
+    else                     deed_o = conflict ? rc_pkg::DeedConflict : rc_pkg::DeedMiss;
   end
 
   rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways)) u_tags (

@@ -25,6 +25,9 @@ module rc_tags #(
   input  logic            touch_i,     // way_o is used
   input  logic            take_i       // way_o gets this line
 );
+  if (TagW < 1) $error("rc_tags: TagW must be at least 1");
+  if (Sets < 1 || Ways < 1 || (Sets & (Sets - 1)) != 0 || (Ways & (Ways - 1)) != 0)
+    $error("rc_tags: Sets and Ways must be powers of two");
   localparam int unsigned Levels = $clog2(Ways);
 
   // The set that is cleared; may start anywhere.

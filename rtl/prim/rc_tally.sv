@@ -1,6 +1,6 @@
 // Counts how many cycles a unit spent on each of eight causes: exactly one holds in
 // every cycle. Not cleared by reset, so that it is a small memory: the host takes the
-// difference of two readings, modulo 2^CountW. Model: model/core/accounts.hpp.
+// difference of two readings, modulo 2^CountW. Model: model/core/units.hpp.
 `default_nettype none
 module rc_tally (
   input logic       clk_i,

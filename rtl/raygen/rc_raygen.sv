@@ -41,7 +41,7 @@ module rc_raygen (
   // s0: a new pixel is a camera ray through its first sample.
   logic              req_valid, req_ready, admit;
   logic [SpawnW-1:0] req, new_pixel;
-  assign new_pixel = {slot_i.ray, 2'd0, slot_i.x, slot_i.y, {(SpawnW-I-2-2*P){1'b0}}};
+  assign new_pixel = {slot_i.ray, rc_pkg::RayCamera, slot_i.x, slot_i.y, {(SpawnW-I-2-2*P){1'b0}}};
   if (rc_pkg::Shading != 0) begin : gen_merge
     rc_merge #(.Width(SpawnW)) u_req (
       .clk_i, .rst_ni,
@@ -86,21 +86,12 @@ module rc_raygen (
   logic signed [Q-1:0]       x, y;
   assign frame_flat = frame_i;
   if (rc_pkg::Supersampling != 0) begin : gen_sample
-    // Where the registers lie in frame_t: behind the camera's, and first line, depth, threshold,
-    // which has a bit more than other shares.
-    localparam int unsigned Unit     = rc_pkg::UnitBits + 1;
-    localparam int unsigned SideAt   = rc_pkg::FrameW - 2 * (P + 1) - 2 * rc_pkg::AddrBits
-                                     - 3 * rc_pkg::CoordBits - 9 * GD - rc_pkg::DepthBits
-                                     - (Unit + 1) - 4;
-    localparam int unsigned StrideAt = SideAt - S;
-    localparam int unsigned JitterAt = StrideAt - 1;
-    localparam int unsigned SeedAt   = JitterAt - 3 * Unit - 32;
     logic signed [7:0] offset_x, offset_y;
     logic [P-1:0]      wait_x, wait_y;
     rc_sample u_sample (
-      .clk_i, .valid_i(valid[3:0]), .side_i(frame_flat[SideAt +: 4]),
-      .stride_i(frame_flat[StrideAt +: S]), .jitter_i(frame_flat[JitterAt]),
-      .seed_i(frame_flat[SeedAt +: 32]), .x_i(req_x), .y_i(req_y), .sample_i(req_sample),
+      .clk_i, .valid_i(valid[3:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
+      .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req_x), .y_i(req_y),
+      .sample_i(req_sample),
       .x_o(offset_x), .y_o(offset_y));
     rc_delay #(.Width(2 * P), .Stages(SampleL)) u_pixel (
       .clk_i, .valid_i(valid[SampleL-1:0]), .data_i({req_x, req_y}), .data_o({wait_x, wait_y}));
@@ -169,7 +160,7 @@ module rc_raygen (
     rc_delay #(.Width(2 + GivenW), .Stages(SampleL + 2)) u_given (
       .clk_i, .valid_i(valid[SampleL+1:0]), .data_i({req_kind, req_given}),
       .data_o({s2_kind, s2_given}));
-    assign s2_camera = s2_kind == 2'd0;
+    assign s2_camera = s2_kind == rc_pkg::RayCamera;
     for (genvar k = 0; k < 3; k++) begin : gen_eye
       assign s2_d[k*RD +: RD] = s2_camera ? RD'($signed(s2_dir[k*M +: M]))
                                           : s2_given[k*RD +: RD];
@@ -184,14 +175,14 @@ module rc_raygen (
     always_ff @(posedge clk_i) if (valid[SampleL+2]) s3_head_q <= s2_head;
     rc_delay #(.Width(HeadW), .Stages(Latency - 3 - SampleL)) u_head (
       .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i(s3_head_q), .data_o(end_head));
-    assign s3_short = s3_head_q[HeadW-1 -: 2] != 2'd2;
+    assign s3_short = s3_head_q[HeadW-1 -: 2] != rc_pkg::RayShadow;
   end else begin : gen_camera
     logic unused;
     assign unused   = ^{req_kind, req_given, req_sample};
     assign s2_d     = s2_dir;
     assign s3_short = 1'b1;
     // The sheared triangle test has slopes as well.
-    if (rc_pkg::PrimitiveTest == 1) begin : gen_sheared
+    if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_sheared
       localparam int unsigned ShearW = 3 * M + 3;
       localparam int unsigned SlopeL = 1 + M / 2;   // of rc_slope
       logic [ShearW-1:0] made, shear;

@@ -34,7 +34,8 @@ module rc_dispatch (
   assign give         = more_q && want_i != '0;
   assign tile_fires_o = {{(P-1){1'b0}}, give} << to;
   assign tile_o       = {x_q, y_q};
-  assign cause_o      = give ? 3'd0 : more_q ? 3'd2 : 3'd1;
+  assign cause_o      = give ? rc_pkg::DispatchBusyWork
+                      : more_q ? rc_pkg::DispatchStalledSched : rc_pkg::DispatchStarvedFrame;
 
   logic [C:0] x_after, y_after;
   logic       last_x, last_y;

@@ -91,7 +91,8 @@ module rc_sched (
   assign pixel_ready_o = hit_ready_i;
   assign hit_o         = {place, pixel_i};
 
-  assign cause_o = give ? 3'd0 : slot_valid_o ? 3'd3 : at_hand ? 3'd1 : 3'd2;
+  assign cause_o = give ? rc_pkg::SchedBusyWork : slot_valid_o ? rc_pkg::SchedStalledRaygen
+                 : at_hand ? rc_pkg::SchedStarvedContexts : rc_pkg::SchedStarvedDispatch;
 
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic                      unused;

@@ -34,19 +34,20 @@ module rc_contexts #(
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
 );
   // ---- The ray, but for shadow rays and those away to a light.
-  localparam int unsigned Below  = 3 * (rc_pkg::RecipBits + 1) + 3 * rc_pkg::ExpBits;
-  localparam int unsigned KindAt = Below + 3 * D + 3 * P + rc_pkg::Planes
-                                 + (rc_pkg::Spheres == 1 ? PB + 1 : 0);
   logic [rc_pkg::RayW-1:0] ray;
+  logic [3*D-1:0]          ray_d;
   logic [3*M-1:0]          d;
-  assign ray    = ray_i;
-  assign kind_o = 2'(ray >> KindAt);
+  logic                    is_kept;
+  assign ray     = ray_i;
+  assign ray_d   = ray_i.d;
+  assign kind_o  = ray_i.kind;
+  assign is_kept = kind_o == rc_pkg::RayCamera || kind_o == rc_pkg::RayBounce;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    assign d[k*M +: M] = ray[Below+k*D +: M];
+    assign d[k*M +: M] = ray_d[k*D +: M];
   end
   rc_ram #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
-    .clk_i, .write_i(ray_fires_i && !kind_o[1]), .write_addr_i(ray_i.ray),
-    .write_data_i({ray[Below+3*D +: 3*P], d}), .read_addr_i(read_ray_i),
+    .clk_i, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
+    .write_data_i({ray_i.o, d}), .read_addr_i(read_ray_i),
     .read_data_o({o_o, d_o}));
 
   // ---- Its answer.
@@ -102,8 +103,8 @@ module rc_contexts #(
   always_comb begin
     state_o = state;
     if (fresh_q[read_ray_i]) begin
-      state_o.purpose = '0;
-      state_o.pending = '0;
+      state_o.purpose = rc_pkg::EventArrive;
+      state_o.pending = rc_pkg::PendingNone;
       state_o.colour  = '0;
       state_o.weight  = 17'h10000;
       state_o.depth   = '0;
@@ -139,6 +140,6 @@ module rc_contexts #(
   end
 
   logic unused;
-  assign unused = ^{ray, slot_i, new_pixel, new_sample, new_bend, new_self};
+  assign unused = ^{ray, ray_d, slot_i, new_pixel, new_sample, new_bend, new_self};
 endmodule
 `default_nettype wire

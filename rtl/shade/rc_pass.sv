@@ -31,7 +31,7 @@ module rc_pass #(
   output logic                         end_valid_o,
   output logic [I-1:0]                 end_ray_o,
   output rc_pkg::shade_state_t         end_state_o,
-  output logic [1:0]                   leave_o,     // 0 another pass, 1 a ray, 2 the pixel
+  output logic [1:0]                   leave_o,     // rc_pkg::leave_e
   output logic [rc_pkg::SpawnW-1:0]    spawn_o,
   output logic [rc_pkg::PixelW-1:0]    pixel_o,
   output logic                         push_o,      // a ray is to wait
@@ -49,8 +49,9 @@ module rc_pass #(
   logic [U-1:0]         u, v;
   logic [50:0]          colour;
   rc_pkg::shade_state_t known;
-  assign back      = hit_i[HitW-2];
-  assign {t, u, v} = hit_i[TB+2*U-1:0];
+  logic                 hit_found;
+  logic [PB-1:0]        hit_prim;
+  assign {hit_found, back, hit_prim, t, u, v} = hit_i;
   rc_start u_start (
     .valid_i, .state_i, .hit_i, .surface_i, .arrives_o(arrives), .surf_o(s0_surf),
     .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract), .end_o(s0_end),
@@ -251,6 +252,6 @@ module rc_pass #(
   assign end_ray_o = end_ray;
 
   logic unused;
-  assign unused = ^{valid_at, surf_at, light_at, bounce_at, end_at};
+  assign unused = ^{hit_found, hit_prim, valid_at, surf_at, light_at, bounce_at, end_at};
 endmodule
 `default_nettype wire

@@ -32,7 +32,7 @@ module rc_shade (
   output logic              pixel_valid_o,
   input  logic              pixel_ready_i,
   output rc_pkg::pixel_t    pixel_o,
-  output logic [2:0]        cause_o            // model/core/accounts.hpp
+  output logic [2:0]        cause_o            // rc_pkg::shade_cause_e
 );
   localparam int unsigned I    = rc_pkg::RayBits;
   localparam int unsigned T    = rc_pkg::Contexts;
@@ -52,14 +52,15 @@ module rc_shade (
   logic [I-1:0]                closest_ray;
   logic [PB-1:0]               closest_prim;
   logic [T-1:0]                any_hit_q;        // the context's ray ends at any hit
-  logic                        wants_surface;
+  logic                        wants_surface, ends_at_any;
   logic [1:0]                  kind;
   assign closest         = closest_i;
   assign closest_ray     = closest_i.ray;
   assign closest_prim    = closest_i.prim;
   assign closest_ready_o = 1'b1;
   assign wants_surface   = closest_i.found && !any_hit_q[closest_ray];
-  always_ff @(posedge clk_i) if (ray_fires_i) any_hit_q[ray_i.ray] <= kind[1];
+  assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
+  always_ff @(posedge clk_i) if (ray_fires_i) any_hit_q[ray_i.ray] <= ends_at_any;
 
   logic [A-1:0]   surfaces, line;
   logic [I+A-1:0] fetch;
@@ -86,8 +87,12 @@ module rc_shade (
   assign again_pop   = open && !surf_rsp_valid_i && again_valid;
   assign arrived_pop = open && !surf_rsp_valid_i && !again_valid && arrived_valid;
   assign ray         = surf_rsp_valid_i ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
-  assign cause_o     = surf_rsp_valid_i || again_valid || arrived_valid ? (open ? 3'd0 : 3'd3)
-                     : surf_waits_i ? 3'd1 : 3'd2;
+  always_comb begin
+    if (surf_rsp_valid_i || again_valid || arrived_valid)
+      cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;
+    else
+      cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
+  end
 
   // ---- A pass.
   logic [HitW-1:0]                   hit;
@@ -123,21 +128,21 @@ module rc_shade (
     .valid_o(out_valid), .ready_i(1'b1), .data_o(out));
   assign out_ray = out[I+1:2];
   rc_queue #(.Width(I), .Depth(T)) u_again (
-    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == 2'd0), .data_i(out_ray),
+    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == rc_pkg::LeaveAgain), .data_i(out_ray),
     .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
   rc_queue #(.Width(I), .Depth(T)) u_spawn (
-    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == 2'd1), .data_i(out_ray),
+    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == rc_pkg::LeaveSpawn), .data_i(out_ray),
     .valid_o(spawn_valid_o), .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
   rc_queue #(.Width(I), .Depth(T)) u_pixel (
-    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == 2'd2), .data_i(out_ray),
+    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == rc_pkg::LeavePixel), .data_i(out_ray),
     .valid_o(pixel_valid_o), .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
   logic [SpawnDataW-1:0] spawn_data;
   logic [PixelDataW-1:0] pixel_data;
   rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
-    .clk_i, .write_i(end_valid && leave == 2'd1), .write_addr_i(end_ray),
+    .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveSpawn), .write_addr_i(end_ray),
     .write_data_i(spawn[SpawnDataW-1:0]), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
   rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
-    .clk_i, .write_i(end_valid && leave == 2'd2), .write_addr_i(end_ray),
+    .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
     .write_data_i(pixel[PixelDataW-1:0]), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
   assign spawn_o = {spawn_ray, spawn_data};
   assign pixel_o = {pixel_ray, pixel_data};
@@ -149,6 +154,6 @@ module rc_shade (
 `endif
 
   logic unused;
-  assign unused = ^{frame_flat, kind[0], closest_prim, out_ready, closest, spawn, pixel, surf_rsp};
+  assign unused = ^{frame_flat, closest_prim, out_ready, closest, spawn, pixel, surf_rsp};
 endmodule
 `default_nettype wire

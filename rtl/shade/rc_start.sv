@@ -25,17 +25,18 @@ module rc_start #(
   logic [TB-1:0] t;
   logic [U-1:0]  u, v;
   assign {found, back, prim, t, u, v} = hit_i;
-  assign arrives_o = valid_i && state_i.purpose == 3'd0;
+  assign arrives_o = valid_i && state_i.purpose == rc_pkg::EventArrive;
   assign surf_o    = arrives_o && found;
-  assign light_o   = valid_i && state_i.purpose == 3'd1;
-  assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == 3'd2;
-  assign bounce_o  = valid_i && (refract_o || state_i.purpose == 3'd3);
-  assign end_o     = valid_i && state_i.purpose == 3'd4;
+  assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
+  assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
+  assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
+  assign end_o     = valid_i && state_i.purpose == rc_pkg::EventPop;
 
   // A light's share counts if nothing was in its way.
   logic        adds;
   logic [50:0] old_colour, old_share;
-  assign adds       = state_i.pending == 2'd2 || (state_i.pending == 2'd1 && !found);
+  assign adds       = state_i.pending == rc_pkg::PendingSure
+                   || (state_i.pending == rc_pkg::PendingAnswer && !found);
   assign old_colour = state_i.colour;
   assign old_share  = state_i.share;
   for (genvar k = 0; k < 3; k++) begin : gen_channel
@@ -47,7 +48,7 @@ module rc_start #(
   always_comb begin
     known_o         = state_i;
     known_o.colour  = colour_o;
-    known_o.pending = 2'd0;
+    known_o.pending = rc_pkg::PendingNone;
     if (arrives_o && state_i.depth == '0 && state_i.sample == '0) begin
       known_o.found = found;
       known_o.prim  = prim;

@@ -55,8 +55,8 @@ module rc_surf #(
   logic              s1_plane_q, s0_ends, s0_odd;
   logic [2:0] s0_fine, s1_fine_q, s2_fine_q;
   assign s0_fine      = s0_plane ? 3'd0 : s0_surface_i.fine;
-  assign s0_sphere    = rc_pkg::Spheres == 1 && s0_surface_i.kind == 2'd2;
-  assign s0_plane     = rc_pkg::Planes == 1 && s0_surface_i.kind == 2'd1;
+  assign s0_sphere    = rc_pkg::Spheres == 1 && s0_surface_i.kind == rc_pkg::PrimSphere;
+  assign s0_plane     = rc_pkg::Planes == 1 && s0_surface_i.kind == rc_pkg::PrimPlane;
   assign sphere       = {sphere_q, s0_sphere};
   always_ff @(posedge clk_i) sphere_q <= sphere[3:0];
   assign s0_a         = s0_surface_i.a;

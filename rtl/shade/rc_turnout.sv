@@ -50,17 +50,16 @@ module rc_turnout #(
   output logic                        push_o,
   output logic [rc_pkg::WaitingW-1:0] pushed_o
 );
-  localparam logic [2:0] Arrive = 3'd0, Light = 3'd1, Refract = 3'd2, Reflect = 3'd3, Pop = 3'd4;
-
   logic [2:0] event_now;
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
   assign event_now  = was_i.purpose;
-  assign is_arrive  = event_now == Arrive;
-  assign is_light   = event_now == Light;
-  assign is_refract = rc_pkg::Refraction == 1 && event_now == Refract;
-  assign is_reflect = event_now == Reflect;
-  assign is_pop     = rc_pkg::Refraction == 1 && event_now == Pop && was_i.waiting != '0;
-  assign is_end     = event_now == Pop && !is_pop;
+  assign is_arrive  = event_now == rc_pkg::EventArrive;
+  assign is_light   = event_now == rc_pkg::EventLight;
+  assign is_refract = rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract;
+  assign is_reflect = event_now == rc_pkg::EventReflect;
+  assign is_pop     = rc_pkg::Refraction == 1 && event_now == rc_pkg::EventPop
+                   && was_i.waiting != '0;
+  assign is_end     = event_now == rc_pkg::EventPop && !is_pop;
   assign is_next    = is_end && more_i;
 
   // What is added.
@@ -80,10 +79,10 @@ module rc_turnout #(
   assign far    = was_i.is_far;
   assign starts = !far || (!was_i.is_lost && enters_i);
   assign light = surf_i ? '0 : was_i.light + 7'd1;
-  assign after = light < frame_i.lights ? Light
-               : was_i.depth >= frame_i.depth ? Pop
-               : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? Refract
-               : was_i.mirror != '0 ? Reflect : Pop;
+  assign after = light < frame_i.lights ? rc_pkg::EventLight
+               : was_i.depth >= frame_i.depth ? rc_pkg::EventPop
+               : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? rc_pkg::EventRefract
+               : was_i.mirror != '0 ? rc_pkg::EventReflect : rc_pkg::EventPop;
 
   // Whether a light counts, and which rays are sent.
   logic [5:0] slack;   // what rounding has taken from a weight at most, in units of 2^-17
@@ -114,22 +113,23 @@ module rc_turnout #(
       state_o.light  = '0;
     end
     if (is_arrive) begin
-      state_o.purpose  = surf_i ? after : Pop;
+      state_o.purpose = surf_i ? after : rc_pkg::EventPop;
     end
     if (is_arrive || escapes) state_o.colour = colour;
     if (is_light) begin
       state_o.share   = light_share_i;
       state_o.light   = light;
-      state_o.purpose   = after;
-      state_o.pending = !counts ? 2'd0 : asks ? 2'd1 : 2'd2;
+      state_o.purpose = after;
+      state_o.pending = !counts ? rc_pkg::PendingNone
+                      : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
     end
     if (is_refract) begin
       state_o.total = total_i;
-      state_o.purpose = Reflect;
+      state_o.purpose = rc_pkg::EventReflect;
       if (pushes) state_o.waiting = was_i.waiting + 4'd1;
     end
     if (is_reflect) begin
-      state_o.purpose = reflects ? Arrive : Pop;
+      state_o.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
       if (reflects) begin
         state_o.weight = weight_i;
         state_o.depth  = was_i.depth + 4'd1;
@@ -139,7 +139,7 @@ module rc_turnout #(
       state_o.waiting = was_i.waiting - 4'd1;
       state_o.weight  = top_i.weight;
       state_o.depth   = top_i.depth;
-      state_o.purpose   = Arrive;
+      state_o.purpose = rc_pkg::EventArrive;
     end
     if (is_end) begin
       state_o.sum   = sum_i;
@@ -151,10 +151,11 @@ module rc_turnout #(
       state_o.colour = '0;
       state_o.weight = 17'h10000;
       state_o.depth  = '0;
-      state_o.purpose  = Arrive;
+      state_o.purpose = rc_pkg::EventArrive;
     end
   end
-  assign leave_o = shadows || reflects || is_pop || is_next ? 2'd1 : is_end ? 2'd2 : 2'd0;
+  assign leave_o = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
+                 : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
 
   // The ray that waits.
   logic [3*M-1:0] short_d, top_d;
@@ -180,7 +181,8 @@ module rc_turnout #(
   logic [rc_pkg::PrimBits:0]  self;
   logic [rc_pkg::PixelBits-1:0] x, y;
   logic [5:0]                 sample;
-  assign kind   = is_next ? 2'd0 : !is_light ? 2'd1 : to_point ? 2'd2 : 2'd3;
+  assign kind   = is_next ? rc_pkg::RayCamera : !is_light ? rc_pkg::RayBounce
+                : to_point ? rc_pkg::RayShadow : rc_pkg::RayAway;
   assign self   = is_next ? '0 : is_pop ? {top_i.self, top_i.is_inside}
                                         : {was_i.self, was_i.is_inside};
   assign x      = was_i.x;

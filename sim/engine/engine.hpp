@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/accel/memory_image.hpp"
-#include "model/core/accounts.hpp"
+#include "model/core/units.hpp"
 #include "model/core/progress.hpp"
 #include "model/mem/memory.hpp"
 #include "model/reference/reference.hpp"

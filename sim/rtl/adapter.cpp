@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "model/core/links.hpp"
+
 namespace rayclock {
 
 namespace {
@@ -29,42 +31,45 @@ std::string port_line(const std::string& module, const PortSpec& p) {
                        p.valid, p.ready, p.data);
 }
 
-/// The links and counters inside rc_top.
+/// Where a pipeline's link shows in rc_pipeline: at a port if one end lies outside, else as a net.
+PortSpec pipeline_tap(const ChannelInfo& link, const std::string& path, const std::string& index) {
+    const std::string name = link.name;
+    const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
+    const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
+    const bool fires = link.flow == Flow::fires;
+    return {name + index,
+            PortKind::tap,
+            path,
+            "rc_pipeline",
+            name + (fires ? "_fires" : "_valid") + in,
+            fires ? "" : name + "_ready" + back,
+            name + in};
+}
+
+/// The links and counters inside rc_top; those of the memory are its ports.
 std::vector<PortSpec> taps_of_top(const Config& config) {
     using enum PortKind;
     std::vector<PortSpec> taps;
-    const auto tally = [&](const char* unit, const std::string& path, const std::string& index) {
-        taps.push_back({fmt::format("tally.{}{}", unit, index), tap, fmt::format("{}.u_{}_tally", path, unit),
-                        "rc_tally", "", "", "count_q"});
+    const auto tally = [&](const UnitInfo& unit, const std::string& path, const std::string& index) {
+        const char* within = unit.when == When::shading        ? ".gen_shade"
+                             : unit.when == When::shared_cache ? ".gen_shared"
+                                                               : "";
+        taps.push_back({fmt::format("tally.{}{}", unit.name, index), tap,
+                        fmt::format("{}{}.u_{}_tally", path, within, unit.name), "rc_tally", "", "",
+                        "count_q"});
     };
     for (int p = 0; p < config.pipelines; ++p) {
         const std::string index = fmt::format("[{}]", p),
                           path = fmt::format(".gen_pipeline[{}].u_pipeline", p);
-        const auto add = [&](const std::string& name, const std::string& valid, const std::string& ready,
-                             const std::string& data) {
-            taps.push_back({name + index, tap, path, "rc_pipeline", valid, ready, data});
-        };
-        for (const char* name :
-             {"slot", "ray", "node_req", "box_req", "box_rsp", "prim_req", "tri_req", "tri_rsp", "step"})
-            add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
-        for (const char* name : {"node_miss", "prim_miss", "hit"})
-            add(name, fmt::format("{}_valid_o", name), fmt::format("{}_ready_i", name),
-                fmt::format("{}_o", name));
-        for (const char* name : {"tile", "node_fill", "prim_fill"})
-            add(name, fmt::format("{}_fires_i", name), "", fmt::format("{}_i", name));
-        for (const char* unit : {"sched", "raygen", "trav", "node_cache", "box", "list", "prim_cache", "tri"})
-            tally(unit, path, index);
-        if (!config.shading) continue;
-        for (const char* name : {"closest", "surf_req", "surf_rsp", "spawn"})
-            add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
-        add("surf_miss", "surf_miss_valid_o", "surf_miss_ready_i", "surf_miss_o");
-        add("surf_fill", "surf_fill_fires_i", "", "surf_fill_i");
-        for (const char* unit : {"surf_cache", "shade"}) tally(unit, path + ".gen_shade", index);
+        for (const ChannelInfo& link : channels)
+            if (link.of_pipeline() && is_there(link.when, config))
+                taps.push_back(pipeline_tap(link, path, index));
+        for (const UnitInfo& unit : unit_infos)
+            if (unit.place == Place::pipeline && is_there(unit.when, config)) tally(unit, path, index);
     }
-    tally("dispatch", "", "");
-    tally("memport", "", "");
+    for (const UnitInfo& unit : unit_infos)
+        if (unit.place == Place::shared && is_there(unit.when, config)) tally(unit, "", "");
     if (config.l2_sets == 0) return taps;
-    tally("l2", ".gen_shared", "");
     taps.push_back({"l2_req", tap, ".gen_shared.u_l2", "rc_l2", "req_valid_i", "req_ready_o", "req_i"});
     taps.push_back({"l2_rsp", tap, ".gen_shared.u_l2", "rc_l2", "rsp_valid_o", "", "rsp_o"});
     return taps;

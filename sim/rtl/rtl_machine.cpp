@@ -9,7 +9,6 @@ namespace rayclock {
 
 RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
     : config_(config),
-      channels_there_(config.shading ? pipeline_channels : plain_channels),
       image_(image),
       decoder_(image, config),
       rtl_(config, "rc_top", seed),
@@ -22,18 +21,17 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
       valid_(links_.size()),
       fire_(links_.size()),
       under_way_(std::size_t(1) << config.mem_id_bits()) {
+    for (std::size_t c = 0; c < pipeline_channels; ++c)
+        if (is_there(Channel(c), config)) there_.push_back(c);
     for (int p = 0; p < config.pipelines; ++p) {
         auto& links = links_[std::size_t(p)];
         links.fill(nullptr);
-        for (std::size_t c = 0; c < channels_there_; ++c)
+        for (const std::size_t c : there_)
             links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
         sinks_.emplace_back(traffic, p);
     }
-    links_[0][index(Channel::mem_req)] = mem_req_;
-    links_[0][index(Channel::mem_rsp)] = mem_rsp_;
-    if (config.l2_sets > 0)
-        for (const Channel c : {Channel::l2_req, Channel::l2_rsp})
-            links_[0][index(c)] = &rtl_.port(channels[index(c)].name);
+    for (std::size_t c = pipeline_channels; c < channel_count; ++c)
+        if (is_there(Channel(c), config)) links_[0][c] = &rtl_.port(channels[c].name);
     std::memset(start_->data, 0, start_->bytes);
     std::memset(hit_ready_->data, 0, hit_ready_->bytes);
     *mem_req_->ready = *mem_rsp_->valid = 0;
@@ -77,7 +75,7 @@ void RtlMachine::settle() {
     moved_ = false;
     for (std::size_t p = 0; p < links_.size(); ++p) {
         std::uint32_t valid = 0, fire = 0;
-        for (std::size_t c = 0; c < channels_there_; ++c) {
+        for (const std::size_t c : there_) {
             const RcPort& link = *links_[p][c];
             valid |= std::uint32_t(*link.valid) << c;
             fire |= std::uint32_t(link.ready ? *link.valid & *link.ready : *link.valid) << c;

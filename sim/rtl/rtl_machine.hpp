@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "model/accel/memory_image.hpp"
-#include "model/core/accounts.hpp"
-#include "model/core/channels.hpp"
+#include "model/core/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/trace/decoder.hpp"
 #include "sim/rtl/rtl_module.hpp"
@@ -73,7 +72,7 @@ private:
     Accounts read_counters() const;
 
     Config config_;
-    std::size_t channels_there_;   // of a pipeline
+    std::vector<std::size_t> there_;   // the links of a pipeline that this chip has
     const MemoryImage& image_;
     Decoder decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;

@@ -1,0 +1,86 @@
+#pragma once
+// The links between units, one row each, in the order in which a ray meets them. The names in lockstep and
+// reports, the masks, the payloads' structs in rc_pkg.sv, the signals that lockstep reads in the RTL and the
+// table in rtl/README.md come from these rows. A payload describes itself (payloads.hpp).
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include "model/core/payloads.hpp"
+#include "model/core/units.hpp"
+
+namespace rayclock {
+
+// name, payload, unit that offers, unit that accepts, whether it may refuse (handshake: valid and ready) or
+// must not (fires), when the link exists. Those of a pipeline first, shading ones last of these: lockstep's
+// masks are by this order.
+#define RAYCLOCK_LINKS(LINK)                                           \
+    LINK(tile, Tile, dispatch, sched, fires, always)                   \
+    LINK(slot, Slot, sched, raygen, handshake, always)                 \
+    LINK(ray, Ray, raygen, trav, handshake, always)                    \
+    LINK(node_req, NodeReq, trav, node_cache, handshake, always)       \
+    LINK(node_miss, NodeMiss, node_cache, memport, handshake, always)  \
+    LINK(node_fill, NodeFill, memport, node_cache, fires, always)      \
+    LINK(box_req, BoxReq, node_cache, box, handshake, always)          \
+    LINK(box_rsp, BoxRsp, box, list, handshake, always)                \
+    LINK(prim_req, PrimReq, list, prim_cache, handshake, always)       \
+    LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)  \
+    LINK(prim_fill, PrimFill, memport, prim_cache, fires, always)      \
+    LINK(tri_req, TriReq, prim_cache, tri, handshake, always)          \
+    LINK(tri_rsp, TriRsp, tri, list, handshake, always)                \
+    LINK(step, Step, list, trav, handshake, always)                    \
+    LINK(hit, HitOut, sched, sink, handshake, always)                  \
+    LINK(closest, Closest, list, shade, handshake, shading)            \
+    LINK(surf_req, SurfReq, shade, surf_cache, handshake, shading)     \
+    LINK(surf_miss, SurfMiss, surf_cache, memport, handshake, shading) \
+    LINK(surf_fill, SurfFill, memport, surf_cache, fires, shading)     \
+    LINK(surf_rsp, SurfRsp, surf_cache, shade, handshake, shading)     \
+    LINK(spawn, Spawn, shade, raygen, handshake, shading)              \
+    LINK(l2_req, L2Req, memport, l2, handshake, shared_cache)          \
+    LINK(l2_rsp, L2Rsp, l2, memport, fires, shared_cache)              \
+    LINK(mem_req, MemReq, memport, memory, handshake, always)          \
+    LINK(mem_rsp, MemRsp, memory, memport, fires, always)
+
+#define RAYCLOCK_NAME(name, ...) name,
+enum class Channel : std::uint8_t { RAYCLOCK_LINKS(RAYCLOCK_NAME) };
+#undef RAYCLOCK_NAME
+
+/// Whether what is offered may be refused.
+enum class Flow : std::uint8_t { handshake, fires };
+
+struct ChannelInfo {
+    const char* name;
+    const char* from;   ///< unit that offers
+    const char* to;     ///< unit that accepts
+    Flow flow;
+    When when;
+    constexpr bool of_pipeline() const { return is_of_pipeline(from) || is_of_pipeline(to); }
+};
+#define RAYCLOCK_INFO(name, payload, from, to, flow, when) \
+    ChannelInfo{#name, #from, #to, Flow::flow, When::when},
+constexpr std::array channels{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
+#undef RAYCLOCK_INFO
+
+/// Payload of each link, by its number.
+#define RAYCLOCK_PAYLOAD(name, payload, ...) , std::declval<std::tuple<payload>>()
+using ChannelPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCLOCK_PAYLOAD)));
+#undef RAYCLOCK_PAYLOAD
+#undef RAYCLOCK_LINKS
+
+constexpr std::size_t channel_count = channels.size();
+constexpr std::size_t pipeline_channels = [] {   // the others are what all pipelines share
+    std::size_t n = 0;
+    while (channels[n].of_pipeline()) ++n;
+    for (std::size_t i = n; i < channel_count; ++i)
+        if (channels[i].of_pipeline()) throw "links of a pipeline come first";
+    return n;
+}();
+constexpr std::size_t index(Channel c) { return std::size_t(c); }
+constexpr std::uint32_t bit(Channel c) { return 1u << index(c); }
+static_assert(channel_count <= 32);
+
+/// Whether a chip of this configuration has the link.
+constexpr bool is_there(Channel c, const Config& config) { return is_there(channels[index(c)].when, config); }
+
+}   // namespace rayclock
