@@ -111,7 +111,8 @@ module rc_tri (
     logic [M-1:0] f0_size;
     rc_shear u_shear (
       .clk_i, .valid_i({valid_q[4:0], admit}),
-      .s0_shear_i({req_i.axis, req_i.neg, req_i.size, req_i.slope}), .s0_o_i(req_i.o), .s0_a_i(s0_a), .s0_b_i(s0_b), .s0_c_i(s0_c),
+      .s0_shear_i({req_i.axis, req_i.neg, req_i.size, req_i.slope}),
+      .s0_o_i(req_i.o), .s0_a_i(s0_a), .s0_b_i(s0_b), .s0_c_i(s0_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     assign f0_den = {{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};

@@ -159,8 +159,8 @@ mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of
   OLD [[count_q[cause_i] + 1'b1;]]
   NEW [[count_q[cause_i] + {{(CountW-1){1'b0}}, cause_i != 3'd5};]])
 mutant(sched_cause_blames_dispatch FILE rtl/sched/rc_sched.sv TEST unit [sched]
-  OLD [[: at_hand ? 3'd1 : 3'd2;]]
-  NEW [[: !at_hand ? 3'd1 : 3'd2;]])
+  OLD [[: at_hand ? rc_pkg::SchedStarvedContexts]]
+  NEW [[: !at_hand ? rc_pkg::SchedStarvedContexts]])
 
 # ---- doors and queues.
 mutant(fifo_full_one_early FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]

@@ -32,7 +32,7 @@ mutant(stack_visits_a_child_when_stopped FILE rtl/trav/rc_stack.sv TEST unit [tr
   OLD [[forward      = !stop &&]]
   NEW [[forward      =]])
 mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s3_short = s3_head_q[HeadW-1 -: 2] != 2'd2;]]
+  OLD [[s3_short = s3_head_q[HeadW-1 -: 2] != rc_pkg::RayShadow;]]
   NEW [[s3_short = !s3_head_q[HeadW-1];]])
 mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
   OLD [[.first_valid_i(spawn_valid_i),]]
@@ -116,8 +116,8 @@ mutant(power_not_rounded FILE rtl/fixed/rc_power.sv TEST unit [power]
 
 # ---- shade: a pass, and the contexts around it.
 mutant(pass_pending_forgets_the_answer QUICK FILE rtl/shade/rc_start.sv TEST unit [pass][all]
-  OLD [[(state_i.pending == 2'd1 && !found)]]
-  NEW [[(state_i.pending == 2'd1)]])
+  OLD [[(state_i.pending == rc_pkg::PendingAnswer && !found)]]
+  NEW [[(state_i.pending == rc_pkg::PendingAnswer)]])
 mutant(pass_first_hit_of_any_depth FILE rtl/shade/rc_start.sv TEST unit [pass][all]
   OLD [[arrives_o && state_i.depth == '0 && state_i.sample]]
   NEW [[arrives_o && state_i.sample]])
@@ -128,8 +128,8 @@ mutant(turnout_light_behind_counts FILE rtl/shade/rc_turnout.sv TEST unit [pass]
   OLD [[positive_i && (light_near_i ? below_i : above_i)]]
   NEW [[positive_i && (light_near_i ? !above_i : above_i)]])
 mutant(turnout_last_light_is_left_out FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[light < frame_i.lights ? Light]]
-  NEW [[light + 7'd1 < frame_i.lights ? Light]])
+  OLD [[light < frame_i.lights ? rc_pkg::EventLight]]
+  NEW [[light + 7'd1 < frame_i.lights ? rc_pkg::EventLight]])
 mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[+ 19'(slack) >= {1'b0, frame_i.threshold}]]
   NEW [[+ 19'(slack) > {1'b0, frame_i.threshold}]])
@@ -161,7 +161,7 @@ mutant(surf_far_is_lost FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);]]
   NEW [[s5_lost_o <= !sphere[4] && (s4_ends || s4_outside != '0);]])
 mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
-  OLD [[assign s0_skips = s0_plane && tri_ray[TriRayW-3];]]
+  OLD [[assign s0_skips = s0_plane && req_i.is_finite;]]
   NEW [[assign s0_skips = 1'b0;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
@@ -227,14 +227,14 @@ mutant(shade_arrived_before_again QUICK FILE rtl/shade/rc_shade.sv TEST unit [sh
   OLD [[open && !surf_rsp_valid_i && !again_valid && arrived_valid;]]
   NEW [[open && !surf_rsp_valid_i && (!again_valid || push) && arrived_valid;]])
 mutant(shade_is_busy_behind_a_closed_door FILE rtl/shade/rc_shade.sv TEST unit [shade]~[slow]
-  OLD [[arrived_valid ? (open ? 3'd0 : 3'd3)]]
-  NEW [[arrived_valid ? (open ? 3'd0 : 3'd0)]])
+  OLD [[cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;]]
+  NEW [[cause_o = rc_pkg::ShadeBusyWork;]])
 mutant(contexts_keep_the_last_pixels_state FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[if (slot_fires_i) fresh_q[slot_i.ray]  <= 1'b1;]]
   NEW [[if (slot_fires_i) fresh_q[slot_i.ray]  <= slot_i.x[0];]])
 mutant(contexts_bounces_are_forgotten FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
-  OLD [[ray_fires_i && !kind_o[1])]]
-  NEW [[ray_fires_i && kind_o == 2'd0)]])
+  OLD [[ray_fires_i && is_kept)]]
+  NEW [[ray_fires_i && kind_o == rc_pkg::RayCamera)]])
 mutant(contexts_stack_of_one_place FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[& AW'((1 << Up) - 1));]]
   NEW [[& AW'((1 << Up) - 2));]])
