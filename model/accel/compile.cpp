@@ -8,7 +8,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/isect/vectors.hpp"
 
 namespace rayclock {

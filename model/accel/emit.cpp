@@ -1,7 +1,7 @@
 #include "model/accel/emit.hpp"
 
 #include "model/accel/encode.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 

@@ -27,7 +27,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/accel/memory_image.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/scene/view.hpp"
 
 namespace rayclock {

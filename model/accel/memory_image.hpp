@@ -9,7 +9,7 @@
 
 #include "model/core/config.hpp"
 #include "model/core/payloads.hpp"
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"

@@ -10,7 +10,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/plane.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 

@@ -4,8 +4,8 @@
 #include <bit>
 #include <charconv>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 
 namespace rayclock {
 

@@ -11,10 +11,9 @@
 #include "model/core/config.hpp"
 #include "model/core/frame.hpp"
 #include "model/core/layout.hpp"
+#include "model/core/lines.hpp"
 
 namespace rayclock {
-
-constexpr int max_width = 8;
 
 /// dispatch -> sched: a square of 2^tile_bits x 2^tile_bits pixels; coordinates in such squares.
 struct Tile {
@@ -104,93 +103,6 @@ struct Ray {
     }
 };
 
-/// A node as it lies in a memory line of 64 bytes (right-aligned): child boxes quantised relative to `org`,
-/// plane k is org + (k << exp). kind: 0 empty, 1 inner node, 1 + n a leaf of n triangles. Inner children come
-/// first. Block of children at line `base`: one line per inner child in slot order, then the leaves'
-/// triangles, 32 bytes each.
-struct Node {
-    Vec3i org{};
-    std::array<std::uint32_t, 3> exp{};
-    std::uint32_t base = 0;
-    std::array<std::uint32_t, max_width> kind{};
-    std::array<std::uint32_t, 3 * max_width> lo{}, hi{};   ///< [3 * child + axis]
-    template <class V> void fields(V& v, const Config& c) {
-        v("org", org, c.coord_bits, 3);
-        v("exp", exp, exp_bits, 3);
-        v("base", base, c.addr_bits);
-        v("kind", kind, count_bits, c.node_width);
-        v("lo", lo, c.box_bits, 3 * c.node_width);
-        v("hi", hi, c.box_bits, 3 * c.node_width);
-    }
-};
-
-enum class PrimKind : std::uint32_t { triangle, plane, sphere };
-
-/// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,
-/// c on the lattice. Plane: the same without edges; b - a and c - a are sides of its checkers' squares,
-/// halved or doubled: model/accel/plane.hpp. Sphere: a is its centre, b[0] and b[1] the lower and the upper N
-/// bits of the square of its radius in lattice steps (radius_squared()).
-struct PrimData {
-    Vec3i a{}, b{}, c{};
-    std::uint32_t prim = 0;
-    std::uint32_t kind = 0;   ///< PrimKind
-    template <class V> void fields(V& v, const Config& c_) {
-        if (c_.has_kinds()) v("prim_kind", kind, 2);
-        v("a", a, c_.coord_bits, 3);
-        v("b", b, c_.coord_bits, 3);
-        v("c", c, c_.coord_bits, 3);
-        v("prim", prim, c_.prim_bits);
-    }
-};
-
-inline std::uint64_t radius_squared(const PrimData& sphere, int coord_bits) {
-    const std::uint64_t mask = (std::uint64_t(1) << coord_bits) - 1;
-    return (std::uint64_t(sphere.b[0]) & mask) | (std::uint64_t(sphere.b[1]) & mask) << coord_bits;
-}
-
-/// What shade must know about a primitive: a line of memory (right-aligned), line Frame::surfaces + number.
-struct Surface {
-    std::uint32_t kind = 0, smooth = 0, checkered = 0, schlick = 0;
-    /// Of a triangle: all components of its edges are multiples of 2^fine, so that points of B fraction bits
-    /// lie 2^-(B + fine) of an edge apart on it.
-    std::uint32_t fine = 0;
-    Vec3i a{}, b{}, c{};   ///< as in PrimData
-    std::array<std::int32_t, 9>
-        normal{};   ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth.
-    /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells
-    /// whether a square is the second of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0.
-    std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits of fraction
-    std::uint32_t ambient = 0, diffuse = 0, highlight = 0;   ///< share_bits of fraction
-    std::uint32_t mirror = 0, transmit = 0;   ///< unit_bits of fraction; 0 only if the material's is 0
-    std::uint32_t r0 = 0;      ///< Schlick's reflectance at normal incidence, unit_bits of fraction
-    std::uint32_t shine = 0;   ///< Phong's exponent, shine_frac of fraction
-    std::uint32_t enter = 0,
-                  leave = 0;   ///< ratio of refractive indices outside / inside, inside / outside; index_frac
-    template <class V> void fields(V& v, const Config& c_) {
-        v("kind", kind, 2);
-        v("smooth", smooth, 1);
-        v("checkered", checkered, 1);
-        v("schlick", schlick, 1);
-        v("fine", fine, 3);
-        v("a", a, c_.coord_bits, 3);
-        v("b", b, c_.coord_bits, 3);
-        v("c", c, c_.coord_bits, 3);
-        v("normal", normal, corner_bits, 9);
-        v("colour", colour, share_bits + 1, 3);
-        v("other", other, share_bits + 1, 3);
-        v("ambient", ambient, share_bits + 1);
-        v("diffuse", diffuse, share_bits + 1);
-        v("highlight", highlight, share_bits + 1);
-        v("mirror", mirror, unit_bits + 1);
-        v("transmit", transmit, unit_bits + 1);
-        v("r0", r0, unit_bits + 1);
-        v("shine", shine, shine_bits);
-        v("enter", enter, ratio_bits);
-        v("leave", leave, ratio_bits);
-    }
-    friend bool operator==(const Surface&, const Surface&) = default;
-};
-
 /// trav -> node memory; address in lines of 64 bytes.
 struct NodeReq {
     std::uint32_t ray = 0, addr = 0;
@@ -247,9 +159,6 @@ struct SurfRsp {
         surface.fields(v, c);
     }
 };
-
-/// What memory gives in one answer: 64 bytes.
-using Line = std::array<std::uint32_t, 16>;
 
 /// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see
 /// model/mem/cache.hpp.

@@ -1,5 +1,5 @@
 #pragma once
-#include "model/core/ring.hpp"
+#include "model/base/ring.hpp"
 
 namespace rayclock {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/core/config.hpp"
-#include "model/core/ring.hpp"
+#include "model/base/ring.hpp"
 
 namespace rayclock {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "model/core/config.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "model/core/config.hpp"
-#include "model/core/ring.hpp"
-#include "model/core/rng.hpp"
+#include "model/base/ring.hpp"
+#include "model/base/rng.hpp"
 
 namespace rayclock {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"

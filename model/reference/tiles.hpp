@@ -7,7 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/camera.hpp"
 
 namespace rayclock {

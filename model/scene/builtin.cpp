@@ -6,8 +6,8 @@
 #include <charconv>
 #include <vector>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/scene/view.hpp"
 
 namespace rayclock {

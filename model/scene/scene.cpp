@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/core/error.hpp"
-#include "model/core/quote.hpp"
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/view.hpp"
 

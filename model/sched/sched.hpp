@@ -1,6 +1,6 @@
 #pragma once
 #include "model/core/payloads.hpp"
-#include "model/core/ring.hpp"
+#include "model/base/ring.hpp"
 
 namespace rayclock {
 

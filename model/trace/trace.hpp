@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/accel/memory_image.hpp"
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/whitted.hpp"
 
 namespace rayclock {

@@ -2,7 +2,7 @@
 //
 // Latency 1: what goes in is seen in the next cycle. ready_o and valid_o come
 // from registers only, so this cuts every combinational path between the sides.
-// Model: model/core/ring.hpp (Ring).
+// Model: model/base/ring.hpp (Ring).
 `default_nettype none
 module rc_fifo #(
   parameter  int unsigned Width  = 1,

@@ -2,7 +2,7 @@
 // that was not accepted stays, so that a stalled payload does not change.
 //
 // No latency; valid_o follows the sources' valid in the same cycle, and ready goes back
-// to the one on offer. Model: model/core/ring.hpp (Merge).
+// to the one on offer. Model: model/base/ring.hpp (Merge).
 `default_nettype none
 module rc_merge #(
   parameter int unsigned Width = 1

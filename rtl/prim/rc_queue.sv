@@ -1,7 +1,7 @@
 // Queue that is never full: its user proves that at most Depth entries can exist
 // (in the machine: one per ray context). So it has no ready, and it asserts it.
 //
-// Latency 1. Depth may be 1. Model: model/core/ring.hpp (Ring).
+// Latency 1. Depth may be 1. Model: model/base/ring.hpp (Ring).
 `default_nettype none
 module rc_queue #(
   parameter  int unsigned Width  = 1,

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/engine/engine.hpp"

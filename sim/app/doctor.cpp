@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/report/json.hpp"

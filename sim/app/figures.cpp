@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
-#include "model/core/quote.hpp"
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/image/image.hpp"

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"

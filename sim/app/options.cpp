@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
-#include "model/core/quote.hpp"
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"

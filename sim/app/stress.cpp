@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/engine/engine.hpp"

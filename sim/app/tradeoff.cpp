@@ -1,7 +1,7 @@
 // rayclock tradeoff: the page docs/speed-against-error.md with its plots.
 #include <fmt/format.h>
 
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/pages/tradeoff.hpp"

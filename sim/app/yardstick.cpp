@@ -1,7 +1,7 @@
 // rayclock yardstick: the page docs/yardstick.md, our figures beside published ones.
 #include <fmt/format.h>
 
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/image/image.hpp"

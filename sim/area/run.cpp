@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/synth/yosys.hpp"

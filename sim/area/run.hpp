@@ -2,7 +2,7 @@
 // Every unit of every variant through Yosys, each different one once.
 #include <map>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "sim/area/variants.hpp"
 #include "sim/synth/parts.hpp"
 #include "sim/jobs/cache.hpp"

@@ -2,7 +2,7 @@
 // How fast a machine with and without units is simulated.
 #include <vector>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/whitted.hpp"

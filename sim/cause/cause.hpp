@@ -15,7 +15,7 @@
 #include <array>
 #include <span>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/shade/shade.hpp"
 #include "sim/cause/truth.hpp"
 #include "sim/judge/picture.hpp"

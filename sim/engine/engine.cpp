@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/hits.hpp"
 #include "model/machine.hpp"
 #include "model/where.hpp"

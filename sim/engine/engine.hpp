@@ -4,7 +4,7 @@
 
 #include "model/accel/memory_image.hpp"
 #include "model/core/units.hpp"
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/mem/memory.hpp"
 #include "model/reference/reference.hpp"
 #include "model/shade/shade.hpp"

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/files/text.hpp"
 
 namespace rayclock {

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
-#include "model/core/quote.hpp"
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 
 namespace rayclock {
 namespace fs = std::filesystem;

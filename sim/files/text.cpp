@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 namespace {

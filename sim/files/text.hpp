@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 
 namespace rayclock {
 

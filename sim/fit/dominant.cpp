@@ -1,4 +1,4 @@
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 #include "sim/fit/dominant.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/hits.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/reference/reference.hpp"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/gen/rc_pkg.hpp"
 
 int main(int argc, char** argv) {

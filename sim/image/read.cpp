@@ -5,7 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/image/srgb.hpp"
 
 namespace rayclock {

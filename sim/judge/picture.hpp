@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/judge/world.hpp"
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/files/input.hpp"
 #include "sim/load/json_parts.hpp"

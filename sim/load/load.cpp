@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <new>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/files/input.hpp"
 #include "sim/load/json_scene.hpp"

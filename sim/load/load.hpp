@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/scene.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 #include "sim/files/input.hpp"
 
 namespace rayclock {

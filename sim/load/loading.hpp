@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {

@@ -9,7 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 namespace {

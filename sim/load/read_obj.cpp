@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/nearest.hpp"
+#include "model/base/nearest.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/mesh_file.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/report/text.hpp"
 #include "sim/stress/report.hpp"
 #include "sim/stress/sketch.hpp"

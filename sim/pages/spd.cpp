@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
-#include "model/core/quote.hpp"
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/engine/engine.hpp"

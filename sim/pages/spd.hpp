@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/camera.hpp"
 
 namespace rayclock::spd {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
 #include "sim/request/request.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/text.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 
 namespace rayclock {
 

@@ -2,7 +2,7 @@
 // What is to be drawn: scene, machine and settings, from what was asked for.
 #include <optional>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"

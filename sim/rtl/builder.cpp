@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/rtl/compile.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/tools.hpp"

@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 

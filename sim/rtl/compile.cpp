@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/adapter.hpp"
 #include "sim/rtl/cache.hpp"

@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <memory>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "sim/stress/aim.hpp"
 
 namespace rayclock::stress {

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "model/core/rng.hpp"
+#include "model/base/rng.hpp"
 #include "model/oracle/cross.hpp"
 
 namespace rayclock::stress {

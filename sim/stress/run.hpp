@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "sim/stress/judge.hpp"
 
 namespace rayclock::stress {

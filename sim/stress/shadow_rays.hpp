@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "model/core/rng.hpp"
+#include "model/base/rng.hpp"
 #include "model/oracle/cross.hpp"
 
 namespace rayclock {

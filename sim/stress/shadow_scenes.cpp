@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/core/rng.hpp"
+#include "model/base/rng.hpp"
 #include "model/scene/generate/generate.hpp"
 
 namespace rayclock {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"

@@ -1,8 +1,8 @@
 // The tests by name, and what is demanded of them.
 #include <algorithm>
 
-#include "model/core/error.hpp"
-#include "model/core/nearest.hpp"
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
 #include "model/isect/moller.hpp"
 #include "model/isect/sheared.hpp"
 #include "model/isect/tri.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-#include "model/core/progress.hpp"
+#include "model/base/progress.hpp"
 #include "sim/engine/engine.hpp"
 
 namespace rayclock::sweep {

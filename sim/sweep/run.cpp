@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/sweep/cracks.hpp"
 #include "sim/sweep/key.hpp"

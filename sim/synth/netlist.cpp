@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "model/core/frame.hpp"
-#include "model/core/rng.hpp"
+#include "model/base/rng.hpp"
 
 namespace rayclock::torture {
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/torture/cases.hpp"
 
 namespace rayclock {

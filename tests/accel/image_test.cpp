@@ -5,7 +5,7 @@
 #include "model/accel/decode.hpp"
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "tests/accel/meshes.hpp"
 
 using namespace rayclock;

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/image/image.hpp"
 
 namespace rayclock {

@@ -12,7 +12,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/load/load.hpp"
 
 namespace rayclock::test {

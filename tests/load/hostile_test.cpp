@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/core/nearest.hpp"
-#include "model/core/quote.hpp"
+#include "model/base/nearest.hpp"
+#include "model/base/quote.hpp"
 #include "tests/load/files.hpp"
 
 using namespace rayclock;

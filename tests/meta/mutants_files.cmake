@@ -5,7 +5,7 @@ mutant(files_json_of_any_depth FILE sim/files/json_value.cpp TEST load "JSON nes
 mutant(files_json_takes_a_key_twice FILE sim/files/json_value.cpp TEST load "a key that stands twice*"
   OLD [[if (!is_new) refuse(]]
   NEW [[if (name.empty() && !is_new) refuse(]])
-mutant(files_name_written_raw FILE model/core/quote.cpp TEST load "what is odd*"
+mutant(files_name_written_raw FILE model/base/quote.cpp TEST load "what is odd*"
   OLD [[first >= 0x20 && first != 0x7f]]
   NEW [[first != 0x7f]])
 mutant(files_long_number_is_read FILE sim/files/text.cpp TEST load "a word of ten million*"

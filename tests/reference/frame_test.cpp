@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <tbb/task_arena.h>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/reference/hierarchy.hpp"
 #include "model/reference/reference.hpp"
 #include "tests/reference/meshes.hpp"

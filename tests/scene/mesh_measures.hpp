@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/area/run.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 using namespace rayclock;
 using namespace rayclock::area;

@@ -1,5 +1,5 @@
 // Axes and grids; judged by hand.
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "tests/sweep/support.hpp"
 
 using namespace rayclock;

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/load/load.hpp"
 
 namespace rayclock::test {

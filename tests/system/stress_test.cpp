@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "sim/stress/aim.hpp"
 #include "sim/stress/report.hpp"
 #include "sim/stress/sketch.hpp"

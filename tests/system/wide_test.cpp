@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/oracle/extra_visits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/cause/truth.hpp"

@@ -3,7 +3,7 @@
 // was hit before.
 #include <cmath>
 
-#include "model/core/rng.hpp"
+#include "model/base/rng.hpp"
 #include "model/isect/vectors.hpp"
 #include "tests/support/cases/any_cases.hpp"
 

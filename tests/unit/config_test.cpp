@@ -1,7 +1,7 @@
 // config: what is legal, what is refused with which words, and that whatever is legal fits.
 #include <catch2/catch.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/core/layout.hpp"
 #include "model/core/payloads.hpp"
 #include "tests/support/cases/draw.hpp"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "model/core/config.hpp"
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/mem/dram_banks.hpp"
 
 using namespace rayclock;

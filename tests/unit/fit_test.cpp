@@ -2,7 +2,7 @@
 // and M is cheaper.
 #include <catch2/catch.hpp>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/fit/dominant.hpp"

@@ -1,6 +1,6 @@
 // The selectable ray-triangle tests: how one is chosen, and the baselines, which are what their papers say
 // and lose what they are known to lose. The sheared test: sheared_test.cpp.
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/isect/unit24.hpp"
 #include "tests/support/cases/primitive_cases.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 
 namespace rayclock::figures {

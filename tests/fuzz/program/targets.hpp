@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/core/error.hpp"
+#include "model/base/error.hpp"
 
 namespace rayclock::fuzz {
 

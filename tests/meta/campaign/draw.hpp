@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 
-#include "model/core/rng.hpp"
+#include "model/base/rng.hpp"
 #include "tests/meta/campaign/schema.hpp"
 
 namespace rayclock::campaign {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "model/core/ring.hpp"
+#include "model/base/ring.hpp"
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/trav/box.hpp"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "model/core/config.hpp"
-#include "model/core/error.hpp"
-#include "model/core/rng.hpp"
+#include "model/base/error.hpp"
+#include "model/base/rng.hpp"
 
 namespace rayclock::test {
 

@@ -1,4 +1,4 @@
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 
 #include <algorithm>
 #include <vector>

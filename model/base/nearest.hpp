@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/core/quote.hpp"
+#include "model/base/quote.hpp"
 
 namespace rayclock {
 
