@@ -73,9 +73,9 @@ TEST_CASE("the check of well-formedness sees faults") {
 
 TEST_CASE("shapes are where they were put") {
     plot::Drawing drawing{100, 50, {}};
-    drawing.shapes.push_back(plot::Line{{{10, 10}, {40, 10}}, {0, 0, 0}, 2});
-    drawing.shapes.push_back(plot::Disc{{70, 25}, 5, {255, 0, 0}});
-    drawing.shapes.push_back(plot::Text{{10, 45}, "a < b & c > \"d\"", 12, {0, 0, 0}});
+    drawing.shapes.emplace_back(plot::Line{{{10, 10}, {40, 10}}, {0, 0, 0}, 2});
+    drawing.shapes.emplace_back(plot::Disc{{70, 25}, 5, {255, 0, 0}});
+    drawing.shapes.emplace_back(plot::Text{{10, 45}, "a < b & c > \"d\"", 12, {0, 0, 0}});
     const std::string svg = plot::svg(drawing);
     CHECK(is_well_formed(svg));
     for (const char* part : {"width=\"100\" height=\"50\"", "points=\"10.00,10.00 40.00,10.00\"", "<circle cx=\"70.00\" cy=\"25.00\" r=\"5.00\" fill=\"#ff0000\"",

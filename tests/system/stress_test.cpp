@@ -124,7 +124,7 @@ TEST_CASE("controls are noticed, the sheared test is watertight, float and trunc
 }
 
 TEST_CASE("a test that meets no demand is told from one that does", "[stress]") {
-    const NamedTest &exact = named_test("exact"), &control = named_test("inclusive");
+    const NamedTest exact = named_test("exact"), control = named_test("inclusive");
     Cell clean{"exact", 16, "edges", {}}, seams{"exact", 16, "t_junction", {}};
     clean.counts.rays = seams.counts.rays = 100;
     CHECK_FALSE(meets_demand(exact, {clean, seams}));   // the seams do not leak
