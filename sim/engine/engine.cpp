@@ -103,16 +103,24 @@ RayCounts part_of(const RayCounts& all, std::uint64_t pixels, std::size_t of) {
 
 }   // namespace
 
+FrameWork work_of(const FrameTrace& frame, const FrameTiming& timing) {
+    const Trace& trace = frame.trace;
+    return {timing.partial ? part_of(trace.counts, timing.pixels, trace.rays.size()) : trace.counts,
+            trace.visits, trace.box_tests, trace.triangle_tests};
+}
+
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing) {
-    FrameRun run;
-    static_cast<FrameTiming&>(run) = timing;
-    run.visits = frame.trace.visits;
-    run.box_tests = frame.trace.box_tests;
-    run.triangle_tests = frame.trace.triangle_tests;
-    run.rays = timing.partial ? part_of(frame.trace.counts, timing.pixels, frame.trace.rays.size())
-                              : frame.trace.counts;
-    run.finished_picture = !frame.trace.colours.empty();
+    FrameRun run{timing, work_of(frame, timing), {}, {}, {}, !frame.trace.colours.empty()};
     run.digest = digest_of(frame.trace.hits, timing.cycles, frame.trace.colours);
+    return run;
+}
+
+FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing, const FrameWork& work,
+                   std::vector<Closest> answers, Colours colours) {
+    FrameRun run{timing, work, scaled(job, frame, answers), {}, {}, job.config.shading != 0};
+    run.digest = digest_of(answers, timing.cycles, colours);
+    run.answers = std::move(answers);
+    run.colours = std::move(colours);
     return run;
 }
 
@@ -131,11 +139,8 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
 FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
     std::vector<FrameTrace> frames;
     const std::vector<FrameTiming> timings = record_and_replay(job, job.khz, frames, traffic, 0, progress);
-    FrameRun run = frame_run(frames[0], timings[0]);
-    run.hits = hits_of(job, frames[0]);
-    run.answers = std::move(frames[0].trace.hits);
-    run.colours = std::move(frames[0].trace.colours);
-    return run;
+    return frame_run(job, job.frame, timings[0], work_of(frames[0], timings[0]),
+                     std::move(frames[0].trace.hits), std::move(frames[0].trace.colours));
 }
 
 namespace {
@@ -163,24 +168,16 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
             progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
-    FrameRun run;
-    static_cast<FrameTiming&>(run) = {machine.cycle() - first, machine.hits(),
-                                      machine.accounts(),      machine.memory().stats() - memory,
-                                      seconds_since(start),    !machine.done()};
-    run.answers = collector.hits();
-    run.hits = scaled(job, frame, run.answers);
-    run.colours = collector.colours();
-    run.rays = machine.rays();
-    run.finished_picture = job.config.shading != 0;
+    const FrameTiming timing{machine.cycle() - first,           machine.hits(),       machine.accounts(),
+                             machine.memory().stats() - memory, seconds_since(start), !machine.done()};
     const auto lookups = [&](Unit cache) {
-        const CauseCounts& c = run.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
+        const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];
     };
-    run.visits = lookups(Unit::node_cache);
-    run.triangle_tests = lookups(Unit::prim_cache);
-    run.box_tests = machine.box_tests();
-    run.digest = digest_of(collector.hits(), run.cycles, run.colours);
-    return run;
+    return frame_run(
+        job, frame, timing,
+        {machine.rays(), lookups(Unit::node_cache), machine.box_tests(), lookups(Unit::prim_cache)},
+        collector.hits(), collector.colours());
 }
 
 }   // namespace

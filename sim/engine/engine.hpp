@@ -3,8 +3,8 @@
 #include <string>
 
 #include "model/accel/memory_image.hpp"
-#include "model/core/units.hpp"
 #include "model/base/progress.hpp"
+#include "model/core/units.hpp"
 #include "model/mem/memory.hpp"
 #include "model/reference/reference.hpp"
 #include "model/shade/shade.hpp"
@@ -44,16 +44,19 @@ struct FrameTiming {
     bool partial = false;   ///< stopped before the end
 };
 
+/// What a frame's rays did.
+struct FrameWork {
+    RayCounts rays;   ///< of the RTL: only those that leave its raygen, by what they are for
+    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
+};
+
 /// A frame that a machine made.
-struct FrameRun : FrameTiming {
+struct FrameRun : FrameTiming, FrameWork {
     HitFrame hits;
     std::vector<Closest> answers;    ///< the same, as the machine gave them
     Colours colours;                 ///< likewise, if the chip shades: unit_bits of fraction
     bool finished_picture = false;   ///< the chip shades
-    RayCounts rays;                  ///< of the RTL: only those that leave its raygen, by what they are for
-    std::uint64_t visits = 0, box_tests = 0, triangle_tests = 0;
-    std::uint64_t digest =
-        0;   ///< over every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles
+    std::uint64_t digest = 0;        ///< see digest_of()
 };
 
 /// A frame of a sequence, and what its rays do.
@@ -78,20 +81,26 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
 std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {},
                               const Progress& progress = {}, int seed = 1);
 
+/// A frame's run, from what it took, what its rays did and what they answered.
+FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing, const FrameWork& work,
+                   std::vector<Closest> answers, Colours colours);
 /// A replayed frame with what its rays did; hits and answers are left out.
 FrameRun frame_run(const FrameTrace& frame, const FrameTiming& timing);
+/// What the rays of a recorded frame did, or those of the pixels that were done.
+FrameWork work_of(const FrameTrace& frame, const FrameTiming& timing);
 
-/// One frame, recorded and replayed; or made by the RTL.
 /// Rays of a frame: of a finished picture all, else one for each pixel that is done.
 inline double rays_of(const FrameRun& run) {
     return run.finished_picture ? double(run.rays.all()) : double(run.pixels);
 }
 
+/// One frame, recorded and replayed; or made by the RTL.
 FrameRun run_model(const Job& job, Traffic traffic = {}, const Progress& progress = {});
 FrameRun run_rtl(const Job& job, Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
-/// A recorded frame as hits, and the digest of a frame that took so many cycles.
+/// A recorded frame as hits.
 HitFrame hits_of(const Job& job, const FrameTrace& frame);
+/// Over every pixel's primitive, t, u and v, its colour if the chip shades, and the cycles.
 std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, const Colours& colours = {});
 /// Colours that a chip made, as a picture.
 Picture picture_of(FrameSize size, const Colours& colours);

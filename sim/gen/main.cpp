@@ -1,16 +1,23 @@
 // Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to
 // standard output; the configuration is one that ships with the program, or `default`, with parameters
-// changed.
+// changed. rc_pkg_gen --describe PAGE puts the tables of units and links into a page.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
 
 #include "model/base/error.hpp"
+#include "sim/gen/description.hpp"
 #include "sim/gen/rc_pkg.hpp"
 
 int main(int argc, char** argv) {
     std::string text;
     try {
+        if (argc == 3 && std::string(argv[1]) == "--describe") {
+            std::ifstream page(argv[2]);
+            text = rayclock::with_description({std::istreambuf_iterator<char>(page), {}});
+            std::ofstream(argv[2]) << text;
+            return 0;
+        }
         rayclock::Config config = rayclock::named_config(argc > 2 ? argv[2] : "default");
         for (int i = 3; i < argc; ++i) {
             const std::string setting = argv[i];

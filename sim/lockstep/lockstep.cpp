@@ -123,10 +123,10 @@ private:
         }
         if (parted_) run_apart(limit, hits);
         if (progress) progress("model and rtl", pixels, pixels);
-        finish(result_.model, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
-               model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours, frame);
-        finish(result_.rtl, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(),
-               rtl_.memory().stats() - memory, hits.hits(), hits.colours(), frame);
+        result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
+                               model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
+        result_.rtl = run_of(frame, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(),
+                             rtl_.memory().stats() - memory, hits.hits(), hits.colours());
         result_.cycle_gap +=
             model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
         if (parted_ && result_.cycle_gap == 0) result_.cycle_gap = 1;
@@ -338,20 +338,15 @@ private:
         rtl_.clock([&](const HitOut& hit) { hits.add(hit); });
     }
 
-    void finish(FrameRun& run, std::uint64_t cycles, std::uint64_t pixels, const Accounts& accounts,
-                const MemoryStats& memory, const std::vector<Closest>& hits, const Colours& colours,
-                const FrameTrace& frame) const {
-        static_cast<FrameTiming&>(run) = {cycles, pixels, accounts,
-                                          memory, 0,      pixels < frame.trace.rays.size() && !parted_};
-        run.hits = scaled(job_, frame.frame, hits);
-        run.answers = hits;
-        run.colours = colours;
-        run.rays = frame.trace.counts;
-        run.finished_picture = job_.config.shading != 0;
-        run.visits = frame.trace.visits;
-        run.box_tests = frame.trace.box_tests;
-        run.triangle_tests = frame.trace.triangle_tests;
-        run.digest = digest_of(hits, cycles, colours);
+    /// A frame as one of the machines made it.
+    FrameRun run_of(const FrameTrace& frame, std::uint64_t cycles, std::uint64_t pixels,
+                    const Accounts& accounts, const MemoryStats& memory, const std::vector<Closest>& hits,
+                    const Colours& colours) const {
+        const bool partial = pixels < frame.trace.rays.size() && !parted_;
+        const FrameWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
+                             frame.trace.triangle_tests};
+        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial}, work, hits,
+                         colours);
     }
 
     const Job& job_;

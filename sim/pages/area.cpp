@@ -133,18 +133,23 @@ std::string how_counted() {
     return fmt::format(R"(
 ## How it is counted
 
-For each unit by itself: `read_verilog -sv -defer` of the package and all sources, `hierarchy -check -top rc_UNIT` (for the arbiter with the
-sources and the width that rc_top gives it), `setattr -mod -set keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -run :check`
-(all but its last step, which names cells and checks; no other option) and `stat -json`. {}. Units whose netlist is the same before synthesis are synthesised once.
+For each unit by itself: `read_verilog -sv -defer` of the package and all sources, `hierarchy -check
+-top rc_UNIT` (for the arbiter with the sources and the width that rc_top gives it), `setattr -mod -set
+keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -run :check` (all but its
+last step, which names cells and checks; no other option) and `stat -json`. {}. Units whose netlist is
+the same before synthesis are synthesised once.
 
-- **LUTs** are places of a LUT4: one for a LUT4, two for a CCU2C (two bits of a carry chain), six for a TRELLIS_DPR16X4 (16 words of 4 bits of
-  distributed memory take three slices of two LUT4 each, one of them for writing).
-- **FF** are TRELLIS_FF, **MULT18X18D** 18 x 18 multipliers, **DP16KD** block memories of 18 Kbit. Delay lines are flip-flops, unless they are
-  long (`rc_wait`) and become distributed memory.
-- A row includes the rows beneath it that are indented further. A cell is optimised by itself; across its border nothing is shared or
-  propagated, so a unit counts slightly more than if it were flattened whole. The same holds for the borders between units.
-- Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no place of their own; the tallies that count what each unit does
-  (`rc_tally`) and the wires of rc_pipeline and rc_top; the memory's controller; placement and routing. No clock rate is claimed.
+- **LUTs** are places of a LUT4: one for a LUT4, two for a CCU2C (two bits of a carry chain), six for a
+  TRELLIS_DPR16X4 (16 words of 4 bits of distributed memory take three slices of two LUT4 each, one of
+  them for writing).
+- **FF** are TRELLIS_FF, **MULT18X18D** 18 x 18 multipliers, **DP16KD** block memories of 18 Kbit. Delay
+  lines are flip-flops, unless they are long (`rc_wait`) and become distributed memory.
+- A row includes the rows beneath it that are indented further. A cell is optimised by itself; across
+  its border nothing is shared or propagated, so a unit counts slightly more than if it were flattened
+  whole. The same holds for the borders between units.
+- Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no place of their own; the tallies
+  that count what each unit does (`rc_tally`) and the wires of rc_pipeline and rc_top; the memory's
+  controller; placement and routing. No clock rate is claimed.
 )",
                        synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
 }

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* beginning = R"(# Hard cases
 
-{} rays in families that are made to break ray-triangle tests, on lattices of {} bits a coordinate, each family at several scales,
-each ray judged by the exact oracle. Made by
+{} rays in families that are made to break ray-triangle tests, on lattices of {} bits a coordinate, each
+family at several scales, each ray judged by the exact oracle. Made by
 
     {}
 
@@ -29,19 +29,25 @@ that can be stopped and started again.
 
 ## What is counted
 
-Every triangle that a ray may meet is put to the test and to the oracle (`model/oracle`: signed volumes in 128 bits, a search of its
-own that provably skips none; 256-bit integers and fractions judge it in turn).
+Every triangle that a ray may meet is put to the test and to the oracle (`model/oracle`: signed volumes
+in 128 bits, a search of its own that provably skips none; 256-bit integers and fractions judge it in
+turn).
 
-- **leak**: a crossing of a closed surface without a hit on the triangle or one that shares a corner with it, in the same sense;
-- **double hit**: a hit that stands for no crossing. (Two of opposite sense that share a corner cancel: the ray grazes.)
-- Independently of the oracle's decisions, crossings inwards less crossings outwards must be minus the number of bodies around
-  the origin. `sheared` moves corners by up to a lattice step, so it is judged by this sum alone, with origins clear of the surface.
-- **oracle mismatch**: any decision about a triangle that is not the exact one, or (every 16th ray) another closest hit at the end of
-  the machine's own walk through the tree.
-- **false shadow, light leak**: secondary rays from the surface by the machine's scheme of origins, blocked though truly free or the
-  other way round; one for every 64 rays. [origins.md](origins.md) has the scheme and its proof.
-- **extra boxes**: child boxes that a walk looks into although the ray does not meet them, over those that it meets; of rays whose
-  direction fills its bits. None that it meets may be left out. [boxes.md](boxes.md) has the proof and the cost on real scenes.
+- **leak**: a crossing of a closed surface without a hit on the triangle or one that shares a corner
+  with it, in the same sense;
+- **double hit**: a hit that stands for no crossing. (Two of opposite sense that share a corner cancel:
+  the ray grazes.)
+- Independently of the oracle's decisions, crossings inwards less crossings outwards must be minus the
+  number of bodies around the origin. `sheared` moves corners by up to a lattice step, so it is judged
+  by this sum alone, with origins clear of the surface.
+- **oracle mismatch**: any decision about a triangle that is not the exact one, or (every 16th ray)
+  another closest hit at the end of the machine's own walk through the tree.
+- **false shadow, light leak**: secondary rays from the surface by the machine's scheme of origins,
+  blocked though truly free or the other way round; one for every 64 rays. [origins.md](origins.md) has
+  the scheme and its proof.
+- **extra boxes**: child boxes that a walk looks into although the ray does not meet them, over those
+  that it meets; of rays whose direction fills its bits. None that it meets may be left out.
+  [boxes.md](boxes.md) has the proof and the cost on real scenes.
 
 Zero components of a direction have no sign in whole numbers, so -0 is the same ray as 0.
 

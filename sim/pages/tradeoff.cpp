@@ -189,19 +189,23 @@ private:
 };
 
 constexpr const char* what_counts = R"(
-- **Pixels with another primitive**, **PSNR**, **depth error**: against the double-precision reference on the scene as given, not snapped.
-- **Cracks**: pixels whose ray slips through a surface. The exact oracle, on the same snapped scene and quantised ray, says which
-  triangle is met first; a crack is an answer that is neither that triangle nor one that shares a corner with it, and lies farther away
-  or is nothing. With the exact test the count must be 0. The sheared test moves corners by up to a lattice step, so an outline may
-  move off a ray that passes within a step of it; that counts here too, though no closed surface lets a ray through
+- **Pixels with another primitive**, **PSNR**, **depth error**: against the double-precision reference
+  on the scene as given, not snapped.
+- **Cracks**: pixels whose ray slips through a surface. The exact oracle, on the same snapped scene and
+  quantised ray, says which triangle is met first; a crack is an answer that is neither that triangle
+  nor one that shares a corner with it, and lies farther away or is nothing. With the exact test the
+  count must be 0. The sheared test moves corners by up to a lattice step, so an outline may move off a
+  ray that passes within a step of it; that counts here too, though no closed surface lets a ray through
   ([hard-cases.md](hard-cases.md)).
 - **Cycles** and frames per second: one frame with cold caches, one pipeline.
-- **Multipliers** and **flip-flops**: of `rc_pipeline` as Yosys maps it to an ECP5: 18x18 multipliers (MULT18X18D), after products are
-  cut into tiles and those that are never wanted in the same cycle share one; and bits of registers. Queues, caches and stacks are
-  memories and not counted, nor is what lies outside the pipelines. A dash: there is no such hardware, or no Yosys.
-- **Front**: no other point of the grid is as good in pixels with another primitive, multipliers and frames per second, and
-  better in one (without Yosys: bytes of the memory image instead of multipliers). **Knee**: of the front of error against cost alone,
-  both divided by their range, the point that lies farthest below the chord between the front's ends.
+- **Multipliers** and **flip-flops**: of `rc_pipeline` as Yosys maps it to an ECP5: 18x18 multipliers
+  (MULT18X18D), after products are cut into tiles and those that are never wanted in the same cycle
+  share one; and bits of registers. Queues, caches and stacks are memories and not counted, nor is what
+  lies outside the pipelines. A dash: there is no such hardware, or no Yosys.
+- **Front**: no other point of the grid is as good in pixels with another primitive, multipliers and
+  frames per second, and better in one (without Yosys: bytes of the memory image instead of
+  multipliers). **Knee**: of the front of error against cost alone, both divided by their range, the
+  point that lies farthest below the chord between the front's ends.
 )";
 
 std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes, const std::string& command) {

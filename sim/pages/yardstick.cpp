@@ -129,25 +129,29 @@ constexpr const char* intro = R"(# Yardstick: beside SaarCOR and RPU
 
 Made by `rayclock yardstick -o docs/yardstick.md`; every figure of ours is simulated, none is typed in.
 
-**The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about the same number of
-triangles, from its own camera. The published figures include what the papers say beside them (shadows, textures, several
-lights); ours are of **primary rays with shading outside the chip**, but for the last table. So this page says in which range such a machine lies, not
-which is faster. The machines differ as well: both chips walked kd-trees in 24-bit floating point with packets of four rays;
-ours walks a bounding volume hierarchy of two children a node in fixed point, ray by ray. What is alike is the class: clock,
-rays in flight, one node and one triangle a cycle, size of the caches and speed of the memory ([configurations](configurations.md)).
+**The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about
+the same number of triangles, from its own camera. The published figures include what the papers say
+beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
+chip**, but for the last table. So this page says in which range such a machine lies, not which is
+faster. The machines differ as well: both chips walked kd-trees in 24-bit floating point with packets of
+four rays; ours walks a bounding volume hierarchy of two children a node in fixed point, ray by ray.
+What is alike is the class: clock, rays in flight, one node and one triangle a cycle, size of the caches
+and speed of the memory ([configurations](configurations.md)).
 )";
 
 constexpr const char* sources = R"(
 ## Sources of the published figures
 
-- SaarCOR prototype: Schmittler, Woop, Wagner, Paul, Slusallek, *Realtime Ray Tracing of Dynamic Scenes on an FPGA Chip*,
-  Graphics Hardware 2004: 90 MHz on one FPGA, 20 to 60 frames per second over its scenes with textures, several lights and
-  several levels of reflection (abstract, read). That they are of 512x384 pixels is remembered from the press of the time.
-- RPU prototype: Woop, Schmittler, Slusallek, *RPU: A Programmable Ray Processing Unit for Realtime Ray Tracing*, SIGGRAPH 2005:
-  66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without shadows 5.5, UT2003 with precomputed light 7.5,
-  SPD Balls with shadows and refraction 1.2 (read in a scholarly archive's copy).
-- A pipeline of the SaarCOR class at 20 to 60 frames per second spends 22.9 to 7.6 cycles on a pixel; the RPU's 5.5 on Conference
-  are 61 cycles a pixel (arithmetic).
+- SaarCOR prototype: Schmittler, Woop, Wagner, Paul, Slusallek, *Realtime Ray Tracing of Dynamic Scenes
+  on an FPGA Chip*, Graphics Hardware 2004: 90 MHz on one FPGA, 20 to 60 frames per second over its
+  scenes with textures, several lights and several levels of reflection (abstract, read). That they are
+  of 512x384 pixels is remembered from the press of the time.
+- RPU prototype: Woop, Schmittler, Slusallek, *RPU: A Programmable Ray Processing Unit for Realtime Ray
+  Tracing*, SIGGRAPH 2005: 66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without
+  shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2 (read in a
+  scholarly archive's copy).
+- A pipeline of the SaarCOR class at 20 to 60 frames per second spends 22.9 to 7.6 cycles on a pixel;
+  the RPU's 5.5 on Conference are 61 cycles a pixel (arithmetic).
 )";
 
 }   // namespace

@@ -9,9 +9,10 @@ namespace {
 
 constexpr const char* intro = R"(# Figures
 
-The classic figures of ray tracing, drawn by the engines of this program: the reference in double precision, the fixed-point model, and
-the RTL. Made by `{}`; no number is typed in. Pictures are of {}x{} pixels unless said otherwise, cycles of the configuration `default` with
-the units that the scene needs, at 66 MHz with DDR3.
+The classic figures of ray tracing, drawn by the engines of this program: the reference in double
+precision, the fixed-point model, and the RTL. Made by `{}`; no number is typed in. Pictures are of
+{}x{} pixels unless said otherwise, cycles of the configuration `default` with the units that the scene
+needs, at 66 MHz with DDR3.
 
 {}
 )";

@@ -1,0 +1,81 @@
+#include "sim/gen/description.hpp"
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/core/links.hpp"
+#include "sim/files/table.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr std::string_view begin_mark = "<!-- generated from model/core/units.hpp and links.hpp: begin -->\n",
+                           end_mark = "<!-- generated: end -->\n";
+
+const char* when_text(When when) {
+    return when == When::always ? "always" : when == When::shading ? "`shading`" : "`l2_sets` above 0";
+}
+
+const char* place_text(Place place) {
+    return place == Place::pipeline ? "each pipeline"
+           : place == Place::shared ? "the chip"
+                                    : "beside the chip";
+}
+
+/// The causes of one kind, in the order of their codes.
+std::string causes_text(const UnitInfo& unit, Kind kind) {
+    std::string text;
+    for (const Cause& cause : unit.causes)
+        if (cause.kind == kind) text += (text.empty() ? "" : ", ") + std::string(cause.name);
+    return text;
+}
+
+std::string units_table() {
+    Table table({"unit", "one in", "exists", "busy with", "starved by", "stalled by"}, Table::words_only);
+    for (const UnitInfo& unit : unit_infos)
+        table.add({unit.name, place_text(unit.place), when_text(unit.when), causes_text(unit, Kind::busy),
+                   causes_text(unit, Kind::starved), causes_text(unit, Kind::stalled)});
+    return table.markdown();
+}
+
+template <std::size_t i = 0> void add_links(Table& table) {
+    if constexpr (i < channel_count) {
+        const ChannelInfo& link = channels[i];
+        table.add(
+            {fmt::format("`{}`", link.name), link.from, link.to,
+             link.flow == Flow::fires ? "always taken" : "valid, ready", when_text(link.when),
+             std::to_string(bits_of<std::tuple_element_t<i, ChannelPayloads>>(named_config("default")))});
+        add_links<i + 1>(table);
+    }
+}
+
+std::string links_table() {
+    Table table({"link", "from", "to", "flow", "exists", "bits in `default`"}, 5);
+    add_links(table);
+    return table.markdown();
+}
+
+std::string diagram() {
+    std::string text = "```mermaid\nflowchart LR\n";
+    for (const ChannelInfo& link : channels)
+        text += fmt::format("  {} {}|{}| {}\n", link.from, link.when == When::always ? "-->" : "-.->",
+                            link.name, link.to);
+    return text + "```\n";
+}
+
+}   // namespace
+
+std::string machine_description() {
+    return units_table() + "\nA dotted link exists only in some configurations.\n\n" + diagram() + "\n" +
+           links_table();
+}
+
+std::string with_description(const std::string& page) {
+    const std::size_t begin = page.find(begin_mark), end = page.find(end_mark);
+    if (begin == std::string::npos || end == std::string::npos || end < begin)
+        throw UserError("the page lacks the marks between which the description stands");
+    return page.substr(0, begin + begin_mark.size()) + "\n" + machine_description() + "\n" + page.substr(end);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,39 @@
+// What is said about units and links in more than one place is the same everywhere.
+#include <fstream>
+
+#include "model/core/links.hpp"
+#include "sim/gen/description.hpp"
+#include "tests/support/world/traffic.hpp"
+
+using namespace rayclock;
+
+namespace {
+
+std::string read(const char* path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}   // namespace
+
+TEST_CASE("the tables in rtl/README.md are those of the description", "[description]") {
+    const std::string page = read("rtl/README.md");
+    CHECK(with_description(page) == page);
+    CHECK_THROWS_AS(with_description("a page without marks"), UserError);
+}
+
+TEST_CASE("every link has two ends that exist whenever it does", "[description]") {
+    const auto unit = [](std::string_view name) -> const UnitInfo* {
+        for (const UnitInfo& info : unit_infos)
+            if (info.name == name) return &info;
+        return nullptr;
+    };
+    for (const ChannelInfo& link : channels) {
+        INFO(link.name);
+        REQUIRE(unit(link.from));
+        CHECK((unit(link.to) || std::string_view(link.to) == "sink"));
+        for (const char* name : {link.from, link.to})
+            if (const UnitInfo* end = unit(name))
+                CHECK((end->when == When::always || end->when == link.when));
+    }
+}
