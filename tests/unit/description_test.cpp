@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "model/core/links.hpp"
+#include "model/base/error.hpp"
 #include "sim/gen/description.hpp"
 #include "tests/support/world/traffic.hpp"
 
