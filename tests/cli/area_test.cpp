@@ -36,7 +36,7 @@ TEST_CASE("area counts the units of every machine, each different one once, and 
     CHECK(report["variants"][7]["name"] == "all units");
     for (const json& variant : report["variants"]) {
         CHECK(variant["units"].size() == 2);
-        const json &sched = part_of(variant, "sched")["count"], &dispatch = part_of(variant, "dispatch")["count"];
+        const json sched = part_of(variant, "sched")["count"], dispatch = part_of(variant, "dispatch")["count"];
         // Which tile is next: two counters of the picture's size in tiles, and little else. No multiplier, no memory.
         CHECK(dispatch["ff"].get<int>() >= 16);
         CHECK(dispatch["ff"].get<int>() <= 40);
