@@ -226,6 +226,11 @@ package rc_pkg;
 
   typedef struct packed {
     logic [5:0] ray;
+  } start_t;
+  localparam int unsigned StartW = 6;
+
+  typedef struct packed {
+    logic [5:0] ray;
     logic [23:0] addr;
   } node_req_t;
   localparam int unsigned NodeReqW = 30;
@@ -278,6 +283,24 @@ package rc_pkg;
     logic [23:0] count;
   } box_rsp_t;
   localparam int unsigned BoxRspW = 302;
+
+  typedef struct packed {
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [191:0] t_near;
+    logic [23:0] slot;
+  } children_t;
+  localparam int unsigned ChildrenW = 244;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } leaves_t;
+  localparam int unsigned LeavesW = 298;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -403,12 +426,8 @@ package rc_pkg;
   typedef struct packed {
     logic [5:0] ray;
     logic [23:0] t_best;
-    logic [23:0] base;
-    logic [3:0] inner;
-    logic [191:0] t_near;
-    logic [23:0] slot;
-  } step_t;
-  localparam int unsigned StepW = 274;
+  } tested_t;
+  localparam int unsigned TestedW = 30;
 
   typedef struct packed {
     logic [5:0] ray;

@@ -18,12 +18,13 @@ enum class Channel : std::uint8_t {
     node_fill,
     box_req,
     box_rsp,
+    leaves,
     prim_req,
     prim_miss,
     prim_fill,
     tri_req,
     tri_rsp,
-    step,
+    tested,
     hit,
     closest,
     surf_req,
@@ -36,13 +37,13 @@ enum class Channel : std::uint8_t {
     mem_req,
     mem_rsp,
 };
-constexpr std::size_t pipeline_channels = 21, channel_count = 25,
-                      plain_channels = 15;   // plain: of a pipeline that does not shade
+constexpr std::size_t pipeline_channels = 22, channel_count = 26,
+                      plain_channels = 16;   // plain: of a pipeline that does not shade
 
 /// Payload of each channel, by its number.
-using ChannelPayloads = std::tuple<Tile, Slot, Ray, NodeReq, NodeMiss, NodeFill, BoxReq, BoxRsp, PrimReq,
-                                   PrimMiss, PrimFill, TriReq, TriRsp, Step, HitOut, Closest, SurfReq,
-                                   SurfMiss, SurfFill, SurfRsp, Spawn, L2Req, L2Rsp, MemReq, MemRsp>;
+using ChannelPayloads = std::tuple<Tile, Slot, Ray, NodeReq, NodeMiss, NodeFill, BoxReq, BoxRsp, Leaves,
+                                   PrimReq, PrimMiss, PrimFill, TriReq, TriRsp, Tested, HitOut, Closest,
+                                   SurfReq, SurfMiss, SurfFill, SurfRsp, Spawn, L2Req, L2Rsp, MemReq, MemRsp>;
 
 struct ChannelInfo {
     const char* name;
@@ -58,13 +59,14 @@ constexpr std::array<ChannelInfo, channel_count> channels{{
     {"node_miss", "node_cache", "memport", false},
     {"node_fill", "memport", "node_cache", true},
     {"box_req", "node_cache", "box", false},
-    {"box_rsp", "box", "list", false},
+    {"box_rsp", "box", "trav", false},
+    {"leaves", "trav", "list", true},
     {"prim_req", "list", "prim_cache", false},
     {"prim_miss", "prim_cache", "memport", false},
     {"prim_fill", "memport", "prim_cache", true},
     {"tri_req", "prim_cache", "tri", false},
     {"tri_rsp", "tri", "list", false},
-    {"step", "list", "trav", false},
+    {"tested", "list", "trav", false},
     {"hit", "sched", "sink", false},
     {"closest", "list", "shade", false},
     {"surf_req", "shade", "surf_cache", false},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/bvh/children.hpp"
 #include "model/core/payloads.hpp"
 #include "model/shade/state.hpp"
 #include "model/shade/tables.hpp"
@@ -162,12 +163,15 @@ std::string rc_package(const Config& c) {
     text += record<Slot>("slot_t", "SlotW", c);
     text += record<Spawn>("spawn_t", "SpawnW", c);
     text += record<Ray>("ray_t", "RayW", c);
+    text += record<Start>("start_t", "StartW", c);
     text += record<NodeReq>("node_req_t", "NodeReqW", c);
     text += record<NodeRsp>("node_rsp_t", "NodeRspW", c);
     text += record<NodeMiss>("node_miss_t", "NodeMissW", c);
     text += record<NodeFill>("node_fill_t", "NodeFillW", c);
     text += record<BoxReq>("box_req_t", "BoxReqW", c);
     text += record<BoxRsp>("box_rsp_t", "BoxRspW", c);
+    text += record<Children>("children_t", "ChildrenW", c);
+    text += record<Leaves>("leaves_t", "LeavesW", c);
     text += record<PrimReq>("prim_req_t", "PrimReqW", c);
     text += record<PrimRsp>("prim_rsp_t", "PrimRspW", c);
     text += record<PrimMiss>("prim_miss_t", "PrimMissW", c);
@@ -182,7 +186,7 @@ std::string rc_package(const Config& c) {
     text += record<L2Rsp>("l2_rsp_t", "L2RspW", c);
     text += record<MemReq>("mem_req_t", "MemReqW", c);
     text += record<MemRsp>("mem_rsp_t", "MemRspW", c);
-    text += record<Step>("step_t", "StepW", c);
+    text += record<Tested>("tested_t", "TestedW", c);
     text += record<Done>("done_t", "DoneW", c);
     text += record<Closest>("closest_t", "ClosestW", c);
     text += record<Pixel>("pixel_t", "PixelW", c);

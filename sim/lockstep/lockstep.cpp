@@ -274,7 +274,8 @@ private:
     }
 
     Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
-        const bool is_ray = index(c) < pipeline_channels && !channels[index(c)].fires_only &&
+        const bool is_ray = index(c) < pipeline_channels &&
+                            (!channels[index(c)].fires_only || c == Channel::leaves) &&
                             c != Channel::node_miss && c != Channel::prim_miss && c != Channel::surf_miss;
         const Slot pixel =
             is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};

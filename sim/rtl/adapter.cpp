@@ -22,6 +22,7 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
+        case PortKind::fires: return line("&top." + n + "_fires_o", "nullptr", "top." + n + "_o");
         case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
         case PortKind::tap: break;
     }
@@ -44,9 +45,12 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
                              const std::string& data) {
             taps.push_back({name + index, tap, path, "rc_pipeline", valid, ready, data});
         };
-        for (const char* name :
-             {"slot", "ray", "node_req", "box_req", "box_rsp", "prim_req", "tri_req", "tri_rsp", "step"})
+        for (const char* name : {"slot", "ray", "node_req", "prim_req", "tri_req", "tri_rsp", "tested"})
             add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
+        add("leaves", "leaves_fires", "", "leaves");
+        for (const char* name : {"box_req", "box_rsp"})
+            taps.push_back({name + index, tap, path + ".u_bvh", "rc_bvh", fmt::format("{}_valid", name),
+                            fmt::format("{}_ready", name), name});
         for (const char* name : {"node_miss", "prim_miss", "hit"})
             add(name, fmt::format("{}_valid_o", name), fmt::format("{}_ready_i", name),
                 fmt::format("{}_o", name));
@@ -95,12 +99,13 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
                 {"pixel", in},    {"hit", out},     {"cause", plain}};
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav")
-        return {{"frame", fixed}, {"ray", in},      {"step", in}, {"node_req", out},
-                {"node_rsp", in}, {"box_req", out}, {"done", out}};
+        return {{"frame", fixed}, {"start", listen}, {"ray", in},     {"node_req", out},
+                {"node_rsp", in}, {"box_req", out},  {"box_rsp", in}, {"leaves", PortKind::fires},
+                {"tested", in},   {"done", out},     {"cause", plain}};
     if (module == "rc_box" || module == "rc_tri") return {{"req", in}, {"rsp", out}};
     if (module == "rc_list")
-        return {{"ray", listen}, {"box_rsp", in}, {"prim_req", out}, {"prim_rsp", in}, {"tri_req", out},
-                {"tri_rsp", in}, {"step", out},   {"done", in},      {"closest", out}};
+        return {{"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
+                {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
     if (module == "rc_shade")
