@@ -94,9 +94,10 @@ std::uint32_t Pipeline::valid_mask(const SharedMoves& shared, std::uint64_t now)
     return at(sched_.slot_valid(), Channel::slot) | at(raygen_.valid(now), Channel::ray) |
            at(trav_.node_valid(), Channel::node_req) | at(node_cache_.miss_valid(), Channel::node_miss) |
            at(node_cache_.valid(now), Channel::box_req) | at(box_.valid(now), Channel::box_rsp) |
+           at(box_.valid(now) && has_tests(box_.front()), Channel::leaves) |
            at(list_.prim_valid(), Channel::prim_req) | at(prim_cache_.miss_valid(), Channel::prim_miss) |
            at(prim_cache_.valid(now), Channel::tri_req) | at(tri_.valid(now), Channel::tri_rsp) |
-           at(list_.step_valid(), Channel::step) |
+           at(list_.tested_valid(), Channel::tested) |
            at(shading_ ? shade_.pixel_valid() : trav_.done_valid(), Channel::hit) |
            at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) |
            at(shared.prim_fill, Channel::prim_fill) | (shading_ ? shaded_valid(shared, now) : 0);
@@ -111,9 +112,9 @@ std::uint32_t Pipeline::shaded_valid(const SharedMoves& shared, std::uint64_t no
 std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
     const Moves& m = moves_;
     return at(m.slot, Channel::slot) | at(m.ray, Channel::ray) | at(m.node_req, Channel::node_req) |
-           at(m.box_req, Channel::box_req) | at(m.box_rsp, Channel::box_rsp) |
+           at(m.box_req, Channel::box_req) | at(m.box_rsp, Channel::box_rsp) | at(m.leaves, Channel::leaves) |
            at(m.prim_req, Channel::prim_req) | at(m.tri_req, Channel::tri_req) |
-           at(m.tri_rsp, Channel::tri_rsp) | at(m.step, Channel::step) | at(m.hit, Channel::hit) |
+           at(m.tri_rsp, Channel::tri_rsp) | at(m.tested, Channel::tested) | at(m.hit, Channel::hit) |
            at(shared.node_miss, Channel::node_miss) | at(shared.prim_miss, Channel::prim_miss) |
            at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) |
            at(shared.prim_fill, Channel::prim_fill) | at(m.closest, Channel::closest) |
@@ -134,11 +135,12 @@ std::uint32_t Pipeline::ray_on(Channel c) const {
         case Channel::ray: return moves_.started;
         case Channel::node_req: return moves_.node_out.id;
         case Channel::box_req: return moves_.node_in;
-        case Channel::box_rsp: return moves_.boxed;
+        case Channel::box_rsp:
+        case Channel::leaves: return moves_.boxed;
         case Channel::prim_req: return moves_.prim_out.id;
         case Channel::tri_req: return moves_.prim_in;
-        case Channel::tri_rsp: return moves_.tested;
-        case Channel::step: return moves_.stepped;
+        case Channel::tri_rsp: return moves_.answered;
+        case Channel::tested: return moves_.returned;
         case Channel::closest: return moves_.closed;
         case Channel::surf_req: return moves_.surf_out.id;
         case Channel::surf_rsp: return moves_.surf_in;

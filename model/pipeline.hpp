@@ -8,7 +8,7 @@
 #include "model/sched/sched.hpp"
 #include "model/shade/unit.hpp"
 #include "model/trace/trace.hpp"
-#include "model/trav/trav.hpp"
+#include "model/bvh/trav.hpp"
 
 namespace rayclock {
 
@@ -86,11 +86,13 @@ private:
     /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the
     /// caches.
     struct Moves {
-        bool slot, ray, node_req, box_req, box_rsp, prim_req, tri_req, tri_rsp, step, hit;
+        bool slot, ray, node_req, box_req, box_rsp, leaves, prim_req, tri_req, tri_rsp, tested, hit;
+        bool offered;                              // by list to trav: `tested`, if it is taken
+        bool step;                                 // inside trav, of a ray that was tested or has no leaves
         bool closest, surf_req, surf_rsp, spawn;   // of a chip that shades
         Slot given;
         Cache::Request node_out, prim_out, surf_out;
-        std::uint32_t started, node_in, boxed, prim_in, tested, stepped, ended, closed, surf_in, spawned;
+        std::uint32_t started, node_in, boxed, prim_in, answered, returned, ended, closed, surf_in, spawned;
         bool any() const {
             return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit |
                    closest | surf_req | surf_rsp | spawn;
@@ -99,7 +101,7 @@ private:
     Moves moving(std::uint64_t now);
     void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
     Turn::Kind decide(std::uint32_t ray);
-    bool has_tests(std::uint32_t ray);
+    bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
     bool has_more(std::uint32_t ray);
     void moving_shaded(Moves& m, std::uint64_t now);
     Shade::Turn turn_of(std::uint32_t ray);
@@ -160,13 +162,16 @@ private:
     }
     if ((m.box_req = node_cache_.valid(now) && box_.ready())) m.node_in = node_cache_.answer();
     if ((m.box_rsp = box_.valid(now))) m.boxed = box_.front();
+    m.leaves = m.box_rsp && has_tests(m.boxed);
     if ((m.prim_req = list_.prim_valid() && prim_cache_.ready())) {
         const std::uint32_t ray = list_.prim_ray();
         m.prim_out = {ray, prim_addr(ray) >> 1};
     }
     if ((m.tri_req = prim_cache_.valid(now) && tri_.ready())) m.prim_in = prim_cache_.answer();
-    if ((m.tri_rsp = tri_.valid(now))) m.tested = tri_.front();
-    if ((m.step = list_.step_valid() && trav_.step_ready())) m.stepped = list_.step_ray();
+    if ((m.tri_rsp = tri_.valid(now))) m.answered = tri_.front();
+    if ((m.offered = list_.tested_valid())) m.returned = list_.tested_ray();
+    m.tested = m.offered && trav_.tested_ready(m.offered);
+    m.step = trav_.step_valid(m.offered) && trav_.step_ready();
     if (shading_) [[unlikely]]
         moving_shaded(m, now);
     else if ((m.hit = trav_.done_valid() && sink_.ready()))
@@ -180,11 +185,11 @@ inline void Pipeline::account_units(const Moves& m, std::uint64_t now) {
     const std::uint32_t sched = m.slot ? 0 : sched_.slot_valid() ? 3 : sched_.pixel_valid() ? 1 : 2;
     const std::uint32_t raygen = m.ray ? 0 : raygen_.valid(now) ? 2 : 1;
     const std::uint32_t trav = m.step ? 0
-                               : list_.step_valid()
+                               : trav_.step_valid(m.offered)
                                    ? 2
                                    : trav_.step_ready();   // a ray that goes round is work, if no step waits
     const std::uint32_t box = m.box_req ? 0 : node_cache_.valid(now) ? 3 : node_cache_.waits() ? 1 : 2;
-    const std::uint32_t list = !(m.box_rsp | m.tri_rsp);
+    const std::uint32_t list = !(m.leaves | m.tri_rsp);
     const std::uint32_t tri = m.tri_req ? 0 : prim_cache_.valid(now) ? 3 : prim_cache_.waits() ? 1 : 2;
     last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
     ++units_[last_units_];
@@ -199,13 +204,6 @@ inline Turn::Kind Pipeline::decide(std::uint32_t ray) {
     if (place.head & Trace::end_flag) return Turn::Kind::done;
     place.head = *++place.at;
     return Turn::Kind::visit;
-}
-
-inline bool Pipeline::has_tests(std::uint32_t ray) {
-    Place& place = rays_[ray];
-    const bool tests = place.head & Trace::tests_flag;
-    place.at += tests;
-    return tests;
 }
 
 inline bool Pipeline::has_more(std::uint32_t ray) {
@@ -236,8 +234,9 @@ inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
 }
 
 inline void Pipeline::clock_trav(const Moves& m) {
-    trav_.clock(m.ray ? &m.started : nullptr, m.step ? &m.stepped : nullptr, m.node_req,
-                shading_ ? m.closest : m.hit, [this](std::uint32_t ray) { return decide(ray); });
+    trav_.clock({m.ray ? &m.started : nullptr, m.box_rsp && !m.leaves ? &m.boxed : nullptr,
+                 m.offered ? &m.returned : nullptr, m.node_req, shading_ ? m.closest : m.hit},
+                [this](std::uint32_t ray) { return decide(ray); });
 }
 
 inline void Pipeline::clock_node_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
@@ -251,8 +250,9 @@ inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
 }
 
 inline void Pipeline::clock_list(const Moves& m) {
-    list_.clock(m.box_rsp ? &m.boxed : nullptr, m.box_rsp && has_tests(m.boxed),
-                m.tri_rsp ? &m.tested : nullptr, m.tri_rsp && has_more(m.tested), m.prim_req, m.step);
+    if (m.leaves) ++rays_[m.boxed].at;   // to the first triangle
+    list_.clock(m.leaves ? &m.boxed : nullptr, m.tri_rsp ? &m.answered : nullptr,
+                m.tri_rsp && has_more(m.answered), m.prim_req, m.tested);
 }
 
 inline void Pipeline::clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {

@@ -41,10 +41,10 @@ module rc_pipeline (
   rc_pkg::node_req_t node_req;
   logic              node_rsp_valid, node_rsp_ready;
   rc_pkg::node_rsp_t node_rsp;
-  logic              box_req_valid, box_req_ready;
-  rc_pkg::box_req_t  box_req;
-  logic              box_rsp_valid, box_rsp_ready;
-  rc_pkg::box_rsp_t  box_rsp;
+  logic              start_fires;
+  rc_pkg::start_t    start;
+  logic              leaves_fires;
+  rc_pkg::leaves_t   leaves;
   logic              prim_req_valid, prim_req_ready;
   rc_pkg::prim_req_t prim_req;
   logic              prim_rsp_valid, prim_rsp_ready;
@@ -53,8 +53,8 @@ module rc_pipeline (
   rc_pkg::tri_req_t  tri_req;
   logic              tri_rsp_valid, tri_rsp_ready;
   rc_pkg::tri_rsp_t  tri_rsp;
-  logic              step_valid, step_ready;
-  rc_pkg::step_t     step;
+  logic              tested_valid, tested_ready;
+  rc_pkg::tested_t   tested;
   logic              done_valid, done_ready;
   rc_pkg::done_t     done;
   logic              closest_valid, closest_ready;
@@ -81,14 +81,24 @@ module rc_pipeline (
     .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
     .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray));
 
-  rc_trav u_trav (
-    .clk_i, .rst_ni, .frame_i,
+  // A ray starts when it goes to the engine that walks it, and not at any other time.
+  assign start_fires = ray_valid && ray_ready;
+  if (rc_pkg::Shading != 0) begin : gen_start
+    assign start = {ray.ray, ray.kind};
+  end else begin : gen_camera_start
+    assign start = ray.ray;
+  end
+
+  rc_bvh u_bvh (
+    .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
     .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
-    .step_valid_i(step_valid), .step_ready_o(step_ready), .step_i(step),
     .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
     .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
-    .box_req_valid_o(box_req_valid), .box_req_ready_i(box_req_ready), .box_req_o(box_req),
-    .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done));
+    .node_waits_i(node_waits),
+    .leaves_fires_o(leaves_fires), .leaves_o(leaves),
+    .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
+    .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
+    .trav_cause_o(trav_cause), .box_cause_o(box_cause));
 
   rc_node_cache u_node_cache (
     .clk_i, .rst_ni,
@@ -98,19 +108,15 @@ module rc_pipeline (
     .fill_fires_i(node_fill_fires_i), .fill_i(node_fill_i),
     .waits_o(node_waits), .deed_o(node_cause));
 
-  rc_box u_box (
-    .clk_i, .rst_ni,
-    .req_valid_i(box_req_valid), .req_ready_o(box_req_ready), .req_i(box_req),
-    .rsp_valid_o(box_rsp_valid), .rsp_ready_i(box_rsp_ready), .rsp_o(box_rsp));
-
   rc_list u_list (
-    .clk_i, .rst_ni, .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
-    .box_rsp_valid_i(box_rsp_valid), .box_rsp_ready_o(box_rsp_ready), .box_rsp_i(box_rsp),
+    .clk_i, .rst_ni, .start_fires_i(start_fires), .start_i(start),
+    .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
+    .leaves_fires_i(leaves_fires), .leaves_i(leaves),
     .prim_req_valid_o(prim_req_valid), .prim_req_ready_i(prim_req_ready), .prim_req_o(prim_req),
     .prim_rsp_valid_i(prim_rsp_valid), .prim_rsp_ready_o(prim_rsp_ready), .prim_rsp_i(prim_rsp),
     .tri_req_valid_o(tri_req_valid), .tri_req_ready_i(tri_req_ready), .tri_req_o(tri_req),
     .tri_rsp_valid_i(tri_rsp_valid), .tri_rsp_ready_o(tri_rsp_ready), .tri_rsp_i(tri_rsp),
-    .step_valid_o(step_valid), .step_ready_i(step_ready), .step_o(step),
+    .tested_valid_o(tested_valid), .tested_ready_i(tested_ready), .tested_o(tested),
     .done_valid_i(done_valid), .done_ready_o(done_ready), .done_i(done),
     .closest_valid_o(closest_valid), .closest_ready_i(closest_ready), .closest_o(closest));
 
@@ -161,11 +167,14 @@ module rc_pipeline (
   end
 
   // What each unit did in this cycle; codes in model/core/units.hpp.
-  assign raygen_cause = !ray_valid ? 3'd1 : ray_ready ? 3'd0 : 3'd2;
-  assign trav_cause   = step_valid ? (step_ready ? 3'd0 : 3'd2) : {2'b00, step_ready};
-  assign box_cause    = box_req_valid ? (box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;
-  assign list_cause   = {2'b00, !box_rsp_valid && !tri_rsp_valid};
-  assign tri_cause    = tri_req_valid ? (tri_req_ready ? 3'd0 : 3'd3) : prim_waits ? 3'd1 : 3'd2;
+  assign raygen_cause = !ray_valid ? rc_pkg::RaygenStarvedSched
+                      : ray_ready ? rc_pkg::RaygenBusyWork : rc_pkg::RaygenStalledTrav;
+  assign list_cause   = leaves_fires || tri_rsp_valid ? rc_pkg::ListBusyWork
+                                                      : rc_pkg::ListStarvedTrav;
+  always_comb begin
+    if (tri_req_valid) tri_cause = tri_req_ready ? rc_pkg::TriBusyWork : rc_pkg::TriStalledList;
+    else               tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
+  end
   rc_tally u_sched_tally (.clk_i, .cause_i(sched_cause));
   rc_tally u_raygen_tally (.clk_i, .cause_i(raygen_cause));
   rc_tally u_trav_tally (.clk_i, .cause_i(trav_cause));

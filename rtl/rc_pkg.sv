@@ -164,11 +164,11 @@ package rc_pkg;
     BoxBusyWork = 3'd0,
     BoxStarvedMemory = 3'd1,
     BoxStarvedTrav = 3'd2,
-    BoxStalledList = 3'd3
+    BoxStalledTrav = 3'd3
   } box_cause_e;
   typedef enum logic [2:0] {
     ListBusyWork = 3'd0,
-    ListStarvedBox = 3'd1
+    ListStarvedTrav = 3'd1
   } list_cause_e;
   typedef enum logic [2:0] {
     TriBusyWork = 3'd0,
@@ -348,6 +348,16 @@ package rc_pkg;
 
   typedef struct packed {
     logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } leaves_t;
+  localparam int unsigned LeavesW = 298;
+
+  typedef struct packed {
+    logic [5:0] ray;
     logic [24:0] addr;
   } prim_req_t;
   localparam int unsigned PrimReqW = 31;
@@ -394,12 +404,8 @@ package rc_pkg;
   typedef struct packed {
     logic [5:0] ray;
     logic [23:0] t_best;
-    logic [23:0] base;
-    logic [3:0] inner;
-    logic [191:0] t_near;
-    logic [23:0] slot;
-  } step_t;
-  localparam int unsigned StepW = 274;
+  } tested_t;
+  localparam int unsigned TestedW = 30;
 
   typedef struct packed {
     logic [13:0] x;
@@ -553,6 +559,19 @@ package rc_pkg;
     logic [31:0] prim;
   } prim_rsp_t;
   localparam int unsigned PrimRspW = 200;
+
+  typedef struct packed {
+    logic [5:0] ray;
+  } start_t;
+  localparam int unsigned StartW = 6;
+
+  typedef struct packed {
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [191:0] t_near;
+    logic [23:0] slot;
+  } children_t;
+  localparam int unsigned ChildrenW = 244;
 
   typedef struct packed {
     logic [5:0] ray;

@@ -86,7 +86,8 @@ module rc_top (
   assign fill_fires = {{(K*P-1){1'b0}}, fill_valid} << fill[rc_pkg::L2RspW-1 -: CB];
 
   logic [2:0] memport_cause;
-  assign memport_cause = !client_valid ? 3'd1 : client_ready ? 3'd0 : 3'd2;
+  assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
+                       : client_ready ? rc_pkg::MemportBusyWork : rc_pkg::MemportStalledMemory;
   rc_tally u_dispatch_tally (.clk_i, .cause_i(dispatch_cause));
   rc_tally u_memport_tally (.clk_i, .cause_i(memport_cause));
 

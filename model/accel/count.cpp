@@ -3,7 +3,7 @@
 #include "model/accel/decode.hpp"
 #include "model/isect/primitive.hpp"
 #include "model/raygen/raygen.hpp"
-#include "model/trav/box.hpp"
+#include "model/bvh/box.hpp"
 
 namespace rayclock {
 

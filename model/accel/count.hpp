@@ -15,7 +15,7 @@ struct WorkCount {
 };
 
 /// Every `step`-th pixel across and down, from pixel (step / 2, step / 2) on. A node's leaves come before its
-/// inner children, nearest first, as model/list and model/trav have it.
+/// inner children, nearest first, as model/list and model/bvh have it.
 WorkCount count_work(const MemoryImage& image, const Frame& frame, const Config& config, int step = 1);
 
 }   // namespace rayclock

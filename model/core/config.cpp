@@ -25,7 +25,7 @@ int Config::group_bits() const { return index_bits(node_width + 1); }
 int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
-// Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/trav/rc_box.sv, rtl/isect/rc_tri.sv.
+// Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/bvh/rc_box.sv, rtl/isect/rc_tri.sv.
 int Config::raygen_latency() const {
     return 4 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0);
 }

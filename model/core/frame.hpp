@@ -16,6 +16,12 @@ using Vec3l = std::array<std::int64_t, 3>;
 /// as for a shadow ray, any hit will do.
 enum class RayKind : std::uint32_t { camera, bounce, shadow, away };
 constexpr bool ends_at_any(std::uint32_t kind) { return kind >= std::uint32_t(RayKind::shadow); }
+/// The distance to beat of a ray that starts: that of the surface to which a shadow ray goes, and all ones
+/// for the others. Mirror of rtl/prim/rc_reach.sv.
+constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
+    return kind == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)
+                                   : (1u << config.t_bits()) - 1;
+}
 
 /// Registers that the host sets for a frame, if the chip shades.
 struct ShadeFrame {

@@ -23,13 +23,14 @@ namespace rayclock {
     LINK(node_miss, NodeMiss, node_cache, memport, handshake, always)  \
     LINK(node_fill, NodeFill, memport, node_cache, fires, always)      \
     LINK(box_req, BoxReq, node_cache, box, handshake, always)          \
-    LINK(box_rsp, BoxRsp, box, list, handshake, always)                \
+    LINK(box_rsp, BoxRsp, box, trav, handshake, always)                \
+    LINK(leaves, Leaves, trav, list, fires, always)                    \
     LINK(prim_req, PrimReq, list, prim_cache, handshake, always)       \
     LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)  \
     LINK(prim_fill, PrimFill, memport, prim_cache, fires, always)      \
     LINK(tri_req, TriReq, prim_cache, tri, handshake, always)          \
     LINK(tri_rsp, TriRsp, tri, list, handshake, always)                \
-    LINK(step, Step, list, trav, handshake, always)                    \
+    LINK(tested, Tested, list, trav, handshake, always)                \
     LINK(hit, HitOut, sched, sink, handshake, always)                  \
     LINK(closest, Closest, list, shade, handshake, shading)            \
     LINK(surf_req, SurfReq, shade, surf_cache, handshake, shading)     \
@@ -55,10 +56,17 @@ struct ChannelInfo {
     const char* to;     ///< unit that accepts
     Flow flow;
     When when;
+    bool carries_ray;   ///< the payload names a context
     constexpr bool of_pipeline() const { return is_of_pipeline(from) || is_of_pipeline(to); }
+    /// Within the engine that walks a ray: no other unit knows it.
+    constexpr bool of_engine() const {
+        return place_of(from) == Place::engine || place_of(to) == Place::engine;
+    }
 };
+template <class Payload> constexpr bool names_ray = requires(Payload p) { p.ray; }
+|| requires(Payload p) { p.closest.ray; };
 #define RAYCLOCK_INFO(name, payload, from, to, flow, when) \
-    ChannelInfo{#name, #from, #to, Flow::flow, When::when},
+    ChannelInfo{#name, #from, #to, Flow::flow, When::when, names_ray<payload>},
 constexpr std::array channels{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 

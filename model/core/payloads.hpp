@@ -103,6 +103,17 @@ struct Ray {
     }
 };
 
+/// A ray starts: nothing is hit yet, and its distance to beat is reach_of() its kind. Not the same as a ray
+/// on its way to trav, which could be the same ray with a new direction.
+struct Start {
+    std::uint32_t ray = 0;
+    std::uint32_t kind = 0;   ///< RayKind
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        if (c.shading) v("kind", kind, 2);
+    }
+};
+
 /// trav -> node memory; address in lines of 64 bytes.
 struct NodeReq {
     std::uint32_t ray = 0, addr = 0;
@@ -205,7 +216,7 @@ struct BoxReq {
     }
 };
 
-/// box -> list: the children that the ray's line meets in front of its origin. Inner children first, then
+/// box -> trav: the children that the ray's line meets in front of its origin. Inner children first, then
 /// leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner children.
 struct BoxRsp {
     std::uint32_t ray = 0;
@@ -218,6 +229,25 @@ struct BoxRsp {
         v("ray", ray, c.ray_bits());
         v("base", base, c.addr_bits);
         v("inner", inner, c.group_bits());
+        v("leaves", leaves, c.group_bits());
+        v("t_near", t_near, c.t_bits(), c.node_width);
+        v("offset", offset, offset_bits, c.node_width);
+        v("count", count, count_bits, c.node_width);
+    }
+};
+
+/// trav -> list: the leaves of a node that a ray meets, nearest first; entries beyond are zero. There is at
+/// least one, and it is not beyond the ray's distance to beat.
+struct Leaves {
+    std::uint32_t ray = 0;
+    std::uint32_t base = 0;
+    std::uint32_t leaves = 0;                        ///< how many
+    std::array<std::uint32_t, max_width> t_near{};   ///< where the ray enters each, rounded down
+    std::array<std::uint32_t, max_width> offset{};   ///< of its first primitive from base, in half lines
+    std::array<std::uint32_t, max_width> count{};    ///< of its primitives
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("base", base, c.addr_bits);
         v("leaves", leaves, c.group_bits());
         v("t_near", t_near, c.t_bits(), c.node_width);
         v("offset", offset, offset_bits, c.node_width);
@@ -290,23 +320,15 @@ struct TriRsp {
     }
 };
 
-/// list -> trav: the leaves of a node are done; here are its inner children and the distance to beat.
-struct Step {
+/// list -> trav: the leaves of a node are tested.
+struct Tested {
     std::uint32_t ray = 0;
-    std::uint32_t t_best = 0;
-    std::uint32_t base = 0;
-    std::uint32_t inner = 0;
-    std::array<std::uint32_t, max_width> t_near{};
-    std::array<std::uint32_t, max_width> slot{};   ///< line from base
-    std::uint32_t stop = 0;   ///< if the chip shades: a shadow ray is blocked, nothing else matters
+    std::uint32_t stop = 0;     ///< if the chip shades: the way to a light is blocked, nothing else matters
+    std::uint32_t t_best = 0;   ///< the distance to beat
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.shading) v("stop", stop, 1);
         v("t_best", t_best, c.t_bits());
-        v("base", base, c.addr_bits);
-        v("inner", inner, c.group_bits());
-        v("t_near", t_near, c.t_bits(), c.node_width);
-        v("slot", slot, c.slot_bits(), c.node_width);
     }
 };
 

@@ -31,8 +31,8 @@ constexpr bool is_there(When when, const Config& config) {
     return when == When::always || (when == When::shading ? config.shading != 0 : config.l2_sets > 0);
 }
 
-/// Whose a unit is. The memory is beside the chip.
-enum class Place : std::uint8_t { pipeline, shared, beside };
+/// Where a unit lies: in a pipeline, there within the engine that walks a ray, once in the chip, beside it.
+enum class Place : std::uint8_t { pipeline, engine, shared, beside };
 
 // name, place, when it exists, then its causes by the code that the unit gives in each cycle. Units of a
 // pipeline come first. A cache's codes are those of CacheDeed, the memory's those of MemoryDeed.
@@ -44,8 +44,8 @@ enum class Place : std::uint8_t { pipeline, shared, beside };
     UNIT(raygen, pipeline, always, busy(), starved("sched"), stalled("trav"))                          \
     UNIT(trav, pipeline, always, busy(), starved("list"), stalled("recirculation"))                    \
     UNIT(node_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("trav", "box"))                           \
-    UNIT(box, pipeline, always, busy(), starved("memory"), starved("trav"), stalled("list"))           \
-    UNIT(list, pipeline, always, busy(), starved("box"))                                               \
+    UNIT(box, engine, always, busy(), starved("memory"), starved("trav"), stalled("trav"))             \
+    UNIT(list, pipeline, always, busy(), starved("trav"))                                              \
     UNIT(prim_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("list", "tri"))                           \
     UNIT(tri, pipeline, always, busy(), starved("memory"), starved("list"), stalled("list"))           \
     UNIT(surf_cache, pipeline, shading, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                       \
@@ -74,7 +74,7 @@ constexpr std::array unit_infos{RAYCLOCK_UNITS(RAYCLOCK_INFO)};
 constexpr std::size_t unit_count = unit_infos.size();
 constexpr std::size_t pipeline_units = [] {
     std::size_t n = 0;
-    for (const UnitInfo& unit : unit_infos) n += unit.place == Place::pipeline;
+    for (const UnitInfo& unit : unit_infos) n += unit.place <= Place::engine;
     return n;
 }();
 constexpr std::size_t index(Unit u) { return std::size_t(u); }
@@ -82,12 +82,13 @@ constexpr std::size_t index(Unit u) { return std::size_t(u); }
 /// Whether a chip of this configuration has the unit.
 constexpr bool is_there(Unit u, const Config& config) { return is_there(unit_infos[index(u)].when, config); }
 
-/// Whether the unit is a pipeline's; false for names that are no unit's.
-constexpr bool is_of_pipeline(std::string_view unit) {
+/// Where the unit of that name lies; beside the chip, if there is none.
+constexpr Place place_of(std::string_view unit) {
     for (const UnitInfo& info : unit_infos)
-        if (info.name == unit) return info.place == Place::pipeline;
-    return false;
+        if (info.name == unit) return info.place;
+    return Place::beside;
 }
+constexpr bool is_of_pipeline(std::string_view unit) { return place_of(unit) <= Place::engine; }
 
 using CauseCounts = std::array<std::uint64_t, cause_count>;
 

@@ -37,7 +37,7 @@ struct ExtraVisits {
 };
 
 /// Every `every`-th pixel of the frame, counted row by row; on all cores. All walks go nearest child first,
-/// leaves before inner children, and skip what lies beyond the best hit, as model/list and model/trav do.
+/// leaves before inner children, and skip what lies beyond the best hit, as model/list and model/bvh do.
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every = 1);
 
 }   // namespace rayclock

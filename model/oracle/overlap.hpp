@@ -1,6 +1,6 @@
 #pragma once
 // Exact ray-box overlap in wide integers, by cross-multiplication: no division, no reciprocal, no rounding.
-// Written from the geometry; shares nothing with model/trav. Unlike exact.hpp it needs no Boost and is fast
+// Written from the geometry; shares nothing with model/bvh. Unlike exact.hpp it needs no Boost and is fast
 // enough for whole frames.
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 #include "model/accel/memory_image.hpp"
 #include "model/trace/line_cache.hpp"
-#include "model/trav/box.hpp"
+#include "model/bvh/box.hpp"
 
 namespace rayclock {
 

@@ -7,7 +7,7 @@
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
-#include "model/trav/slab.hpp"
+#include "model/bvh/slab.hpp"
 
 namespace rayclock {
 
@@ -30,7 +30,7 @@ static_assert(RecordBlock::side <= 16);
 }   // namespace
 
 namespace plain {
-#include "model/trav/slab.inl"
+#include "model/bvh/slab.inl"
 #include "model/trace/record.inl"
 }   // namespace plain
 
@@ -49,7 +49,7 @@ std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::
 #pragma GCC target("avx2,bmi,bmi2,lzcnt,popcnt")
 #define RAYCLOCK_WITH_AVX2
 namespace avx2 {
-#include "model/trav/slab.inl"
+#include "model/bvh/slab.inl"
 #include "model/trace/record.inl"
 }   // namespace avx2
 #undef RAYCLOCK_WITH_AVX2

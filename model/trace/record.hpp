@@ -7,7 +7,7 @@
 #include "model/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
-#include "model/trav/box.hpp"
+#include "model/bvh/box.hpp"
 
 namespace rayclock {
 

@@ -82,7 +82,7 @@ struct FromAnywhere {
     const Ray& from;
     const SlabRay ray;
     const bool any;        ///< the first hit ends the ray
-    std::uint32_t limit;   ///< as in Leaves
+    std::uint32_t limit;   ///< the distance to beat
     Best best{};
     TriRsp found{};
 
@@ -93,8 +93,7 @@ struct FromAnywhere {
           ray(slab_ray({from.o, {from.d[0] < 0, from.d[1] < 0, from.d[2] < 0}, from.recip, from.len},
                        config)),
           any(ends_at_any(from.kind)),
-          limit(RayKind(from.kind) == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)
-                                                      : (1u << config.t_bits()) - 1) {}
+          limit(reach_of(RayKind(from.kind), config)) {}
     RAYCLOCK_INLINE const WideNode& boxes(std::uint32_t line, std::uint32_t width, std::uint32_t* t_near,
                                           std::uint32_t& hits) const {
         const WideNode& node = decoder.node(line);

@@ -1,9 +1,9 @@
 #pragma once
 #include "model/isect/primitive.hpp"
-#include "model/list/leaves.hpp"
+#include "model/list/ray_tests.hpp"
 #include "model/trace/decoder.hpp"
-#include "model/trav/box.hpp"
-#include "model/trav/stack.hpp"
+#include "model/bvh/box.hpp"
+#include "model/bvh/stack.hpp"
 
 namespace rayclock {
 
@@ -21,16 +21,18 @@ public:
     std::uint32_t node() const { return node_; }
     std::uint32_t children() const { return decoder_->node(node_).children; }   ///< of the next node
 
-    /// box, on the next node. True if list has a triangle to be tested.
+    /// box, on the next node, and trav on its answer. True if list has a triangle to be tested.
     bool test_node();
-    std::uint32_t prim() const { return leaves_.prim(); }
+    bool has_leaves() const { return has_leaves_; }    ///< what it returned
+    const Leaves& leaves() const { return leaves_; }   ///< that trav gave to list
+    std::uint32_t prim() const { return tests_.prim(); }
     /// tri, on the next triangle.
     const TriRsp& test_triangle();
     /// list, on tri's answer. True if there is another triangle.
-    bool advance() { return leaves_.advance(tri_); }
+    bool advance() { return tests_.advance(tri_); }
 
     /// list -> trav, when no triangle is left.
-    Step step() const { return leaves_.step(ray_.ray); }
+    Tested tested() const { return tests_.tested(); }
     /// trav: to the next node, or the ray's end. Returns how many groups were dropped on the way.
     int decide(bool& done);
     /// Groups on the ray's stack now.
@@ -38,10 +40,10 @@ public:
 
     const Ray& ray() const { return ray_; }
     const BoxRay& box_ray() const { return box_ray_; }
-    const BoxRsp& boxes() const { return leaves_.group(); }
-    const Best& best() const { return leaves_.best(); }
+    const BoxRsp& boxes() const { return boxes_; }
+    const Best& best() const { return tests_.best(); }
     const TriRsp& tri() const { return tri_; }
-    Closest closest() const { return leaves_.closest(ray_.ray); }
+    Closest closest() const { return tests_.closest(); }
 
 private:
     const Frame* frame_;
@@ -50,7 +52,10 @@ private:
     TriTest* test_;
     Ray ray_;
     BoxRay box_ray_;
+    BoxRsp boxes_;
     Leaves leaves_;
+    bool has_leaves_ = false;
+    RayTests tests_;
     Stack stack_;
     TriRsp tri_;
     std::uint32_t node_ = 0;

@@ -67,7 +67,13 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_node();
             return;
         }
-        case Channel::box_rsp: return tell(walk(m).boxes());
+        case Channel::box_rsp: {
+            tell(walk(m).boxes());
+            bool done = false;
+            if (!walk(m).has_leaves()) walk(m).decide(done);   // trav does not ask list
+            return;
+        }
+        case Channel::leaves: return tell(walk(m).leaves());
         case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
         case Channel::tri_req: {
             Walk& w = walk(m);
@@ -81,9 +87,9 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             tell(walk(m).tri());
             walk(m).advance();
             return;
-        case Channel::step: {
+        case Channel::tested: {
             bool done = false;
-            tell(walk(m).step());
+            tell(walk(m).tested());
             walk(m).decide(done);
             return;
         }

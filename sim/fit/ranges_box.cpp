@@ -1,4 +1,4 @@
-// Box's signals: rtl/trav/rc_slab.sv, which has the widths, for every exponent of a node with every sign and
+// Box's signals: rtl/bvh/rc_slab.sv, which has the widths, for every exponent of a node with every sign and
 // bit length of a direction.
 #include "sim/fit/ranges.hpp"
 

@@ -18,9 +18,10 @@ const char* when_text(When when) {
 }
 
 const char* place_text(Place place) {
-    return place == Place::pipeline ? "each pipeline"
+    return place == Place::pipeline ? "a pipeline"
+           : place == Place::engine ? "a pipeline's engine"
            : place == Place::shared ? "the chip"
-                                    : "beside the chip";
+                                    : "(beside the chip)";
 }
 
 /// The causes of one kind, in the order of their codes.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "model/bvh/children.hpp"
 #include "model/core/links.hpp"
 #include "model/mem/cache.hpp"
 #include "model/shade/state.hpp"
@@ -237,6 +238,8 @@ std::string rc_package(const Config& config) {
     p.record<ShadeFrame>("shade_frame");
     p.record<NodeRsp>("node_rsp");
     p.record<PrimRsp>("prim_rsp");
+    p.record<Start>("start");
+    p.record<Children>("children");
     p.record<Done>("done");
     p.record<Pixel>("pixel");
     p.record<Surface>("surface");

@@ -274,8 +274,7 @@ private:
     }
 
     Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
-        const bool is_ray = index(c) < pipeline_channels && channels[index(c)].flow == Flow::handshake &&
-                            c != Channel::node_miss && c != Channel::prim_miss && c != Channel::surf_miss;
+        const bool is_ray = channels[index(c)].carries_ray;
         const Slot pixel =
             is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
         return {now,

@@ -24,6 +24,7 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
+        case PortKind::fires: return line("&top." + n + "_fires_o", "nullptr", "top." + n + "_o");
         case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
         case PortKind::tap: break;
     }
@@ -31,7 +32,8 @@ std::string port_line(const std::string& module, const PortSpec& p) {
                        p.valid, p.ready, p.data);
 }
 
-/// Where a pipeline's link shows in rc_pipeline: at a port if one end lies outside, else as a net.
+/// Where a pipeline's link shows: in the engine, or in rc_pipeline, at a port if one end lies outside, else
+/// as a net.
 PortSpec pipeline_tap(const ChannelInfo& link, const std::string& path, const std::string& index) {
     const std::string name = link.name;
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
@@ -39,8 +41,8 @@ PortSpec pipeline_tap(const ChannelInfo& link, const std::string& path, const st
     const bool fires = link.flow == Flow::fires;
     return {name + index,
             PortKind::tap,
-            path,
-            "rc_pipeline",
+            path + (link.of_engine() ? ".u_bvh" : ""),
+            link.of_engine() ? "rc_bvh" : "rc_pipeline",
             name + (fires ? "_fires" : "_valid") + in,
             fires ? "" : name + "_ready" + back,
             name + in};
@@ -65,7 +67,7 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
             if (link.of_pipeline() && is_there(link.when, config))
                 taps.push_back(pipeline_tap(link, path, index));
         for (const UnitInfo& unit : unit_infos)
-            if (unit.place == Place::pipeline && is_there(unit.when, config)) tally(unit, path, index);
+            if (unit.place <= Place::engine && is_there(unit.when, config)) tally(unit, path, index);
     }
     for (const UnitInfo& unit : unit_infos)
         if (unit.place == Place::shared && is_there(unit.when, config)) tally(unit, "", "");
@@ -100,12 +102,13 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
                 {"pixel", in},    {"hit", out},     {"cause", plain}};
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav")
-        return {{"frame", fixed}, {"ray", in},      {"step", in}, {"node_req", out},
-                {"node_rsp", in}, {"box_req", out}, {"done", out}};
+        return {{"frame", fixed}, {"start", listen}, {"ray", in},     {"node_req", out},
+                {"node_rsp", in}, {"box_req", out},  {"box_rsp", in}, {"leaves", PortKind::fires},
+                {"tested", in},   {"done", out},     {"cause", plain}};
     if (module == "rc_box" || module == "rc_tri") return {{"req", in}, {"rsp", out}};
     if (module == "rc_list")
-        return {{"ray", listen}, {"box_rsp", in}, {"prim_req", out}, {"prim_rsp", in}, {"tri_req", out},
-                {"tri_rsp", in}, {"step", out},   {"done", in},      {"closest", out}};
+        return {{"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
+                {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
     if (module == "rc_shade")

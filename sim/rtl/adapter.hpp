@@ -13,6 +13,7 @@ enum class PortKind {
     fixed,     ///< <name>_i alone
     listen,    ///< <name>_fires_i, <name>_i: always accepted
     granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: comes only where there is room
+    fires,     ///< <name>_fires_o, <name>_o: always accepted by others
     plain,     ///< <name>_o alone: what the module does
     tap,       ///< signals of an instance inside; see PortSpec
 };

@@ -34,7 +34,7 @@ struct Task {
 };
 
 /// Where a scheme begins it.
-struct Start {
+struct ShadowStart {
     SurfacePoint at;
     std::uint32_t excluded = no_primitive;
 };
@@ -121,7 +121,7 @@ private:
     void one_ray(const CameraHit& hit, const PrimData& prim, const Task& to) {
         ++counts_.rays;
         const int side = to.light ? side_of_point(prim, *to.light) : side_of_direction(prim, to.direction);
-        const Start start = begin(hit, prim, to.facing);
+        const ShadowStart start = begin(hit, prim, to.facing);
         const bool blocked = side != to.facing || is_blocked(start, to);
         const Sight::Answer at_hit =
             truth({hit.at, to.light, to.direction}, hit.primitive, to.facing, hit.near);
@@ -146,7 +146,7 @@ private:
         counts_.moved_leaks += !blocked && answer == Sight::Answer::blocked;
     }
 
-    Start begin(const CameraHit& hit, const PrimData& prim, int facing) const {
+    ShadowStart begin(const CameraHit& hit, const PrimData& prim, int facing) const {
         using Kind = OriginScheme::Kind;
         const int bits = scheme_.frac_bits;
         if (scheme_.kind == Kind::surface)
@@ -195,7 +195,7 @@ private:
         return {from[0] + far * d[0], from[1] + far * d[1], from[2] + far * d[2]};
     }
 
-    bool is_blocked(const Start& start, const Task& to) const {
+    bool is_blocked(const ShadowStart& start, const Task& to) const {
         const Vec3l inwards = to.light ? shadow_direction(*to.light, start.at) : Vec3l{};
         bool blocked = false;
         const auto from = place(start.at);

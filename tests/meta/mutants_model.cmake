@@ -44,10 +44,10 @@ mutant(sheared_boxes_are_not_larger FILE model/accel/compile.cpp TEST unit [prim
 mutant(sheared_seams_left_open FILE model/accel/compile.cpp TEST unit [primitive]
   OLD [[return config.is_sheared() ?]]
   NEW [[return config.is_sheared() && !has_area(t) ? false : config.is_sheared() ?]])
-mutant(model_box_near_rounded_up FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box]
+mutant(model_box_near_rounded_up FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box]
   OLD [[near_0 = round_down(]]
   NEW [[near_0 = round_up(]])
-mutant(model_box_far_with_r QUICK FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box]
+mutant(model_box_far_with_r QUICK FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box]
   OLD [[std::int32_t(ray.recip[k]) + (ray.len[k] != 0));]]
   NEW [[std::int32_t(ray.recip[k]));]])
 mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST unit [raygen]
@@ -73,30 +73,30 @@ mutant(frame_takes_a_camera_that_is_too_wide FILE model/accel/frame.cpp TEST acc
   OLD [[if (!(scale * least - off >=]]
   NEW [[if (!(scale * std::max(m, least) - off >=]])
 # A chip that shades: origins between lattice points, rays that stop, long directions, samples.
-mutant(model_box_near_from_the_point_before QUICK FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box][shading]
+mutant(model_box_near_from_the_point_before QUICK FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
   NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
-mutant(model_box_far_from_the_point_beyond FILE model/trav/slab.hpp WITH model/trav/box.cpp TEST unit [box][shading]
+mutant(model_box_far_from_the_point_beyond FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.far_o = Lanes{before(0), before(1), before(2), 0};]]
   NEW [[slab.far_o = Lanes{beyond(0), beyond(1), beyond(2), 0 * before(0)};]])
-mutant(model_list_goes_on_behind_a_blocker QUICK FILE model/list/leaves.cpp TEST unit [list][shading]
+mutant(model_list_goes_on_behind_a_blocker QUICK FILE model/list/ray_tests.cpp TEST unit [list][shading]
   OLD [[        if (any_) return false;]]
   NEW [[]])
-mutant(model_list_keeps_children_of_a_blocked_ray FILE model/list/leaves.cpp TEST unit [list][shading]
-  OLD [[stop() ? 0 : group_.inner]]
-  NEW [[group_.inner]])
-mutant(model_list_looks_beyond_the_surface FILE model/list/leaves.hpp WITH model/list/leaves.cpp tests/unit/list_test.cpp TEST unit [list][shading]
-  OLD [[start_ = kind == RayKind::shadow ? surface_ : beyond_;]]
-  NEW [[start_ = beyond_;]])
-mutant(model_trav_stop_keeps_the_stack QUICK FILE model/trav/stack.cpp TEST unit [trav][shading]
-  OLD [[    if (s.stop) {
+mutant(model_list_forgets_to_stop FILE model/list/ray_tests.hpp WITH model/list/ray_tests.cpp tests/unit/list_test.cpp TEST unit [list][shading]
+  OLD [[return any_ && best_.found; }]]
+  NEW [[return any_ && best_.found && ray_ % 2 == 0; }]])
+mutant(model_list_looks_beyond_the_surface FILE model/list/ray_tests.hpp WITH model/list/ray_tests.cpp tests/unit/list_test.cpp TEST unit [list][shading]
+  OLD [[reach_ = reaches_[start.kind];]]
+  NEW [[reach_ = reaches_[0];]])
+mutant(model_trav_stop_keeps_the_stack QUICK FILE model/bvh/stack.cpp TEST unit [trav][shading]
+  OLD [[    if (tested.stop) {
         height_ = 0;
         return {};]]
-  NEW [[    if (s.stop) {
+  NEW [[    if (tested.stop) {
         return {};]])
-mutant(model_trav_goes_on_when_stopped FILE model/trav/stack.cpp TEST unit [trav][shading]
-  OLD [[    if (s.stop) {]]
-  NEW [[    if (s.stop && height_ == 0) {]])
+mutant(model_trav_goes_on_when_stopped FILE model/bvh/stack.cpp TEST unit [trav][shading]
+  OLD [[    if (tested.stop) {]]
+  NEW [[    if (tested.stop && height_ == 0) {]])
 mutant(model_recip_of_fewer_bits FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
   OLD [[power / double(m)]]
   NEW [[power / double(float(m))]])
@@ -112,13 +112,13 @@ mutant(model_sample_jitter_repeats FILE model/scene/whitted.cpp TEST unit [rayge
 mutant(frame_forgets_the_outer_samples FILE model/accel/frame.cpp TEST accel "every sample*"
   OLD [[config.supersampling ? 0.5 : 0;]]
   NEW [[0;]])
-mutant(model_list_skips_last_triangle FILE model/list/leaves.cpp TEST unit [list]
-  OLD [[if (triangle_ + 1 < group_.count]]
-  NEW [[if (triangle_ + 2 < group_.count]])
-mutant(model_trav_gives_up_early FILE model/trav/stack.cpp TEST unit [trav]
+mutant(model_list_skips_last_triangle FILE model/list/ray_tests.cpp TEST unit [list]
+  OLD [[if (triangle_ + 1 < leaves_.count]]
+  NEW [[if (triangle_ + 2 < leaves_.count]])
+mutant(model_trav_gives_up_early FILE model/bvh/stack.cpp TEST unit [trav]
   OLD [[top.below > t_best]]
   NEW [[top.below >= t_best]])
-mutant(model_trav_equal_does_not_matter FILE model/trav/stack.cpp TEST unit [trav]
+mutant(model_trav_equal_does_not_matter FILE model/bvh/stack.cpp TEST unit [trav]
   OLD [[if (top.t_near[0] <= t_best) {]]
   NEW [[if (top.t_near[0] < t_best) {]])
 mutant(model_child_box_rounded_inward QUICK FILE model/accel/encode.cpp TEST accel ~[none]
@@ -186,9 +186,12 @@ mutant(model_frame_one_row_less FILE model/sched/dispatch.hpp WITH tests/unit/di
 mutant(model_sched_order_wrong QUICK FILE model/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
   OLD [[<< tile_bits_ | even_bits(at_ >> 1);]]
   NEW [[<< tile_bits_ | even_bits(at_ >> 2);]])
-mutant(model_trav_takes_a_step_in_a_second_turn FILE model/trav/trav.hpp WITH tests/unit/trav_test.cpp TEST unit [trav]
+mutant(model_trav_takes_a_step_in_a_second_turn FILE model/bvh/trav.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav]
   OLD [[bool step_ready() const { return !again_; }]]
   NEW [[bool step_ready() const { return true; }]])
+mutant(model_trav_leafless_first FILE model/bvh/trav.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav]
+  OLD [[return step_link_.second(offered); }]]
+  NEW [[return step_link_.second(offered && leafless_.empty()); }]])
 mutant(model_list_queues_mixed FILE model/list/list.hpp WITH tests/unit/list_test.cpp TEST unit [list][lockstep]
   OLD [[(tri_prim ? next_ : tested_).push(]]
   NEW [[(tri_prim ? first_ : tested_).push(]])
@@ -222,8 +225,8 @@ mutant(model_trace_looks_on_after_a_light_is_blocked QUICK FILE model/trace/reco
   OLD [[bool stop() const { return any && best.found; }]]
   NEW [[bool stop() const { return false; }]])
 mutant(model_trace_shadow_ray_goes_beyond_the_surface FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
-  OLD [[RayKind(from.kind) == RayKind::shadow ? 1u << (config.coord_bits + config.t_frac_bits)]]
-  NEW [[RayKind(from.kind) == RayKind::shadow ? (1u << config.t_bits()) - 1]])
+  OLD [[limit(reach_of(RayKind(from.kind), config))]]
+  NEW [[limit(reach_of(RayKind::camera, config))]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
   OLD [[flags |= turns << Trace::turns_shift;]]
   NEW [[flags |= std::uint32_t(turns > 0) << Trace::turns_shift;]])
@@ -288,16 +291,16 @@ mutant(fit_forgets_work FILE sim/fit/search.cpp TEST unit "what fit finds*"
   NEW [[if (more > 2 * goal_.max_work)]])
 
 # ---- Boxes: what docs/boxes.md says must not happen, and the oracle that would see it.
-mutant(model_box_near_strictly_below_far QUICK FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+mutant(model_box_near_strictly_below_far QUICK FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
   OLD [[down - 1.0 < far && far >= 0.0]]
   NEW [[down < far && far >= 0.0]])
-mutant(model_box_far_rounded_down FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+mutant(model_box_far_rounded_down FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
   OLD [[far_0 = round_up(]]
   NEW [[far_0 = round_down(]])
-mutant(model_box_left_at_the_origin FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+mutant(model_box_left_at_the_origin FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
   OLD [[down - 1.0 < far && far >= 0.0]]
   NEW [[down - 1.0 < far && far > 0.0]])
-mutant(model_box_zero_strict FILE model/trav/slab.inl WITH model/trav/box.cpp TEST unit [box][small]
+mutant(model_box_zero_strict FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
   OLD [[n > 0.0 || f < 0.0]]
   NEW [[n >= 0.0 || f < 0.0]])
 mutant(model_child_box_low_planes_inward FILE model/accel/encode.cpp TEST accel "a node's boxes*"

@@ -4,25 +4,25 @@
 # row names the sources WITH which it is compiled; if there are tests among them, they are the test program.
 
 # ---- box: conservative slabs, total order.
-mutant(box_near_below_far QUICK FILE rtl/trav/rc_box.sv TEST unit [box][lockstep]
+mutant(box_near_below_far QUICK FILE rtl/bvh/rc_box.sv TEST unit [box][lockstep]
   OLD [[s4_hit_q[i] <= near <= far &&]]
   NEW [[s4_hit_q[i] <= near < far &&]])
-mutant(slab_far_rounded_down QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
+mutant(slab_far_rounded_down QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[s3_up_q    <= ~({R1{1'b1}} << s2_right[4:0]);]]
   NEW [[s3_up_q    <= '0;]])
-mutant(slab_near_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
+mutant(slab_near_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[near = scale($unsigned(s3_near_q), s3_left_q]]
   NEW [[near = scale($unsigned(s3_near_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q]])
-mutant(slab_far_with_r FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
+mutant(slab_far_with_r FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[assign s2_r_up = s2_r_q + {{(R1-1){1'b0}}, !s2_zero_q};]]
   NEW [[assign s2_r_up = s2_r_q;]])
-mutant(slab_zero_direction FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep]
+mutant(slab_zero_direction FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[(s3_zero_q && !s3_near_q[V-1] && s3_near_q != '0)]]
   NEW [[(s3_zero_q && !s3_near_q[V-1])]])
-mutant(rank_ignores_offset FILE rtl/trav/rc_rank.sv TEST unit [box][lockstep]
+mutant(rank_ignores_offset FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
   OLD [[if ((i ^ 1) > i && s5_key[i] > s5_key[i ^ 1]) begin]]
   NEW [[if ((i ^ 1) > i && s5_key[i][KeyW-1:O+C] > s5_key[i ^ 1][KeyW-1:O+C]) begin]])
-mutant(rank_leaves_first FILE rtl/trav/rc_rank.sv TEST unit [box][lockstep]
+mutant(rank_leaves_first FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
   OLD [[{!s4_hit_i[i], s4_leaf, s4_near_i]]
   NEW [[{!s4_hit_i[i], !s4_leaf, s4_near_i]])
 
@@ -88,18 +88,30 @@ mutant(slope_of_nothing_is_one FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sh
   NEW [[assign y_size =]])
 
 # ---- trav, list, sched: who goes where.
-mutant(stack_below_of_top_only QUICK FILE rtl/trav/rc_stack.sv TEST unit [trav][lockstep]
+mutant(stack_below_of_top_only QUICK FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;]]
   NEW [[below = top_near[T-1:0];]])
-mutant(stack_pop_writes_one_up FILE rtl/trav/rc_stack.sv TEST unit [trav][lockstep]
+mutant(stack_pop_writes_one_up FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[level    = s1_height_q - H'(1);]]
   NEW [[level    = s1_height_q;]])
-mutant(stack_equal_does_not_matter FILE rtl/trav/rc_stack.sv TEST unit [trav]
-  OLD [[assign top_matters  = top_near[T-1:0] <= s1_step_i.t_best;]]
-  NEW [[assign top_matters  = top_near[T-1:0] < s1_step_i.t_best;]])
-mutant(stack_gives_up_early FILE rtl/trav/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[top_below > s1_step_i.t_best]]
-  NEW [[top_below >= s1_step_i.t_best]])
+mutant(stack_equal_does_not_matter FILE rtl/bvh/rc_stack.sv TEST unit [trav]
+  OLD [[assign top_matters  = top_near[T-1:0] <= s1_tested_i.t_best;]]
+  NEW [[assign top_matters  = top_near[T-1:0] < s1_tested_i.t_best;]])
+mutant(stack_gives_up_early FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
+  OLD [[top_below > s1_tested_i.t_best]]
+  NEW [[top_below >= s1_tested_i.t_best]])
+mutant(trav_gives_leaves_that_are_too_far QUICK FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
+  OLD [[in.leaves != '0 && leaf_near[TB-1:0] <= in_t;]]
+  NEW [[in.leaves != '0;]])
+mutant(trav_keeps_leaves_exactly_as_far FILE rtl/bvh/rc_trav.sv TEST unit [trav]
+  OLD [[leaf_near[TB-1:0] <= in_t;]]
+  NEW [[leaf_near[TB-1:0] < in_t;]])
+mutant(trav_gives_the_second_leaf FILE rtl/bvh/rc_trav.sv TEST unit [trav]
+  OLD [[leaf_offset = leaf_offset >> (O << b);]]
+  NEW [[leaf_offset = leaf_offset >> (O << (b + 1));]])
+mutant(reach_is_not_reset_by_a_start FILE rtl/prim/rc_reach.sv TEST unit [trav]
+  OLD [[if (start_fires_i) written_q[start_ray] <= 1'b0;]]
+  NEW [[if (start_fires_i && start_ray != '1) written_q[start_ray] <= 1'b0;]])
 mutant(list_skips_last_triangle QUICK FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[assign more_triangles = cursor_triangle + C'(1) <]]
   NEW [[assign more_triangles = cursor_triangle + C'(2) <]])
@@ -107,8 +119,8 @@ mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[&& group_near[at_next*TB +: TB] <= tri_t;]]
   NEW [[&& (group_near[at_next*TB +: TB] <= tri_t || tri_t != '0);]])
 mutant(list_keeps_old_hit FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[if (ray_fires_i) found_q[ray_number] <= 1'b0;]]
-  NEW [[if (ray_fires_i && !closer) found_q[ray_i.ray] <= 1'b0;]])
+  OLD [[if (start_fires_i) found_q[start_ray] <= 1'b0;]]
+  NEW [[if (start_fires_i && !closer) found_q[start_ray] <= 1'b0;]])
 mutant(sched_frees_another_context QUICK FILE rtl/sched/rc_sched.sv TEST unit [sched][lockstep]
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
   NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
@@ -152,9 +164,9 @@ mutant(top_never_serves_primitives FILE rtl/rc_top.sv TEST unit [machine][lockst
 mutant(sched_loses_hits_of_used_contexts FILE rtl/sched/rc_sched.sv TEST unit [machine][lockstep]
   OLD [[assign hit_valid_o   = pixel_valid_i;]]
   NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])
-mutant(tally_of_box_blames_trav QUICK FILE rtl/rc_pipeline.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;]]
-  NEW [[(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd2 : 3'd1;]])
+mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_bvh.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[(box_req_ready ? 3'd0 : 3'd3) : node_waits_i ? 3'd1 : 3'd2;]]
+  NEW [[(box_req_ready ? 3'd0 : 3'd3) : node_waits_i ? 3'd2 : 3'd1;]])
 mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
   OLD [[count_q[cause_i] + 1'b1;]]
   NEW [[count_q[cause_i] + {{(CountW-1){1'b0}}, cause_i != 3'd5};]])
@@ -203,7 +215,7 @@ mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][loc
   end
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(box_one_cycle_late FILE rtl/trav/rc_box.sv TEST unit [box][lockstep]
+mutant(box_one_cycle_late FILE rtl/bvh/rc_box.sv TEST unit [box][lockstep]
   OLD [[  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),]]
   NEW [[  logic late_q;
@@ -225,24 +237,24 @@ mutant(tri_one_cycle_late FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
   end
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(trav_one_cycle_late FILE rtl/trav/rc_trav.sv TEST unit [trav][lockstep]
+mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(done), .data_i(s1_step.ray),]]
+    .clk_i, .rst_ni, .push_i(done), .data_i(s1_tested.ray),]]
   NEW [[  logic late_q;
   logic [I-1:0] late_ray_q;
   always_ff @(posedge clk_i) begin
     late_q     <= rst_ni && done;
-    late_ray_q <= s1_step.ray;
+    late_ray_q <= s1_tested.ray;
   end
   rc_queue #(.Width(I), .Depth(T)) u_done (
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_ray_q),]])
-mutant(list_one_cycle_late FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+mutant(leafless_ray_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !in_leaf), .data_i({in.ray, in_t}),]]
+    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({in.ray, in_t}),]]
   NEW [[  logic late_q;
   logic [I+TB-1:0] late_data_q;
   always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && in_fires && !in_leaf;
+    late_q      <= rst_ni && in_fires && !leaf_matters;
     late_data_q <= {in.ray, in_t};
   end
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
@@ -344,13 +356,13 @@ mutant(mshr_highest_is_taken FILE rtl/mem/rc_mshr.sv TEST unit [cache][lockstep]
 
 
 # ---- What every operand of a small width shows.
-mutant(small_slab_distance_one_bit_short QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][small]
+mutant(small_slab_distance_one_bit_short QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
   OLD [[localparam int unsigned D  = N + 1; ]]
   NEW [[localparam int unsigned D  = N; ]])
-mutant(small_slab_saturation_wraps FILE rtl/trav/rc_slab.sv TEST unit [box][small]
+mutant(small_slab_saturation_wraps FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
   OLD [[scale = |down[V-1:T] || |moved[2*T-1:T] ? '1 : moved[T-1:0];]]
   NEW [[scale = |down[V-1:T] || |moved[2*T-1:T+1] || (moved[T] && moved[0]) ? '1 : moved[T-1:0];]])
-mutant(small_slab_zero_is_rounded_up FILE rtl/trav/rc_slab.sv TEST unit [box][small]
+mutant(small_slab_zero_is_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
   OLD [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};]]
   NEW [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, 1'b1};]])
 mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [raygen][small]

@@ -1,34 +1,34 @@
 # Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
 
 # ---- box, list, trav, raygen, sched of a chip that shades.
-mutant(slab_near_from_the_point_before QUICK FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
+mutant(slab_near_from_the_point_before QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
   OLD [[D'(s0_org_i) - D'(s0_point) - $signed({{(D-1){1'b0}}, s0_between});]]
   NEW [[D'(s0_org_i) - D'(s0_point);]])
-mutant(slab_far_from_the_nearer_point FILE rtl/trav/rc_slab.sv TEST unit [box][lockstep][shading]
+mutant(slab_far_from_the_nearer_point FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
   OLD [[(s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0)]]
   NEW [[(s1_between_q && s1_zero_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0)]])
-mutant(slab_far_shift_wraps FILE rtl/trav/rc_slab.sv TEST unit "model and rtl of box make the same moves with bounces and shadow rays*"
+mutant(slab_far_shift_wraps FILE rtl/bvh/rc_slab.sv TEST unit "model and rtl of box make the same moves with bounces and shadow rays*"
   OLD [[s2_shift_q > S'(T) ? 5'(T) : s2_shift_q[4:0];]]
   NEW [[s2_shift_q[4:0];]])
 mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [list][shading]
   OLD [[(more_triangles || more_leaves) && !blocked;]]
   NEW [[more_triangles || (more_leaves && !blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[stop      = any_q[end_ray] && found_q[end_ray];]]
-  NEW [[stop      = any_q[end_ray] && found_q[end_ray] && step_inner == '0;]])
-mutant(list_ends_a_ray_away_at_the_surface FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[shadow_q[ray_number] <= kind == 2'd2;]]
-  NEW [[shadow_q[ray_number] <= kind[1];]])
-mutant(list_looks_beyond_the_surface FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[in_t_old : shadow_q[in.ray] ? SurfaceT : '1;]]
-  NEW [[in_t_old : '1;]])
-mutant(stack_stop_keeps_the_stack FILE rtl/trav/rc_stack.sv TEST unit [trav][shading]
+  OLD [[stop     = any_q[tested_ray] && found_q[tested_ray];]]
+  NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_t[0];]])
+mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
+  OLD [[shadow_q[start_ray] <= start_i.kind == 2'd2;]]
+  NEW [[shadow_q[start_ray] <= start_i.kind >= 2'd2;]])
+mutant(trav_looks_beyond_the_surface FILE rtl/prim/rc_reach.sv TEST unit [trav][shading]
+  OLD [[kept : shadow_q[read_ray_i] ? SurfaceT : '1;]]
+  NEW [[kept : '1;]])
+mutant(stack_stop_keeps_the_stack FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
   OLD [[(stop || s1_height_q == '0)) begin
       done_o   = 1'b1;
       height_d = '0;]]
   NEW [[(stop || s1_height_q == '0)) begin
       done_o   = 1'b1;]])
-mutant(stack_visits_a_child_when_stopped FILE rtl/trav/rc_stack.sv TEST unit [trav][shading]
+mutant(stack_visits_a_child_when_stopped FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
   OLD [[forward      = !stop &&]]
   NEW [[forward      =]])
 mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]

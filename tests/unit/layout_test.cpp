@@ -1,6 +1,7 @@
 // Payloads as bits: nothing is lost, nothing overlaps, and the order is the one SystemVerilog sees.
 #include <tuple>
 
+#include "model/bvh/children.hpp"
 #include "model/core/links.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -9,8 +10,9 @@ using namespace rayclock::test;
 
 namespace {
 
-using Payloads = std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq,
-                            BoxRsp, Best, TriReq, TriRsp, Step, Done, Closest, HitOut>;
+using Payloads =
+    std::tuple<Frame, Slot, Ray, Node, PrimData, NodeReq, PrimReq, NodeRsp, PrimRsp, BoxReq, BoxRsp, Children,
+               Leaves, Start, Best, TriReq, TriRsp, Tested, Done, Closest, HitOut>;
 
 /// Lists a payload's values, so that two of them can be compared without packing.
 class ListVisitor {

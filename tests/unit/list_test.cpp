@@ -12,14 +12,14 @@ template <class Dut> int serve_rays(const Config& config, unsigned seed, const F
     Dut dut{config, int(seed)};
     ListWorld world{config, seed, flow, rays};
     Steady<PrimReq> prim_req{config};
-    Steady<Step> step{config};
+    Steady<Tested> tested{config};
     for (int cycle = 0; !world.finished(); ++cycle) {
         INFO("cycle " << cycle);
         REQUIRE(cycle < 2000 * rays);
         world.drive(dut);
         dut.eval();
         prim_req.check(dut.prim_req);
-        step.check(dut.step);
+        tested.check(dut.tested);
         world.watch(dut);
         dut.commit();
     }
@@ -37,13 +37,12 @@ void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles)
         static_cast<ListLinks&>(rtl) = model;
         model.eval();
         rtl.eval();
-        REQUIRE(same(model.box_rsp, rtl.box_rsp, config));
         REQUIRE(same(model.prim_rsp, rtl.prim_rsp, config));
         REQUIRE(same(model.tri_rsp, rtl.tri_rsp, config));
         REQUIRE(same(model.done, rtl.done, config));
         REQUIRE(same(model.prim_req, rtl.prim_req, config));
         REQUIRE(same(model.tri_req, rtl.tri_req, config));
-        REQUIRE(same(model.step, rtl.step, config));
+        REQUIRE(same(model.tested, rtl.tested, config));
         REQUIRE(same(model.closest, rtl.closest, config));
         world.watch(model);
         model.commit();
@@ -52,31 +51,29 @@ void lockstep(const Config& config, unsigned seed, const Flow& flow, int cycles)
     REQUIRE(world.triangles() > cycles / 20);
 }
 
-/// A node with one leaf of `triangles`, or none, and one inner child.
-BoxRsp node_of(std::uint32_t ray, std::uint32_t triangles) {
-    BoxRsp rsp;
-    rsp.ray = ray;
-    rsp.base = 1000 * ray;
-    rsp.inner = 1;
-    rsp.leaves = triangles > 0;
-    rsp.offset[1] = 6;
-    rsp.count[1] = triangles;
-    return rsp;
+/// One leaf of `triangles`.
+Leaves leaf_of(std::uint32_t ray, std::uint32_t triangles) {
+    Leaves leaves;
+    leaves.ray = ray;
+    leaves.base = 1000 * ray;
+    leaves.leaves = 1;
+    leaves.offset[0] = 6;
+    leaves.count[0] = triangles;
+    return leaves;
 }
 
 template <class Dut> struct Hand {
     Dut dut;
     explicit Hand(const Config& config) : dut{config} {
-        dut.prim_req.ready = dut.step.ready = dut.tri_req.ready = dut.closest.ready = true;
+        dut.prim_req.ready = dut.tested.ready = dut.tri_req.ready = dut.closest.ready = true;
         for (std::uint32_t ray = 0; ray < std::uint32_t(config.contexts); ++ray) {
-            dut.ray = Ray{};
-            dut.ray->ray = ray;
+            dut.start = Start{ray, 0};
             cycle();
         }
-        dut.ray.reset();
+        dut.start.reset();
     }
-    ListLinks cycle(std::optional<BoxRsp> boxes = {}, std::optional<TriRsp> tri = {}) {
-        dut.box_rsp.offer = boxes;
+    ListLinks cycle(std::optional<Leaves> leaves = {}, std::optional<TriRsp> tri = {}) {
+        dut.leaves = leaves;
         dut.tri_rsp.offer = tri;
         dut.eval();
         const ListLinks seen = dut;
@@ -116,48 +113,45 @@ TEMPLATE_TEST_CASE("list asks for each leaf's triangles in nodes of four", "[lis
 TEMPLATE_TEST_CASE("list passes on in the next cycle, and the inputs wait for nothing", "[list]", ListModel,
                    ListRtl) {
     Hand<TestType> hand{format("default")};
-    REQUIRE_FALSE(hand.cycle(node_of(1, 2)).prim_req.offer);
+    REQUIRE_FALSE(hand.cycle(leaf_of(1, 2)).prim_req.offer);
     ListLinks seen = hand.cycle();
     REQUIRE((seen.prim_req.offer && seen.prim_req.offer->ray == 1 && seen.prim_req.offer->addr == 2006));
-    REQUIRE_FALSE(seen.step.offer);
+    REQUIRE_FALSE(seen.tested.offer);
     REQUIRE_FALSE(hand.cycle({}, miss(1)).prim_req.offer);
     seen = hand.cycle();
     REQUIRE((seen.prim_req.offer && seen.prim_req.offer->addr == 2007));
-    REQUIRE_FALSE(hand.cycle({}, miss(1)).step.offer);
+    REQUIRE_FALSE(hand.cycle({}, miss(1)).tested.offer);
     seen = hand.cycle();
-    REQUIRE((seen.step.offer && seen.step.offer->ray == 1));
+    REQUIRE((seen.tested.offer && seen.tested.offer->ray == 1));
     REQUIRE_FALSE(seen.prim_req.offer);
-    REQUIRE_FALSE(hand.cycle(node_of(2, 0)).step.offer);
-    seen = hand.cycle();
-    REQUIRE((seen.step.offer && seen.step.offer->ray == 2));
 
-    // Both inputs in one cycle, to one link: tri's ray goes first.
-    hand.cycle(node_of(3, 2));
+    // Both inputs in one cycle, to the link prim: tri's ray goes first.
+    hand.cycle(leaf_of(3, 2));
     hand.cycle();
-    hand.cycle(node_of(4, 2), miss(3));
+    hand.cycle(leaf_of(4, 2), miss(3));
     REQUIRE(hand.cycle().prim_req.offer->ray == 3);
     REQUIRE(hand.cycle().prim_req.offer->ray == 4);
     // To two links: both at once.
-    hand.cycle(node_of(5, 1), miss(3));
+    hand.cycle(leaf_of(5, 1), miss(3));
     seen = hand.cycle();
-    REQUIRE((seen.prim_req.offer && seen.step.offer));
-    REQUIRE((seen.prim_req.offer->ray == 5 && seen.step.offer->ray == 3));
+    REQUIRE((seen.prim_req.offer && seen.tested.offer));
+    REQUIRE((seen.prim_req.offer->ray == 5 && seen.tested.offer->ray == 3));
 }
 
-TEMPLATE_TEST_CASE("list takes a node and a test in every cycle", "[list]", ListModel, ListRtl) {
+TEMPLATE_TEST_CASE("list takes leaves and a test in every cycle", "[list]", ListModel, ListRtl) {
     const Config config = format("default");
     Hand<TestType> hand{config};
     const std::uint32_t half = 32;
-    for (std::uint32_t ray = half; ray < 2 * half; ++ray) hand.cycle(node_of(ray, 1));
+    for (std::uint32_t ray = half; ray < 2 * half; ++ray) hand.cycle(leaf_of(ray, 1));
     for (int i = 0; i < 3; ++i) hand.cycle();
-    int steps = 0, prims = 0;
-    for (std::uint32_t i = 0; i < half; ++i) {   // nodes of one half of the rays, tests of the other
-        const ListLinks seen = hand.cycle(node_of(i, 1), miss(half + i));
-        REQUIRE((seen.box_rsp.fires() && seen.tri_rsp.fires()));
-        steps += seen.step.fires();
+    int tested = 0, prims = 0;
+    for (std::uint32_t i = 0; i < half; ++i) {   // leaves of one half of the rays, tests of the other
+        const ListLinks seen = hand.cycle(leaf_of(i, 1), miss(half + i));
+        REQUIRE(seen.tri_rsp.fires());
+        tested += seen.tested.fires();
         prims += seen.prim_req.fires();
     }
-    REQUIRE(steps == int(half) - 1);
+    REQUIRE(tested == int(half) - 1);
     REQUIRE(prims == int(half) - 1);
 }
 

@@ -111,8 +111,10 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     const auto count = [&](Channel c) { return moved[index(c)]; };
     const auto code = [&](Unit u, std::size_t c) { return accounts.units[index(u)][c]; };
     for (const Channel c : {Channel::slot, Channel::ray, Channel::hit}) REQUIRE(count(c) == 20 * 12);
-    for (const Channel c : {Channel::node_req, Channel::box_req, Channel::box_rsp, Channel::step})
+    for (const Channel c : {Channel::node_req, Channel::box_req, Channel::box_rsp})
         REQUIRE(count(c) == frame.trace.visits);
+    REQUIRE(count(Channel::leaves) == count(Channel::tested));
+    REQUIRE((count(Channel::tested) > 0 && count(Channel::tested) < frame.trace.visits));
     for (const Channel c : {Channel::prim_req, Channel::tri_req, Channel::tri_rsp})
         REQUIRE(count(c) == frame.trace.triangle_tests);
     REQUIRE((count(Channel::node_miss) == count(Channel::node_fill) &&
@@ -124,7 +126,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     REQUIRE(code(Unit::sched, 0) == count(Channel::slot));
     REQUIRE(code(Unit::raygen, 0) == count(Channel::ray));
     REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) ==
-            count(Channel::step) + frame.trace.turns);   // a turn is work, or holds a step up
+            frame.trace.visits + frame.trace.turns);   // a turn is work, or holds a step up
     REQUIRE(frame.trace.turns > 0);
     REQUIRE(code(Unit::box, 0) == count(Channel::box_req));
     REQUIRE(code(Unit::tri, 0) == count(Channel::tri_req));

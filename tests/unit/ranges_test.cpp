@@ -276,7 +276,7 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
         {"isect/rc_hitdiv.sv",
          {"localparam int unsigned WideW   = (U + Left > E ? U + Left : E) + 1;",
           "rc_pkg::DirBits - rc_pkg::CoordBits - 3 : 0;"}},
-        {"trav/rc_slab.sv",
+        {"bvh/rc_slab.sv",
          {"localparam int unsigned R1 = rc_pkg::RecipBits + 1", "localparam int unsigned D  = N + 1;",
           "localparam int unsigned P  = D + R1 + 1;", "localparam int unsigned V  = P + 1;",
           "logic [4:0]          s3_left_q, s3_right_q;", "logic [R1-1:0]       s3_up_q;",

@@ -5,7 +5,7 @@
 #include "model/trace/record.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
-#include "model/trav/slab.hpp"
+#include "model/bvh/slab.hpp"
 #include "tests/support/cases/box_cases.hpp"
 #include "tests/support/cases/tri_cases.hpp"
 #include "tests/support/machine/walked.hpp"

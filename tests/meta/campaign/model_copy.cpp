@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Where the machine's arithmetic is. Faults are drawn from its sources, not its headers.
-constexpr const char* arithmetic[] = {"model/isect/", "model/trav/", "model/list/", "model/raygen/",
+constexpr const char* arithmetic[] = {"model/isect/", "model/bvh/", "model/list/", "model/raygen/",
                                       "model/shade/"};
 /// Primitive tests that no RTL has, and pictures of hits alone: no machine runs them.
 constexpr const char* not_in_a_machine[] = {"model/isect/moller.cpp", "model/isect/woop.cpp",

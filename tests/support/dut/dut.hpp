@@ -7,7 +7,7 @@
 #include "model/base/ring.hpp"
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
-#include "model/trav/box.hpp"
+#include "model/bvh/box.hpp"
 #include "sim/rtl/rtl_module.hpp"
 
 namespace rayclock::test {
@@ -113,13 +113,15 @@ public:
     template <class P> void read_in(const char* name, Link<P>& link) const {
         link.ready = *rtl_.port(name).ready != 0;
     }
-    template <class P> void read_out(const char* name, Link<P>& link) const {
+    template <class P> void read_out(const char* name, Link<P>& link) const { read_told(name, link.offer); }
+    /// An output that is always accepted.
+    template <class P> void read_told(const char* name, std::optional<P>& told) const {
         const RcPort& port = rtl_.port(name);
-        link.offer.reset();
+        told.reset();
         if (!*port.valid) return;
         Words words((port.bytes + 3) / 4);   // a narrow port is less than a word, and anywhere
         std::memcpy(words.data(), port.data, port.bytes);
-        link.offer = unpack<P>(words.data(), config_);
+        told = unpack<P>(words.data(), config_);
     }
     /// A plain output of at most 32 bits.
     std::uint32_t plain(const char* name) const {

@@ -1,62 +1,62 @@
 #pragma once
-#include "model/list/leaves.hpp"
 #include "model/list/list.hpp"
+#include "model/list/ray_tests.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 
-/// What both machines of list show. `ray` is only listened to. A triangle from memory goes on to tri, and a
-/// finished ray to its hit, in the same cycle.
+/// What both machines of list show. `start`, `ray` and `leaves` are only listened to. A triangle from memory
+/// goes on to tri, and a finished ray to its hit, in the same cycle.
 struct ListLinks {
+    std::optional<Start> start;
     std::optional<Ray> ray;
-    Link<BoxRsp> box_rsp;
+    std::optional<Leaves> leaves;
     Link<PrimRsp> prim_rsp;
     Link<TriRsp> tri_rsp;
     Link<Done> done;
     Link<PrimReq> prim_req;
     Link<TriReq> tri_req;
-    Link<Step> step;
+    Link<Tested> tested;
     Link<Closest> closest;
 };
 
-/// List says when, the Leaves of each context what.
+/// List says when, the RayTests of each context what.
 class ListModel : public ListLinks {
 public:
     explicit ListModel(const Config& config, int = 1)
-        : list_(config), rays_(std::size_t(config.contexts)), leaves_(rays_.size(), Leaves(config)) {}
+        : list_(config), rays_(std::size_t(config.contexts)), tests_(rays_.size(), RayTests(config)) {}
     void eval() {
-        box_rsp.ready = tri_rsp.ready = true;
+        tri_rsp.ready = true;
         prim_req.offer.reset();
-        if (list_.prim_valid()) prim_req.offer = PrimReq{list_.prim_ray(), leaves_[list_.prim_ray()].prim()};
-        step.offer.reset();
-        if (list_.step_valid()) step.offer = leaves_[list_.step_ray()].step(list_.step_ray());
+        if (list_.prim_valid()) prim_req.offer = PrimReq{list_.prim_ray(), tests_[list_.prim_ray()].prim()};
+        tested.offer.reset();
+        if (list_.tested_valid()) tested.offer = tests_[list_.tested_ray()].tested();
         prim_rsp.ready = tri_req.ready;
         tri_req.offer.reset();
         if (prim_rsp.offer) {
             const Ray& r = rays_[prim_rsp.offer->ray];
             tri_req.offer = TriReq{
-                r.ray,  r.o,      r.d,     prim_rsp.offer->triangle, leaves_[r.ray].best(), r.shear, r.kind,
+                r.ray,  r.o,      r.d,     prim_rsp.offer->triangle, tests_[r.ray].best(), r.shear, r.kind,
                 r.self, r.inside, r.finite};
         }
         done.ready = closest.ready;
         closest.offer.reset();
-        if (done.offer) closest.offer = leaves_[done.offer->ray].closest(done.offer->ray);
+        if (done.offer) closest.offer = tests_[done.offer->ray].closest();
     }
     void commit() {
-        const bool boxed = box_rsp.fires(), tested = tri_rsp.fires();
-        list_.clock(
-            boxed ? &box_rsp.offer->ray : nullptr, boxed && leaves_[box_rsp.offer->ray].begin(*box_rsp.offer),
-            tested ? &tri_rsp.offer->ray : nullptr,
-            tested && leaves_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(), step.fires());
-        if (!ray) return;
-        rays_[ray->ray] = *ray;
-        leaves_[ray->ray].clear(RayKind(ray->kind));
+        const bool answered = tri_rsp.fires();
+        list_.clock(leaves ? &leaves->ray : nullptr, answered ? &tri_rsp.offer->ray : nullptr,
+                    answered && tests_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(),
+                    tested.fires());
+        if (leaves) tests_[leaves->ray].begin(*leaves);
+        if (ray) rays_[ray->ray] = *ray;
+        if (start) tests_[start->ray].start(*start);
     }
 
 private:
     List list_;
     std::vector<Ray> rays_;
-    std::vector<Leaves> leaves_;
+    std::vector<RayTests> tests_;
 };
 
 class ListRtl : public ListLinks {
@@ -68,27 +68,27 @@ public:
     void eval() {
         drive();
         links_.settle();
-        links_.read_in("box_rsp", box_rsp);
         links_.read_in("prim_rsp", prim_rsp);
         links_.read_in("tri_rsp", tri_rsp);
         links_.read_in("done", done);
         links_.read_out("prim_req", prim_req);
         links_.read_out("tri_req", tri_req);
-        links_.read_out("step", step);
+        links_.read_out("tested", tested);
         links_.read_out("closest", closest);
     }
     void commit() { links_.clock(); }
 
 private:
     void drive() {
-        links_.drive_in("ray", Link<Ray>{ray, true});
-        links_.drive_in("box_rsp", box_rsp);
+        links_.drive_listen("start", start);
+        links_.drive_listen("ray", ray);
+        links_.drive_listen("leaves", leaves);
         links_.drive_in("prim_rsp", prim_rsp);
         links_.drive_in("tri_rsp", tri_rsp);
         links_.drive_in("done", done);
         links_.drive_out("prim_req", prim_req);
         links_.drive_out("tri_req", tri_req);
-        links_.drive_out("step", step);
+        links_.drive_out("tested", tested);
         links_.drive_out("closest", closest);
     }
     RtlLinks links_;

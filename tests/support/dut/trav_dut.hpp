@@ -1,29 +1,37 @@
 #pragma once
-#include "model/trav/trav.hpp"
+#include "model/bvh/trav.hpp"
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
 
-/// What both machines of trav show. A node's answer goes on to box in the same cycle.
+/// What both machines of trav show. `start` is only listened to, and `leaves` are always accepted. A node's
+/// answer goes on to box in the same cycle, and box's answer, if it has leaves to be tested, to list.
 struct TravLinks {
+    std::optional<Start> start;
     Link<Ray> ray;
-    Link<Step> step;
     Link<NodeRsp> node_rsp;
+    Link<BoxRsp> box_rsp;
+    Link<Tested> tested;
     Link<NodeReq> node_req;
     Link<BoxReq> box_req;
+    std::optional<Leaves> leaves;
     Link<Done> done;
+    std::uint32_t cause = 0;
 };
 
 /// Trav says when, a Stack for each context where to.
 class TravModel : public TravLinks {
 public:
     TravModel(const Frame& frame, const Config& config, int = 1)
-        : root_(frame.root),
+        : config_(config),
+          root_(frame.root),
           trav_(config),
-          contexts_(std::size_t(config.contexts), Context{{}, {}, Stack(config), 0}) {}
+          contexts_(std::size_t(config.contexts), Context{{}, {}, {}, Stack(config), 0, 0}) {}
     void eval() {
+        const bool offered = tested.offer.has_value();
         ray.ready = trav_.ray_ready();
-        step.ready = trav_.step_ready();
+        tested.ready = trav_.tested_ready(offered);
+        cause = trav_.step_valid(offered) ? (trav_.step_ready() ? 0 : 2) : trav_.step_ready();
         node_req.offer.reset();
         if (trav_.node_valid()) {
             const std::uint32_t number = trav_.node_ray();
@@ -33,21 +41,39 @@ public:
         if (trav_.done_valid()) done.offer = Done{trav_.done_ray()};
         node_rsp.ready = box_req.ready;
         box_req.offer.reset();
-        if (!node_rsp.offer) return;
-        const Ray& r = contexts_[node_rsp.offer->ray].ray;
-        box_req.offer =
-            BoxReq{r.ray, r.o, {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0}, r.recip, r.len, node_rsp.offer->node};
+        if (node_rsp.offer) {
+            const Ray& r = contexts_[node_rsp.offer->ray].ray;
+            box_req.offer = BoxReq{r.ray,   r.o,   {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0},
+                                   r.recip, r.len, node_rsp.offer->node};
+        }
+        box_rsp.ready = true;
+        leaves.reset();
+        if (box_rsp.offer && box_rsp.offer->leaves > 0 &&
+            box_rsp.offer->t_near[box_rsp.offer->inner] <= contexts_[box_rsp.offer->ray].reach)
+            leaves = leaves_of(*box_rsp.offer);
     }
     void commit() {
-        trav_.clock(ray.fires() ? &ray.offer->ray : nullptr, step.fires() ? &step.offer->ray : nullptr,
-                    node_req.fires(), done.fires(), [&](std::uint32_t number) {
+        const auto leafless = box_rsp.offer && !leaves ? &box_rsp.offer->ray : nullptr;
+        trav_.clock({ray.fires() ? &ray.offer->ray : nullptr, leafless,
+                     tested.offer ? &tested.offer->ray : nullptr, node_req.fires(), done.fires()},
+                    [&](std::uint32_t number) {
                         Context& c = contexts_[number];
-                        const Turn turn = c.stack.decide(c.step);
+                        const Turn turn = c.stack.decide(c.tested, c.children);
                         c.addr = turn.addr;
-                        c.step.inner = 0;   // in another turn there are no new children
+                        c.children = {};   // in another turn there are no new ones
                         return turn.kind;
                     });
-        if (step.fires()) contexts_[step.offer->ray].step = *step.offer;
+        if (box_rsp.offer) {
+            Context& c = contexts_[box_rsp.offer->ray];
+            c.children = children_of(*box_rsp.offer);
+            c.tested = {box_rsp.offer->ray, 0, c.reach};   // if it is not told otherwise
+        }
+        if (tested.fires()) {
+            Context& c = contexts_[tested.offer->ray];
+            c.tested = *tested.offer;
+            c.reach = tested.offer->t_best;
+        }
+        if (start) contexts_[start->ray].reach = reach_of(RayKind(start->kind), config_);
         if (ray.fires()) {
             contexts_[ray.offer->ray].ray = *ray.offer;
             contexts_[ray.offer->ray].stack.clear();
@@ -57,10 +83,13 @@ public:
 private:
     struct Context {
         Ray ray;
-        Step step;
+        Children children;
+        Tested tested;
         Stack stack;
-        std::uint32_t addr;   // of the next node
+        std::uint32_t addr;    // of the next node
+        std::uint32_t reach;   // the distance to beat
     };
+    Config config_;
     std::uint32_t root_;
     Trav trav_;
     std::vector<Context> contexts_;
@@ -77,19 +106,24 @@ public:
         drive();
         links_.settle();
         links_.read_in("ray", ray);
-        links_.read_in("step", step);
+        links_.read_in("tested", tested);
         links_.read_in("node_rsp", node_rsp);
+        links_.read_in("box_rsp", box_rsp);
         links_.read_out("node_req", node_req);
         links_.read_out("box_req", box_req);
+        links_.read_told("leaves", leaves);
         links_.read_out("done", done);
+        cause = links_.plain("cause");
     }
     void commit() { links_.clock(); }
 
 private:
     void drive() {
+        links_.drive_listen("start", start);
         links_.drive_in("ray", ray);
-        links_.drive_in("step", step);
+        links_.drive_in("tested", tested);
         links_.drive_in("node_rsp", node_rsp);
+        links_.drive_in("box_rsp", box_rsp);
         links_.drive_out("node_req", node_req);
         links_.drive_out("box_req", box_req);
         links_.drive_out("done", done);

@@ -48,12 +48,12 @@ private:
                 see("mem.addr", walk.prim() / 2);
                 triangle(ray, read_triangle(image_, walk.prim(), c_), walk.best(), walk);
             }
-            Step step = walk.step();
-            see("list.t_best", step.t_best);
-            for (Turn turn = stack.decide(step); turn.kind == Turn::Kind::again; turn = stack.decide(step))
-                step.inner = 0;
+            const Tested tested = walk.tested();
+            see("list.t_best", tested.t_best);
+            Turn turn = stack.decide(tested, children_of(boxes));
+            while (turn.kind == Turn::Kind::again) turn = stack.decide(tested);
             see("trav.height", stack.height());
-            see("trav.ray", step.ray);
+            see("trav.ray", tested.ray);
             walk.decide(done);
         }
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What surrounds list in a test: box answers with leaves, memory, tri and trav, and a plain description of
+// What surrounds list in a test: trav with leaves, memory and tri, and a plain description of
 // the triangles that a node makes list ask for.
 #include "tests/support/dut/list_dut.hpp"
 #include "tests/support/world/traffic.hpp"
@@ -11,7 +11,7 @@ namespace rayclock::test {
 struct LeafWalk {
     Ray ray;
     TriRsp found;   ///< best so far; closer 0: none
-    BoxRsp node;
+    Leaves node;
     std::size_t leaf = 0;   ///< of the node's leaves
     std::uint32_t triangle = 0;
     std::uint32_t beyond = 0;
@@ -19,13 +19,12 @@ struct LeafWalk {
     bool asks_for_light() const { return ray.kind == 2 || ray.kind == 3; }
     bool blocked() const { return asks_for_light() && found.closer; }
     std::uint32_t t_best() const { return found.closer ? found.t : beyond; }
-    std::size_t entry() const { return node.inner + leaf; }
     bool more() const {
-        return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[entry()] <= t_best());
+        return !blocked() && leaf < node.leaves && (triangle > 0 || node.t_near[leaf] <= t_best());
     }
-    std::uint32_t address() const { return 2 * node.base + node.offset[entry()] + triangle; }
+    std::uint32_t address() const { return 2 * node.base + node.offset[leaf] + triangle; }
     void next() {
-        if (++triangle < node.count[entry()]) return;
+        if (++triangle < node.count[leaf]) return;
         triangle = 0;
         ++leaf;
     }
@@ -41,19 +40,21 @@ public:
     int stopped() const { return stopped_; }
 
     void drive(ListLinks& dut) {
+        dut.start.reset();
         dut.ray.reset();
-        if (!box_ && !waiting_for_box_.empty() && go()) make_boxes();
+        dut.leaves.reset();
+        if (!waiting_for_leaves_.empty() && go()) make_leaves(dut);
         if (!prim_ && !fetched_.empty() && go()) answer_triangle();
         if (!tri_ && !tested_.empty() && go()) answer_test();
         if (!done_ && !ending_.empty() && go()) done_ = Done{pick(ending_)};
-        if (left_ > 0 && go()) start_ray(dut);   // its first boxes come later
-        dut.box_rsp.offer = box_;
+        if (left_ > 0 && go()) start_ray(dut);   // its first leaves come later
+        if (!dut.ray && !waiting_for_leaves_.empty() && draw_.below(8) == 0) change_ray(dut);
         dut.prim_rsp.offer = prim_;
         dut.tri_rsp.offer = tri_;
         dut.done.offer = done_;
         dut.prim_req.ready = take();
         dut.tri_req.ready = take();
-        dut.step.ready = take();
+        dut.tested.ready = take();
         dut.closest.ready = take();
     }
 
@@ -64,20 +65,19 @@ public:
             tested_.push_back(prim_->ray);
             prim_.reset();
         }
-        if (dut.step.fires()) see_step(*dut.step.offer);
+        if (dut.tested.fires()) see_tested(*dut.tested.offer);
         if (dut.closest.offer) check_closest(*dut.closest.offer);
         if (dut.closest.fires()) {
             contexts_[done_->ray].busy = false;
             --running_;
             done_.reset();
         }
-        if (dut.box_rsp.fires()) {
-            Context& c = contexts_[box_->ray];
+        if (dut.leaves) {
+            Context& c = contexts_[dut.leaves->ray];
             c.here = true;
-            c.walk.node = *box_;
+            c.walk.node = *dut.leaves;
             c.walk.leaf = 0;
             c.walk.triangle = 0;
-            box_.reset();
         }
         if (dut.tri_rsp.fires()) {
             contexts_[tri_->ray].out = false;
@@ -120,33 +120,41 @@ private:
             // To the surface: t = 2^-B, in units of 2^-F of a direction of N + B bits.
             c.walk.beyond = c.walk.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits)
                                                  : (1u << config_.t_bits()) - 1;
+            dut.start = Start{c.walk.ray.ray, c.walk.ray.kind};
             dut.ray = c.walk.ray;
-            waiting_for_box_.push_back(std::uint32_t(number));
+            waiting_for_leaves_.push_back(std::uint32_t(number));
             --left_;
             ++running_;
             return;
         }
     }
 
-    void make_boxes() {
-        BoxRsp rsp;
-        rsp.ray = pick(waiting_for_box_);
-        rsp.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
-        const int children = draw_.between(0, config_.node_width);
-        rsp.leaves = std::uint32_t(draw_.between(0, children));
-        rsp.inner = std::uint32_t(children) - rsp.leaves;
-        std::uint32_t near[2] = {0, 0};
-        const std::uint32_t best = contexts_[rsp.ray].walk.t_best();
-        for (std::size_t i = 0; i < std::size_t(children); ++i) {
-            std::uint32_t& t = near[i >= rsp.inner];
+    /// The same ray with another direction: its hit stays.
+    void change_ray(ListLinks& dut) {
+        Ray& ray = contexts_[waiting_for_leaves_.front()].walk.ray;
+        const Ray old = ray;
+        ray = random_payload<Ray>(draw_, config_);
+        ray.ray = old.ray;
+        ray.kind = old.kind;
+        dut.ray = ray;
+    }
+
+    void make_leaves(ListLinks& dut) {
+        Leaves leaves;
+        leaves.ray = pick(waiting_for_leaves_);
+        leaves.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
+        leaves.leaves = std::uint32_t(draw_.between(1, config_.node_width));
+        const std::uint32_t best = contexts_[leaves.ray].walk.t_best();
+        std::uint32_t t = 0;
+        for (std::size_t i = 0; i < leaves.leaves; ++i) {
             t = draw_.below(4) == 0 ? std::max(t, best + std::uint32_t(draw_.below(4) == 0))
                                     : t + std::uint32_t(draw_.below(40));   // exactly as far counts
-            rsp.t_near[i] = t = std::min(t, (1u << config_.t_bits()) - 1);
-            rsp.offset[i] = i < rsp.inner ? 2 * std::uint32_t(draw_.below(config_.node_width))
-                                          : std::uint32_t(draw_.bits(offset_bits));
-            rsp.count[i] = i < rsp.inner ? 0 : std::uint32_t(draw_.between(1, 6));
+            t = std::min(t, i == 0 ? best : (1u << config_.t_bits()) - 1);
+            leaves.t_near[i] = t;
+            leaves.offset[i] = std::uint32_t(draw_.bits(offset_bits));
+            leaves.count[i] = std::uint32_t(draw_.between(1, 6));
         }
-        box_ = rsp;
+        dut.leaves = leaves;
     }
 
     void answer_triangle() {
@@ -190,25 +198,20 @@ private:
         REQUIRE(same(req, expected, config_));
     }
 
-    void see_step(const Step& step) {
-        CAPTURE(step.ray);
-        Context& c = contexts_[step.ray];
+    void see_tested(const Tested& tested) {
+        CAPTURE(tested.ray);
+        Context& c = contexts_[tested.ray];
         const LeafWalk& walk = c.walk;
         REQUIRE((c.here && !c.out));
         REQUIRE_FALSE(walk.more());
-        REQUIRE(step.stop == walk.blocked());
+        REQUIRE(tested.stop == walk.blocked());
         stopped_ += walk.blocked();
-        REQUIRE(step.inner == (walk.blocked() ? 0 : walk.node.inner));
-        REQUIRE((walk.blocked() || (step.t_best == walk.t_best() && step.base == walk.node.base)));
-        for (std::size_t i = 0; i < step.inner; ++i) {
-            REQUIRE(step.t_near[i] == walk.node.t_near[i]);
-            REQUIRE(step.slot[i] == walk.node.offset[i] / 2);
-        }
+        REQUIRE((walk.blocked() || tested.t_best == walk.t_best()));
         c.here = false;
         if (--c.nodes > 0 && !walk.blocked())
-            waiting_for_box_.push_back(step.ray);
+            waiting_for_leaves_.push_back(tested.ray);
         else
-            ending_.push_back(step.ray);
+            ending_.push_back(tested.ray);
     }
 
     void check_closest(const Closest& closest) const {
@@ -223,8 +226,7 @@ private:
     Draw draw_;
     int left_, running_ = 0, triangles_ = 0, stopped_ = 0;
     std::vector<Context> contexts_;
-    std::vector<std::uint32_t> waiting_for_box_, fetched_, tested_, ending_;
-    std::optional<BoxRsp> box_;
+    std::vector<std::uint32_t> waiting_for_leaves_, fetched_, tested_, ending_;
     std::optional<PrimRsp> prim_;
     std::optional<TriRsp> tri_;
     std::optional<Done> done_;

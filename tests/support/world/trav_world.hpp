@@ -16,16 +16,15 @@ public:
         std::uint32_t near, addr;
         int level;   ///< how many groups may lie under it
     };
-    /// The next place after `step`, or nothing: the ray is done. `level` is that of the node that was just
-    /// tested.
-    std::optional<Place> next(const Step& step, int level) {
-        if (step.stop) return std::nullopt;
-        for (std::size_t i = step.inner; i-- > 0;)
-            pile_.push_back({step.t_near[i], step.base + step.slot[i], level + 1});
+    /// The next place after a node, or nothing: the ray is done. `level` is the node's.
+    std::optional<Place> next(const BoxRsp& boxes, const Tested& tested, int level) {
+        if (tested.stop) return std::nullopt;
+        for (std::size_t i = boxes.inner; i-- > 0;)
+            pile_.push_back({boxes.t_near[i], boxes.base + boxes.offset[i] / 2, level + 1});
         while (!pile_.empty()) {
             const Place top = pile_.back();
             pile_.pop_back();
-            if (top.near <= step.t_best) return top;
+            if (top.near <= tested.t_best) return top;
         }
         return std::nullopt;
     }
@@ -34,8 +33,9 @@ private:
     std::vector<Place> pile_;
 };
 
-/// Rays in all contexts, each with one thing under way: spawn -> node -> step -> node ... -> done. Steps are
-/// invented, siblings in order of t_near, t_best never growing. Checks every node and every end against Walk.
+/// Rays in all contexts, each with one thing under way: start -> node -> boxes -> tested -> node ... -> done,
+/// where `tested` comes only if the boxes have leaves that matter. Boxes are invented, children in order of
+/// t_near, t_best never growing. Checks all leaves, every node and every end against Walk.
 class TravWorld {
 public:
     TravWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow, int rays)
@@ -48,15 +48,19 @@ public:
 
     bool finished() const { return ended_ == started_ && left_ == 0; }
     int nodes() const { return nodes_; }
-    int stopped() const { return stopped_; }   ///< rays
+    int stopped() const { return stopped_; }     ///< rays
+    int listings() const { return listings_; }   ///< times that leaves went to list
 
     /// Sets the inputs of one cycle; the same for every machine that gets them.
     void drive(TravLinks& dut) {
-        if (!ray_ && left_ > 0 && go()) start_ray();
-        if (!step_ && !tested_.empty() && go()) make_step();
+        dut.start.reset();
+        if (!ray_ && left_ > 0 && go()) start_ray(dut);
+        if (!boxes_ && !testing_.empty() && go()) make_boxes();
+        if (!tested_ && !listed_.empty() && go()) make_tested();
         if (!node_rsp_ && !fetched_.empty() && go()) answer_node();
         dut.ray.offer = ray_;
-        dut.step.offer = step_;
+        dut.box_rsp.offer = boxes_;
+        dut.tested.offer = tested_;
         dut.node_rsp.offer = node_rsp_;
         dut.node_req.ready = take();
         dut.box_req.ready = take();
@@ -70,11 +74,11 @@ public:
             c.awaited = Walk::Place{0, frame_.root, 0};
             ray_.reset();
         }
-        if (dut.step.fires()) {
-            Context& c = contexts_[step_->ray];
-            c.awaited = c.walk.next(*step_, c.level);
-            c.ending = !c.awaited;
-            step_.reset();
+        see_leaves(dut);
+        if (dut.tested.fires()) {
+            contexts_[tested_->ray].t_best = tested_->t_best;
+            go_on(*tested_);
+            tested_.reset();
         }
         if (dut.node_req.fires()) {
             const NodeReq& req = *dut.node_req.offer;
@@ -89,7 +93,7 @@ public:
         }
         if (dut.box_req.offer) check_box(*dut.box_req.offer);
         if (dut.box_req.fires()) {
-            tested_.push_back(node_rsp_->ray);
+            testing_.push_back(node_rsp_->ray);
             node_rsp_.reset();
         }
         if (dut.done.fires()) {
@@ -105,6 +109,7 @@ private:
         bool busy = false, ending = false, reached_bottom = false;
         Ray ray;
         Walk walk;
+        BoxRsp boxes;
         std::optional<Walk::Place> awaited;
         int level = 0, nodes = 0, most_nodes = 0;
         std::uint32_t t_best = 0;
@@ -119,7 +124,7 @@ private:
         return ray;
     }
 
-    void start_ray() {
+    void start_ray(TravLinks& dut) {
         const std::size_t first = std::size_t(draw_.below(config_.contexts));
         for (std::size_t i = 0; i < contexts_.size(); ++i) {
             const std::size_t ray = (first + i) % contexts_.size();
@@ -127,10 +132,12 @@ private:
             if (c.busy) continue;
             c = {};
             c.busy = true;
-            c.t_best = (1u << config_.t_bits()) - 1;
             c.most_nodes = draw_.between(0, 30);
             c.ray = random_payload<Ray>(draw_, config_);
             c.ray.ray = std::uint32_t(ray);
+            c.t_best = c.ray.kind == 2 ? 1u << (config_.coord_bits + config_.t_frac_bits)
+                                       : (1u << config_.t_bits()) - 1;
+            dut.start = Start{c.ray.ray, c.ray.kind};
             ray_ = c.ray;
             --left_;
             ++started_;
@@ -138,29 +145,77 @@ private:
         }
     }
 
-    void make_step() {
-        Step step;
-        step.ray = pick(tested_);
-        Context& c = contexts_[step.ray];
-        if (draw_.below(4) == 0) c.t_best = std::uint32_t(draw_.below(int(std::min(c.t_best, 1u << 20)) + 1));
-        step.t_best = c.t_best;
-        step.stop = config_.shading && draw_.below(12) == 0;   // whatever else the step says
-        stopped_ += int(step.stop);
-        step.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
+    void make_boxes() {
+        BoxRsp boxes;
+        boxes.ray = pick(testing_);
+        Context& c = contexts_[boxes.ray];
+        boxes.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         c.reached_bottom |= c.level == config_.stack_depth;
-        const bool deep = step.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last place
+        const bool deep =
+            boxes.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last place
         int most = c.level < config_.stack_depth ? config_.node_width : 1;
         if (++c.nodes > c.most_nodes && !deep) most = 0;
-        step.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
-        std::vector<std::uint32_t> nears;
+        boxes.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
+        boxes.leaves = std::uint32_t(draw_.between(0, config_.node_width - int(boxes.inner)));
+        std::vector<std::uint32_t> inner, leaves;
         const std::uint32_t about = std::min(c.t_best, 1u << 20);
-        for (int i = 0; i < config_.node_width; ++i) nears.push_back(draw_near(about, deep));
-        std::sort(nears.begin(), nears.begin() + step.inner);
-        for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i) {
-            step.t_near[i] = nears[i];
-            step.slot[i] = std::uint32_t(draw_.below(config_.node_width));
+        for (std::uint32_t i = 0; i < boxes.inner; ++i) inner.push_back(draw_near(about, deep));
+        for (std::uint32_t i = 0; i < boxes.leaves; ++i) {
+            const std::uint32_t most_t = (1u << config_.t_bits()) - 1;
+            leaves.push_back(draw_.coin() ? draw_near(about, false)
+                                          : std::min(c.t_best + std::uint32_t(draw_.below(2)), most_t));
         }
-        step_ = step;
+        std::sort(inner.begin(), inner.end());
+        std::sort(leaves.begin(), leaves.end());
+        for (std::size_t i = 0; i < boxes.inner + boxes.leaves; ++i) {
+            const bool is_leaf = i >= boxes.inner;
+            boxes.t_near[i] = is_leaf ? leaves[i - boxes.inner] : inner[i];
+            boxes.offset[i] = is_leaf ? std::uint32_t(draw_.bits(offset_bits))
+                                      : 2 * std::uint32_t(draw_.below(config_.node_width));
+            boxes.count[i] = is_leaf ? std::uint32_t(draw_.between(1, 6)) : 0;
+        }
+        boxes_ = boxes;
+    }
+
+    /// Leaves go to list in the cycle in which box answers, if the nearest can matter; others never do.
+    void see_leaves(const TravLinks& dut) {
+        if (!boxes_ || !dut.box_rsp.fires()) {
+            REQUIRE_FALSE(dut.leaves);
+            return;
+        }
+        CAPTURE(boxes_->ray);
+        Context& c = contexts_[boxes_->ray];
+        c.boxes = *boxes_;
+        boxes_.reset();
+        const bool matters = c.boxes.leaves > 0 && c.boxes.t_near[c.boxes.inner] <= c.t_best;
+        REQUIRE(dut.leaves.has_value() == matters);
+        if (!matters) return go_on({c.boxes.ray, 0, c.t_best});
+        Leaves expected{c.boxes.ray, c.boxes.base, c.boxes.leaves, {}, {}, {}};
+        for (std::size_t i = 0; i < c.boxes.leaves; ++i) {
+            expected.t_near[i] = c.boxes.t_near[c.boxes.inner + i];
+            expected.offset[i] = c.boxes.offset[c.boxes.inner + i];
+            expected.count[i] = c.boxes.count[c.boxes.inner + i];
+        }
+        REQUIRE(same(*dut.leaves, expected, config_));
+        listed_.push_back(c.boxes.ray);
+        ++listings_;
+    }
+
+    void make_tested() {
+        Tested tested;
+        tested.ray = pick(listed_);
+        tested.t_best = contexts_[tested.ray].t_best;
+        if (draw_.below(3) == 0)
+            tested.t_best = std::uint32_t(draw_.below(int(std::min(tested.t_best, 1u << 20)) + 1));
+        tested.stop = config_.shading && draw_.below(8) == 0;
+        stopped_ += int(tested.stop);
+        tested_ = tested;
+    }
+
+    void go_on(const Tested& tested) {
+        Context& c = contexts_[tested.ray];
+        c.awaited = c.walk.next(c.boxes, tested, c.level);
+        c.ending = !c.awaited;
     }
 
     /// Half of them around the best hit; on the way down, always nearer.
@@ -188,11 +243,13 @@ private:
     Config config_;
     Flow flow_;
     Draw draw_;
-    int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0;
+    int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;
     std::vector<Context> contexts_;
-    std::vector<std::uint32_t> fetched_, tested_;   // rays whose node is on its way, rays whose boxes are
+    std::vector<std::uint32_t> fetched_, testing_, listed_;   // rays whose node is on its way, that are with
+                                                              // box, whose leaves are with list
     std::optional<Ray> ray_;
-    std::optional<Step> step_;
+    std::optional<BoxRsp> boxes_;
+    std::optional<Tested> tested_;
     std::optional<NodeRsp> node_rsp_;
 };
 

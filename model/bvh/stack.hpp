@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "model/core/payloads.hpp"
+#include "model/bvh/children.hpp"
 
 namespace rayclock {
 
-/// Where a ray goes after a step.
+/// Where a ray goes after a node.
 struct Turn {
     enum class Kind : std::uint8_t {
         visit,   ///< to the node at `addr`
@@ -18,16 +18,17 @@ struct Turn {
 
 /// One ray's stack of sibling groups, and the decision where the ray goes next: what trav does, without when.
 ///
-/// A step's nearest child is visited and its siblings kept as one group; a step without a child that can
-/// still matter pops. Each group knows `below`, the smallest t_near of all groups under it, so that a ray for
-/// which nothing there matters is done at once. A group whose nearest child is too far is dropped, one a
-/// turn. A stop empties the stack: the ray is done. Mirror of rtl/trav/rc_stack.sv.
+/// The nearest inner child is visited and its siblings kept as one group; without a child that can still
+/// matter the stack is popped. Each group knows `below`, the smallest t_near of all groups under it, so that
+/// a ray for which nothing there matters is done at once. A group whose nearest child is too far is dropped,
+/// one a turn. A stop empties the stack: the ray is done. Mirror of rtl/bvh/rc_stack.sv.
 class Stack {
 public:
     explicit Stack(const Config& config)
         : beyond_((1u << config.t_bits()) - 1), groups_(std::size_t(config.stack_depth)) {}
 
-    Turn decide(const Step& step);
+    /// After a node whose leaves are tested; in another turn there are no new children.
+    Turn decide(const Tested& tested, const Children& children = {});
     void clear() { height_ = 0; }
     int height() const { return height_; }
 

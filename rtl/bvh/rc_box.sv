@@ -1,7 +1,7 @@
 // Slab test of all children of a node, conservative, and their order.
 //
 // Latency rc_pkg::BoxLatency + 1 (result queue), throughput 1 node per cycle, answers
-// in order. Model: model/trav/box.hpp, which has the formulas. No box that holds a
+// in order. Model: model/bvh/box.hpp, which has the formulas. No box that holds a
 // point of the ray is left out; a child's t_near is never beyond such a point.
 `default_nettype none
 module rc_box (

@@ -40,7 +40,7 @@ struct BoxRay {
 /// is 0, negative far a miss; both saturate at all ones. A zero component only asks whether o lies between
 /// the planes (rounded outward). If the chip shades, M is ray_dir_bits() here, in which len counts, and o may
 /// lie between lattice points: D of near is taken from the one further along the ray, D of far from the other
-/// (docs/origins.md, Boxes). Mirror of rtl/trav/rc_box.sv, latency Config::box_latency() + 1, one node per
+/// (docs/origins.md, Boxes). Mirror of rtl/bvh/rc_box.sv, latency Config::box_latency() + 1, one node per
 /// cycle.
 void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
 /// The same without the processor's wider vectors, whether it has them or not: for the tests.

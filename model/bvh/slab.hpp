@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "model/trav/box.hpp"
+#include "model/bvh/box.hpp"
 
 // With this, slab.inl and what includes it are compiled twice, for the baseline and for AVX2, and the
 // processor decides. The results are the same, since every operation is exact.

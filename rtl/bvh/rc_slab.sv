@@ -3,7 +3,7 @@
 // operands in s0, planes in s2, interval from the registers of s3 (zero if s3 holds nothing).
 // If the origin has fraction bits, near planes are measured from the lattice point before
 // or beyond it that lies further along the ray, far planes from the other one: at most a
-// lattice step more (docs/origins.md, Boxes). Model: model/trav/slab.hpp and slab.inl.
+// lattice step more (docs/origins.md, Boxes). Model: model/bvh/slab.hpp and slab.inl.
 `default_nettype none
 module rc_slab #(
   localparam int unsigned W  = rc_pkg::NodeWidth,

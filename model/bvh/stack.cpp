@@ -1,18 +1,18 @@
-#include "model/trav/stack.hpp"
+#include "model/bvh/stack.hpp"
 
 #include <algorithm>
 #include <cassert>
 
 namespace rayclock {
 
-Turn Stack::decide(const Step& s) {
-    if (s.stop) {
+Turn Stack::decide(const Tested& tested, const Children& c) {
+    if (tested.stop) {
         height_ = 0;
         return {};
     }
-    if (s.inner == 0 || s.t_near[0] > s.t_best) return pop(s.t_best);
-    const Turn forward{Turn::Kind::visit, s.base + s.slot[0]};
-    if (s.inner == 1) return forward;
+    if (c.inner == 0 || c.t_near[0] > tested.t_best) return pop(tested.t_best);
+    const Turn forward{Turn::Kind::visit, c.base + c.slot[0]};
+    if (c.inner == 1) return forward;
     assert(std::size_t(height_) < groups_.size() && "the compiled scene promised a shallower stack");
     Group& g = groups_[std::size_t(height_)];
     g.below = beyond_;
@@ -20,11 +20,11 @@ Turn Stack::decide(const Step& s) {
         const Group& under = groups_[std::size_t(height_ - 1)];
         g.below = std::min(under.t_near[0], under.below);
     }
-    g.base = s.base;
-    g.count = s.inner - 1;
+    g.base = c.base;
+    g.count = c.inner - 1;
     for (std::size_t i = 0; i < g.count; ++i) {
-        g.t_near[i] = s.t_near[i + 1];
-        g.slot[i] = s.slot[i + 1];
+        g.t_near[i] = c.t_near[i + 1];
+        g.slot[i] = c.slot[i + 1];
     }
     ++height_;
     return forward;

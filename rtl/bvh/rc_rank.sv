@@ -3,7 +3,7 @@
 // ordered entries from the registers of s6. Offsets differ, so the order is total.
 //
 // A bitonic network (Batcher 1968) of six levels for eight children, three a stage.
-// Model: the end of box_children() in model/trav/box.cpp.
+// Model: the end of box_children() in model/bvh/box.cpp.
 `default_nettype none
 module rc_rank #(
   localparam int unsigned W      = rc_pkg::NodeWidth,

@@ -1,8 +1,8 @@
 // The rays' stacks of sibling groups, and the decision where a ray goes next. Part of
 // rc_trav. s0 reads the top group of a ray; in s1 the group is there, and either the
-// step's nearest child is visited and the others pushed, or the stack is popped.
+// nearest inner child of the node is visited and the others pushed, or the stack is popped.
 // A stop empties the stack: the ray is done. One ray is never in both stages.
-// Model: model/trav/stack.cpp.
+// Model: model/bvh/stack.cpp.
 `default_nettype none
 module rc_stack (
   input  logic                        clk_i,
@@ -10,7 +10,8 @@ module rc_stack (
   input  logic                        s0_valid_i,
   input  logic [rc_pkg::RayBits-1:0]  s0_ray_i,
   input  logic                        s1_valid_i,
-  input  rc_pkg::step_t               s1_step_i,
+  input  rc_pkg::tested_t             s1_tested_i,
+  input  rc_pkg::children_t           s1_children_i,
   output logic                        visit_o,
   output logic [rc_pkg::AddrBits-1:0] visit_base_o,
   output logic [rc_pkg::SlotBits-1:0] visit_slot_o,
@@ -34,7 +35,7 @@ module rc_stack (
   logic [rc_pkg::Contexts-1:0] used_q;
   logic [H-1:0] s0_kept, s0_height, s1_height_q, height_d, level;
   rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
-    .clk_i, .write_i(s1_valid_i), .write_addr_i(s1_step_i.ray), .write_data_i(height_d),
+    .clk_i, .write_i(s1_valid_i), .write_addr_i(s1_tested_i.ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
   assign s0_height = used_q[s0_ray_i] ? s0_kept : '0;
 
@@ -42,7 +43,7 @@ module rc_stack (
   logic [GroupW-1:0] group_d, group;
   rc_ram_sync #(.Width(GroupW), .Depth(rc_pkg::Contexts * D)) u_groups (
     .clk_i,
-    .write_i(write), .write_addr_i(address(s1_step_i.ray, level)), .write_data_i(group_d),
+    .write_i(write), .write_addr_i(address(s1_tested_i.ray, level)), .write_data_i(group_d),
     .read_i(s0_valid_i), .read_addr_i(address(s0_ray_i, s0_height - H'(1))), .read_data_o(group));
 
   localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
@@ -59,18 +60,19 @@ module rc_stack (
 
   logic [W*T-1:0] near;
   logic [W*S-1:0] slot;
-  assign near = s1_step_i.t_near;
-  assign slot = s1_step_i.slot;
+  assign near = s1_children_i.t_near;
+  assign slot = s1_children_i.slot;
 
-  // Behind the ray's number, if the chip shades.
-  logic [rc_pkg::StepW-1:0] step_flat;
-  logic                     stop;
-  assign step_flat = s1_step_i;
-  assign stop      = rc_pkg::Shading != 0 && step_flat[rc_pkg::StepW-I-1];
+  logic stop;
+  if (rc_pkg::Shading != 0) begin : gen_stop
+    assign stop = s1_tested_i.stop;
+  end else begin : gen_go_on
+    assign stop = 1'b0;
+  end
 
   logic forward, last_sibling, top_matters;
-  assign forward      = !stop && s1_step_i.inner != '0 && near[T-1:0] <= s1_step_i.t_best;
-  assign top_matters  = top_near[T-1:0] <= s1_step_i.t_best;
+  assign forward      = !stop && s1_children_i.inner != '0 && near[T-1:0] <= s1_tested_i.t_best;
+  assign top_matters  = top_near[T-1:0] <= s1_tested_i.t_best;
   assign last_sibling = top_count == G'(1);
 
   always_comb begin
@@ -82,12 +84,13 @@ module rc_stack (
     write        = 1'b0;
     level        = s1_height_q;
     height_d     = s1_height_q;
-    visit_base_o = forward ? s1_step_i.base : top_base;
+    visit_base_o = forward ? s1_children_i.base : top_base;
     visit_slot_o = forward ? slot[S-1:0] : top_slot[S-1:0];
-    group_d      = {below, s1_step_i.base, s1_step_i.inner - G'(1), near[W*T-1:T], slot[W*S-1:S]};
+    group_d      = {below, s1_children_i.base, s1_children_i.inner - G'(1), near[W*T-1:T],
+                    slot[W*S-1:S]};
     if (s1_valid_i && forward) begin
       visit_o = 1'b1;
-      if (s1_step_i.inner != G'(1)) begin
+      if (s1_children_i.inner != G'(1)) begin
         write    = 1'b1;
         height_d = s1_height_q + H'(1);
       end
@@ -100,7 +103,7 @@ module rc_stack (
       write    = !last_sibling;
       group_d  = {top_below, top_base, top_count - G'(1), top_near >> T, top_slot >> S};
       if (last_sibling) height_d = s1_height_q - H'(1);
-    end else if (s1_valid_i && (s1_height_q == H'(1) || top_below > s1_step_i.t_best)) begin
+    end else if (s1_valid_i && (s1_height_q == H'(1) || top_below > s1_tested_i.t_best)) begin
       done_o   = 1'b1;
       height_d = '0;
     end else if (s1_valid_i) begin
@@ -109,22 +112,19 @@ module rc_stack (
     end
   end
 
-  logic unused;
-  assign unused = ^step_flat;
-
   always_ff @(posedge clk_i) begin
     if (s0_valid_i) s1_height_q <= s0_height;
     if (!rst_ni)         used_q <= '0;
-    else if (s1_valid_i) used_q[s1_step_i.ray] <= 1'b1;
+    else if (s1_valid_i) used_q[s1_tested_i.ray] <= 1'b1;
   end
 
 `ifndef SYNTHESIS
   a_room: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                           s1_valid_i && forward && s1_step_i.inner != G'(1)
+                           s1_valid_i && forward && s1_children_i.inner != G'(1)
                                |-> s1_height_q != H'(D))
     else $error("the scene needs a deeper stack than its compilation said");
   a_one_stage: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                s0_valid_i && s1_valid_i |-> s0_ray_i != s1_step_i.ray)
+                                s0_valid_i && s1_valid_i |-> s0_ray_i != s1_tested_i.ray)
     else $error("a ray is in both stages of trav");
 `endif
 endmodule

@@ -1,6 +1,7 @@
-#include "model/trav/box.hpp"
+#include "model/bvh/box.hpp"
 
-#include "model/trav/slab.hpp"
+#include "model/bvh/children.hpp"
+#include "model/bvh/slab.hpp"
 
 namespace rayclock {
 
@@ -58,7 +59,7 @@ void answer(std::uint32_t hits, const std::uint32_t* t_near, const WideNode& nod
 }   // namespace
 
 namespace plain {
-#include "model/trav/slab.inl"
+#include "model/bvh/slab.inl"
 }   // namespace plain
 
 void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
@@ -73,7 +74,7 @@ void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& c
 #pragma GCC target("avx2")
 #define RAYCLOCK_WITH_AVX2
 namespace avx2 {
-#include "model/trav/slab.inl"
+#include "model/bvh/slab.inl"
 static void test(const SlabRay& ray, const WideNode& node, std::uint32_t* t_near, std::uint32_t& hits) {
     hits = slab_test(ray, node, node.children, t_near);
 }
@@ -149,6 +150,22 @@ WideNode NodeReader::operator()(const std::uint32_t* line) const {
     }
     set_masks(wide, inner);
     return wide;
+}
+
+Children children_of(const BoxRsp& boxes) {
+    Children children{boxes.base, boxes.inner, boxes.t_near, {}};
+    for (std::size_t i = 0; i < max_width; ++i) children.slot[i] = boxes.offset[i] >> 1;
+    return children;
+}
+
+Leaves leaves_of(const BoxRsp& boxes) {
+    Leaves leaves{boxes.ray, boxes.base, boxes.leaves, {}, {}, {}};
+    for (std::size_t i = 0; i < boxes.leaves; ++i) {
+        leaves.t_near[i] = boxes.t_near[boxes.inner + i];
+        leaves.offset[i] = boxes.offset[boxes.inner + i];
+        leaves.count[i] = boxes.count[boxes.inner + i];
+    }
+    return leaves;
 }
 
 BoxRsp box(const BoxReq& req, const Config& config) {

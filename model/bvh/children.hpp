@@ -1,0 +1,25 @@
+#pragma once
+#include "model/core/payloads.hpp"
+
+namespace rayclock {
+
+/// The inner children of a node that a ray meets, nearest first: what trav keeps of box's answer until the
+/// node's leaves are tested. Entries beyond `inner` are not looked at.
+struct Children {
+    std::uint32_t base = 0;
+    std::uint32_t inner = 0;
+    std::array<std::uint32_t, max_width> t_near{};
+    std::array<std::uint32_t, max_width> slot{};   ///< line from base
+    template <class V> void fields(V& v, const Config& c) {
+        v("base", base, c.addr_bits);
+        v("inner", inner, c.group_bits());
+        v("t_near", t_near, c.t_bits(), c.node_width);
+        v("slot", slot, c.slot_bits(), c.node_width);
+    }
+};
+
+/// Box's answer in its two parts.
+Children children_of(const BoxRsp& boxes);
+Leaves leaves_of(const BoxRsp& boxes);
+
+}   // namespace rayclock

@@ -1,0 +1,221 @@
+// The walk through the tree. Of the children that box met, the leaves go to list to be
+// tested, and the inner ones wait here. When list has tested the leaves and tells the
+// distance to beat, or at once if no leaf can matter, the ray takes a step: it goes to the
+// nearest inner child that can still matter and keeps the others on its stack as one group,
+// or it pops.
+//
+// An answer of box is accepted in every cycle; its leaves go to list in the same cycle, which
+// always takes them. Rays without leaves wait in a queue of their own; those that list has
+// tested go first. Stage 0 accepts a step and reads the top of the ray's stack; stage 1
+// decides the next node or the ray's end. A popped group whose nearest child is too far
+// costs another turn through both stages (before new steps), unless `below`, the nearest
+// t_near of all groups under it, says that nothing there can matter. A new ray starts at the
+// root when no other node waits. A node that comes back from memory goes on to box, with its
+// ray, in the same cycle. Model: model/bvh/trav.hpp. The compiled scene must not need more
+// than StackDepth groups.
+`default_nettype none
+module rc_trav (
+  input  logic              clk_i,
+  input  logic              rst_ni,
+  input  rc_pkg::frame_t    frame_i,
+  // A ray starts; from raygen
+  input  logic              start_fires_i,
+  input  rc_pkg::start_t    start_i,
+  input  logic              ray_valid_i,
+  output logic              ray_ready_o,
+  input  rc_pkg::ray_t      ray_i,
+  // To and from node_cache
+  output logic              node_req_valid_o,
+  input  logic              node_req_ready_i,
+  output rc_pkg::node_req_t node_req_o,
+  input  logic              node_rsp_valid_i,
+  output logic              node_rsp_ready_o,
+  input  rc_pkg::node_rsp_t node_rsp_i,
+  // To and from box
+  output logic              box_req_valid_o,
+  input  logic              box_req_ready_i,
+  output rc_pkg::box_req_t  box_req_o,
+  input  logic              box_rsp_valid_i,
+  output logic              box_rsp_ready_o,
+  input  rc_pkg::box_rsp_t  box_rsp_i,
+  // To and from list
+  output logic              leaves_fires_o,
+  output rc_pkg::leaves_t   leaves_o,
+  input  logic              tested_valid_i,
+  output logic              tested_ready_o,
+  input  rc_pkg::tested_t   tested_i,
+  output logic              done_valid_o,
+  input  logic              done_ready_i,
+  output rc_pkg::done_t     done_o,
+  // What it did; codes in model/core/accounts.hpp
+  output logic [2:0]        cause_o
+);
+  localparam int unsigned I = rc_pkg::RayBits;
+  localparam int unsigned A = rc_pkg::AddrBits;
+  localparam int unsigned T = rc_pkg::Contexts;
+  localparam int unsigned M = rc_pkg::RayDirBits;
+  localparam int unsigned TB = rc_pkg::TBits;
+  localparam int unsigned S = rc_pkg::SlotBits;
+  localparam int unsigned W = rc_pkg::NodeWidth;
+  localparam int unsigned O = rc_pkg::OffsetBits;
+  localparam int unsigned C = rc_pkg::CountBits;
+
+  // Rays: origin, signs and reciprocals wait here for their nodes.
+  localparam int unsigned BoxRayW = 3 * rc_pkg::OriginWidth + 3 + 3 * (rc_pkg::RecipBits + 1)
+                                  + 3 * rc_pkg::ExpBits;
+  logic ray_fires;
+  logic [3*M-1:0]     ray_d;
+  logic [BoxRayW-1:0] box_ray;
+  assign ray_fires = ray_valid_i && ray_ready_o;
+  assign ray_d     = ray_i.d;
+  rc_ram #(.Width(BoxRayW), .Depth(T)) u_ray (
+    .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray),
+    .write_data_i({ray_i.o, ray_d[3*M-1], ray_d[2*M-1], ray_d[M-1], ray_i.recip, ray_i.len}),
+    .read_addr_i(node_rsp_i.ray), .read_data_o(box_ray));
+  assign box_req_valid_o  = node_rsp_valid_i;
+  assign node_rsp_ready_o = box_req_ready_i;
+  assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp_i.org, node_rsp_i.exp, node_rsp_i.base,
+                      node_rsp_i.kind, node_rsp_i.lo, node_rsp_i.hi};
+
+  // Box's answer: the leaves, moved to the front, go to list if the nearest can matter.
+  rc_pkg::box_rsp_t in;
+  logic             in_fires, leaf_matters;
+  logic [S-1:0]     in_inner;
+  logic [W*TB-1:0]  leaf_near;
+  logic [W*O-1:0]   in_offset, leaf_offset;
+  logic [W*C-1:0]   leaf_count;
+  logic [W*S-1:0]   in_slot;
+  logic [TB-1:0]    in_t;
+  assign in              = box_rsp_i;
+  assign in_fires        = box_rsp_valid_i;
+  assign box_rsp_ready_o = 1'b1;
+  assign in_inner        = in.inner[S-1:0];   // W of them leave no leaves
+  assign in_offset       = in.offset;
+  always_comb begin
+    leaf_near   = in.t_near;
+    leaf_offset = in.offset;
+    leaf_count  = in.count;
+    for (int b = 0; b < S; b++)
+      if (in_inner[b]) begin
+        leaf_near   = leaf_near >> (TB << b);
+        leaf_offset = leaf_offset >> (O << b);
+        leaf_count  = leaf_count >> (C << b);
+      end
+  end
+  for (genvar i = 0; i < W; i++) begin : gen_slot   // an inner child is a line, two halves
+    assign in_slot[i*S +: S] = in_offset[i*O + 1 +: S];
+  end
+  rc_reach u_reach (
+    .clk_i, .start_fires_i, .start_i,
+    .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
+    .write_t_i(tested_i.t_best), .read_ray_i(in.ray), .read_t_o(in_t));
+  assign leaf_matters   = in.leaves != '0 && leaf_near[TB-1:0] <= in_t;
+  assign leaves_fires_o = in_fires && leaf_matters;
+  assign leaves_o       = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
+
+  // Steps to take: rays whose leaves are tested, and rays without leaves.
+  logic            leafless_valid, leafless_ready, step_valid, step_ready;
+  logic [I-1:0]    leafless_ray;
+  logic [TB-1:0]   leafless_t;
+  rc_pkg::tested_t leafless;
+  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
+    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({in.ray, in_t}),
+    .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
+    .data_o({leafless_ray, leafless_t}));
+  always_comb begin
+    leafless        = '0;
+    leafless.ray    = leafless_ray;
+    leafless.t_best = leafless_t;
+  end
+  rc_pkg::tested_t            step;
+  logic [rc_pkg::TestedW-1:0] step_flat;
+  rc_merge #(.Width(rc_pkg::TestedW)) u_step (
+    .clk_i, .rst_ni,
+    .first_valid_i(tested_valid_i), .first_ready_o(tested_ready_o), .first_i(tested_i),
+    .second_valid_i(leafless_valid), .second_ready_o(leafless_ready), .second_i(leafless),
+    .valid_o(step_valid), .ready_i(step_ready), .data_o(step_flat));
+  assign step    = step_flat;
+  // A ray that goes round is work, if nothing waits behind it.
+  always_comb begin
+    if (step_valid) cause_o = step_ready ? rc_pkg::TravBusyWork : rc_pkg::TravStalledRecirculation;
+    else            cause_o = step_ready ? rc_pkg::TravStarvedList : rc_pkg::TravBusyWork;
+  end
+
+  // Inner children of each ray's node.
+  logic [rc_pkg::ChildrenW-1:0] step_children;
+  rc_ram #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
+    .clk_i, .write_i(in_fires), .write_addr_i(in.ray),
+    .write_data_i({in.base, in.inner, in.t_near, in_slot}),
+    .read_addr_i(step.ray), .read_data_o(step_children));
+
+  // Stage 0: a returning ray before a new step. It has no new children and is not stopped.
+  logic            again_q, step_fires;
+  logic [I-1:0]    again_ray_q, s0_ray;
+  logic [TB-1:0]   again_t_q;
+  rc_pkg::tested_t again_tested;
+  assign step_ready = !again_q;
+  assign step_fires = step_valid && step_ready;
+  assign s0_ray     = again_q ? again_ray_q : step.ray;
+  always_comb begin
+    again_tested        = '0;
+    again_tested.ray    = again_ray_q;
+    again_tested.t_best = again_t_q;
+  end
+
+  logic                         s1_valid_q;
+  logic [rc_pkg::TestedW-1:0]   s1_tested_q;
+  logic [rc_pkg::ChildrenW-1:0] s1_children_q;
+  rc_pkg::tested_t              s1_tested;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) s1_valid_q <= 1'b0;
+    else         s1_valid_q <= again_q || step_fires;
+    if (again_q)         {s1_tested_q, s1_children_q} <= {again_tested, {rc_pkg::ChildrenW{1'b0}}};
+    else if (step_fires) {s1_tested_q, s1_children_q} <= {step, step_children};
+  end
+  assign s1_tested = s1_tested_q;
+
+  // Stage 1: the stack decides.
+  logic          visit, done, again;
+  logic [A-1:0]  visit_base;
+  logic [S-1:0]  visit_slot;
+  rc_stack u_stack (
+    .clk_i, .rst_ni, .s0_valid_i(again_q || step_fires), .s0_ray_i(s0_ray),
+    .s1_valid_i(s1_valid_q), .s1_tested_i(s1_tested), .s1_children_i(s1_children_q),
+    .visit_o(visit), .visit_base_o(visit_base), .visit_slot_o(visit_slot), .done_o(done),
+    .again_o(again));
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) again_q <= 1'b0;
+    else         again_q <= again;
+    if (again) {again_ray_q, again_t_q} <= {s1_tested.ray, s1_tested.t_best};
+  end
+
+  // Nodes to fetch; new rays wait for a gap.
+  logic           visit_valid, visit_ready, spawn_valid, spawn_ready;
+  logic [I+A-1:0] visit_data;
+  logic [I-1:0]   spawn_ray;
+  rc_queue #(.Width(I + A), .Depth(T)) u_visit (
+    .clk_i, .rst_ni, .push_i(visit),
+    .data_i({s1_tested.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
+    .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
+  rc_fifo #(.Width(I), .Depth(2)) u_spawn (
+    .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
+    .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
+  rc_merge #(.Width(I + A)) u_node (
+    .clk_i, .rst_ni,
+    .first_valid_i(visit_valid), .first_ready_o(visit_ready), .first_i(visit_data),
+    .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
+    .second_i({spawn_ray, frame_i.root}),
+    .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
+
+  rc_queue #(.Width(I), .Depth(T)) u_done (
+    .clk_i, .rst_ni, .push_i(done), .data_i(s1_tested.ray),
+    .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
+
+  logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
+  logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic                      unused;
+  assign ray_flat   = ray_i;
+  assign frame_flat = frame_i;
+  assign unused     = ^{ray_flat, frame_flat, in_offset};
+endmodule
+`default_nettype wire

@@ -1,0 +1,41 @@
+// How far each ray still looks: its distance to beat. When a ray starts, this is what its
+// kind gives: 2^(N+F) for a shadow ray, which ends at t = 2^-B, and all ones for the others.
+// Afterwards it is what was written last.
+//
+// Read in the same cycle. A read sees what happened in earlier cycles only. trav and list
+// have one each. Model: reach_of() in model/core/frame.hpp.
+`default_nettype none
+module rc_reach (
+  input  logic                       clk_i,
+  input  logic                       start_fires_i,
+  input  rc_pkg::start_t             start_i,
+  input  logic                       write_i,
+  input  logic [rc_pkg::RayBits-1:0] write_ray_i,
+  input  logic [rc_pkg::TBits-1:0]   write_t_i,
+  input  logic [rc_pkg::RayBits-1:0] read_ray_i,
+  output logic [rc_pkg::TBits-1:0]   read_t_o
+);
+  localparam int unsigned T  = rc_pkg::Contexts;
+  localparam int unsigned TB = rc_pkg::TBits;
+  localparam logic [TB-1:0] SurfaceT = TB'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
+
+  // written_q says whether the memory holds a ray's; shadow_q, which rays end at the surface.
+  logic [T-1:0]               written_q, shadow_q;
+  logic [TB-1:0]              kept;
+  logic [rc_pkg::RayBits-1:0] start_ray;
+  assign start_ray = start_i.ray;
+  rc_ram #(.Width(TB), .Depth(T)) u_t (
+    .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(write_t_i),
+    .read_addr_i(read_ray_i), .read_data_o(kept));
+  always_ff @(posedge clk_i) begin
+    if (start_fires_i) written_q[start_ray] <= 1'b0;
+    if (write_i)       written_q[write_ray_i] <= 1'b1;
+  end
+  if (rc_pkg::Shading != 0) begin : gen_kinds
+    always_ff @(posedge clk_i) if (start_fires_i) shadow_q[start_ray] <= start_i.kind == 2'd2;
+  end else begin : gen_camera
+    assign shadow_q = '0;
+  end
+  assign read_t_o = written_q[read_ray_i] ? kept : shadow_q[read_ray_i] ? SurfaceT : '1;
+endmodule
+`default_nettype wire
