@@ -22,24 +22,21 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::listen: return line("&top." + n + "_fires_i", "nullptr", "top." + n + "_i");
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
-        case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
+        case PortKind::plain:
+            return line("nullptr", "nullptr", "top." + (p.data.empty() ? n : p.data) + "_o");
         case PortKind::tap: break;
     }
     return fmt::format("        tap(\"{}\", \"TOP.{}{}\", \"{}\", \"{}\", \"{}\");\n", n, module, p.path,
                        p.valid, p.ready, p.data);
 }
 
-/// The links and counters inside rc_top.
-std::vector<PortSpec> taps_of_top(const Config& config) {
+/// The links inside rc_chip.
+std::vector<PortSpec> taps_of_chip(const Config& config) {
     using enum PortKind;
     std::vector<PortSpec> taps;
-    const auto tally = [&](const char* unit, const std::string& path, const std::string& index) {
-        taps.push_back({fmt::format("tally.{}{}", unit, index), tap, fmt::format("{}.u_{}_tally", path, unit),
-                        "rc_tally", "", "", "count_q"});
-    };
     for (int p = 0; p < config.pipelines; ++p) {
         const std::string index = fmt::format("[{}]", p),
-                          path = fmt::format(".gen_pipeline[{}].u_pipeline", p);
+                          path = fmt::format(".u_top.gen_pipeline[{}].u_pipeline", p);
         const auto add = [&](const std::string& name, const std::string& valid, const std::string& ready,
                              const std::string& data) {
             taps.push_back({name + index, tap, path, "rc_pipeline", valid, ready, data});
@@ -52,21 +49,16 @@ std::vector<PortSpec> taps_of_top(const Config& config) {
                 fmt::format("{}_o", name));
         for (const char* name : {"tile", "node_fill", "prim_fill"})
             add(name, fmt::format("{}_fires_i", name), "", fmt::format("{}_i", name));
-        for (const char* unit : {"sched", "raygen", "trav", "node_cache", "box", "list", "prim_cache", "tri"})
-            tally(unit, path, index);
         if (!config.shading) continue;
         for (const char* name : {"closest", "surf_req", "surf_rsp", "spawn"})
             add(name, fmt::format("{}_valid", name), fmt::format("{}_ready", name), name);
         add("surf_miss", "surf_miss_valid_o", "surf_miss_ready_i", "surf_miss_o");
         add("surf_fill", "surf_fill_fires_i", "", "surf_fill_i");
-        for (const char* unit : {"surf_cache", "shade"}) tally(unit, path + ".gen_shade", index);
     }
-    tally("dispatch", "", "");
-    tally("memport", "", "");
     if (config.l2_sets == 0) return taps;
-    tally("l2", ".gen_shared", "");
-    taps.push_back({"l2_req", tap, ".gen_shared.u_l2", "rc_l2", "req_valid_i", "req_ready_o", "req_i"});
-    taps.push_back({"l2_rsp", tap, ".gen_shared.u_l2", "rc_l2", "rsp_valid_o", "", "rsp_o"});
+    const std::string l2 = ".u_top.gen_shared.u_l2";
+    taps.push_back({"l2_req", tap, l2, "rc_l2", "req_valid_i", "req_ready_o", "req_i"});
+    taps.push_back({"l2_rsp", tap, l2, "rc_l2", "rsp_valid_o", "", "rsp_o"});
     return taps;
 }
 
@@ -77,14 +69,14 @@ bool has_reset(const std::string& module) { return module != "rc_unit" && module
 
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
     using enum PortKind;
-    if (module == "rc_top") {
-        std::vector<PortSpec> ports = taps_of_top(config);
-        for (const PortSpec& p : {PortSpec{"frame", fixed},
-                                  {"start", fixed},
-                                  {"mem_req", out},
-                                  {"mem_rsp", listen},
-                                  {"hit_ready", fixed}})
-            ports.push_back(p);
+    if (module == "rc_chip") {
+        std::vector<PortSpec> ports = taps_of_chip(config);
+        for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "hit_ready"})
+            ports.push_back({name, fixed});
+        for (const char* name : {"wb_ack", "wb_err", "running"}) ports.push_back({name, plain});
+        ports.push_back({"wb_read", plain, "", "", "", "", "wb_dat"});
+        ports.push_back({"mem_req", out});
+        ports.push_back({"mem_rsp", listen});
         return ports;
     }
     if (module == "rc_dispatch")
@@ -197,7 +189,7 @@ std::string adapter_vlt(const std::string& module, const Config& config) {
     for (const std::string& line : lines) text += line;
     // Several pipelines share their code, which is then a module of its own: names in it hide those around
     // them.
-    if (module == "rc_top" && config.pipelines > 1)
+    if (module == "rc_chip" && config.pipelines > 1)
         text += "no_inline -module \"rc_pipeline\"\nlint_off -rule VARHIDDEN\n";
     return text;
 }

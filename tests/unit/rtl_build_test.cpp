@@ -27,7 +27,7 @@ TEST_CASE("the units' rtl is built", "[.build]") {
         const char *module, *format;
         Config (*config)(const std::string&) = test::format;
     };
-    const Job jobs[] = {{"rc_top", "small"},
+    const Job jobs[] = {{"rc_chip", "small"},
                         {"rc_box", "default"},
                         {"rc_tri", "default"},
                         {"rc_list", "default"},
