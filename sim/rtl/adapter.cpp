@@ -79,6 +79,25 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         ports.push_back({"mem_rsp", listen});
         return ports;
     }
+    if (module == "rc_host")
+        return {{"wb_cyc", fixed},
+                {"wb_stb", fixed},
+                {"wb_we", fixed},
+                {"wb_adr", fixed},
+                {"wb_dat", fixed},
+                {"hit_fires", fixed},
+                {"counter_there", fixed},
+                {"counter", fixed},
+                {"wb_read", plain, "", "", "", "", "wb_dat"},
+                {"wb_ack", plain},
+                {"wb_err", plain},
+                {"start", plain},
+                {"frame", plain},
+                {"count", plain},
+                {"clear", plain},
+                {"which", plain, "", "", "", "", "counter"},
+                {"running", plain},
+                {"done", plain}};
     if (module == "rc_dispatch")
         return {{"frame", fixed},      {"start", fixed}, {"want", fixed},
                 {"tile_fires", plain}, {"tile", plain},  {"cause", plain}};
