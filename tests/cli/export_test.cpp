@@ -1,10 +1,10 @@
 // What `rayclock export` writes works on its own: its test bench passes under Verilator, and fails if a
 // pixel, a counter or a line of memory is another. And a place where it cannot be written is one sentence.
-#include <catch2/catch.hpp>
-
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
@@ -77,7 +77,7 @@ TEST_CASE(
 TEST_CASE("an export's settings are the frame's, word by word") {
     const Folder folder;
     const Outcome made = run_program({"export", "balls:1", "--size", "24x16", "--depth", "2", "--config",
-                                      "small", "-o", folder.name("chip")});
+                                      "default", "-o", folder.name("chip")});
     REQUIRE(made.code == 0);
     const std::string settings = bytes_of(folder.name("chip/registers.hex"));
     CHECK_THAT(settings, Contains("0400_00000018   // width\n") && Contains("0401_00000010   // height\n") &&

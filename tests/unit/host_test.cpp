@@ -1,12 +1,16 @@
 // The registers of the chip's face, alone: which of them can be read and written and when, what they say, and
 // when a frame begins and ends.
+#include <bit>
+#include <cstring>
 #include <map>
 #include <set>
+
+#include <catch2/catch.hpp>
 
 #include "sim/gen/registers.hpp"
 #include "sim/rtl/rtl_module.hpp"
 #include "tests/support/cases/draw.hpp"
-#include "tests/support/machine/machines.hpp"
+#include "tests/support/cases/host_cases.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -116,18 +120,10 @@ Words random_frame(const Config& config, Draw& draw) {
     return words;
 }
 
-std::vector<Config> chips() {
-    Config shades = named_config("small");
-    shades.shading = 1;
-    shades.lights = 3;
-    shades.pipelines = 2;
-    return {named_config("small"), shades};
-}
-
 }   // namespace
 
 TEST_CASE("registers can be read and written as their list says, and nothing else can", "[host]") {
-    const Config config = GENERATE(from_range(chips()));
+    const Config config = host_config(GENERATE("small", "shaded"));
     Face face(config);
     face.wait_until_idle();
     std::map<std::uint32_t, Access> known;
@@ -153,7 +149,7 @@ TEST_CASE("registers can be read and written as their list says, and nothing els
 }
 
 TEST_CASE("the chip says what it is", "[host]") {
-    const Config config = GENERATE(from_range(chips()));
+    const Config config = host_config(GENERATE("small", "shaded"));
     Face face(config);
     face.wait_until_idle();
     REQUIRE(face.read("Magic") == host_magic);
@@ -167,7 +163,7 @@ TEST_CASE("the chip says what it is", "[host]") {
 }
 
 TEST_CASE("a frame's words become its fields, every bit in its place", "[host]") {
-    const Config config = GENERATE(from_range(chips()));
+    const Config config = host_config(GENERATE("small", "shaded"));
     Face face(config);
     face.wait_until_idle();
     Draw draw{1};
@@ -187,7 +183,7 @@ TEST_CASE("a frame's words become its fields, every bit in its place", "[host]")
 
 TEST_CASE("a frame begins after its preparation, ends with its last pixel, and is counted cycle by cycle",
           "[host]") {
-    const Config config = GENERATE(from_range(chips()));
+    const Config config = host_config(GENERATE("small", "shaded"));
     Draw draw{7};
     Face face(config);
     face.wait_until_idle();
@@ -251,7 +247,7 @@ TEST_CASE("a frame begins after its preparation, ends with its last pixel, and i
 }
 
 TEST_CASE("counters that are held can be read while a frame is under way", "[host]") {
-    const Config config = named_config("small");
+    const Config config = host_config("small");
     Draw draw{3};
     Face face(config);
     face.wait_until_idle();
