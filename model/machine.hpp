@@ -55,6 +55,8 @@ public:
         return pipelines_[std::size_t(pipeline)].pixel(ray);
     }
     Accounts accounts() const;
+    /// What the units of one pipeline did.
+    Accounts accounts(int pipeline) const { return pipelines_[std::size_t(pipeline)].accounts(); }
     const Memory& memory() const { return memory_; }
     std::string where(int pipeline, std::uint32_t ray) const {
         return pipelines_[std::size_t(pipeline)].where(ray);

@@ -29,7 +29,8 @@ module rc_pipeline (
   input  rc_pkg::surf_fill_t surf_fill_i,
   output logic               hit_valid_o,
   input  logic               hit_ready_i,
-  output rc_pkg::hit_t       hit_o
+  output rc_pkg::hit_t       hit_o,
+  output logic [3*rc_pkg::PipelineUnits-1:0] causes_o   // what each unit did, sched lowest
 );
   logic              slot_valid, slot_ready;
   rc_pkg::slot_t     slot;
@@ -67,7 +68,7 @@ module rc_pipeline (
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, box_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause;
+  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause;
 
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -139,12 +140,12 @@ module rc_pipeline (
     assign pixel         = closest;
     assign {spawn_valid, surf_req_valid, surf_req_ready, surf_rsp_valid, surf_rsp_ready} = '0;
     assign {spawn, surf_req, surf_rsp, surf_miss_valid_o, surf_miss_o} = '0;
+    assign {surf_cause, shade_cause} = '0;
     logic unused;
     assign unused = ^{spawn_ready, surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
         surf_rsp_ready, surf_rsp, surf_miss_ready_i, surf_fill_fires_i, surf_fill_i};
   end else begin : gen_shade
-    logic       surf_waits;
-    logic [2:0] surf_cause, shade_cause;
+    logic surf_waits;
     rc_surf_cache u_surf_cache (
       .clk_i, .rst_ni,
       .req_valid_i(surf_req_valid), .req_ready_o(surf_req_ready), .req_i(surf_req),
@@ -162,8 +163,6 @@ module rc_pipeline (
       .spawn_valid_o(spawn_valid), .spawn_ready_i(spawn_ready), .spawn_o(spawn),
       .pixel_valid_o(pixel_valid), .pixel_ready_i(pixel_ready), .pixel_o(pixel),
       .cause_o(shade_cause));
-    rc_tally u_surf_cache_tally (.clk_i, .cause_i(surf_cause));
-    rc_tally u_shade_tally (.clk_i, .cause_i(shade_cause));
   end
 
   // What each unit did in this cycle; codes in model/core/units.hpp.
@@ -175,13 +174,7 @@ module rc_pipeline (
     if (tri_req_valid) tri_cause = tri_req_ready ? rc_pkg::TriBusyWork : rc_pkg::TriStalledList;
     else               tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
   end
-  rc_tally u_sched_tally (.clk_i, .cause_i(sched_cause));
-  rc_tally u_raygen_tally (.clk_i, .cause_i(raygen_cause));
-  rc_tally u_trav_tally (.clk_i, .cause_i(trav_cause));
-  rc_tally u_node_cache_tally (.clk_i, .cause_i(node_cause));
-  rc_tally u_box_tally (.clk_i, .cause_i(box_cause));
-  rc_tally u_list_tally (.clk_i, .cause_i(list_cause));
-  rc_tally u_prim_cache_tally (.clk_i, .cause_i(prim_cause));
-  rc_tally u_tri_tally (.clk_i, .cause_i(tri_cause));
+  assign causes_o     = {shade_cause, surf_cause, tri_cause, prim_cause, list_cause, box_cause,
+                         node_cause, trav_cause, raygen_cause, sched_cause};
 endmodule
 `default_nettype wire

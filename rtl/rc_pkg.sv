@@ -278,6 +278,42 @@ package rc_pkg;
     28'h7603a8c, 28'h76a7a90, 28'h774ca94, 28'h77f2697, 28'h789929b, 28'h7940e9f, 28'h79e96a2, 28'h7a92ea6,
     28'h7b3d6aa, 28'h7be8aad, 28'h7c94eb1, 28'h7d41eb4, 28'h7df02b9, 28'h7e9f2bc, 28'h7f4f2c0, 28'h80002c4};
 
+  // The host's registers: sim/gen/registers.hpp, docs/chip.md.
+  localparam int unsigned Magic = 1380142155;
+  localparam int unsigned Version = 1;
+  localparam int unsigned RegMagic = 0;
+  localparam int unsigned RegVersion = 1;
+  localparam int unsigned RegStatus = 2;
+  localparam int unsigned RegStart = 3;
+  localparam int unsigned RegCount = 4;
+  localparam int unsigned RegLeft = 5;
+  localparam int unsigned RegCycles = 6;
+  localparam int unsigned RegParameters = 32;
+  localparam int unsigned RegFrame = 1024;
+  localparam int unsigned Parameters = 25;
+  localparam logic [799:0] ParameterValues = {
+    32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
+    32'd0, 32'd24, 32'd125, 32'd4, 32'd14, 32'd32, 32'd24, 32'd1,
+    32'd64, 32'd16, 32'd8, 32'd8, 32'd0, 32'd16, 32'd4, 32'd20,
+    32'd18};
+  localparam int unsigned FrameWords = 24;
+  localparam logic [383:0] FrameAt = {
+    16'd100, 16'd68, 16'd66, 16'd34, 16'd32, 16'd0, 16'd202, 16'd170,
+    16'd168, 16'd136, 16'd134, 16'd102, 16'd304, 16'd272, 16'd270, 16'd238,
+    16'd236, 16'd204, 16'd342, 16'd324, 16'd306, 16'd360, 16'd384, 16'd399};
+  localparam logic [383:0] FrameBits = {
+    16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
+    16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
+    16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
+  localparam int unsigned TallyBits = 40;
+  localparam int unsigned PipelineUnits = 10;
+  localparam int unsigned SharedUnits = 3;
+  localparam logic [9:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1,
+    1'd1, 1'd1};
+  localparam logic [2:0] SharedUnitsThere = {
+    1'd0, 1'd1, 1'd1};
+
   // What the links carry: model/core/links.hpp.
 
   typedef struct packed {

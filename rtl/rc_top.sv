@@ -18,7 +18,9 @@ module rc_top (
   input  rc_pkg::mem_rsp_t                          mem_rsp_i,
   output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
-  output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o
+  output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
+  // What each unit did in this cycle: those that all share lowest, then pipeline by pipeline.
+  output logic [3*(rc_pkg::Pipelines*rc_pkg::PipelineUnits+rc_pkg::SharedUnits)-1:0] causes_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned CB = rc_pkg::ClientBits;
@@ -28,6 +30,7 @@ module rc_top (
   localparam int unsigned PB = rc_pkg::PrimMissW - A;
   localparam int unsigned SB = rc_pkg::SurfMissW - A;
   localparam int unsigned K  = rc_pkg::Clients;
+  localparam int unsigned UC = 3 * rc_pkg::PipelineUnits;
 
   logic [P-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;
@@ -60,7 +63,8 @@ module rc_top (
       .surf_miss_o(surf_miss), .surf_fill_fires_i(surf_fires),
       .surf_fill_i({fill[rc_pkg::LineBits +: SB], fill[rc_pkg::LineBits-1:0]}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
-      .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]));
+      .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
+      .causes_o(causes_o[3*rc_pkg::SharedUnits+p*UC +: UC]));
     assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_miss[A +: NB]), node_miss[A-1:0]};
     assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss[A +: PB]), prim_miss[A-1:0]};
     if (rc_pkg::Shading == 0) begin : gen_plain
@@ -85,11 +89,10 @@ module rc_top (
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
   assign fill_fires = {{(K*P-1){1'b0}}, fill_valid} << fill[rc_pkg::L2RspW-1 -: CB];
 
-  logic [2:0] memport_cause;
+  logic [2:0] memport_cause, l2_cause;
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
                        : client_ready ? rc_pkg::MemportBusyWork : rc_pkg::MemportStalledMemory;
-  rc_tally u_dispatch_tally (.clk_i, .cause_i(dispatch_cause));
-  rc_tally u_memport_tally (.clk_i, .cause_i(memport_cause));
+  assign causes_o[3*rc_pkg::SharedUnits-1:0] = {l2_cause, memport_cause, dispatch_cause};
 
   if (rc_pkg::L2Sets == 0) begin : gen_direct
     assign mem_req_valid_o = client_valid;
@@ -97,16 +100,15 @@ module rc_top (
     assign mem_req_o       = {client, client_miss};
     assign fill_valid      = mem_rsp_fires_i;
     assign fill            = mem_rsp_i;
+    assign l2_cause        = '0;
   end else begin : gen_shared
-    logic       unused;
-    logic [2:0] l2_cause;
+    logic unused;
     rc_l2 u_l2 (
       .clk_i, .rst_ni,
       .req_valid_i(client_valid), .req_ready_o(client_ready), .req_i({client, client_miss}),
       .rsp_valid_o(fill_valid), .rsp_ready_i(1'b1), .rsp_o(fill),
       .miss_valid_o(mem_req_valid_o), .miss_ready_i(mem_req_ready_i), .miss_o(mem_req_o),
       .fill_fires_i(mem_rsp_fires_i), .fill_i(mem_rsp_i), .waits_o(unused), .deed_o(l2_cause));
-    rc_tally u_l2_tally (.clk_i, .cause_i(l2_cause));
   end
 endmodule
 `default_nettype wire

@@ -69,13 +69,13 @@ module rc_mshr #(
     if (m == 0) begin : gen_first
       assign full    = busy_q;
       assign some    = busy_q;
-      assign waiting = Ways'(here) << way_q;
+      assign waiting = here ? Ways'(1) << way_q : '0;
       assign free    = '0;
       assign match   = '0;
     end else begin : gen_next
       assign full    = busy_q && gen_mshr[m-1].full;
       assign some    = busy_q || gen_mshr[m-1].some;
-      assign waiting = Ways'(here) << way_q | gen_mshr[m-1].waiting;
+      assign waiting = (here ? Ways'(1) << way_q : '0) | gen_mshr[m-1].waiting;
       assign free    = gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;
       assign match   = here && way_q == way_i ? MshrW'(m) : gen_mshr[m-1].match;
     end

@@ -30,8 +30,10 @@ module rc_tags #(
     $error("rc_tags: Sets and Ways must be powers of two");
   localparam int unsigned Levels = $clog2(Ways);
 
-  // The set that is cleared; may start anywhere.
+  // The set that is cleared. It may start anywhere, but a simulator with unknown values must
+  // see it start somewhere.
   logic [SetW-1:0] clear_q, write_set;
+  initial clear_q = '0;
   always_ff @(posedge clk_i) if (!rst_ni) clear_q <= clear_q + 1'b1;
   assign write_set = rst_ni ? set_i : clear_q & SetW'(Sets - 1);
 

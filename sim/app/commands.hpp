@@ -18,6 +18,7 @@ Command figures_command();
 Command counts_command();
 Command area_command();
 Command bench_command();
+Command export_command();
 Command config_command();
 Command rtl_command();
 Command doctor_command();

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "model/base/error.hpp"
 #include "model/core/links.hpp"
 #include "sim/files/table.hpp"
 
 namespace rayclock {
 
 namespace {
-
-constexpr std::string_view begin_mark = "<!-- generated from model/core/units.hpp and links.hpp: begin -->\n",
-                           end_mark = "<!-- generated: end -->\n";
 
 const char* when_text(When when) {
     return when == When::always ? "always" : when == When::shading ? "`shading`" : "`l2_sets` above 0";
@@ -32,14 +28,6 @@ std::string causes_text(const UnitInfo& unit, Kind kind) {
     return text;
 }
 
-std::string units_table() {
-    Table table({"unit", "one in", "exists", "busy with", "starved by", "stalled by"}, Table::words_only);
-    for (const UnitInfo& unit : unit_infos)
-        table.add({unit.name, place_text(unit.place), when_text(unit.when), causes_text(unit, Kind::busy),
-                   causes_text(unit, Kind::starved), causes_text(unit, Kind::stalled)});
-    return table.markdown();
-}
-
 template <std::size_t i = 0> void add_links(Table& table) {
     if constexpr (i < channel_count) {
         const ChannelInfo& link = channels[i];
@@ -51,32 +39,28 @@ template <std::size_t i = 0> void add_links(Table& table) {
     }
 }
 
+}   // namespace
+
+std::string units_table() {
+    Table table({"unit", "one in", "exists", "busy with", "starved by", "stalled by"}, Table::words_only);
+    for (const UnitInfo& unit : unit_infos)
+        table.add({unit.name, place_text(unit.place), when_text(unit.when), causes_text(unit, Kind::busy),
+                   causes_text(unit, Kind::starved), causes_text(unit, Kind::stalled)});
+    return table.markdown();
+}
+
 std::string links_table() {
     Table table({"link", "from", "to", "flow", "exists", "bits in `default`"}, 5);
     add_links(table);
     return table.markdown();
 }
 
-std::string diagram() {
+std::string links_diagram() {
     std::string text = "```mermaid\nflowchart LR\n";
     for (const ChannelInfo& link : channels)
         text += fmt::format("  {} {}|{}| {}\n", link.from, link.when == When::always ? "-->" : "-.->",
                             link.name, link.to);
     return text + "```\n";
-}
-
-}   // namespace
-
-std::string machine_description() {
-    return units_table() + "\nA dotted link exists only in some configurations.\n\n" + diagram() + "\n" +
-           links_table();
-}
-
-std::string with_description(const std::string& page) {
-    const std::size_t begin = page.find(begin_mark), end = page.find(end_mark);
-    if (begin == std::string::npos || end == std::string::npos || end < begin)
-        throw UserError("the page lacks the marks between which the description stands");
-    return page.substr(0, begin + begin_mark.size()) + "\n" + machine_description() + "\n" + page.substr(end);
 }
 
 }   // namespace rayclock

@@ -1,23 +1,34 @@
 // Writes rc_pkg.sv: rc_pkg_gen [FILE [CONFIGURATION [KEY=VALUE ...]]]. Without a file, or for "-", to
 // standard output; the configuration is one that ships with the program, or `default`, with parameters
-// changed. rc_pkg_gen --describe PAGE puts the tables of units and links into a page.
+// changed. rc_pkg_gen --page FILE makes the tables of docs/chip.md or rtl/README.md anew.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "model/base/error.hpp"
-#include "sim/gen/description.hpp"
+#include "sim/gen/chip_page.hpp"
 #include "sim/gen/rc_pkg.hpp"
 
+namespace {
+
+int make_page(const char* name) {
+    std::ifstream old(name);
+    std::ostringstream text;
+    text << old.rdbuf();
+    if (!old) return 1;
+    const std::string made = rayclock::with_tables(text.str());
+    std::ofstream file(name);
+    file << made;
+    return file.flush() ? 0 : 1;
+}
+
+}   // namespace
+
 int main(int argc, char** argv) {
+    if (argc == 3 && std::string(argv[1]) == "--page") return make_page(argv[2]);
     std::string text;
     try {
-        if (argc == 3 && std::string(argv[1]) == "--describe") {
-            std::ifstream page(argv[2]);
-            text = rayclock::with_description({std::istreambuf_iterator<char>(page), {}});
-            std::ofstream(argv[2]) << text;
-            return 0;
-        }
         rayclock::Config config = rayclock::named_config(argc > 2 ? argv[2] : "default");
         for (int i = 3; i < argc; ++i) {
             const std::string setting = argv[i];

@@ -10,6 +10,7 @@
 #include "model/mem/cache.hpp"
 #include "model/shade/state.hpp"
 #include "model/shade/tables.hpp"
+#include "sim/gen/registers.hpp"
 
 namespace rayclock {
 
@@ -46,6 +47,44 @@ template <std::size_t n> std::string table_text(const char* name, const std::arr
                             std::uint64_t(entries[i].value) << step_bits | entries[i].step, i > 0 ? "," : "");
     }
     return text + "};\n";
+}
+
+/// The registers of the chip's face: their addresses, what they say of the chip, and where the words of a
+/// frame lie in frame_t.
+std::string host_constants(const Config& config) {
+    const auto constant = [](const std::string& name, std::uint32_t value) {
+        return fmt::format("  localparam int unsigned {} = {};\n", name, value);
+    };
+    // Entry 0 lowest.
+    const auto list = [](const char* name, const std::vector<std::uint32_t>& entries, int width) {
+        std::string text =
+            fmt::format("  localparam logic [{}:0] {} = {{", int(entries.size()) * width - 1, name);
+        for (std::size_t i = entries.size(); i-- > 0;) {
+            if ((entries.size() - 1 - i) % 8 == 0) text += "\n   ";
+            text += fmt::format(" {}'d{}{}", width, entries[i], i > 0 ? "," : "");
+        }
+        return text + "};\n";
+    };
+    std::string text = "\n  // The host's registers: sim/gen/registers.hpp, docs/chip.md.\n";
+    text += constant("Magic", host_magic) + constant("Version", host_version);
+    for (const HostRegister& r : host_registers())
+        if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
+    text += constant("RegParameters", parameter_base) + constant("RegFrame", frame_base);
+    std::vector<std::uint32_t> values, at, bits;
+    for (const HostParameter& p : host_parameters(config)) values.push_back(p.value);
+    for (const FrameWord& word : frame_words(config)) {
+        at.push_back(std::uint32_t(word.at));
+        bits.push_back(std::uint32_t(word.bits));
+    }
+    text += constant("Parameters", std::uint32_t(values.size())) + list("ParameterValues", values, 32);
+    text += constant("FrameWords", std::uint32_t(at.size())) + list("FrameAt", at, 16);
+    text += list("FrameBits", bits, 16);
+    std::vector<std::uint32_t> pipeline, shared;
+    for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
+        (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
+    text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
+    text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
+    return text + list("SharedUnitsThere", shared, 1);
 }
 
 /// "node_miss" as Verilog's constants are written: "NodeMiss".
@@ -118,6 +157,7 @@ public:
     void table(const char* name, const std::array<TableEntry, n>& entries, int value_bits, int step_bits) {
         text_ += table_text(name, entries, value_bits, step_bits);
     }
+    void text(const std::string& more) { text_ += more; }
     std::string end() && { return std::move(text_) + "endpackage\n"; }
 
 private:
@@ -231,6 +271,7 @@ std::string rc_package(const Config& config) {
     p.table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
     p.table("Log", log_table(), log_value_bits, log_step_bits);
     p.table("Exp", exp_table(), exp_value_bits, exp_step_bits);
+    p.text(host_constants(config));
     p.say("What the links carry: model/core/links.hpp.");
     p.links();
     p.say("What passes between units without a link of its own, or is kept.");

@@ -125,7 +125,7 @@ private:
         if (progress) progress("model and rtl", pixels, pixels);
         result_.model = run_of(frame, model_.cycle() - first, model_.hits(), model_.accounts() - accounts,
                                model_.memory().stats() - memory, frame.trace.hits, frame.trace.colours);
-        result_.rtl = run_of(frame, rtl_.cycle() - first, rtl_.hits(), rtl_.accounts(),
+        result_.rtl = run_of(frame, rtl_.cycle() - first, rtl_.hits(), parted_ ? Accounts{} : rtl_.accounts(),
                              rtl_.memory().stats() - memory, hits.hits(), hits.colours());
         result_.cycle_gap +=
             model_.cycle() > rtl_.cycle() ? model_.cycle() - rtl_.cycle() : rtl_.cycle() - model_.cycle();
@@ -142,7 +142,9 @@ private:
     void compare_counters() {
         result_.counters_compared = !parted_;
         if (parted_) return;
-        const auto difference = first_difference(result_.model.accounts, result_.rtl.accounts);
+        auto difference = first_difference(result_.model.accounts, result_.rtl.accounts);
+        if (!difference && rtl_.counted_cycles() != result_.model.cycles)
+            difference = {"host", "cycles", result_.model.cycles, rtl_.counted_cycles(), 0};
         if (!difference) return;
         ++result_.account_mismatches;
         if (!result_.counter) result_.counter = difference;

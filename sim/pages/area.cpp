@@ -148,8 +148,8 @@ the same before synthesis are synthesised once.
   its border nothing is shared or propagated, so a unit counts slightly more than if it were flattened
   whole. The same holds for the borders between units.
 - Not counted: PFUMX and L6MUX21, which join LUTs of a slice and take no place of their own; the tallies
-  that count what each unit does (`rc_tally`) and the wires of rc_pipeline and rc_top; the memory's
-  controller; placement and routing. No clock rate is claimed.
+  that count what each unit does (`rc_counters`), the host's registers (`rc_host`) and the wires of
+  rc_pipeline, rc_top and rc_chip; the memory's controller; placement and routing. No clock rate is claimed.
 )",
                        synth::yosys_version().substr(0, synth::yosys_version().find(" (")));
 }

@@ -25,7 +25,8 @@ std::string port_line(const std::string& module, const PortSpec& p) {
         case PortKind::granted:
             return line("&top." + n + "_fires_i", "&top." + n + "_ready_o", "top." + n + "_i");
         case PortKind::fires: return line("&top." + n + "_fires_o", "nullptr", "top." + n + "_o");
-        case PortKind::plain: return line("nullptr", "nullptr", "top." + n + "_o");
+        case PortKind::plain:
+            return line("nullptr", "nullptr", "top." + (p.data.empty() ? n : p.data) + "_o");
         case PortKind::tap: break;
     }
     return fmt::format("        tap(\"{}\", \"TOP.{}{}\", \"{}\", \"{}\", \"{}\");\n", n, module, p.path,
@@ -48,32 +49,21 @@ PortSpec pipeline_tap(const ChannelInfo& link, const std::string& path, const st
             name + in};
 }
 
-/// The links and counters inside rc_top; those of the memory are its ports.
-std::vector<PortSpec> taps_of_top(const Config& config) {
+/// The links inside rc_chip; those of the memory are its ports.
+std::vector<PortSpec> taps_of_chip(const Config& config) {
     using enum PortKind;
     std::vector<PortSpec> taps;
-    const auto tally = [&](const UnitInfo& unit, const std::string& path, const std::string& index) {
-        const char* within = unit.when == When::shading        ? ".gen_shade"
-                             : unit.when == When::shared_cache ? ".gen_shared"
-                                                               : "";
-        taps.push_back({fmt::format("tally.{}{}", unit.name, index), tap,
-                        fmt::format("{}{}.u_{}_tally", path, within, unit.name), "rc_tally", "", "",
-                        "count_q"});
-    };
     for (int p = 0; p < config.pipelines; ++p) {
         const std::string index = fmt::format("[{}]", p),
-                          path = fmt::format(".gen_pipeline[{}].u_pipeline", p);
+                          path = fmt::format(".u_top.gen_pipeline[{}].u_pipeline", p);
         for (const ChannelInfo& link : channels)
             if (link.of_pipeline() && is_there(link.when, config))
                 taps.push_back(pipeline_tap(link, path, index));
-        for (const UnitInfo& unit : unit_infos)
-            if (unit.place <= Place::engine && is_there(unit.when, config)) tally(unit, path, index);
     }
-    for (const UnitInfo& unit : unit_infos)
-        if (unit.place == Place::shared && is_there(unit.when, config)) tally(unit, "", "");
     if (config.l2_sets == 0) return taps;
-    taps.push_back({"l2_req", tap, ".gen_shared.u_l2", "rc_l2", "req_valid_i", "req_ready_o", "req_i"});
-    taps.push_back({"l2_rsp", tap, ".gen_shared.u_l2", "rc_l2", "rsp_valid_o", "", "rsp_o"});
+    const std::string l2 = ".u_top.gen_shared.u_l2";
+    taps.push_back({"l2_req", tap, l2, "rc_l2", "req_valid_i", "req_ready_o", "req_i"});
+    taps.push_back({"l2_rsp", tap, l2, "rc_l2", "rsp_valid_o", "", "rsp_o"});
     return taps;
 }
 
@@ -84,16 +74,35 @@ bool has_reset(const std::string& module) { return module != "rc_unit" && module
 
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config) {
     using enum PortKind;
-    if (module == "rc_top") {
-        std::vector<PortSpec> ports = taps_of_top(config);
-        for (const PortSpec& p : {PortSpec{"frame", fixed},
-                                  {"start", fixed},
-                                  {"mem_req", out},
-                                  {"mem_rsp", listen},
-                                  {"hit_ready", fixed}})
-            ports.push_back(p);
+    if (module == "rc_chip") {
+        std::vector<PortSpec> ports = taps_of_chip(config);
+        for (const char* name : {"wb_cyc", "wb_stb", "wb_we", "wb_adr", "wb_dat", "hit_ready"})
+            ports.push_back({name, fixed});
+        for (const char* name : {"wb_ack", "wb_err", "running"}) ports.push_back({name, plain});
+        ports.push_back({"wb_read", plain, "", "", "", "", "wb_dat"});
+        ports.push_back({"mem_req", out});
+        ports.push_back({"mem_rsp", listen});
         return ports;
     }
+    if (module == "rc_host")
+        return {{"wb_cyc", fixed},
+                {"wb_stb", fixed},
+                {"wb_we", fixed},
+                {"wb_adr", fixed},
+                {"wb_dat", fixed},
+                {"hit_fires", fixed},
+                {"counter_there", fixed},
+                {"counter", fixed},
+                {"wb_read", plain, "", "", "", "", "wb_dat"},
+                {"wb_ack", plain},
+                {"wb_err", plain},
+                {"start", plain},
+                {"frame", plain},
+                {"count", plain},
+                {"clear", plain},
+                {"which", plain, "", "", "", "", "counter"},
+                {"running", plain},
+                {"done", plain}};
     if (module == "rc_dispatch")
         return {{"frame", fixed},      {"start", fixed}, {"want", fixed},
                 {"tile_fires", plain}, {"tile", plain},  {"cause", plain}};
@@ -205,7 +214,7 @@ std::string adapter_vlt(const std::string& module, const Config& config) {
     for (const std::string& line : lines) text += line;
     // Several pipelines share their code, which is then a module of its own: names in it hide those around
     // them.
-    if (module == "rc_top" && config.pipelines > 1)
+    if (module == "rc_chip" && config.pipelines > 1)
         text += "no_inline -module \"rc_pipeline\"\nlint_off -rule VARHIDDEN\n";
     return text;
 }

@@ -14,7 +14,7 @@ enum class PortKind {
     listen,    ///< <name>_fires_i, <name>_i: always accepted
     granted,   ///< <name>_ready_o, <name>_fires_i, <name>_i: comes only where there is room
     fires,     ///< <name>_fires_o, <name>_o: always accepted by others
-    plain,     ///< <name>_o alone: what the module does
+    plain,     ///< <name>_o alone: what the module does; or <data>_o, if an input has that name already
     tap,       ///< signals of an instance inside; see PortSpec
 };
 struct PortSpec {
@@ -25,9 +25,8 @@ struct PortSpec {
     std::string path{}, module{}, valid{}, ready{}, data{};
 };
 
-/// The links of a module that can be built on its own: rc_top or a unit. Throws std::logic_error for any
-/// other name. Of rc_top they include every channel of pipeline p as "<channel>[p]" and every unit's counters
-/// as "tally.<unit>[p]".
+/// The links of a module that can be built on its own: rc_chip or a unit. Throws std::logic_error for any
+/// other name. Of rc_chip they include every channel of pipeline p as "<channel>[p]".
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config);
 
 /// C++ text of the library's side of sim/rtl/abi.hpp, and the Verilator configuration that makes the taps

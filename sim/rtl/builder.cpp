@@ -90,7 +90,7 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
     const fs::path entry = rtl_cache() / fmt::format("{}{:016x}", begin, hash_of(made_by()));
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
-    Report report(fmt::format("{} of '{}'", module == "rc_top" ? "the RTL" : module, config.name));
+    Report report(fmt::format("{} of '{}'", module == "rc_chip" ? "the RTL" : module, config.name));
     BuildLock lock(entry);
     take(lock, report);
     if (is_whole(entry)) return {library_of(entry), true, 0};   // somebody else has just built it

@@ -20,16 +20,16 @@ struct RtlBuild {
     bool was_cached = false;
     double seconds = 0;
 };
-/// `module` is rc_top or a unit (sim/rtl/adapter.hpp). Throws UserError if a tool, a source or the cache is
+/// `module` is rc_chip or a unit (sim/rtl/adapter.hpp). Throws UserError if a tool, a source or the cache is
 /// missing, std::runtime_error with the tool's message if it fails, or if interrupted().
-RtlBuild build_rtl(const Config& config, const std::string& module = "rc_top");
+RtlBuild build_rtl(const Config& config, const std::string& module = "rc_chip");
 
 /// Removes a library that is as it was built and yet of no use, so that it is built again.
 void forget_rtl(const RtlBuild& build);
 
 /// What `verilator --lint-only -Wall` says of the module with this configuration: nothing if it is clean. Far
 /// quicker than to build it.
-std::string lint_rtl(const Config& config, const std::string& module = "rc_top");
+std::string lint_rtl(const Config& config, const std::string& module = "rc_chip");
 
 /// How far a build is, for people who wait for it.
 struct BuildStep {

@@ -5,15 +5,19 @@
 
 #include <fmt/format.h>
 
+#include "sim/gen/registers.hpp"
+
 namespace rayclock {
 
 RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
     : config_(config),
       image_(image),
       decoder_(image, config),
-      rtl_(config, "rc_top", seed),
+      rtl_(config, "rc_chip", seed),
       links_(std::size_t(config.pipelines)),
-      start_(&rtl_.port("start")),
+      bus_{&rtl_.port("wb_cyc"), &rtl_.port("wb_stb"), &rtl_.port("wb_we"),  &rtl_.port("wb_adr"),
+           &rtl_.port("wb_dat"), &rtl_.port("wb_ack"), &rtl_.port("wb_err"), &rtl_.port("wb_read")},
+      running_(&rtl_.port("running")),
       mem_req_(&rtl_.port("mem_req")),
       mem_rsp_(&rtl_.port("mem_rsp")),
       hit_ready_(&rtl_.port("hit_ready")),
@@ -26,33 +30,82 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
     for (int p = 0; p < config.pipelines; ++p) {
         auto& links = links_[std::size_t(p)];
         links.fill(nullptr);
-        for (const std::size_t c : there_)
-            links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
+        for (const std::size_t c : there_) links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
         sinks_.emplace_back(traffic, p);
     }
     for (std::size_t c = pipeline_channels; c < channel_count; ++c)
         if (is_there(Channel(c), config)) links_[0][c] = &rtl_.port(channels[c].name);
-    std::memset(start_->data, 0, start_->bytes);
-    std::memset(hit_ready_->data, 0, hit_ready_->bytes);
-    *mem_req_->ready = *mem_rsp_->valid = 0;
+    for (const RcPort* port : {bus_.cyc, bus_.stb}) std::memset(port->data, 0, port->bytes);
+    quiet_ports();
     rtl_.reset();
 }
 
-void RtlMachine::start(const Frame& frame) {
-    set_data(rtl_.port("frame"), frame, config_);
-    const unsigned char on = 1, off = 0;
-    std::memcpy(start_->data, &on, 1);
+/// Neither memory nor sinks do anything.
+void RtlMachine::quiet_ports() {
+    std::memset(hit_ready_->data, 0, hit_ready_->bytes);
     *mem_req_->ready = *mem_rsp_->valid = 0;
-    rtl_.settle();
-    rtl_.clock();
-    std::memcpy(start_->data, &off, 1);
+}
+
+namespace {
+constexpr int patience_of_bus = 100;   // cycles
+void set_flag(const RcPort& port, bool value) {
+    const auto flag = static_cast<unsigned char>(value);
+    std::memcpy(port.data, &flag, 1);
+}
+bool is_set(const RcPort& port) {
+    unsigned char flag = 0;
+    std::memcpy(&flag, port.data, 1);
+    return flag != 0;
+}
+}   // namespace
+
+/// A classic cycle on the bus; false if it ends with err, or does not end.
+bool RtlMachine::access(bool writes, std::uint32_t address, std::uint32_t value) {
+    set_flag(*bus_.cyc, true);
+    set_flag(*bus_.stb, true);
+    set_flag(*bus_.we, writes);
+    std::memcpy(bus_.adr->data, &address, std::min(bus_.adr->bytes, 4u));
+    std::memcpy(bus_.dat->data, &value, 4);
+    bool answered = false, good = false;
+    for (int i = 0; !answered && i < patience_of_bus; ++i) {
+        rtl_.settle();
+        good = is_set(*bus_.ack);
+        answered = good || is_set(*bus_.err);
+        rtl_.clock();
+    }
+    set_flag(*bus_.cyc, false);
+    set_flag(*bus_.stb, false);
+    return good;
+}
+
+void RtlMachine::write_register(std::uint32_t address, std::uint32_t value) { access(true, address, value); }
+
+/// All ones if it cannot be read.
+std::uint32_t RtlMachine::read_register(std::uint32_t address) {
+    std::uint32_t value = ~0u;
+    if (access(false, address, 0)) std::memcpy(&value, bus_.read->data, 4);
+    return value;
+}
+
+void RtlMachine::start(const Frame& frame) {
+    quiet_ports();
+    for (int i = 0; i < patience_of_bus && (read_register(register_address("Status")) & 1); ++i) {}
+    std::uint32_t address = frame_base;
+    for (const std::uint32_t value : frame_values(frame, config_)) write_register(address++, value);
+    write_register(register_address("Count"), 1);
+    write_register(register_address("Start"), 1);
     pixels_ = std::uint64_t(frame.width) * frame.height;
+    for (int i = 0; i < patience_of_bus; ++i) {   // up to the frame's cycle 0
+        rtl_.settle();
+        if (is_set(*running_)) break;
+        rtl_.clock();
+    }
     width_ = frame.width;
     given_.assign(pixels_, 0);
     hits_ = box_tests_ = 0;
     rays_ = {};
-    at_start_ = read_counters();
-    at_start_.units[index(Unit::memory)] = memory_.deeds();
+    accounts_.reset();
+    memory_at_start_ = memory_.deeds();
 }
 
 void RtlMachine::drive() {
@@ -166,30 +219,34 @@ void RtlMachine::clock() {
     ++now_;
 }
 
-Accounts RtlMachine::read_counters() const {
-    Accounts sums;
-    const auto add = [&](std::size_t unit, const std::string& name) {
-        std::uint64_t counts[cause_count];
-        std::memcpy(counts, rtl_.port(name).data, sizeof counts);
-        for (std::size_t i = 0; i < cause_count; ++i) sums.units[unit][i] += counts[i];
-    };
-    for (std::size_t u = 0; u < pipeline_units; ++u)
-        for (int p = 0; is_there(Unit(u), config_) && p < config_.pipelines; ++p)
-            add(u, fmt::format("tally.{}[{}]", unit_infos[u].name, p));
-    add(index(Unit::dispatch), "tally.dispatch");
-    add(index(Unit::memport), "tally.memport");
-    if (config_.l2_sets > 0) add(index(Unit::l2), "tally.l2");
-    return sums;
+std::uint64_t RtlMachine::read_counter(std::uint32_t address) {
+    const std::uint64_t low = read_register(address);
+    return low | std::uint64_t(read_register(address + 1)) << 32;
 }
 
-Accounts RtlMachine::accounts() const {
-    Accounts sums = read_counters();
-    sums.units[index(Unit::memory)] = memory_.deeds();
-    sums = sums - at_start_;
-    // The counters have 40 bits and are never cleared.
-    for (std::size_t u = 0; u < unit_count; ++u)
-        for (std::uint64_t& count : sums.units[u]) count &= (std::uint64_t(1) << 40) - 1;
-    return sums;
+void RtlMachine::read_counters() {
+    quiet_ports();
+    if (is_set(*running_) && !done()) write_register(register_address("Count"), 0);
+    for (int i = 0; done() && i < patience_of_bus && (read_register(register_address("Status")) & 1); ++i) {}
+    Accounts sums;
+    for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
+        for (int p = 0; is_there(Unit(u), config_) && p < (u < pipeline_units ? config_.pipelines : 1); ++p)
+            for (std::size_t c = 0; c < cause_count; ++c)
+                sums.units[u][c] += read_counter(counter_address(Unit(u), p, c));
+    counted_cycles_ = read_counter(register_address("Cycles"));
+    for (std::size_t c = 0; c < cause_count; ++c)
+        sums.units[index(Unit::memory)][c] = memory_.deeds()[c] - memory_at_start_[c];
+    accounts_ = sums;
+}
+
+const Accounts& RtlMachine::accounts() {
+    if (!accounts_) read_counters();
+    return *accounts_;
+}
+
+std::uint64_t RtlMachine::counted_cycles() {
+    if (!accounts_) read_counters();
+    return counted_cycles_;
 }
 
 }   // namespace rayclock

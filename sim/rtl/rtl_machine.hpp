@@ -11,7 +11,8 @@
 
 namespace rayclock {
 
-/// rtl/rc_top.sv under Verilator with the same memory and sinks as the model's Machine has.
+/// rtl/rc_chip.sv under Verilator with the same memory and sinks as the model's Machine has. It is driven as
+/// a host drives it: by its registers. The memory's time stands still while the bus is in use.
 class RtlMachine {
 public:
     RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1);
@@ -56,8 +57,11 @@ public:
     bool moved() const { return moved_; }
     /// Packed payload that a channel offers in this cycle; shared ones have pipeline 0.
     const RcPort& link(int pipeline, Channel c) const { return *links_[std::size_t(pipeline)][index(c)]; }
-    /// From the RTL's own counters, but for the memory, since the last start().
-    Accounts accounts() const;
+    /// From the chip's own counters, but for the memory, since the last start(). A frame that is under way is
+    /// counted no further: the two cycles more that this takes are in its counters.
+    const Accounts& accounts();
+    /// What the register `cycles` says of the same time.
+    std::uint64_t counted_cycles();
     const Memory& memory() const { return memory_; }
     std::uint64_t box_tests() const { return box_tests_; }
     const RayCounts& rays() const { return rays_; }
@@ -69,7 +73,12 @@ private:
     bool check_hit(int pipeline, HitOut& hit);
     void count_boxes(int pipeline);
     void complain(int pipeline, Channel channel, const std::string& what);
-    Accounts read_counters() const;
+    void read_counters();
+    std::uint64_t read_counter(std::uint32_t address);
+    void write_register(std::uint32_t address, std::uint32_t value);
+    std::uint32_t read_register(std::uint32_t address);
+    bool access(bool writes, std::uint32_t address, std::uint32_t value);
+    void quiet_ports();
 
     Config config_;
     std::vector<std::size_t> there_;   // the links of a pipeline that this chip has
@@ -77,7 +86,10 @@ private:
     Decoder decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
     std::vector<std::array<const RcPort*, channel_count>> links_;
-    const RcPort *start_, *mem_req_, *mem_rsp_, *hit_ready_;
+    struct Bus {
+        const RcPort *cyc, *stb, *we, *adr, *dat, *ack, *err, *read;
+    } bus_;
+    const RcPort *running_, *mem_req_, *mem_rsp_, *hit_ready_;
     Memory memory_;
     std::vector<Sink> sinks_;
     RayCounts rays_;   // refracted ones are counted with the reflected: the link does not tell them apart
@@ -89,7 +101,9 @@ private:
     std::vector<std::uint8_t> given_;       // [y * width + x] of the frame's pixels
     std::uint32_t width_ = 1;
     std::optional<Nonsense> nonsense_;
-    Accounts at_start_;
+    std::optional<Accounts> accounts_;   // once they are read
+    std::uint64_t counted_cycles_ = 0;
+    std::array<std::uint64_t, cause_count> memory_at_start_{};
 };
 
 }   // namespace rayclock

@@ -69,7 +69,7 @@ TEST_CASE("of two compilers the first that fails ends the other") {
     const Outcome outcome = tools.rtl();
     CHECK(outcome.code == 1);
     CHECK_THAT(outcome.err,
-               Contains("the C++ compiler on the verilated rc_top failed") && Contains("part1.cpp: no"));
+               Contains("the C++ compiler on the verilated rc_chip failed") && Contains("part1.cpp: no"));
     CHECK(living(tools.path("pids")) == 0);
     CHECK(tools.names().empty());
 }

@@ -168,11 +168,43 @@ mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_bvh.sv TEST unit "model an
   OLD [[(box_req_ready ? 3'd0 : 3'd3) : node_waits_i ? 3'd1 : 3'd2;]]
   NEW [[(box_req_ready ? 3'd0 : 3'd3) : node_waits_i ? 3'd2 : 3'd1;]])
 mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[count_q[cause_i] + 1'b1;]]
-  NEW [[count_q[cause_i] + {{(CountW-1){1'b0}}, cause_i != 3'd5};]])
+  OLD [[counts_q ? count_o + 1'b1 : '0;]]
+  NEW [[counts_q ? count_o + {{(rc_pkg::TallyBits-1){1'b0}}, cause_q != 3'd5} : '0;]])
+mutant(tally_is_not_cleared FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[if (counts_q || clear_i)]]
+  NEW [[if (counts_q)]])
+mutant(counters_swap_group_and_unit FILE rtl/host/rc_counters.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[{4'(Group), 4'(Unit)}]]
+  NEW [[{4'(Unit), 4'(Group)}]])
 mutant(sched_cause_blames_dispatch FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[: at_hand ? rc_pkg::SchedStarvedContexts]]
   NEW [[: !at_hand ? rc_pkg::SchedStarvedContexts]])
+
+# ---- the host's registers.
+mutant(host_loses_a_word QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[frame_word < 13'(F)));]]
+  NEW [[frame_word < 13'(F - 1)));]])
+mutant(host_counts_a_cycle_more FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[else if (running_o && counts_q) ]]
+  NEW [[else if ((running_o || start_o) && counts_q) ]])
+mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
+  NEW [[|| adr_q == 13'(rc_pkg::RegStart) || (is_idle && frame_word < 13'(F));]])
+mutant(host_changes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
+  NEW [[|| frame_word < 13'(F) || (is_idle && adr_q == 13'(rc_pkg::RegStart));]])
+mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];]]
+  NEW [[adr_q[0] ? counter_i[31:0] : 32'(counter_i >> 32);]])
+mutant(host_reads_counters_that_count FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[good = Counters && still && counter_there_i;]]
+  NEW [[good = Counters && counter_there_i;]])
+mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[hits = hits + 4'(hit_fires_i[p]);]]
+  NEW [[hits = 4'(hit_fires_i[p]);]])
+mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[state_q == StStart && left_q != '0;]]
+  NEW [[state_q == StStart;]])
 
 # ---- doors and queues.
 mutant(fifo_full_one_early FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]

@@ -64,7 +64,7 @@ TEST_CASE("the RTL of the quick configurations that shade builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const char* name : {"default", "narrow"}) {
         jobs.push_back(
-            {"rc_top", name + std::string(" with all units"), with_all_units(quick_config(name), {})});
+            {"rc_chip", name + std::string(" with all units"), with_all_units(quick_config(name), {})});
     }
     REQUIRE_NOTHROW(build_all(jobs));
 }

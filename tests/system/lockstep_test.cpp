@@ -21,7 +21,7 @@ const std::vector<std::string> scenes{"tetra:4", "mount:4",  "gears:1", "gears:2
 // by side.
 TEST_CASE("the RTL of the quick configurations builds", "[.build]") {
     std::vector<RtlJob> jobs;
-    for (const std::string& name : quick_configs()) jobs.push_back({"rc_top", name, quick_config(name)});
+    for (const std::string& name : quick_configs()) jobs.push_back({"rc_chip", name, quick_config(name)});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 

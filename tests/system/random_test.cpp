@@ -68,7 +68,7 @@ TEST_CASE("the RTL of the quick random configurations builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (std::uint64_t seed = 1; seed <= quick_seeds; ++seed)
         jobs.push_back(
-            {"rc_top", "random " + std::to_string(seed), random_shot(seed, quick_random(seed)).job.config});
+            {"rc_chip", "random " + std::to_string(seed), random_shot(seed, quick_random(seed)).job.config});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 

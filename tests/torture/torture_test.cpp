@@ -11,7 +11,7 @@ using namespace rayclock;
 TEST_CASE("the RTL of the tortured chips builds", "[.build]") {
     std::vector<test::RtlJob> jobs;
     for (const std::string& chip : torture_chips())
-        jobs.push_back({"rc_top", "tortured " + chip, torture_chip(chip)});
+        jobs.push_back({"rc_chip", "tortured " + chip, torture_chip(chip)});
     REQUIRE_NOTHROW(test::build_all(jobs));
 }
 

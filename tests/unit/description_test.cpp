@@ -1,9 +1,9 @@
 // What is said about units and links in more than one place is the same everywhere.
 #include <fstream>
+#include <stdexcept>
 
 #include "model/core/links.hpp"
-#include "model/base/error.hpp"
-#include "sim/gen/description.hpp"
+#include "sim/gen/chip_page.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
@@ -19,8 +19,8 @@ std::string read(const char* path) {
 
 TEST_CASE("the tables in rtl/README.md are those of the description", "[description]") {
     const std::string page = read("rtl/README.md");
-    CHECK(with_description(page) == page);
-    CHECK_THROWS_AS(with_description("a page without marks"), UserError);
+    CHECK(with_tables(page) == page);
+    CHECK_THROWS_AS(with_tables("<!-- made: no such table -->\n<!-- end -->"), std::logic_error);
 }
 
 TEST_CASE("every link has two ends that exist whenever it does", "[description]") {

@@ -4,8 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/gen/chip_page.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/sources.hpp"
 
 using namespace rayclock;
 
@@ -16,6 +18,17 @@ TEST_CASE("generated_package_is_current", "[package]") {
     REQUIRE(file);
     INFO("regenerate with: cmake --build --preset release --target regen");
     REQUIRE((text.str() == rc_package(named_config("default"))));
+}
+
+TEST_CASE("the tables of docs/chip.md are current", "[package]") {
+    std::ifstream file(rtl_sources().parent_path() / "docs/chip.md");
+    std::ostringstream text;
+    text << file.rdbuf();
+    REQUIRE(file);
+    INFO("regenerate with: cmake --build --preset release --target regen");
+    REQUIRE((text.str() == with_tables(text.str())));
+    for (const char* table : {"registers", "parameters", "frame", "counters", "node", "surface", "hit_t"})
+        REQUIRE_THAT(text.str(), Catch::Contains(std::string("<!-- made: ") + table + " -->"));
 }
 
 TEST_CASE("the package states the configuration's numbers", "[package]") {

@@ -1,6 +1,7 @@
 // Builds the RTL that the unit tests load, two at a time, before any of them runs.
 #include "tests/support/machine/build_all.hpp"
 #include "tests/support/dut/cache_dut.hpp"
+#include "tests/support/cases/host_cases.hpp"
 #include "tests/support/cases/pass_cases.hpp"
 #include <catch2/catch.hpp>
 
@@ -27,7 +28,9 @@ TEST_CASE("the units' rtl is built", "[.build]") {
         const char *module, *format;
         Config (*config)(const std::string&) = test::format;
     };
-    const Job jobs[] = {{"rc_top", "small"},
+    const Job jobs[] = {{"rc_chip", "small"},
+                        {"rc_host", "small", test::host_config},
+                        {"rc_host", "shaded", test::host_config},
                         {"rc_box", "default"},
                         {"rc_tri", "default"},
                         {"rc_list", "default"},

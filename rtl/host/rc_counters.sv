@@ -1,0 +1,47 @@
+// The counters of all units, as a host reads them: which_i is {group, unit, cause}. Group 0
+// are the units that all pipelines share, group p + 1 those of pipeline p, in the order of
+// rc_pkg's UnitsThere. A unit that the chip does not have has no counters.
+// Model: model/core/units.hpp.
+`default_nettype none
+module rc_counters #(
+  localparam int unsigned Units = rc_pkg::Pipelines * rc_pkg::PipelineUnits + rc_pkg::SharedUnits
+) (
+  input  logic                         clk_i,
+  input  logic                         count_i,    // causes_i are counted
+  input  logic [3*Units-1:0]           causes_i,   // shared units lowest, then pipeline by pipeline
+  input  logic                         clear_i,    // of all units the counter of which_i's cause
+  input  logic [10:0]                  which_i,
+  output logic                         there_o,
+  output logic [rc_pkg::TallyBits-1:0] count_o     // good while nothing is counted
+);
+  localparam int unsigned W = rc_pkg::TallyBits;
+  localparam int unsigned S = rc_pkg::SharedUnits;
+  localparam int unsigned U = rc_pkg::PipelineUnits;
+
+  logic [Units-1:0]   there;
+  logic [Units*W-1:0] counts;
+  for (genvar k = 0; k < Units; k++) begin : gen_unit
+    localparam int unsigned Group = k < S ? 0 : (k - S) / U + 1;
+    localparam int unsigned Unit  = k < S ? k : (k - S) % U;
+    if (k < S ? rc_pkg::SharedUnitsThere[Unit] : rc_pkg::PipelineUnitsThere[Unit]) begin : gen_there
+      logic [W-1:0] count;
+      rc_tally u_tally (
+        .clk_i, .count_i, .cause_i(causes_i[3*k +: 3]), .clear_i, .at_i(which_i[2:0]),
+        .count_o(count));
+      assign there[k]         = which_i[10:3] == {4'(Group), 4'(Unit)};
+      assign counts[k*W +: W] = there[k] ? count : '0;
+    end else begin : gen_none
+      assign there[k]         = 1'b0;
+      assign counts[k*W +: W] = '0;
+      logic unused;
+      assign unused = ^causes_i[3*k +: 3];
+    end
+  end
+
+  assign there_o = there != '0;
+  always_comb begin
+    count_o = '0;
+    for (int k = 0; k < Units; k++) count_o = count_o | counts[k*W +: W];
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,171 @@
+// The chip's face to a host: registers on a Wishbone B4 bus (classic cycles, 32 bits, word
+// addresses). docs/chip.md has the registers to the bit, sim/gen/registers.hpp lists them.
+//
+// Every access is answered two cycles after it is seen: by ack, or by err if it asks for
+// what is not there or cannot be had now; then it changes nothing. A start first clears the
+// counters and works out the number of pixels, in sixteen cycles, the same as after a reset.
+// start_o is high for one cycle, and the frame's cycle 0 is the next. The frame ends with
+// the cycle in which its last hit is taken.
+`default_nettype none
+module rc_host #(
+  parameter bit Counters = 1'b1
+) (
+  input  logic                         clk_i,
+  input  logic                         rst_ni,
+  // The bus.
+  input  logic                         wb_cyc_i,
+  input  logic                         wb_stb_i,
+  input  logic                         wb_we_i,
+  input  logic [12:0]                  wb_adr_i,
+  input  logic [31:0]                  wb_dat_i,
+  output logic [31:0]                  wb_dat_o,
+  output logic                         wb_ack_o,
+  output logic                         wb_err_o,
+  // The machine.
+  output logic                         start_o,
+  output rc_pkg::frame_t               frame_o,
+  input  logic [rc_pkg::Pipelines-1:0] hit_fires_i,
+  // The counters.
+  output logic                         count_o,     // this cycle is counted
+  output logic                         clear_o,     // of all units the counter that is selected
+  output logic [10:0]                  counter_o,   // the one that is selected
+  input  logic                         counter_there_i,
+  input  logic [rc_pkg::TallyBits-1:0] counter_i,
+  // What the chip does, for pins.
+  output logic                         running_o,   // this is a cycle of a frame
+  output logic                         done_o       // a frame has ended, and no next one was started
+);
+  localparam int unsigned W = rc_pkg::TallyBits;
+  localparam int unsigned S = rc_pkg::PixelBits + 1;  // a picture's side
+  localparam int unsigned F = rc_pkg::FrameWords;
+
+  // ---- What is asked. The address's registers keep it while it is worked on.
+  logic        taken_q, ack_q, err_q, we_q, asks, fires, writes, good;
+  logic [12:0] adr_q;
+  logic [31:0] dat_q, read, read_q;
+  assign asks   = wb_cyc_i && wb_stb_i && !taken_q && !ack_q && !err_q;
+  assign fires  = taken_q && wb_cyc_i && wb_stb_i;
+  assign writes = fires && we_q && good;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) {taken_q, ack_q, err_q} <= '0;
+    else         {taken_q, ack_q, err_q} <= {asks, fires && good, fires && !good};
+    if (asks) begin
+      we_q  <= wb_we_i;
+      adr_q <= wb_adr_i;
+      dat_q <= wb_dat_i;
+    end
+    if (fires) read_q <= we_q ? '0 : read;
+  end
+  assign wb_ack_o = ack_q;
+  assign wb_err_o = err_q;
+  assign wb_dat_o = read_q;
+
+  // ---- The frame.
+  typedef enum logic [1:0] {StPrepare, StIdle, StStart, StRun} state_e;
+  state_e       state_q;
+  logic         wanted_q, done_q, goes, ends;
+  logic [3:0]   step_q;
+  logic [31:0]  left_q, left_less;   // pixels
+  logic [15:0]  height;
+  logic [3:0]   hits;
+  assign goes    = writes && adr_q == 13'(rc_pkg::RegStart) && dat_q[0];
+  assign start_o = state_q == StStart && left_q != '0;
+  assign ends    = state_q == StStart ? left_q == '0 : state_q == StRun && left_less == '0;
+  assign height  = {{(16-S){1'b0}}, frame_o.height};
+  always_comb begin
+    hits = '0;
+    for (int p = 0; p < rc_pkg::Pipelines; p++) hits = hits + 4'(hit_fires_i[p]);
+  end
+  assign left_less = left_q - 32'(hits);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      state_q  <= StPrepare;
+      wanted_q <= 1'b0;
+      done_q   <= 1'b0;
+      step_q   <= '0;
+      left_q   <= '0;
+    end else begin
+      if (state_q == StPrepare) begin   // width times height, from the top bit of height
+        step_q <= step_q + 1'b1;
+        if (wanted_q) left_q <= (left_q << 1) + (height[4'd15 - step_q] ? 32'(frame_o.width) : '0);
+        if (step_q == '1) state_q <= wanted_q ? StStart : StIdle;
+      end else if (state_q == StIdle) begin
+        wanted_q <= goes;
+        if (goes) begin
+          state_q <= StPrepare;
+          done_q  <= 1'b0;
+        end
+      end else begin
+        if (state_q == StRun) left_q <= left_less;
+        state_q <= ends ? StIdle : StRun;
+        done_q  <= ends;
+      end
+    end
+  end
+  assign running_o = state_q == StRun;
+  assign done_o    = done_q;
+
+  logic [rc_pkg::FrameW-1:0] frame_q;
+  assign frame_o = frame_q;
+  for (genvar w = 0; w < F; w++) begin : gen_word
+    localparam int unsigned At   = 32'(rc_pkg::FrameAt[16*w +: 16]);
+    localparam int unsigned Bits = 32'(rc_pkg::FrameBits[16*w +: 16]);
+    always_ff @(posedge clk_i) begin
+      if (writes && adr_q == 13'(rc_pkg::RegFrame + w)) frame_q[At +: Bits] <= dat_q[Bits-1:0];
+    end
+  end
+
+  // ---- Counters.
+  logic         counts_q;   // the host wants it
+  logic [W-1:0] cycles_q;
+  logic [31:0]  high_q;     // of cycles_q, when its lower word was read
+  assign count_o   = Counters && running_o && counts_q;
+  assign clear_o   = Counters && state_q == StPrepare;
+  assign counter_o = clear_o ? {8'd0, step_q[2:0]} : adr_q[11:1];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni)                                          counts_q <= 1'b1;
+    else if (writes && adr_q == 13'(rc_pkg::RegCount))    counts_q <= dat_q[0];
+    if (state_q == StPrepare)                             cycles_q <= '0;
+    else if (running_o && counts_q)                       cycles_q <= cycles_q + 1'b1;
+    if (fires && !we_q && adr_q == 13'(rc_pkg::RegCycles)) high_q  <= 32'(cycles_q >> 32);
+  end
+
+  // ---- What may be read and written.
+  logic still;      // nothing is counted in this cycle nor was in the last
+  logic was_counting_q;
+  always_ff @(posedge clk_i) was_counting_q <= count_o;
+  assign still = !count_o && !was_counting_q && state_q != StPrepare;
+  logic is_idle;
+  assign is_idle = state_q == StIdle;
+
+  logic [12:0] frame_word, parameter_word;
+  assign frame_word     = adr_q - 13'(rc_pkg::RegFrame);
+  assign parameter_word = adr_q - 13'(rc_pkg::RegParameters);
+  always_comb begin
+    read = '0;
+    good = 1'b0;
+    if (we_q) begin
+      good = adr_q == 13'(rc_pkg::RegCount)
+          || (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));
+    end else if (adr_q[12]) begin
+      read = adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];
+      good = Counters && still && counter_there_i;
+    end else if (parameter_word < 13'(rc_pkg::Parameters)) begin
+      read = rc_pkg::ParameterValues[32*parameter_word[4:0] +: 32];
+      good = 1'b1;
+    end else begin
+      good = 1'b1;
+      case (adr_q)
+        13'(rc_pkg::RegMagic):      read = rc_pkg::Magic;
+        13'(rc_pkg::RegVersion):    read = rc_pkg::Version;
+        13'(rc_pkg::RegStatus):     read = {30'd0, done_q, !is_idle};
+        13'(rc_pkg::RegCount):      read = {30'd0, Counters, counts_q};
+        13'(rc_pkg::RegLeft):       read = left_q;
+        13'(rc_pkg::RegCycles):     read = cycles_q[31:0];
+        13'(rc_pkg::RegCycles + 1): read = high_q;
+        default:                    good = 1'b0;
+      endcase
+    end
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,124 @@
+// What `rayclock export` writes works on its own: its test bench passes under Verilator, and fails if a
+// pixel, a counter or a line of memory is another. And a place where it cannot be written is one sentence.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+namespace fs = std::filesystem;
+using Catch::Contains;
+
+namespace {
+
+/// A program that is installed, run in a folder: `script` by a shell.
+Outcome in(const std::string& folder, const std::string& script) {
+    return run_in_shell("cd '" + folder + "' && " + script, {"--version"});
+}
+
+/// The bench's own words.
+Outcome bench(const std::string& folder) { return in(folder, "obj_dir/Vrc_bench"); }
+
+/// Changes the last digit of the line that holds `mark`, counted from the first that is no comment if empty.
+void spoil(const std::string& file, std::size_t line) {
+    std::string text = bytes_of(file);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < line; ++i) at = text.find('\n', at) + 1;
+    const std::size_t digit = text.find_first_of(" \n", at) - 1;
+    text[digit] = text[digit] == '0' ? '1' : '0';
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+std::size_t lines_of(const std::string& text) {
+    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+}
+
+}   // namespace
+
+TEST_CASE(
+    "an export's test bench passes on its own, and sees a pixel, a counter and a memory that is wrong") {
+    const Folder folder;
+    const std::string place = folder.name("chip");
+    const Outcome made = run_program(
+        {"export", "tetra:2", "--size", "16x12", "--config", "small", "-o", place, "--json", "-"});
+    REQUIRE(made.code == 0);
+    const auto json = nlohmann::json::parse(made.out);
+    for (const auto& name : json["files"]) CHECK(fs::is_regular_file(fs::path(place) / std::string(name)));
+    CHECK(lines_of(bytes_of(place + "/pixels.hex")) == 2 + 16 * 12);
+    CHECK(bytes_of(place + "/memory.bin").size() == 64 * (lines_of(bytes_of(place + "/memory.hex")) - 1));
+    CHECK(folder.contents().count("chip/.rayclock") == 0);
+
+    const Outcome built = in(place,
+                             "verilator --binary --timing -f chip.f rc_bench.sv --top-module rc_bench "
+                             "-CFLAGS -O1 > build.log 2>&1");
+    INFO(bytes_of(place + "/build.log"));
+    REQUIRE(built.code == 0);
+    CHECK(bytes_of(place + "/build.log").find("%Warning") == std::string::npos);
+    const Outcome good = bench(place);
+    CHECK(good.code == 0);
+    CHECK_THAT(good.out,
+               Contains("PASS: 192 pixels, " + std::to_string(json["cycles"].get<int>()) + " cycles"));
+    for (const char* file : {"pixels.hex", "counters.hex", "memory.hex"}) {
+        INFO(file);
+        const std::string path = place + "/" + file, before = bytes_of(path);
+        spoil(path, 2);
+        const Outcome bad = bench(place);
+        CHECK(bad.code != 0);
+        CHECK_THAT(bad.out, Contains("FAIL") && !Contains("PASS"));
+        std::ofstream(path, std::ios::binary) << before;
+    }
+    CHECK(bench(place).code == 0);
+}
+
+TEST_CASE("an export's settings are the frame's, word by word") {
+    const Folder folder;
+    const Outcome made = run_program({"export", "balls:1", "--size", "24x16", "--depth", "2", "--config",
+                                      "default", "-o", folder.name("chip")});
+    REQUIRE(made.code == 0);
+    const std::string settings = bytes_of(folder.name("chip/registers.hex"));
+    CHECK_THAT(settings, Contains("0400_00000018   // width\n") && Contains("0401_00000010   // height\n") &&
+                             Contains("corner[0], from bit 32\n") && Contains("// lights\n"));
+    CHECK_THAT(settings, Catch::EndsWith("0004_00000001   // count cycles\n0003_00000001   // start\n"));
+    CHECK_THAT(bytes_of(folder.name("chip/pixels.hex")), Contains(", colour:51\n"));
+    CHECK_THAT(bytes_of(folder.name("chip/counters.hex")), Contains("shade[0] busy: work\n"));
+}
+
+TEST_CASE("a place where no export can be written is one sentence, and nothing is left of it") {
+    const Folder folder;
+    const auto refused = [&](const std::string& place, const std::string& words) {
+        INFO(place);
+        const auto before = folder.contents();
+        check_refused(run_program({"export", "tetra:1", "--size", "8x8", "-o", place}), {words});
+        CHECK(folder.contents() == before);
+    };
+    folder.write("file", "");
+    fs::create_directories(folder.name("full"));
+    folder.write("full/kept", "");
+    fs::create_symlink(folder.name("full"), folder.name("link"));
+    refused(folder.name("file"), "is a file, not a folder");
+    refused(folder.name("full"), "is not empty");
+    refused(folder.name("link"), "is a symbolic link");
+    refused(folder.name("none/chip"), "does not exist");
+    refused(folder.name("file/chip"), "does not exist");
+    refused("", "is empty");
+    refused("/proc/chip", "cannot be written");
+    // A scene that cannot be made, and a chip that has no RTL.
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"export", "nothing:1"},
+                                                  {"export", "tetra:1", "--set", "primitive_test=woop"}}) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"-o", folder.name("chip")});
+        const auto before = folder.contents();
+        check_refused(run_program(all), {});
+        CHECK(folder.contents() == before);
+    }
+    // A disk that is full in the middle of a file.
+    const auto before = folder.contents();
+    check_refused(run_in_shell("ulimit -f 8; exec \"$@\"",
+                               {"export", "tetra:3", "--size", "64x48", "-o", folder.name("chip")}),
+                  {"cannot be written"});
+    CHECK(folder.contents() == before);
+}
