@@ -15,13 +15,13 @@ mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [l
   NEW [[more_triangles || (more_leaves && !blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
   OLD [[stop     = any_q[tested_ray] && found_q[tested_ray];]]
-  NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_t[0];]])
+  NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_ray[0];]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
   OLD [[shadow_q[start_ray] <= start_i.kind == 2'd2;]]
   NEW [[shadow_q[start_ray] <= start_i.kind >= 2'd2;]])
 mutant(trav_looks_beyond_the_surface FILE rtl/prim/rc_reach.sv TEST unit [trav][shading]
   OLD [[kept : shadow_q[read_ray_i] ? SurfaceT : '1;]]
-  NEW [[kept : '1;]])
+  NEW [[kept : shadow_q[read_ray_i] && read_ray_i[0] ? SurfaceT : '1;]])
 mutant(stack_stop_keeps_the_stack FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
   OLD [[(stop || s1_height_q == '0)) begin
       done_o   = 1'b1;
