@@ -154,10 +154,12 @@ std::string bench(const Job& job, const Frame& frame, int settings, const Accoun
     return text.replace(text.find(mark), mark.size(), constants);
 }
 
-/// Icarus 11 knows no `int unsigned` in a localparam and no type of a package by its full name.
+/// Icarus 11 knows no `int unsigned` in a localparam and no type of a package by its full name. Its
+/// always_comb starts anew at whatever a function in it computes, and never ends.
 constexpr const char* icarus_sed =
     "s/\\bint unsigned\\b/[31:0]/\n"
     "s/rc_pkg::\\([a-z0-9_]*_t\\)\\b/\\1/g\n"
+    "s/\\balways_comb\\b/always @*/\n"
     "/^endpackage/a import rc_pkg::*;\n";
 
 std::string readme(const Job& job, const std::string& title, const std::string& command,
@@ -181,7 +183,7 @@ With Verilator (5.006 or newer):
     verilator --binary --timing -f chip.f rc_bench.sv --top-module rc_bench
     obj_dir/Vrc_bench
 
-With Icarus Verilog (11 or newer), about a hundred times slower:
+With Icarus Verilog 11, which knows unknown values, and is much slower:
 
     cat $(grep '\.sv$' chip.f) rc_bench.sv | sed -f icarus.sed > icarus.sv
     iverilog -g2012 -DSYNTHESIS -s rc_bench -o icarus.vvp icarus.sv
