@@ -168,8 +168,8 @@ mutant(sched_loses_hits_of_used_contexts FILE rtl/sched/rc_sched.sv TEST unit [m
   OLD [[assign hit_valid_o   = pixel_valid_i;]]
   NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])
 mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_bvh.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[(box_req_ready ? 3'd0 : 3'd3) : node_waits_i ? 3'd1 : 3'd2;]]
-  NEW [[(box_req_ready ? 3'd0 : 3'd3) : node_waits_i ? 3'd2 : 3'd1;]])
+  OLD [[else box_cause_o = node_waits_i ?]]
+  NEW [[else box_cause_o = !node_waits_i ?]])
 mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
   OLD [[counts_q ? count_o + 1'b1 : '0;]]
   NEW [[counts_q ? count_o + {{(rc_pkg::TallyBits-1){1'b0}}, cause_q != 3'd5} : '0;]])
