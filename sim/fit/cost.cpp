@@ -47,8 +47,7 @@ Cost cost_of(const Config& c) {
     const int best = c.num_bits() + c.edge_bits() + c.prim_bits,
               found = bits_of<Closest>(c) - c.ray_bits() - 1;
     const int list = t + leaves + c.slot_bits() + count_bits + 3 * (c.coord_bits + c.dir_bits) + best + found;
-    const int trav =
-        t + children + 3 * (c.coord_bits + 1 + c.recip_bits + 1 + exp_bits) + c.stack_bits();
+    const int trav = t + children + 3 * (c.coord_bits + 1 + c.recip_bits + 1 + exp_bits) + c.stack_bits();
     cost.ray_bits = cost.stack_bits + contexts * std::uint64_t(list + trav + 2 * c.pixel_bits);
     cost.cache_bits = cache(c, c.node_sets, c.node_ways, c.node_line, bits_of<Node>(c)) +
                       cache(c, c.prim_sets, c.prim_ways, c.prim_line, 2 * bits_of<PrimData>(c));
