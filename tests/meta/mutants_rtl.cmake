@@ -120,7 +120,7 @@ mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   NEW [[&& (group_near[at_next*TB +: TB] <= tri_t || tri_t != '0);]])
 mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/list/rc_list.sv TEST unit [list]
   OLD [[if (start_fires_i) found_q[start_ray] <= 1'b0;]]
-  NEW [[if (ray_fires_i) found_q[ray_i.ray] <= 1'b0;]])
+  NEW [[if (start_fires_i || ray_fires_i) found_q[ray_fires_i ? ray_i.ray : start_ray] <= 1'b0;]])
 mutant(list_keeps_old_hit FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[if (start_fires_i) found_q[start_ray] <= 1'b0;]]
   NEW [[if (start_fires_i && !closer) found_q[start_ray] <= 1'b0;]])
