@@ -33,7 +33,7 @@ module rc_host #(
   input  logic [rc_pkg::TallyBits-1:0] counter_i,
   // What the chip does, for pins.
   output logic                         running_o,   // this is a cycle of a frame
-  output logic                         done_o       // a frame has ended, no next one has started
+  output logic                         done_o       // a frame has ended, none was started since
 );
   localparam int unsigned W = rc_pkg::TallyBits;
   localparam int unsigned S = rc_pkg::PixelBits + 1;  // a picture's side
