@@ -79,8 +79,8 @@ public:
 private:
     /// Where a context's ray is in the trace.
     struct Place {
-        const std::uint32_t* at =
-            nullptr;              ///< word of the visit, or of the triangle under way; the first after a ray
+        const std::uint32_t* at = nullptr;   ///< word of the visit, or of the triangle under way; the first
+                                             ///< after a ray
         std::uint32_t head = 0;   ///< the visit's word; turns count down. After a ray the passes left
     };
     /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the
@@ -184,10 +184,11 @@ inline void Pipeline::account_units(const Moves& m, std::uint64_t now) {
     // Codes of units.hpp: 0 where a link moves; a refused offer and an idle link have their own.
     const std::uint32_t sched = m.slot ? 0 : sched_.slot_valid() ? 3 : sched_.pixel_valid() ? 1 : 2;
     const std::uint32_t raygen = m.ray ? 0 : raygen_.valid(now) ? 2 : 1;
-    const std::uint32_t trav = m.step ? 0
-                               : trav_.step_valid(m.offered)
-                                   ? 2
-                                   : trav_.step_ready();   // a ray that goes round is work, if no step waits
+    const std::uint32_t trav = m.step                        ? 0
+                               : trav_.step_valid(m.offered) ? 2
+                                                             : trav_.step_ready();   // a ray that goes round
+                                                                                     // is work, if no step
+                                                                                     // waits
     const std::uint32_t box = m.box_req ? 0 : node_cache_.valid(now) ? 3 : node_cache_.waits() ? 1 : 2;
     const std::uint32_t list = !(m.leaves | m.tri_rsp);
     const std::uint32_t tri = m.tri_req ? 0 : prim_cache_.valid(now) ? 3 : prim_cache_.waits() ? 1 : 2;

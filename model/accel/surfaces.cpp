@@ -107,8 +107,9 @@ std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice) {
     const std::vector<std::uint8_t> coarse = coarseness(scene, lattice);
     const auto first = std::find_if(coarse.begin(), coarse.end(), [](std::uint8_t bits) { return bits > 0; });
     if (first == coarse.end()) return std::nullopt;
-    const Vec3i start = lattice.snap(
-        scene.vertices[std::size_t(first - coarse.begin())]);   // where the multiples are counted from
+    const Vec3i start = lattice.snap(scene.vertices[std::size_t(first - coarse.begin())]);   // where the
+                                                                                             // multiples are
+                                                                                             // counted from
     const std::int32_t most = (1 << (lattice.coord_bits - 1)) - 1;
     Scene moved = scene;
     for (std::size_t v = 0; v < coarse.size(); ++v) {
@@ -201,8 +202,8 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
                                     [](const Material& m) { return m.transmit > 0; });
     config.supersampling = settings.aa > 1 || settings.jitter;
     if (config.spheres)
-        config.tri_queue =
-            std::max(config.tri_queue, 64);   // tri is 34 stages long then, and its door must not shut
+        config.tri_queue = std::max(config.tri_queue, 64);   // tri is 34 stages long then, and its door must
+                                                             // not shut
     // Rounded up: scenes that differ by a light share their RTL.
     config.lights = std::clamp(int(std::bit_ceil(scene.lights.size())), 4, max_lights);
     config.bounces = std::max(config.bounces, settings.depth);

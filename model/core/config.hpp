@@ -18,27 +18,27 @@ constexpr int count_bits = 3;         ///< triangles of a leaf, 1..6; 0 for an i
 constexpr int line_bits = 512;        ///< a memory line, one node
 constexpr int half_line_bits = 256;   ///< one triangle
 constexpr int line_bytes = 64;        ///< what memory gives in one answer
-constexpr int unit_bits = 16;   ///< fraction bits of colours, of weights and of unit vectors' components
-constexpr int share_bits =
-    12;   ///< fraction bits of a material's colours and of the weights of its local light
+constexpr int unit_bits = 16;     ///< fraction bits of colours, of weights and of unit vectors' components
+constexpr int share_bits = 12;    ///< fraction bits of a material's colours and of the weights of its local
+                                  ///< light
 constexpr int corner_bits = 11;   ///< signed components of a corner's normal
 constexpr int shine_frac = 4;     ///< fraction bits of Phong's exponent, which has shine_bits
 constexpr int shine_bits = 14;
 constexpr int index_frac = 12;   ///< fraction bits of a ratio of refractive indices, which has ratio_bits
 constexpr int ratio_bits = 16;
-constexpr int root_bits = 28;       ///< of a square root in the sphere test
-constexpr int strength_bits = 17;   ///< a light's colour, share_bits of them fraction
-constexpr int light_reach =
-    8;   ///< a light, or a point of a plane, may lie 2^8 times as far away as the lattice reaches
-constexpr int plane_bits = 12;   ///< whole bits of a plane's u and v
-constexpr int approach_steps =
-    12;                          ///< in which a ray from far away finds the lattice: model/shade/approach.hpp
-constexpr int max_lights = 64;   ///< of Config::lights
-constexpr int most_fine = 4;     ///< of Surface::fine
-constexpr int sample_bits = 6;   ///< a pixel's sample, 0..63
-constexpr int depth_bits = 4;    ///< bounces of a camera ray, 0..15
-constexpr int unit_stages = 8;   ///< latency of rtl/fixed/rc_unit.sv,
-constexpr int power_stages = 7;   ///< and of rc_power.sv
+constexpr int root_bits = 28;        ///< of a square root in the sphere test
+constexpr int strength_bits = 17;    ///< a light's colour, share_bits of them fraction
+constexpr int light_reach = 8;       ///< a light, or a point of a plane, may lie 2^8 times as far away as the
+                                     ///< lattice reaches
+constexpr int plane_bits = 12;       ///< whole bits of a plane's u and v
+constexpr int approach_steps = 12;   ///< in which a ray from far away finds the lattice:
+                                     ///< model/shade/approach.hpp
+constexpr int max_lights = 64;       ///< of Config::lights
+constexpr int most_fine = 4;         ///< of Surface::fine
+constexpr int sample_bits = 6;       ///< a pixel's sample, 0..63
+constexpr int depth_bits = 4;        ///< bounces of a camera ray, 0..15
+constexpr int unit_stages = 8;       ///< latency of rtl/fixed/rc_unit.sv,
+constexpr int power_stages = 7;      ///< and of rc_power.sv
 
 /// Format and shape of one machine: everything that the hardware fixes when it is synthesised.
 /// One C++ binary serves all of them; for the RTL they become the constants of rc_pkg.sv.
@@ -53,8 +53,8 @@ struct Config {
     int box_bits = 8;         ///< bits of a child box plane relative to its node
     int bary_bits = 16;       ///< fraction bits of the barycentric u and v of a hit
     int primitive_test = 0;   ///< how a ray meets a triangle, see primitive_test_names()
-    int origin_bits =
-        12;   ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with `shading` only
+    int origin_bits = 12;     ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with
+                              ///< `shading` only
 
     // Shape: counts, depths, latencies.
     int node_width = 8;      ///< W: children of a node, 2, 4 or 8
@@ -65,8 +65,8 @@ struct Config {
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
     int pipelines = 1;       ///< P: pipelines of one machine
-    int tile_bits =
-        4;   ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by row
+    int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
+                          ///< row
     int node_sets = 64;   ///< node cache of a pipeline: sets,
     int node_ways = 4;    ///< ways,
     int node_line = 64;   ///< bytes a line,
@@ -146,8 +146,8 @@ struct Config {
     int box_latency() const;
     int tri_latency() const;
     int shade_latency() const;
-    int node_miss_bits()
-        const;   ///< what tells the node cache's requests to memory apart: line on its way, word in it
+    int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way,
+                                  ///< word in it
     int prim_miss_bits() const;
     int surf_miss_bits() const;
     int l2_miss_bits() const;

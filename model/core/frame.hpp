@@ -25,12 +25,12 @@ constexpr std::uint32_t reach_of(RayKind kind, const Config& config) {
 
 /// Registers that the host sets for a frame, if the chip shades.
 struct ShadeFrame {
-    std::uint32_t surfaces = 0;   ///< line of primitive 0's surface
-    std::uint32_t depth = 0;      ///< most bounces
-    std::uint32_t threshold =
-        0;   ///< least weight of a ray, rounded down to unit_bits + 1 bits of fraction; see weighs_enough()
-    std::uint32_t side = 1;     ///< a pixel has side * side samples
-    std::uint32_t stride = 1;   ///< from sample to sample through the cells
+    std::uint32_t surfaces = 0;    ///< line of primitive 0's surface
+    std::uint32_t depth = 0;       ///< most bounces
+    std::uint32_t threshold = 0;   ///< least weight of a ray, rounded down to unit_bits + 1 bits of fraction;
+                                   ///< see weighs_enough()
+    std::uint32_t side = 1;        ///< a pixel has side * side samples
+    std::uint32_t stride = 1;      ///< from sample to sample through the cells
     std::uint32_t jitter = 0;
     std::uint32_t contrast = 0;   ///< unit_bits of fraction; 0: all samples
     std::uint32_t share = 0,

@@ -64,9 +64,9 @@ struct Surface {
     /// Of a triangle: all components of its edges are multiples of 2^fine, so that points of B fraction bits
     /// lie 2^-(B + fine) of an edge apart on it.
     std::uint32_t fine = 0;
-    Vec3i a{}, b{}, c{};   ///< as in PrimData
-    std::array<std::int32_t, 9>
-        normal{};   ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if smooth.
+    Vec3i a{}, b{}, c{};                    ///< as in PrimData
+    std::array<std::int32_t, 9> normal{};   ///< [3 * corner + axis], at most 2^(corner_bits - 1) - 1 long; if
+                                            ///< smooth.
     /// Of a plane normal[0] and [1] are phases, [2] and [3] bits: bit [2] of u + [0] 2^bary_bits tells
     /// whether a square is the second of a pair along u, [3] of v + [1] 2^bary_bits along v; bit -1 is 0.
     std::array<std::uint32_t, 3> colour{}, other{};          ///< share_bits of fraction

@@ -153,8 +153,8 @@ bool shades(const Ray& ray, const PrimData& sphere, const Config& config) {
     const bool from_outside = m.power > 0;
     if (sphere.prim == ray.self) return ray.inside != 0 && from_outside;
     const Wide unit = Wide(1) << config.origin_frac();
-    const Wide end =
-        m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the square of the radius
+    const Wide end = m.square + 2 * m.along * unit + m.power * unit * unit;   // |O - c|^2 less the square of
+                                                                              // the radius
     if (from_outside) return m.along < 0 && m.disc >= 0 && (end < 0 || -m.along * unit < m.square);
     return end > 0 && (m.power < 0 || m.along < 0);
 }
@@ -200,8 +200,8 @@ Root root(WideNatural square) {
     const int bits = int(high != 0 ? 64 + std::bit_width(high) : std::bit_width(std::uint64_t(square)));
     r.shift = std::max(bits - 2 * root_bits + 1, 0) / 2;
     const auto cut = std::uint64_t(square >> (2 * r.shift));
-    std::uint64_t whole =
-        std::uint64_t(std::sqrt(double(cut)));   // right to within one: cut has 56 bits, a double 53
+    std::uint64_t whole = std::uint64_t(std::sqrt(double(cut)));   // right to within one: cut has 56 bits, a
+                                                                   // double 53
     while (whole * whole > cut) --whole;
     while ((whole + 1) * (whole + 1) <= cut) ++whole;
     r.whole = std::uint32_t(whole);
@@ -215,9 +215,9 @@ void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Conf
     out.prim = out.t = out.u = out.v = 0;
     const PrimKind kind = config.has_kinds() ? PrimKind(prim.kind) : PrimKind::triangle;
     if (kind == PrimKind::sphere) return sphere_test(ray, prim, best, config, out);
-    const bool short_best =
-        !best.found ||
-        (best.num | best.det) >> 63 == 0;   // always, as only camera rays compare with camera rays' hits
+    const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;   // always, as only camera rays
+                                                                               // compare with camera rays'
+                                                                               // hits
     if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best)
         return flat_test(ray, prim, best, config, out);
     Vec3i o;

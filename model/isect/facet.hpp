@@ -7,8 +7,8 @@ namespace rayclock {
 /// num does not depend on it at all. With e1 = b - a, e2 = c - a, s = o - a:
 ///   det = d . (e2 x e1), u = d . (e2 x s), v = d . (s x e1), num = (e1 x e2) . s.
 struct Facet {
-    std::array<std::uint64_t, 3> det{}, u{},
-        v{};   ///< coefficients; signed, modulo 2^64, as the sums may pass it on their way
+    std::array<std::uint64_t, 3> det{}, u{}, v{};   ///< coefficients; signed, modulo 2^64, as the sums may
+                                                    ///< pass it on their way
     std::int64_t num = 0;
     std::uint32_t prim = 0;
 };

@@ -15,8 +15,8 @@ struct CacheShape {
     int words = 1;   ///< of a line
     int mshrs = 8;   ///< lines that may be on their way
     int queue = 4;   ///< answers that may wait
-    int ids =
-        64;   ///< requests are told apart by 0..ids-1; one with the same id is made only after the answer
+    int ids = 64;    ///< requests are told apart by 0..ids-1; one with the same id is made only after the
+                     ///< answer
 };
 CacheShape node_cache_shape(const Config& config);
 CacheShape prim_cache_shape(const Config& config);

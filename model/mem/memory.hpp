@@ -82,8 +82,8 @@ private:
     Rng rng_;
     bool disturbed_, ready_ = true;
     std::uint64_t now_ = 0;
-    bool sleeping_ =
-        false;   // the DRAM has nothing to do, and is told of the cycles that pass when it has again:
+    bool sleeping_ = false;    // the DRAM has nothing to do, and is told of the cycles that pass when it has
+                               // again:
     std::uint64_t owed_ = 0;   // so many
     std::uint64_t reads_ = 0;
     std::array<std::uint64_t, memory_deeds> ideal_deeds_{};

@@ -146,8 +146,8 @@ Meets meets_sphere(const SolidRay& ray, const Solid& sphere, bool is_self) {
     Meets found = Meets::far;
     if (b.start > 0) found = ahead && b.disc() >= 0 ? Meets::near : Meets::no;
     if (b.start == 0) found = ahead ? Meets::far : Meets::no;
-    return is_self && found != Meets::no ? Meets::far
-                                         : found;   // it starts on it as well as its numbers can say
+    return is_self && found != Meets::no ? Meets::far : found;   // it starts on it as well as its numbers can
+                                                                 // say
 }
 
 double sphere_distance(const SolidRay& ray, const Solid& sphere, Meets which) {
@@ -185,8 +185,8 @@ std::optional<FlatHit> Solids::flat_hit(const SolidRay& ray, std::uint32_t numbe
 
 Nearest Solids::nearest(const SolidRay& ray) const {
     Nearest found;
-    double limit =
-        std::numeric_limits<double>::infinity();   // directions, not less than those of the best hit
+    double limit = std::numeric_limits<double>::infinity();   // directions, not less than those of the best
+                                                              // hit
     const auto flat = [&](std::uint32_t number) {
         const auto hit = cross_flat(ray, solids_[number], number);
         if (!hit || !before(*hit, found.flat)) return;

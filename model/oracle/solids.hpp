@@ -33,10 +33,10 @@ struct SolidRay {
     Vec3i origin{};
     int frac = 0;
     Vec3i direction{};
-    std::uint32_t self =
-        no_primitive;      ///< the surface that it leaves, or at which a shadow ray ends; none: from the eye
-    bool inside = false;   ///< of a sphere: the ray is on its inside
-    bool finite = false;   ///< asks only what has an end: no plane
+    std::uint32_t self = no_primitive;   ///< the surface that it leaves, or at which a shadow ray ends; none:
+                                         ///< from the eye
+    bool inside = false;                 ///< of a sphere: the ray is on its inside
+    bool finite = false;                 ///< asks only what has an end: no plane
 };
 
 /// Where a triangle or a plane is hit: at t = num / den, with weights u / total and v / total of b and c. den

@@ -33,8 +33,8 @@ struct alignas(64) RefNode {
 constexpr int ref_block_size = 2;   ///< primitives a block; two doubles fill one SSE register
 constexpr int ref_max_leaf = 8;     ///< primitives a leaf at most
 constexpr int ref_max_depth = 96;   ///< inner nodes on a path at most, kept by the builder
-constexpr int ref_stack_size =
-    3 * ref_max_depth + 4;   ///< each node on the path leaves at most three siblings
+constexpr int ref_stack_size = 3 * ref_max_depth + 4;   ///< each node on the path leaves at most three
+                                                        ///< siblings
 
 /// Node 0 is the root. `order` holds ref_block_size primitives a block; a leaf's last block is filled up
 /// by repeating its last primitive, which changes no answer.

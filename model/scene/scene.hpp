@@ -23,8 +23,8 @@ struct Material {
     double index = 1;         ///< refractive index of the inside; the surrounding medium is 1
     bool checkered = false;   ///< of a plane: every second square has the colour `other`
     glm::dvec3 other{0.2};
-    bool schlick =
-        false;   ///< mirror and transmit are weighted by Fresnel's term, as Schlick 1994 approximates it
+    bool schlick = false;   ///< mirror and transmit are weighted by Fresnel's term, as Schlick 1994
+                            ///< approximates it
 };
 
 /// Point light without attenuation; `colour` is its strength (spd: 1/sqrt(number of lights)).

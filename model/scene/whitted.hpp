@@ -10,14 +10,14 @@ constexpr int most_depth = 15, most_aa = 8;
 /// Whitted 1980, "An improved illumination model for shaded display": local light, shadow rays, reflection,
 /// refraction.
 struct Whitted {
-    int depth =
-        5;   ///< bounces of a camera ray, 0..15; at a hit of that depth nothing is reflected or refracted
-    double threshold =
-        0;   ///< a reflected or refracted ray of less weight is not traced (Hall, Greenberg 1983); 0: all are
-    int aa = 1;            ///< a pixel has aa x aa samples, 1..8
-    bool jitter = false;   ///< each sample anywhere in its cell (Cook 1986), and not in the middle
-    double contrast =
-        0;   ///< if not 0: after 4 samples, the rest only if some channel differs by more among them
+    int depth = 5;   ///< bounces of a camera ray, 0..15; at a hit of that depth nothing is reflected or
+                     ///< refracted
+    double threshold = 0;   ///< a reflected or refracted ray of less weight is not traced (Hall, Greenberg
+                            ///< 1983); 0: all are
+    int aa = 1;             ///< a pixel has aa x aa samples, 1..8
+    bool jitter = false;    ///< each sample anywhere in its cell (Cook 1986), and not in the middle
+    double contrast = 0;   ///< if not 0: after 4 samples, the rest only if some channel differs by more among
+                           ///< them
     std::uint32_t seed = 1;   ///< of the jitter
 };
 

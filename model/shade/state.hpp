@@ -127,9 +127,9 @@ struct PassOut {
     Pixel pixel;
     bool push = false;   ///< `pushed` goes on the stack; a pop event that spawns takes the top off
     Waiting pushed;
-    LightParts light;   ///< of a light event
-    bool refracted =
-        false;   ///< a refracted ray was called for, if only to be totally reflected: for counting
+    LightParts light;         ///< of a light event
+    bool refracted = false;   ///< a refracted ray was called for, if only to be totally reflected: for
+                              ///< counting
 };
 
 }   // namespace rayclock

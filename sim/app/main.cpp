@@ -30,11 +30,11 @@ std::vector<Added> add_commands(CLI::App& app) {
         Command command = make();
         CLI::App* const sub = app.add_subcommand(command.name, command.what);
         sub->footer(std::string("Example: ") + command.example);
-        sub->preparse_callback(
-            [sub, declare = command.declare](std::size_t) {   // the other commands' options are never made
-                Parser parser(*sub);
-                declare(parser);
-            });
+        sub->preparse_callback([sub, declare = command.declare](std::size_t) {   // the other commands'
+                                                                                 // options are never made
+            Parser parser(*sub);
+            declare(parser);
+        });
         all.push_back({std::move(command), sub});
     }
     return all;

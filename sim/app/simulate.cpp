@@ -114,8 +114,8 @@ struct Simulated {
 Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
     Simulated s;
     s.is_model = o.engine == "model";
-    if (s.is_model && work.clocks.size() == 1 &&
-        work.path.size() == 1) {   // one replay, beside the recording
+    if (s.is_model && work.clocks.size() == 1 && work.path.size() == 1) {   // one replay, beside the
+                                                                            // recording
         const std::vector<FrameTiming> timings =
             record_and_replay(work.job, work.clocks[0], s.traces, traffic, o.threads, progress);
         s.runs.push_back({work.clocks[0], {frame_run(s.traces[0], timings[0])}});

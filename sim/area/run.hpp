@@ -14,11 +14,11 @@ using synth::Part;
 
 struct Areas {
     std::vector<Variant> variants;
-    std::vector<std::map<std::string, Part>>
-        units;                   ///< [variant], by the unit's name; a unit that is not there is missing
-    std::size_t different = 0;   ///< of all units of all variants
-    std::size_t known = 0;       ///< taken from the cache
-    bool partial = false;        ///< interrupted() before the end
+    std::vector<std::map<std::string, Part>> units;   ///< [variant], by the unit's name; a unit that is not
+                                                      ///< there is missing
+    std::size_t different = 0;                        ///< of all units of all variants
+    std::size_t known = 0;                            ///< taken from the cache
+    bool partial = false;                             ///< interrupted() before the end
 };
 
 /// `only`: names of units, or none for all. `threads` at the same time, 0 for all cores. Throws UserError if

@@ -10,9 +10,9 @@ namespace rayclock::fit {
 /// A material's triangles, or the few largest triangles, without which the rest and the eye would lie closer
 /// together.
 struct Dominant {
-    std::string
-        what;   ///< "material 'ground' (2 triangles)", "triangle 12", "the 3 largest triangles (12 first)"
-    Scene without;               ///< the scene without them; primitives are numbered anew
+    std::string what;   ///< "material 'ground' (2 triangles)", "triangle 12", "the 3 largest triangles (12
+                        ///< first)"
+    Scene without;      ///< the scene without them; primitives are numbered anew
     std::size_t triangles = 0;   ///< left out
     double ratio = 1;            ///< extent of the whole scene with its eye over that without them
 };

@@ -61,8 +61,8 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     place_ = {};
     place_.ratio = ratio_of(material_of(rules_.asked.scene, answer_.prim), answer_.back != 0);
     place_.surface = expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
-    if (PrimKind(place_.surface.kind) ==
-        PrimKind::plane)   // how it tells its squares is judged by their colours
+    if (PrimKind(place_.surface.kind) == PrimKind::plane)   // how it tells its squares is judged by their
+                                                            // colours
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
         place_.surface.normal = in.surface.normal;
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
@@ -115,8 +115,10 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
         if (!is_inside(u, v)) return false;
         beyond = outside = false;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Int128 at = (Int128(surface.a[k]) * whole + u * e1[k] + v * e2[k]) /
-                              (Int128(1) << fine);   // divides: see fineness()
+            const Int128 at =
+                (Int128(surface.a[k]) * whole + u * e1[k] + v * e2[k]) / (Int128(1) << fine);   // divides:
+                                                                                                // see
+                                                                                                // fineness()
             beyond = beyond || at > most || at < -most;
             outside = outside || at > end || at < -end;
             if (std::clamp(at, -most, most) != s.o[k]) return false;

@@ -56,8 +56,8 @@ inline glm::dvec3 unit_of(const glm::dvec3& v) {
 }
 
 constexpr double unit_step = 1.0 / (1 << unit_bits);   ///< of colours, weights and components of unit vectors
-constexpr double component_error =
-    3.2 * unit_step;   ///< of unit_vector(): proven in model/shade/unit_vector.hpp
+constexpr double component_error = 3.2 * unit_step;    ///< of unit_vector(): proven in
+                                                       ///< model/shade/unit_vector.hpp
 constexpr double vector_error = 1.7320509 * component_error;
 /// Of a product of two unit vectors, clamped and rounded: each is off by vector_error, and the rounding.
 constexpr double cosine_error = 2 * vector_error + vector_error * vector_error + 0.5 * unit_step;

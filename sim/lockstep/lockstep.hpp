@@ -27,13 +27,13 @@ struct CounterDifference {
 };
 
 struct LockstepResult {
-    FrameRun model, rtl;                 ///< seconds: the time of each machine's own share
-    std::uint64_t events_compared = 0;   ///< transfers (cycle, channel, payload) seen on both sides
-    std::uint64_t value_mismatches =
-        0;   ///< transfers whose payload differs, and pixels that differ in the end
+    FrameRun model, rtl;                  ///< seconds: the time of each machine's own share
+    std::uint64_t events_compared = 0;    ///< transfers (cycle, channel, payload) seen on both sides
+    std::uint64_t value_mismatches = 0;   ///< transfers whose payload differs, and pixels that differ in the
+                                          ///< end
     std::uint64_t account_mismatches = 0;   ///< frames whose counters differ
-    std::uint64_t cycle_gap =
-        0;   ///< difference of the frame's cycles, or of the first cycle with other moves
+    std::uint64_t cycle_gap = 0;   ///< difference of the frame's cycles, or of the first cycle with other
+                                   ///< moves
     std::optional<CounterDifference> counter;   ///< the first, of the first frame whose counters differ
     bool counters_compared = false;             ///< of every frame; not if the machines parted
     std::optional<Divergence> first;

@@ -39,8 +39,9 @@ Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_
 }
 
 void Scale::make_linear(double lo, double hi) {
-    const double middle = (lo + hi) / 2,
-                 least = std::max(std::abs(middle) * 0.002, 1e-9);   // equal values are not torn apart
+    const double middle = (lo + hi) / 2, least = std::max(std::abs(middle) * 0.002, 1e-9);   // equal values
+                                                                                             // are not torn
+                                                                                             // apart
     const double half = std::max((hi - lo) / 2, least) / (1 - 2 * room);
     lo_ = middle - half;
     hi_ = middle + half;

@@ -10,8 +10,8 @@ namespace rayclock {
 
 /// A configuration as it is asked for.
 struct ConfigChoice {
-    std::string name =
-        "default";   ///< or a file: JSON with every parameter, or "like": NAME and some of them
+    std::string name = "default";   ///< or a file: JSON with every parameter, or "like": NAME and some of
+                                    ///< them
     std::vector<std::string> set;   ///< key=value, each over the one before it
 };
 /// Throws UserError.

@@ -33,9 +33,9 @@ namespace {
 const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
                             "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
 const Words compiler_flags{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
-constexpr std::size_t parts = 2;   // compiled at the same time
-constexpr std::uintmax_t support_bytes =
-    1'100'000;   // Verilator's own sources take as long as so much of what it makes
+constexpr std::size_t parts = 2;                      // compiled at the same time
+constexpr std::uintmax_t support_bytes = 1'100'000;   // Verilator's own sources take as long as so much of
+                                                      // what it makes
 
 Words operator+(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());

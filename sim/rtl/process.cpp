@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int parent_died =
-    SIGUSR1;   // from the kernel, while the parent may still be seen dying; SIGTERM comes from the parent
+constexpr int parent_died = SIGUSR1;   // from the kernel, while the parent may still be seen dying; SIGTERM
+                                       // comes from the parent
 constexpr int could_not_start = 127, ended_by_signal = 126;   // exit codes of the guard, as of a shell
 
 /// All that is needed after fork(), where no memory may be asked for: another thread may have held the lock.

@@ -10,12 +10,12 @@ namespace rayclock {
 
 /// What to run, and where.
 struct Command {
-    std::vector<std::string>
-        words;   ///< the program, as a path or a name in PATH, and its arguments: no shell sees them
-    std::filesystem::path
-        folder;   ///< to run in, and where it keeps its temporary files; empty: this program's
-    std::filesystem::path output;   ///< what it prints goes there
-    std::filesystem::path litter;   ///< removed if this program dies meanwhile; may be empty
+    std::vector<std::string> words;   ///< the program, as a path or a name in PATH, and its arguments: no
+                                      ///< shell sees them
+    std::filesystem::path folder;     ///< to run in, and where it keeps its temporary files; empty: this
+                                      ///< program's
+    std::filesystem::path output;     ///< what it prints goes there
+    std::filesystem::path litter;     ///< removed if this program dies meanwhile; may be empty
 };
 
 /// A running program with all that it has started. They end when this object does, and when this program

@@ -32,8 +32,8 @@ RtlModule::RtlModule(const Config& config, const std::string& module, int seed)
     : reset_cycles_(4 + std::max({config.node_sets, config.prim_sets, config.l2_sets})) {
     RtlBuild build = build_rtl(config, module);
     Opened opened(build);
-    if (!opened.module &&
-        build.was_cached) {   // whole, but of another machine or of a program that went wrong
+    if (!opened.module && build.was_cached) {   // whole, but of another machine or of a program that went
+                                                // wrong
         forget_rtl(build);
         build = build_rtl(config, module);
         opened = Opened(build);

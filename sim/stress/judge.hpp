@@ -28,9 +28,9 @@ struct Counts {
     std::uint64_t boxes_extra = 0;         ///< of these, such as the ray does not meet
     std::uint64_t boxes_lost = 0;          ///< child boxes that it meets, and was not told
     std::uint64_t shadow_rays = 0;         ///< secondary rays from the surface
-    std::uint64_t false_shadows =
-        0;   ///< of these said to be blocked, though truly free; see sim/stress/shadows.hpp
-    std::uint64_t light_leaks = 0;   ///< and the other way round
+    std::uint64_t false_shadows = 0;       ///< of these said to be blocked, though truly free; see
+                                           ///< sim/stress/shadows.hpp
+    std::uint64_t light_leaks = 0;         ///< and the other way round
     Counts& operator+=(const Counts& other);
     friend bool operator==(const Counts&, const Counts&) = default;
 };

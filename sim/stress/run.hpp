@@ -31,9 +31,9 @@ struct Plan {
                                       ///< lattices and families
     std::uint64_t seed = 1;
     int threads = 0;
-    std::uint64_t stop_after = ~std::uint64_t(
-        0);              ///< batches, those of earlier runs included: a part of the run, as if interrupted
-    std::string state;   ///< file to go on from and to write to, or empty
+    std::uint64_t stop_after = ~std::uint64_t(0);   ///< batches, those of earlier runs included: a part of
+                                                    ///< the run, as if interrupted
+    std::string state;                              ///< file to go on from and to write to, or empty
 };
 
 struct Outcome {

@@ -63,8 +63,8 @@ template <class At> void closed_grid(Mesh& mesh, int around, int along, const At
 Mesh shells(int bits, bool slanted) {
     Mesh mesh;
     const int r = reach(bits);
-    for (const int inwards :
-         {0, 1, 3, 6}) {   // 1, 2 and 3 steps apart; an octahedron's faces 0.58 times as much
+    for (const int inwards : {0, 1, 3, 6}) {   // 1, 2 and 3 steps apart; an octahedron's faces 0.58 times as
+                                               // much
         const int q = r - inwards;
         if (slanted)
             octahedron(mesh, q);
@@ -99,8 +99,8 @@ Mesh cog(int bits) {
     for (int i = 0; i < points; ++i) {
         const int next = (i + 1) % points;
         quad(mesh, at(i, -r / 4), at(i, r / 4), at(next, r / 4), at(next, -r / 4));
-        mesh.push_back(
-            {at(i, r / 4), {0, int(r / 8), 0}, at(next, r / 4)});   // caps that lie deeper in the middle
+        mesh.push_back({at(i, r / 4), {0, int(r / 8), 0}, at(next, r / 4)});   // caps that lie deeper in the
+                                                                               // middle
         mesh.push_back({at(i, -r / 4), at(next, -r / 4), {0, -int(r / 8), 0}});
     }
     return mesh;
@@ -145,8 +145,8 @@ Mesh floor(int bits) {
         if (i % 3 == 2)
             ball(mesh, 1, size, {x, size, z});   // stands on its lowest point
         else
-            box(mesh, {x, i % 3, z},
-                {x + size, 1 + below(60), z + 1 + below(50)});   // on the floor, or one step above
+            box(mesh, {x, i % 3, z}, {x + size, 1 + below(60), z + 1 + below(50)});   // on the floor, or one
+                                                                                      // step above
     }
     return mesh;
 }

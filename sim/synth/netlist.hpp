@@ -10,10 +10,10 @@ namespace rayclock::synth {
 
 /// Counts of one machine's pipelines together; what they share (dispatch, arbiter, l2) is not among them.
 struct Netlist {
-    std::uint64_t multipliers =
-        0;   ///< MULT18X18D of an ECP5, after products are cut into 18x18 tiles and shared where exclusive
-    std::uint64_t flip_flops =
-        0;   ///< bits of registers; memories (queues, caches, stacks) are not registers
+    std::uint64_t multipliers = 0;   ///< MULT18X18D of an ECP5, after products are cut into 18x18 tiles and
+                                     ///< shared where exclusive
+    std::uint64_t flip_flops = 0;    ///< bits of registers; memories (queues, caches, stacks) are not
+                                     ///< registers
 };
 
 /// Whether there is RTL for a configuration: some tests of primitives are software only.

@@ -57,8 +57,9 @@ Part part_of_module(const ordered_json& modules, const std::string& type) {
     for (const auto& [cell, number] : modules.at(type).at("num_cells_by_type").items()) {
         const auto n = number.get<std::uint64_t>();
         add_cells(part.count, cell, n);
-        const std::string type_beneath =
-            cell.starts_with("$") ? cell : "\\" + cell;   // as Yosys names a module, and where it is used
+        const std::string type_beneath = cell.starts_with("$") ? cell : "\\" + cell;   // as Yosys names a
+                                                                                       // module, and where it
+                                                                                       // is used
         if (modules.contains(type_beneath)) {
             const Part inner = scaled(part_of_module(modules, type_beneath), n);
             part.count += inner.count;

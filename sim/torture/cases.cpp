@@ -93,8 +93,8 @@ private:
         t.frames.push_back(on_it);
         t.frames.push_back(diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
         shade(t.frames.back(), t.job.image, 1);
-        for (Frame& frame :
-             t.frames)   // lights in the plane of the mesh, from which they are on neither side
+        for (Frame& frame : t.frames)   // lights in the plane of the mesh, from which they are on neither
+                                        // side
             for (std::size_t i = 0; i < frame.shade.lights; i += 2)
                 frame.shade.place[3 * i + std::size_t(turn + 2) % 3] = 0;
         end(std::move(t));

@@ -144,8 +144,8 @@ ShadeFrame settings(const MemoryImage& image, const Config& config, int samples,
     s.seed = std::uint32_t(dice.below(1 << 30));
     s.background = dice.colour(unit_bits);
     s.lights = std::uint32_t(dice.between(1, config.lights));
-    for (std::size_t i = 0; i < std::size_t(config.lights);
-         ++i) {   // those beyond are there, and do not shine
+    for (std::size_t i = 0; i < std::size_t(config.lights); ++i) {   // those beyond are there, and do not
+                                                                     // shine
         s.near[i] = dice.percent(60), s.clear[i] = dice.percent(50);
         const Vec3i place = dice.point(most_of(s.near[i] ? config.coord_bits : config.light_bits()));
         std::copy(place.begin(), place.end(), s.place.begin() + std::ptrdiff_t(3 * i));

@@ -54,8 +54,8 @@ TEST_CASE("a node's boxes are outward by less than a step, for every two interva
                 wrong += !outward(node, 0, k, first[k]) || !outward(node, 1, k, second[k]);
                 wrong += node.hi[k] > std::uint32_t(most) || node.hi[3 + k] > std::uint32_t(most) ||
                          node.org[k] != std::min(first[k].lo, second[k].lo);
-                wrong += node.exp[k] > 0 &&
-                         most << (node.exp[k] - 1) >= extent;   // a finer exponent would have done
+                wrong += node.exp[k] > 0 && most << (node.exp[k] - 1) >= extent;   // a finer exponent would
+                                                                                   // have done
             }
         }
     REQUIRE(n == 528);

@@ -154,24 +154,24 @@ TEST_CASE("bad STL") {
     std::string infinite = binary, none = binary.substr(0, 84);
     infinite.replace(84 + 50 + 12, 4, raw(-std::numeric_limits<float>::infinity()));
     none.replace(80, 4, raw(std::uint32_t{0}));
-    check(
-        {{"a.stl", png, {"cut off, or not STL"}},
-         {"a.stl", "short", {"5 bytes"}},
-         {"a.stl", binary.substr(0, binary.size() - 1), {"line 1"}},   // says "solid", so it is read as text
-         {"a.stl",
-          std::string("x") + binary.substr(1, binary.size() - 2),
-          {"cut off", "8 triangles take 484 bytes and there are 483"}},
-         {"a.stl", infinite, {"triangle 1", "-inf"}},
-         {"a.stl", none, {"no triangles"}},
-         {"a.stl", "solid nothing\nendsolid nothing\n", {"no triangles"}},
-         {"a.stl", text.substr(0, text.find("endsolid")), {"cut off", "endsolid"}},
-         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25"), {"line 4", "missing"}},
-         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 nan"), {"line 4", "'nan'"}},
-         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 1e60 0"), {"line 4", "'1e60'"}},
-         {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 0 9"), {"line 4", "'9'"}},
-         {"a.stl", with(text, "vertex 3 0.25 0\n", "\n"), {"line 7", "2 vertices"}},
-         {"a.stl", with(text, "endloop", "endlop"), {"line 7", "'endlop'"}},
-         {"a.stl", with(text, "facet normal", "facet nomal"), {"line 2", "'nomal'"}}});
+    check({{"a.stl", png, {"cut off, or not STL"}},
+           {"a.stl", "short", {"5 bytes"}},
+           {"a.stl", binary.substr(0, binary.size() - 1), {"line 1"}},   // says "solid", so it is read as
+                                                                         // text
+           {"a.stl",
+            std::string("x") + binary.substr(1, binary.size() - 2),
+            {"cut off", "8 triangles take 484 bytes and there are 483"}},
+           {"a.stl", infinite, {"triangle 1", "-inf"}},
+           {"a.stl", none, {"no triangles"}},
+           {"a.stl", "solid nothing\nendsolid nothing\n", {"no triangles"}},
+           {"a.stl", text.substr(0, text.find("endsolid")), {"cut off", "endsolid"}},
+           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25"), {"line 4", "missing"}},
+           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 nan"), {"line 4", "'nan'"}},
+           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 1e60 0"), {"line 4", "'1e60'"}},
+           {"a.stl", with(text, "vertex 3 0.25 0", "vertex 3 0.25 0 9"), {"line 4", "'9'"}},
+           {"a.stl", with(text, "vertex 3 0.25 0\n", "\n"), {"line 7", "2 vertices"}},
+           {"a.stl", with(text, "endloop", "endlop"), {"line 7", "'endlop'"}},
+           {"a.stl", with(text, "facet normal", "facet nomal"), {"line 2", "'nomal'"}}});
 }
 
 TEST_CASE("bad glTF") {

@@ -20,8 +20,8 @@ namespace {
 struct Hostile {
     int number;
     const char *file, *old, *fresh;
-    const char*
-        alone;   ///< what an RTL that runs alone is refused with; null if it makes a frame, or stands still
+    const char* alone;   ///< what an RTL that runs alone is refused with; null if it makes a frame, or stands
+                         ///< still
 };
 
 const Hostile hostile[] = {

@@ -180,8 +180,11 @@ TEST_CASE("A fitted camera sees flat, thin, tiny, huge and point-like meshes", "
     const auto scale = GENERATE(1.0, 1e-100, 1e-300, 1e100, 1e300);
     const auto scene = GENERATE_COPY(values<Scene>(
         {one_triangle(o, x, y), one_triangle(o, y, z), one_triangle(o, z, x), one_triangle(x, y, z),
-         one_triangle(o, x, 2.0 * x), one_triangle(o, y, y),
-         one_triangle(-towards, o, towards),   // lines, one of them seen end on
+         one_triangle(o, x, 2.0 * x), one_triangle(o, y, y), one_triangle(-towards, o, towards),   // lines,
+                                                                                                   // one of
+                                                                                                   // them
+                                                                                                   // seen end
+                                                                                                   // on
          one_triangle(o, o, o), one_triangle(x, x, x), one_triangle(-0.25 * z, -0.25 * z, -0.25 * z),
          one_triangle(x, x + 1e-15 * y, x + 1e-15 * z),
          one_triangle(1e3 * x, 1e3 * x + 1e-3 * y, 1e3 * x + 1e-3 * z),

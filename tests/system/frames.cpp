@@ -103,8 +103,8 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     const std::uint64_t sent = config.shading ? trace.counts.all() - totally_reflected(trace) : pixels;
     CHECK(code(Unit::raygen, 0) == sent);
     CHECK(code(Unit::trav, 0) >= run.visits);
-    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) ==
-          run.visits + trace.turns);   // a turn is work, or holds a step up
+    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == run.visits + trace.turns);   // a turn is work, or
+                                                                                    // holds a step up
     CHECK(code(Unit::box, 0) == run.visits);
     CHECK(code(Unit::tri, 0) == run.triangle_tests);
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == run.visits);

@@ -84,9 +84,9 @@ TEST_CASE("random configurations, memories and back-pressures", "[slow]") {
 
 TEST_CASE("the RTL of random configurations, and of any units that shade, is clean of warnings", "[slow]") {
     const std::uint64_t seed = GENERATE(range(std::uint64_t(1), std::uint64_t(61)));
-    Config config =
-        random_config(seed % 4 == 0 ? seed : 3 * seed, false);   // those of three times a number shade
-    if (config.shading) {                                        // needed by no scene here
+    Config config = random_config(seed % 4 == 0 ? seed : 3 * seed, false);   // those of three times a number
+                                                                             // shade
+    if (config.shading) {                                                    // needed by no scene here
         Rng rng(seed);
         for (int Config::*unit : {&Config::smooth, &Config::refraction, &Config::supersampling,
                                   &Config::spheres, &Config::planes})

@@ -52,8 +52,11 @@ std::vector<Corners> prism() {
         mesh.push_back({at(i, -1), at(i + 1, -1), at(i + 1, 2)});
         mesh.push_back({at(i, -1), at(i + 1, 2), at(i, 2)});
     }
-    for (const auto& [a, b, c] : {std::array{3, 4, 5}, std::array{3, 5, 0}, std::array{3, 0, 1},
-                                  std::array{3, 1, 2}}) {   // a fan from the concave corner
+    for (const auto& [a, b, c] :
+         {std::array{3, 4, 5}, std::array{3, 5, 0}, std::array{3, 0, 1}, std::array{3, 1, 2}}) {   // a fan
+                                                                                                   // from the
+                                                                                                   // concave
+                                                                                                   // corner
         mesh.push_back({at(a, 2), at(b, 2), at(c, 2)});
         mesh.push_back({at(c, -1), at(b, -1), at(a, -1)});
     }

@@ -67,8 +67,8 @@ void check_cycles(const Job& job, const FrameTrace& frame) {
     const double work = double(
         std::max({frame.trace.visits, frame.trace.triangle_tests, std::uint64_t(frame.trace.hits.size())}));
     CAPTURE(cycles, work);
-    CHECK(double(cycles) <=
-          1.25 * work + 2500);   // the last ray's way through an empty machine, and cold caches
+    CHECK(double(cycles) <= 1.25 * work + 2500);   // the last ray's way through an empty machine, and cold
+                                                   // caches
 }
 
 void check_camera(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,

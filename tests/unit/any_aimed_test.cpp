@@ -50,9 +50,8 @@ TEMPLATE_TEST_CASE("a sphere that is touched where a shadow ray ends is not in i
         for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3})
             for (int way = 1; way <= 9; ++way)
                 for (int radius = 1; radius <= 9; ++radius)
-                    for (const int more :
-                         {-1, 0,
-                          1}) {   // the end lies so many steps of 2^-B behind the point that is touched
+                    for (const int more : {-1, 0, 1}) {   // the end lies so many steps of 2^-B behind the
+                                                          // point that is touched
                         TriReq r;
                         r.kind = std::uint32_t(RayKind::shadow);
                         set_sphere(r.triangle, {3, -2, 5}, std::uint64_t(radius) * std::uint64_t(radius),
@@ -143,8 +142,8 @@ TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aime
     const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
     std::vector<TriReq> requests;
     std::vector<std::array<std::int64_t, 2>> expected;
-    const std::int32_t fine =
-        1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is left
+    const std::int32_t fine = 1 << c.bary_bits;   // u and v are whole steps, odd and even, and nothing is
+                                                  // left
     for (const std::int32_t side : {1, 2, 3, 5, fine})
         for (const std::int32_t more : {-1, 0, 1})
             for (const std::int32_t sign : {-1, 1})

@@ -267,12 +267,12 @@ TEMPLATE_TEST_CASE("a sphere is told from its inside, its rim and its own rays",
         {camera({300, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},   // behind
         {camera({50, 0, 0}, {full - 1, 0, 0}), 1, 50, 1},   // from inside
         {camera({50, 0, 0}, {-full, 0, 0}), 1, 150, 1},
-        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0},            // goes nowhere
-        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},   // on it, leaving
-        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0},      // along it
-        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1},    // on it, entering
-        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1,
-         0},   // another's ray, a hair off its rim: 1 step at most
+        {camera({0, 0, 0}, {0, 0, 0}), 0, 0, 0},             // goes nowhere
+        {camera({100, 0, 0}, {full - 1, 0, 0}), 0, 0, 0},    // on it, leaving
+        {camera({100, 0, 0}, {0, -full, 0}), 0, 0, 0},       // along it
+        {camera({100, 0, 0}, {-full, 0, 0}), 1, 200, 1},     // on it, entering
+        {bounce({rim + 1, 0, 0}, {-full, 0, 0}), 1, 1, 0},   // another's ray, a hair off its rim: 1 step at
+                                                             // most
         {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},        // its own, outside
         {bounce({rim - 1, 0, 0}, {-full, 0, 0}, 9), 0, 0, 0},        // its own, outside, and rounded inside
         {bounce({rim + 1, 0, 0}, {-full, 0, 0}, 9, 1), 1, 201, 1},   // its own, inside, and rounded outside
@@ -332,8 +332,8 @@ TEST_CASE("spheres, planes and triangles are ranked by one measure", "[any]") {
         if (!one.closer || !two.closer) continue;
         r.best = {1, two.num, two.det, two.prim};
         other.best = {1, one.num, one.det, one.prim};
-        REQUIRE(tri(r, config).closer + tri(other, config).closer ==
-                1);   // whoever comes first, the same one wins
+        REQUIRE(tri(r, config).closer + tri(other, config).closer == 1);   // whoever comes first, the same
+                                                                           // one wins
         turned += tri(r, config).closer != 0;
     }
     REQUIRE(turned > 50);

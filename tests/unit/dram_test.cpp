@@ -171,9 +171,9 @@ TEST_CASE(
     "[dram]") {
     DramPart part = dram_part(any_part());
     part.age_cap = GENERATE(1, 3, 16, 40);
-    part.trefi = 1'000'000'000;   // a refresh would end the run of hits
-    std::vector<std::uint32_t> addresses(
-        1500);   // now and then another row of the bank that all the others hit
+    part.trefi = 1'000'000'000;                   // a refresh would end the run of hits
+    std::vector<std::uint32_t> addresses(1500);   // now and then another row of the bank that all the others
+                                                  // hit
     for (std::size_t i = 0; i < addresses.size(); ++i)
         addresses[i] = address(part, i % 60 == 20 ? 1 : 0, 0, std::uint32_t(i) % row_words(part));
     const auto most_overtaken = [](const Log& log) {

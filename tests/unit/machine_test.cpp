@@ -125,8 +125,12 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     REQUIRE(count(asked) == count(Channel::node_miss) + count(Channel::prim_miss));
     REQUIRE(code(Unit::sched, 0) == count(Channel::slot));
     REQUIRE(code(Unit::raygen, 0) == count(Channel::ray));
-    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) ==
-            frame.trace.visits + frame.trace.turns);   // a turn is work, or holds a step up
+    REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.turns);   // a turn
+                                                                                                    // is
+                                                                                                    // work,
+                                                                                                    // or
+                                                                                                    // holds a
+                                                                                                    // step up
     REQUIRE(frame.trace.turns > 0);
     REQUIRE(code(Unit::box, 0) == count(Channel::box_req));
     REQUIRE(code(Unit::tri, 0) == count(Channel::tri_req));
@@ -136,8 +140,8 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
          {std::tuple{Unit::node_cache, Channel::node_req, Channel::node_miss, job.config.node_line},
           std::tuple{Unit::prim_cache, Channel::prim_req, Channel::prim_miss, job.config.prim_line}}) {
         INFO(unit_infos[index(cache)].name);
-        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) ==
-                count(request));   // hit, miss, merge: every look-up is one
+        REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) == count(request));   // hit, miss, merge:
+                                                                                       // every look-up is one
         REQUIRE(code(cache, 1) * std::uint64_t(line / line_bytes) == count(miss));
         REQUIRE(code(cache, 3) == code(cache, 1) + code(cache, 2));   // whoever waited was answered
     }

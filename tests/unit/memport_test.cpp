@@ -130,8 +130,8 @@ TEST_CASE("without traffic a memory is as its kind says, and counts what it does
         const Memport::Answer request{0, 7};
         again.clock(cycle == 5 ? &request : nullptr);
     }
-    REQUIRE(again.deeds() ==
-            std::array<std::uint64_t, 8>{1, 7, 0, 22});   // the answer; between it and the request; the rest
+    REQUIRE(again.deeds() == std::array<std::uint64_t, 8>{1, 7, 0, 22});   // the answer; between it and the
+                                                                           // request; the rest
 }
 
 TEST_CASE("jitter lets answers overtake each other within its bound and loses nothing", "[memport]") {

@@ -306,8 +306,9 @@ TEST_CASE("the box test's origins lie outward of a surface point", "[origin]") {
                         oracle::interval({Int(at), Int(0), Int(0)}, {Int(d), Int(0), Int(0)}, scaled_slab, 1);
                     CAPTURE(at, d, lo, hi);
                     if (d != 0)
-                        REQUIRE((from.near[0] == -from.near[1] &&
-                                 from.far[0] == -from.far[1]));   // the mirrored ray
+                        REQUIRE((from.near[0] == -from.near[1] && from.far[0] == -from.far[1]));   // the
+                                                                                                   // mirrored
+                                                                                                   // ray
                     if (!truth) continue;
                     if (d == 0) {   // any point that is not left out by either
                         REQUIRE(lo <= from.near[0]);

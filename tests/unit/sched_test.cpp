@@ -142,8 +142,8 @@ TEMPLATE_TEST_CASE("sched gives a pixel in every cycle, as long as contexts are 
     dut.hit.ready = true;
     dut.eval();
     REQUIRE(dut.hit.fires());
-    REQUIRE((dut.hit.offer->x == 21 &&
-             dut.hit.offer->y == 8));   // the 17th pixel: first row of the second quarter
+    REQUIRE((dut.hit.offer->x == 21 && dut.hit.offer->y == 8));   // the 17th pixel: first row of the second
+                                                                  // quarter
     REQUIRE_FALSE(dut.slot.offer);
     dut.commit();
     dut.pixel.offer.reset();
@@ -184,8 +184,8 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
         const std::optional<Slot> first = cycle(Tile{1, 1});
         REQUIRE((first && first->x == 8 && first->y == 8));
         for (int i = 0; i < passed; ++i) REQUIRE_FALSE(cycle({}));
-        dut.start(frame_of(
-            100, 100));   // those pixels would lie inside this one; none is given in this cycle either
+        dut.start(frame_of(100, 100));   // those pixels would lie inside this one; none is given in this
+                                         // cycle either
         for (int i = 0; i < 3; ++i) REQUIRE_FALSE(cycle({}));
         cycle(Tile{5, 0});
         for (std::uint32_t i = 0; i < 4; ++i) {

@@ -77,8 +77,8 @@ TEST_CASE("the sheared test neither leaks nor hits twice on a closed surface", "
     for (int i = 0; i < 1200; ++i) {
         config.dir_bits = draw.coin() ? bits + 2 : std::min(24, 62 - 2 * bits);
         const PrimData& t = all[std::size_t(draw.below(int(all.size())))];
-        const double along =
-            draw.below(5) * 0.25;   // corners, an edge's middle and quarters; then anywhere inside
+        const double along = draw.below(5) * 0.25;   // corners, an edge's middle and quarters; then anywhere
+                                                     // inside
         const auto target = draw.percent(80)
                                 ? inside(t, along, draw.coin() ? 0 : 1 - along)
                                 : inside(t, draw.below(1000) / 2000.0, draw.below(1000) / 2000.0);

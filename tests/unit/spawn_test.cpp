@@ -63,8 +63,9 @@ std::array<oracle::Rational, 2> place_of(const Spawn& spawn, const Frame& frame,
                         cells[] = {cell % s.side, cell / s.side};
     for (std::size_t k = 0; k < 2; ++k) {
         const std::uint64_t place = s.jitter ? random >> 8 * k & 255 : 128;
-        const oracle::Rational exact = (oracle::Rational(cells[k]) + oracle::Rational(place, 256)) /
-                                       s.side;   // in the pixel, from its corner
+        const oracle::Rational exact =
+            (oracle::Rational(cells[k]) + oracle::Rational(place, 256)) / s.side;   // in the pixel, from its
+                                                                                    // corner
         at[k] += oracle::Rational(oracle::floor(exact * 256), 256) - oracle::Rational(1, 2);
     }
     return at;

@@ -76,8 +76,8 @@ TEST_CASE("a node read straight from its line is the node unpacked", "[trace]") 
             if (draw.coin())
                 for (auto& e : node.exp) e = std::uint32_t(draw.natural(exp_bits));
             Words line = pack(node, config);
-            for (std::size_t k = std::size_t(bits_of<Node>(config)); k < line_bits;
-                 ++k)   // what lies above does not matter
+            for (std::size_t k = std::size_t(bits_of<Node>(config)); k < line_bits; ++k)   // what lies above
+                                                                                           // does not matter
                 if (line.size() <= k / 32) line.push_back(std::uint32_t(draw.bits(32)));
             REQUIRE(
                 same_node(read(line.data()), widen(unpack<Node>(line.data(), config), config.node_width)));

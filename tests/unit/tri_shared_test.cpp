@@ -34,8 +34,8 @@ Fan random_fan(Draw& draw, const Config& config) {
             const auto& to = way[(side + 1) % 4];
             p[x] += 2 * size * ((3 - part) * from[0] + part * to[0]);
             p[y] += 2 * size * ((3 - part) * from[1] + part * to[1]);
-            const int lift =
-                2 * draw.between(-size, size);   // along the ray: changes nothing of what it sees
+            const int lift = 2 * draw.between(-size, size);   // along the ray: changes nothing of what it
+                                                              // sees
             for (std::size_t k = 0; k < 3; ++k) p[k] += lift * fan.d[k];
             fan.rim.push_back(p);
         }

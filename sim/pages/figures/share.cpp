@@ -55,9 +55,8 @@ Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool
         ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, {});
         m.total = seconds_since(start);
         geometry.watch(nullptr);
-        const double cost =
-            clock_cost() *
-            double(m.effort.rays);   // of one reading: the other one is outside the search's time
+        const double cost = clock_cost() * double(m.effort.rays);   // of one reading: the other one is
+                                                                    // outside the search's time
         m.total -= 2 * cost;
         m.search = m.effort.seconds - cost;
         if (i == 0 || m.total < best.total) best = m;

@@ -19,8 +19,8 @@ inline Config any_format(const std::string& name, const std::string& kinds = "sp
     if (name == "wide") c.origin_bits = 10;
     if (name == "fine") c.origin_bits = 10, c.t_frac_bits = 6, c.bary_bits = 19;
     if (c.spheres)
-        c.tri_queue =
-            64;   // the door lets a request in every cycle only if the queue is as long as the pipeline
+        c.tri_queue = 64;   // the door lets a request in every cycle only if the queue is as long as the
+                            // pipeline
     c.name = name + " " + kinds;
     return c;
 }

@@ -84,8 +84,8 @@ inline BoxCase random_box_case(Draw& draw, const Config& config) {
                                hi = box.hi[k].convert_to<std::int64_t>();
             const std::int64_t places[] = {lo, hi, lo + (hi - lo) / 2, lo - 1, hi + 1};
             const std::int64_t target = places[draw.below(5)], grid = 1 << (config.origin_width() - 1);
-            const std::int64_t parts =
-                c.is_long ? 1 : 1 << frac;   // a short direction has no room for the fraction
+            const std::int64_t parts = c.is_long ? 1 : 1 << frac;   // a short direction has no room for the
+                                                                    // fraction
             if (kind != RayKind::shadow && draw.below(8) == 0 && target >= -grid && target < grid)
                 c.req.o[k] = std::int32_t(target);
             d[k] = std::int32_t(std::clamp((target - c.req.o[k]) * factor / parts, -most - 1, most));

@@ -49,8 +49,8 @@ inline Frame random_shade_frame(Draw& draw, const Config& c) {
     s.depth = std::uint32_t(draw.below(16));
     s.threshold = draw.coin() ? 0 : share_up_to(draw, unit_bits + 1) >> draw.below(18);
     if (draw.percent(30))
-        s.threshold =
-            3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many bounces
+        s.threshold = 3 * std::uint32_t(draw.between(1, 15));   // what no weight at all has after so many
+                                                                // bounces
     s.side = c.supersampling ? std::uint32_t(draw.between(1, 8)) : 1;
     s.contrast = draw.coin() ? 0 : share_up_to(draw, unit_bits);
     s.share = share_up_to(draw, unit_bits), s.first_share = share_up_to(draw, unit_bits);

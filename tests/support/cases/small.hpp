@@ -162,8 +162,8 @@ private:
 
     BoxSpace space_;
     Config config_;
-    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2>
-        recip_;   // of short and of long directions
+    std::array<std::vector<std::pair<std::uint32_t, std::uint32_t>>, 2> recip_;   // of short and of long
+                                                                                  // directions
     std::array<std::size_t, 3> at_{};
     std::size_t child_ = 0;
 };

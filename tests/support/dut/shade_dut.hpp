@@ -139,8 +139,8 @@ public:
             flying_.push_back(in.ray->ray);
         }
         in.closest.offer.reset();
-        if (in.ray || flying_.empty() ||
-            draw_.percent(idle_)) {   // a ray is not answered in the cycle in which it is sent
+        if (in.ray || flying_.empty() || draw_.percent(idle_)) {   // a ray is not answered in the cycle in
+                                                                   // which it is sent
         } else {
             const std::uint32_t ray = take(flying_);
             surfaces_[ray] = random_surface(draw_, config_);

@@ -151,8 +151,8 @@ private:
         Context& c = contexts_[boxes.ray];
         boxes.base = std::uint32_t(draw_.bits(max_addr_bits - 1));
         c.reached_bottom |= c.level == config_.stack_depth;
-        const bool deep =
-            boxes.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last place
+        const bool deep = boxes.ray % 3 == 0 && !c.reached_bottom;   // straight down to the stack's last
+                                                                     // place
         int most = c.level < config_.stack_depth ? config_.node_width : 1;
         if (++c.nodes > c.most_nodes && !deep) most = 0;
         boxes.inner = std::uint32_t(deep && most > 1 ? 2 : draw_.between(0, most));
