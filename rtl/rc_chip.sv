@@ -6,7 +6,7 @@
 // Reset is held for four cycles more than the largest cache has sets.
 `default_nettype none
 module rc_chip #(
-  parameter bit Counters = 1'b1
+  parameter int unsigned Counters = 1
 ) (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
@@ -47,7 +47,7 @@ module rc_chip #(
     .count_o(count), .clear_o(clear), .counter_o(counter),
     .counter_there_i(counter_there), .counter_i(counter_value), .running_o, .done_o);
 
-  if (Counters) begin : gen_counters
+  if (Counters != 0) begin : gen_counters
     rc_counters u_counters (
       .clk_i, .count_i(count), .causes_i(causes), .clear_i(clear), .which_i(counter),
       .there_o(counter_there), .count_o(counter_value));

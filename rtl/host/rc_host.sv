@@ -8,7 +8,7 @@
 // the cycle in which its last hit is taken.
 `default_nettype none
 module rc_host #(
-  parameter bit Counters = 1'b1
+  parameter int unsigned Counters = 1
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -119,8 +119,8 @@ module rc_host #(
   logic         counts_q;   // the host wants it
   logic [W-1:0] cycles_q;
   logic [31:0]  high_q;     // of cycles_q, when its lower word was read
-  assign count_o   = Counters && running_o && counts_q;
-  assign clear_o   = Counters && state_q == StPrepare;
+  assign count_o   = Counters != 0 && running_o && counts_q;
+  assign clear_o   = Counters != 0 && state_q == StPrepare;
   assign counter_o = clear_o ? {8'd0, step_q[2:0]} : adr_q[11:1];
   always_ff @(posedge clk_i) begin
     if (!rst_ni)                                          counts_q <= 1'b1;
@@ -149,7 +149,7 @@ module rc_host #(
           || (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));
     end else if (adr_q[12]) begin
       read = adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];
-      good = Counters && still && counter_there_i;
+      good = Counters != 0 && still && counter_there_i;
     end else if (parameter_word < 13'(rc_pkg::Parameters)) begin
       read = rc_pkg::ParameterValues[32*parameter_word[4:0] +: 32];
       good = 1'b1;
@@ -159,7 +159,7 @@ module rc_host #(
         13'(rc_pkg::RegMagic):      read = rc_pkg::Magic;
         13'(rc_pkg::RegVersion):    read = rc_pkg::Version;
         13'(rc_pkg::RegStatus):     read = {30'd0, done_q, !is_idle};
-        13'(rc_pkg::RegCount):      read = {30'd0, Counters, counts_q};
+        13'(rc_pkg::RegCount):      read = {30'd0, Counters != 0, counts_q};
         13'(rc_pkg::RegLeft):       read = left_q;
         13'(rc_pkg::RegCycles):     read = cycles_q[31:0];
         13'(rc_pkg::RegCycles + 1): read = high_q;
@@ -167,5 +167,8 @@ module rc_host #(
       endcase
     end
   end
+
+  logic unused;
+  assign unused = ^dat_q;   // the frame's widest word may be narrow
 endmodule
 `default_nettype wire

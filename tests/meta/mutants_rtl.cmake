@@ -200,8 +200,8 @@ mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [hos
   OLD [[adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];]]
   NEW [[adr_q[0] ? counter_i[31:0] : 32'(counter_i >> 32);]])
 mutant(host_reads_counters_that_count FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[good = Counters && still && counter_there_i;]]
-  NEW [[good = Counters && counter_there_i;]])
+  OLD [[good = Counters != 0 && still && counter_there_i;]]
+  NEW [[good = Counters != 0 && counter_there_i;]])
 mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[hits = hits + 4'(hit_fires_i[p]);]]
   NEW [[hits = 4'(hit_fires_i[p]);]])
