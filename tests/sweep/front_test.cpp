@@ -30,9 +30,10 @@ TEST_CASE("the front is what no other point beats") {
     CHECK(sweep::front(points({{1, 1, 3}, {1, 1, 2}, {2, 2, 1}})) == std::vector<bool>{false, true, true});
     CHECK(sweep::front({}).empty());
     CHECK(sweep::front(points({{4, 4}})) == std::vector<bool>{true});
-    CHECK(sweep::front(points({{4, 4}, {4, 4}, {4, 5}})) == std::vector<bool>{true, true, false});   // equal
-                                                                                                     // points:
-                                                                                                     // both
+    CHECK(sweep::front(points({{4, 4}, {4, 4}, {4, 5}})) ==
+          std::vector<bool>{true, true, false});                                              // equal
+                                                                                              // points:
+                                                                                              // both
     CHECK(sweep::front(points({{}, {4, 4}, {}})) == std::vector<bool>{false, true, false});   // missing
                                                                                               // figures
     CHECK(sweep::front(points({{}, {}})) == std::vector<bool>{false, false});
