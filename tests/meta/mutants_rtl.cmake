@@ -175,7 +175,7 @@ mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of
   NEW [[counts_q ? count_o + {{(rc_pkg::TallyBits-1){1'b0}}, cause_q != 3'd5} : '0;]])
 mutant(tally_is_not_cleared FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
   OLD [[if (counts_q || clear_i)]]
-  NEW [[if (counts_q)]])
+  NEW [[if (counts_q || (clear_i && counts_q))]])
 mutant(counters_swap_group_and_unit FILE rtl/host/rc_counters.sv TEST unit "model and rtl of the machine count the same"
   OLD [[{4'(Group), 4'(Unit)}]]
   NEW [[{4'(Unit), 4'(Group)}]])
@@ -201,7 +201,7 @@ mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [hos
   NEW [[adr_q[0] ? counter_i[31:0] : 32'(counter_i >> 32);]])
 mutant(host_reads_counters_that_count FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[good = Counters != 0 && still && counter_there_i;]]
-  NEW [[good = Counters != 0 && counter_there_i;]])
+  NEW [[good = Counters != 0 && (still || counter_there_i) && counter_there_i;]])
 mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[hits = hits + 4'(hit_fires_i[p]);]]
   NEW [[hits = 4'(hit_fires_i[p]);]])
