@@ -123,6 +123,7 @@ COMMAND(counts)
 COMMAND(area)
 COMMAND(bench)
 COMMAND(config)
+COMMAND(export)
 COMMAND(rtl)
 COMMAND(doctor)
 
