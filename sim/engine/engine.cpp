@@ -168,8 +168,13 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
             progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
-    const FrameTiming timing{machine.cycle() - first,           machine.hits(),       machine.accounts(),
-                             machine.memory().stats() - memory, seconds_since(start), !machine.done()};
+    const Accounts& accounts = machine.accounts();   // of an interrupted frame it counts two cycles more
+    const FrameTiming timing{machine.done() ? machine.cycle() - first : machine.counted_cycles(),
+                             machine.hits(),
+                             accounts,
+                             machine.memory().stats() - memory,
+                             seconds_since(start),
+                             !machine.done()};
     const auto lookups = [&](Unit cache) {
         const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];

@@ -155,12 +155,15 @@ std::string bench(const Job& job, const Frame& frame, int settings, const Accoun
 }
 
 /// Icarus 11 knows no `int unsigned` in a localparam and no type of a package by its full name. Its
-/// always_comb starts anew at whatever a function in it computes, and never ends.
+/// always_comb starts anew at whatever a function in it computes, and never ends. It reads no $error that
+/// refuses parameters.
 constexpr const char* icarus_sed =
     "s/\\bint unsigned\\b/[31:0]/\n"
     "s/rc_pkg::\\([a-z0-9_]*_t\\)\\b/\\1/g\n"
     "s/\\balways_comb\\b/always @*/\n"
-    "/^endpackage/a import rc_pkg::*;\n";
+    "/^endpackage/a import rc_pkg::*;\n"
+    "/^  if (.*) \\$error(\"rc_/d\n"
+    "/^  if (.*)$/{N;/\\$error(\"rc_/d}\n";
 
 std::string readme(const Job& job, const std::string& title, const std::string& command,
                    std::uint64_t cycles) {

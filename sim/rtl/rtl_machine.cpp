@@ -105,6 +105,7 @@ void RtlMachine::start(const Frame& frame) {
     hits_ = box_tests_ = 0;
     rays_ = {};
     accounts_.reset();
+    started_ = now_;
     memory_at_start_ = memory_.deeds();
 }
 
@@ -234,6 +235,9 @@ void RtlMachine::read_counters() {
             for (std::size_t c = 0; c < cause_count; ++c)
                 sums.units[u][c] += read_counter(counter_address(Unit(u), p, c));
     counted_cycles_ = read_counter(register_address("Cycles"));
+    const std::uint64_t ran = now_ - started_;
+    for (int i = 0; !done() && i < patience_of_bus && ran + std::uint64_t(i) < counted_cycles_; ++i)
+        memory_.clock(nullptr);
     for (std::size_t c = 0; c < cause_count; ++c)
         sums.units[index(Unit::memory)][c] = memory_.deeds()[c] - memory_at_start_[c];
     accounts_ = sums;

@@ -58,7 +58,8 @@ public:
     /// Packed payload that a channel offers in this cycle; shared ones have pipeline 0.
     const RcPort& link(int pipeline, Channel c) const { return *links_[std::size_t(pipeline)][index(c)]; }
     /// From the chip's own counters, but for the memory, since the last start(). A frame that is under way is
-    /// counted no further: the two cycles more that this takes are in its counters.
+    /// counted no further; the two cycles that this takes are in its counters, and pass for the memory as
+    /// well.
     const Accounts& accounts();
     /// What the register `cycles` says of the same time.
     std::uint64_t counted_cycles();
@@ -101,8 +102,8 @@ private:
     std::vector<std::uint8_t> given_;       // [y * width + x] of the frame's pixels
     std::uint32_t width_ = 1;
     std::optional<Nonsense> nonsense_;
-    std::optional<Accounts> accounts_;   // once they are read
-    std::uint64_t counted_cycles_ = 0;
+    std::optional<Accounts> accounts_;                 // once they are read
+    std::uint64_t counted_cycles_ = 0, started_ = 0;   // started_: the frame's first cycle
     std::array<std::uint64_t, cause_count> memory_at_start_{};
 };
 

@@ -181,8 +181,8 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     const Job job = small_job();
-    const Mutant mutant("rc_pipeline.sv", "(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd1 : 3'd2;",
-                        "(box_req_ready ? 3'd0 : 3'd3) : node_waits ? 3'd2 : 3'd1;");
+    const Mutant mutant("bvh/rc_bvh.sv", "else box_cause_o = node_waits_i ?",
+                        "else box_cause_o = !node_waits_i ?");
     const LockstepResult result = run_lockstep(job);
     CHECK(result.account_mismatches == 1);
     CHECK_FALSE(result.agrees());
