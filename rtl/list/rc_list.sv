@@ -160,17 +160,17 @@ module rc_list (
 
   // ---- Rays whose leaves are tested, back to trav.
   logic [I-1:0]  tested_ray;
-  logic [TB-1:0] tested_t;
+  logic [TB-1:0] tested_t_best;
   rc_queue #(.Width(I + TB), .Depth(T)) u_tested (
     .clk_i, .rst_ni, .push_i(tri_fires && !tri_prim), .data_i({tri_rsp_i.ray, tri_t}),
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i),
-    .data_o({tested_ray, tested_t}));
+    .data_o({tested_ray, tested_t_best}));
   if (rc_pkg::Shading != 0) begin : gen_stop
     logic stop;
     assign stop     = any_q[tested_ray] && found_q[tested_ray];
-    assign tested_o = {tested_ray, stop, tested_t};
+    assign tested_o = {tested_ray, stop, tested_t_best};
   end else begin : gen_go_on
-    assign tested_o = {tested_ray, tested_t};
+    assign tested_o = {tested_ray, tested_t_best};
   end
 
   // ---- Triangle, ray and hit to beat, together to tri.

@@ -40,8 +40,12 @@ module rc_contexts #(
   logic                    is_kept;
   assign ray     = ray_i;
   assign ray_d   = ray_i.d;
-  assign kind_o  = ray_i.kind;
   assign is_kept = kind_o == rc_pkg::RayCamera || kind_o == rc_pkg::RayBounce;
+  if (rc_pkg::Shading == 1) begin : gen_kind
+    assign kind_o = ray_i.kind;
+  end else begin : gen_camera   // not built, but read by tools
+    assign kind_o = rc_pkg::RayCamera;
+  end
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign d[k*M +: M] = ray_d[k*D +: M];
   end

@@ -89,7 +89,7 @@ prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/r
 prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
-set(cache mem/rc_cache.sv ${tags} mem/rc_mshr.sv prim/rc_ram_sync.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
+set(cache rc_pkg.sv mem/rc_cache.sv ${tags} mem/rc_mshr.sv prim/rc_ram_sync.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)

@@ -258,7 +258,7 @@ mutant(finish_contrast_itself_is_too_much FILE rtl/shade/rc_finish.sv TEST tortu
   NEW [[s1_apart < contrast &&]])
 mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
   OLD [[assign t_o = end_beyond || (&t_down)]]
-  NEW [[assign t_o = (&t_down)]])
+  NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
   OLD [[r_far && (r_inexact || r_lost)})]]
   NEW [[r_far && r_inexact})]])
