@@ -188,8 +188,11 @@ std::string lint_library(const fs::path& folder, const Config& config, const std
     Process lint({Words{"verilator", "--lint-only", "-Wall", "--top-module", module} + files, folder,
                   folder / "lint.log", folder});
     while (!lint.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::string found = text_of(folder / "lint.log");
-    while (!found.empty() && found.back() == '\n') found.pop_back();
+    // Newer versions add a report on themselves, in lines that begin with a dash.
+    std::istringstream log(text_of(folder / "lint.log"));
+    std::string found;
+    for (std::string line; std::getline(log, line);)
+        if (!line.starts_with("- ")) found += (found.empty() ? "" : "\n") + line;
     return found;
 }
 
