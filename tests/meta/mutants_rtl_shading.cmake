@@ -233,8 +233,8 @@ mutant(contexts_keep_the_last_pixels_state FILE rtl/shade/rc_contexts.sv TEST un
   OLD [[if (slot_fires_i) fresh_q[slot_i.ray]  <= 1'b1;]]
   NEW [[if (slot_fires_i) fresh_q[slot_i.ray]  <= slot_i.x[0];]])
 mutant(contexts_bounces_are_forgotten FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
-  OLD [[ray_fires_i && is_kept)]]
-  NEW [[ray_fires_i && kind_o == rc_pkg::RayCamera)]])
+  OLD [[is_kept = kind_o == rc_pkg::RayCamera || kind_o == rc_pkg::RayBounce;]]
+  NEW [[is_kept = kind_o == rc_pkg::RayCamera;]])
 mutant(contexts_stack_of_one_place FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[& AW'((1 << Up) - 1));]]
   NEW [[& AW'((1 << Up) - 2));]])
