@@ -261,7 +261,7 @@ mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where 
   NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
   OLD [[r_far && (r_inexact || r_lost)})]]
-  NEW [[r_far && r_inexact})]])
+  NEW [[r_far && (r_inexact || (r_lost && 1'b0))})]])
 mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv TEST unit "a sphere that is touched where a shadow ray ends* - Rtl*"
   OLD [[!s2_foot[Foot-1] && s2_foot != '0;]]
   NEW [[!s2_foot[Foot-1];]])
