@@ -183,32 +183,6 @@ mutant(sched_cause_blames_dispatch FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[: at_hand ? rc_pkg::SchedStarvedContexts]]
   NEW [[: !at_hand ? rc_pkg::SchedStarvedContexts]])
 
-# ---- the host's registers.
-mutant(host_loses_a_word QUICK FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[frame_word < 13'(F)));]]
-  NEW [[frame_word < 13'(F - 1)));]])
-mutant(host_counts_a_cycle_more FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[else if (running_o && counts_q) ]]
-  NEW [[else if ((running_o || start_o) && counts_q) ]])
-mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
-  NEW [[|| adr_q == 13'(rc_pkg::RegStart) || (is_idle && frame_word < 13'(F));]])
-mutant(host_changes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
-  NEW [[|| frame_word < 13'(F) || (is_idle && adr_q == 13'(rc_pkg::RegStart));]])
-mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];]]
-  NEW [[adr_q[0] ? counter_i[31:0] : 32'(counter_i >> 32);]])
-mutant(host_reads_counters_that_count FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[good = Counters != 0 && still && counter_there_i;]]
-  NEW [[good = Counters != 0 && (still || counter_there_i) && counter_there_i;]])
-mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[hits = hits + 4'(hit_fires_i[p]);]]
-  NEW [[hits = 4'(hit_fires_i[p]);]])
-mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[state_q == StStart && left_q != '0;]]
-  NEW [[state_q == StStart;]])
-
 # ---- doors and queues.
 mutant(fifo_full_one_early FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]

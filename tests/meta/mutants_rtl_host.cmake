@@ -1,0 +1,26 @@
+# Faults of the chip's face to its host; how a row reads: mutants_rtl.cmake.
+
+mutant(host_loses_a_word QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[frame_word < 13'(F)));]]
+  NEW [[frame_word < 13'(F - 1)));]])
+mutant(host_counts_a_cycle_more FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[else if (running_o && counts_q) ]]
+  NEW [[else if ((running_o || start_o) && counts_q) ]])
+mutant(host_starts_while_busy QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
+  NEW [[|| adr_q == 13'(rc_pkg::RegStart) || (is_idle && frame_word < 13'(F));]])
+mutant(host_changes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
+  NEW [[|| frame_word < 13'(F) || (is_idle && adr_q == 13'(rc_pkg::RegStart));]])
+mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];]]
+  NEW [[adr_q[0] ? counter_i[31:0] : 32'(counter_i >> 32);]])
+mutant(host_reads_counters_that_count FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[good = Counters != 0 && still && counter_there_i;]]
+  NEW [[good = Counters != 0 && (still || counter_there_i) && counter_there_i;]])
+mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[hits = hits + 4'(hit_fires_i[p]);]]
+  NEW [[hits = 4'(hit_fires_i[p]);]])
+mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[state_q == StStart && left_q != '0;]]
+  NEW [[state_q == StStart;]])
