@@ -45,23 +45,23 @@ void Machine::settle_shared() {
     client_ = misses ? arbiter_.choose(misses) : -1;
 
     const bool memory_valid = memory_.valid();
-    valid_ = std::uint32_t(memory_valid) << index(Channel::mem_rsp);
+    valid_ = std::uint32_t(memory_valid) << index(Link::mem_rsp);
     fire_ = valid_;
-    const auto link = [&](Channel c, bool valid, bool ready) {
+    const auto link = [&](Link c, bool valid, bool ready) {
         valid_ |= std::uint32_t(valid) << index(c);
         fire_ |= std::uint32_t(valid && ready) << index(c);
     };
     if (has_l2_) {
-        link(Channel::l2_req, client_ >= 0, l2_->ready());
-        link(Channel::l2_rsp, l2_->valid(now_), true);
-        link(Channel::mem_req, l2_->miss_valid(), memory_.ready());
+        link(Link::l2_req, client_ >= 0, l2_->ready());
+        link(Link::l2_rsp, l2_->valid(now_), true);
+        link(Link::mem_req, l2_->miss_valid(), memory_.ready());
         if (l2_->miss_valid()) l2_miss_ = l2_->miss();
-        route(fires(Channel::l2_rsp), fires(Channel::l2_rsp) ? l2_->answer() : 0);
+        route(fires(Link::l2_rsp), fires(Link::l2_rsp) ? l2_->answer() : 0);
     } else {
-        if (client_ >= 0) link(Channel::mem_req, true, memory_.ready());
+        if (client_ >= 0) link(Link::mem_req, true, memory_.ready());
         route(memory_valid, memory_valid ? memory_.answer().id : 0);
     }
-    const bool taken = fires(has_l2_ ? Channel::l2_req : Channel::mem_req);
+    const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
     if (client_ >= 0) {
         const std::size_t p = std::size_t(client_) / clients_;
         const std::uint32_t cache = std::uint32_t(client_) % clients_;
@@ -102,23 +102,23 @@ void Machine::settle_pipelines() {
 void Machine::clock_pipelines() {
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         if (masks_[p].fire) moved_at_ = now_ + 1;
-        hits_ += masks_[p].fire >> index(Channel::hit) & 1;
+        hits_ += masks_[p].fire >> index(Link::hit) & 1;
         pipelines_[p].clock(now_, shared_moves_[p]);
     }
 }
 
 void Machine::clock_shared() {
     dispatch_.clock(granted_);
-    const bool taken = fires(has_l2_ ? Channel::l2_req : Channel::mem_req);
+    const bool taken = fires(has_l2_ ? Link::l2_req : Link::mem_req);
     arbiter_.clock(client_valid_, client_, taken);
     if (has_l2_) {
-        const std::uint32_t filled = fires(Channel::mem_rsp) ? memory_.answer().id : 0;
-        l2_deed_ = l2_->clock(now_, taken ? &client_request_ : nullptr, fires(Channel::l2_rsp),
-                              fires(Channel::mem_rsp) ? &filled : nullptr, fires(Channel::mem_req));
+        const std::uint32_t filled = fires(Link::mem_rsp) ? memory_.answer().id : 0;
+        l2_deed_ = l2_->clock(now_, taken ? &client_request_ : nullptr, fires(Link::l2_rsp),
+                              fires(Link::mem_rsp) ? &filled : nullptr, fires(Link::mem_req));
         ++l2_counts_[std::size_t(l2_deed_)];
     }
     const Memory::Answer request{asked().id, asked().addr};
-    memory_.clock(fires(Channel::mem_req) ? &request : nullptr);
+    memory_.clock(fires(Link::mem_req) ? &request : nullptr);
     ++now_;
     if (fire_) moved_at_ = now_;
 }
@@ -158,7 +158,7 @@ void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
     settle_shared();
     settle_pipelines();
     for (std::size_t p = pipelines_.size(); p-- > 0;) {
-        hits_ += masks_[p].fire >> index(Channel::hit) & 1;
+        hits_ += masks_[p].fire >> index(Link::hit) & 1;
         pipelines_[p].clock_in_order(now_, shared_moves_[p], order);
     }
     clock_shared();
@@ -175,7 +175,7 @@ void Machine::run(std::uint64_t until) {
 // last one.
 void Machine::sleep(std::uint64_t until) {
     // In the next cycle, an answer is there, or a request that waits is taken.
-    if (memory_.valid() || ((valid_ & bit(Channel::mem_req)) && memory_.ready())) return;
+    if (memory_.valid() || ((valid_ & bit(Link::mem_req)) && memory_.ready())) return;
     std::uint64_t wake = until;
     for (const Pipeline& pipeline : pipelines_) {
         if (!pipeline.slept()) return;

@@ -15,7 +15,7 @@ namespace rayclock {
 /// Witness' business.
 struct Move {
     int pipeline = 0;   ///< of the links that all share: 0
-    Channel channel{};
+    Link link{};
     std::uint32_t id = 0;         ///< ray on a pipeline's links, request on the memory's
     std::uint32_t addr = 0;       ///< of requests, and of the line that comes back
     std::uint32_t x = 0, y = 0;   ///< tile, pixel
@@ -32,7 +32,7 @@ public:
 
     /// One clock cycle.
     void step();
-    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in channel order, and the
+    /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in link order, and the
     /// masks are set.
     template <class Observer> void step(Observer&& observe) {
         settle_shared();
@@ -80,7 +80,7 @@ private:
     void route(bool answered, std::uint32_t id);
     void sleep(std::uint64_t until);
     template <class Observer> void show(Observer& observe) const;
-    bool fires(Channel c) const { return fire_ >> index(c) & 1; }
+    bool fires(Link c) const { return fire_ >> index(c) & 1; }
     const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }   ///< of memory
 
     Config config_;
@@ -113,40 +113,39 @@ template <class Observer> void Machine::show(Observer& observe) const {
     for (int p = 0; p < config_.pipelines; ++p) {
         const Pipeline& pipeline = pipelines_[std::size_t(p)];
         for (std::uint32_t left = masks_[std::size_t(p)].fire; left; left &= left - 1) {
-            const Channel c = Channel(std::countr_zero(left));
+            const Link c = Link(std::countr_zero(left));
             Move move{p, c, 0, 0, 0, 0};
             switch (c) {
-                case Channel::tile: move.x = dispatch_.tile().x, move.y = dispatch_.tile().y; break;
-                case Channel::node_miss:
+                case Link::tile: move.x = dispatch_.tile().x, move.y = dispatch_.tile().y; break;
+                case Link::node_miss:
                     move.id = pipeline.node_miss().id, move.addr = pipeline.node_miss().addr;
                     break;
-                case Channel::prim_miss:
+                case Link::prim_miss:
                     move.id = pipeline.prim_miss().id, move.addr = pipeline.prim_miss().addr;
                     break;
-                case Channel::node_fill:
-                case Channel::surf_fill:
-                case Channel::prim_fill: move.id = fill_id_; break;
-                case Channel::surf_miss:
+                case Link::node_fill:
+                case Link::surf_fill:
+                case Link::prim_fill: move.id = fill_id_; break;
+                case Link::surf_miss:
                     move.id = pipeline.surf_miss().id, move.addr = pipeline.surf_miss().addr;
                     break;
                 default: {
                     move.id = pipeline.ray_on(c);
-                    const Slot& pixel = c == Channel::slot ? pipeline.slot() : pipeline.pixel(move.id);
+                    const Slot& pixel = c == Link::slot ? pipeline.slot() : pipeline.pixel(move.id);
                     move.x = pixel.x, move.y = pixel.y;
-                    if (c == Channel::node_req) move.addr = pipeline.node_addr(move.id);
-                    if (c == Channel::surf_req) move.addr = pipeline.surf_addr(move.id);
-                    if (c == Channel::prim_req) move.addr = pipeline.prim_addr(move.id);
+                    if (c == Link::node_req) move.addr = pipeline.node_addr(move.id);
+                    if (c == Link::surf_req) move.addr = pipeline.surf_addr(move.id);
+                    if (c == Link::prim_req) move.addr = pipeline.prim_addr(move.id);
                 }
             }
             observe(move);
         }
     }
-    if (fires(Channel::l2_req))
-        observe(Move{0, Channel::l2_req, client_request_.id, client_request_.addr, 0, 0});
-    if (fires(Channel::l2_rsp)) observe(Move{0, Channel::l2_rsp, l2_->answer(), 0, 0, 0});
-    if (fires(Channel::mem_req)) observe(Move{0, Channel::mem_req, asked().id, asked().addr, 0, 0});
-    if (fires(Channel::mem_rsp))
-        observe(Move{0, Channel::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
+    if (fires(Link::l2_req)) observe(Move{0, Link::l2_req, client_request_.id, client_request_.addr, 0, 0});
+    if (fires(Link::l2_rsp)) observe(Move{0, Link::l2_rsp, l2_->answer(), 0, 0, 0});
+    if (fires(Link::mem_req)) observe(Move{0, Link::mem_req, asked().id, asked().addr, 0, 0});
+    if (fires(Link::mem_rsp))
+        observe(Move{0, Link::mem_rsp, memory_.answer().id, memory_.answer().addr, 0, 0});
 }
 
 }   // namespace rayclock

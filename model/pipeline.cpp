@@ -87,40 +87,39 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
 }
 
 namespace {
-std::uint32_t at(bool on, Channel c) { return std::uint32_t(on) << index(c); }
+std::uint32_t at(bool on, Link c) { return std::uint32_t(on) << index(c); }
 }   // namespace
 
 std::uint32_t Pipeline::valid_mask(const SharedMoves& shared, std::uint64_t now) const {
-    return at(sched_.slot_valid(), Channel::slot) | at(raygen_.valid(now), Channel::ray) |
-           at(trav_.node_valid(), Channel::node_req) | at(node_cache_.miss_valid(), Channel::node_miss) |
-           at(node_cache_.valid(now), Channel::box_req) | at(box_.valid(now), Channel::box_rsp) |
-           at(box_.valid(now) && has_tests(box_.front()), Channel::leaves) |
-           at(list_.prim_valid(), Channel::prim_req) | at(prim_cache_.miss_valid(), Channel::prim_miss) |
-           at(prim_cache_.valid(now), Channel::tri_req) | at(tri_.valid(now), Channel::tri_rsp) |
-           at(list_.tested_valid(), Channel::tested) |
-           at(shading_ ? shade_.pixel_valid() : trav_.done_valid(), Channel::hit) |
-           at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) |
-           at(shared.prim_fill, Channel::prim_fill) | (shading_ ? shaded_valid(shared, now) : 0);
+    return at(sched_.slot_valid(), Link::slot) | at(raygen_.valid(now), Link::ray) |
+           at(trav_.node_valid(), Link::node_req) | at(node_cache_.miss_valid(), Link::node_miss) |
+           at(node_cache_.valid(now), Link::box_req) | at(box_.valid(now), Link::box_rsp) |
+           at(box_.valid(now) && has_tests(box_.front()), Link::leaves) |
+           at(list_.prim_valid(), Link::prim_req) | at(prim_cache_.miss_valid(), Link::prim_miss) |
+           at(prim_cache_.valid(now), Link::tri_req) | at(tri_.valid(now), Link::tri_rsp) |
+           at(list_.tested_valid(), Link::tested) |
+           at(shading_ ? shade_.pixel_valid() : trav_.done_valid(), Link::hit) | at(shared.tile, Link::tile) |
+           at(shared.node_fill, Link::node_fill) | at(shared.prim_fill, Link::prim_fill) |
+           (shading_ ? shaded_valid(shared, now) : 0);
 }
 
 std::uint32_t Pipeline::shaded_valid(const SharedMoves& shared, std::uint64_t now) const {
-    return at(trav_.done_valid(), Channel::closest) | at(shade_.surf_valid(), Channel::surf_req) |
-           at(surf_cache_.miss_valid(), Channel::surf_miss) | at(shared.surf_fill, Channel::surf_fill) |
-           at(surf_cache_.valid(now), Channel::surf_rsp) | at(shade_.spawn_valid(), Channel::spawn);
+    return at(trav_.done_valid(), Link::closest) | at(shade_.surf_valid(), Link::surf_req) |
+           at(surf_cache_.miss_valid(), Link::surf_miss) | at(shared.surf_fill, Link::surf_fill) |
+           at(surf_cache_.valid(now), Link::surf_rsp) | at(shade_.spawn_valid(), Link::spawn);
 }
 
 std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
     const Moves& m = moves_;
-    return at(m.slot, Channel::slot) | at(m.ray, Channel::ray) | at(m.node_req, Channel::node_req) |
-           at(m.box_req, Channel::box_req) | at(m.box_rsp, Channel::box_rsp) | at(m.leaves, Channel::leaves) |
-           at(m.prim_req, Channel::prim_req) | at(m.tri_req, Channel::tri_req) |
-           at(m.tri_rsp, Channel::tri_rsp) | at(m.tested, Channel::tested) | at(m.hit, Channel::hit) |
-           at(shared.node_miss, Channel::node_miss) | at(shared.prim_miss, Channel::prim_miss) |
-           at(shared.tile, Channel::tile) | at(shared.node_fill, Channel::node_fill) |
-           at(shared.prim_fill, Channel::prim_fill) | at(m.closest, Channel::closest) |
-           at(m.surf_req, Channel::surf_req) | at(shared.surf_miss, Channel::surf_miss) |
-           at(shared.surf_fill, Channel::surf_fill) | at(m.surf_rsp, Channel::surf_rsp) |
-           at(m.spawn, Channel::spawn);
+    return at(m.slot, Link::slot) | at(m.ray, Link::ray) | at(m.node_req, Link::node_req) |
+           at(m.box_req, Link::box_req) | at(m.box_rsp, Link::box_rsp) | at(m.leaves, Link::leaves) |
+           at(m.prim_req, Link::prim_req) | at(m.tri_req, Link::tri_req) | at(m.tri_rsp, Link::tri_rsp) |
+           at(m.tested, Link::tested) | at(m.hit, Link::hit) | at(shared.node_miss, Link::node_miss) |
+           at(shared.prim_miss, Link::prim_miss) | at(shared.tile, Link::tile) |
+           at(shared.node_fill, Link::node_fill) | at(shared.prim_fill, Link::prim_fill) |
+           at(m.closest, Link::closest) | at(m.surf_req, Link::surf_req) |
+           at(shared.surf_miss, Link::surf_miss) | at(shared.surf_fill, Link::surf_fill) |
+           at(m.surf_rsp, Link::surf_rsp) | at(m.spawn, Link::spawn);
 }
 
 std::uint64_t Pipeline::wakes() const {
@@ -129,22 +128,22 @@ std::uint64_t Pipeline::wakes() const {
     return shading_ ? std::min({wakes, shade_.due(), surf_cache_.due()}) : wakes;
 }
 
-std::uint32_t Pipeline::ray_on(Channel c) const {
+std::uint32_t Pipeline::ray_on(Link c) const {
     switch (c) {
-        case Channel::slot: return moves_.given.ray;
-        case Channel::ray: return moves_.started;
-        case Channel::node_req: return moves_.node_out.id;
-        case Channel::box_req: return moves_.node_in;
-        case Channel::box_rsp:
-        case Channel::leaves: return moves_.boxed;
-        case Channel::prim_req: return moves_.prim_out.id;
-        case Channel::tri_req: return moves_.prim_in;
-        case Channel::tri_rsp: return moves_.answered;
-        case Channel::tested: return moves_.returned;
-        case Channel::closest: return moves_.closed;
-        case Channel::surf_req: return moves_.surf_out.id;
-        case Channel::surf_rsp: return moves_.surf_in;
-        case Channel::spawn: return moves_.spawned;
+        case Link::slot: return moves_.given.ray;
+        case Link::ray: return moves_.started;
+        case Link::node_req: return moves_.node_out.id;
+        case Link::box_req: return moves_.node_in;
+        case Link::box_rsp:
+        case Link::leaves: return moves_.boxed;
+        case Link::prim_req: return moves_.prim_out.id;
+        case Link::tri_req: return moves_.prim_in;
+        case Link::tri_rsp: return moves_.answered;
+        case Link::tested: return moves_.returned;
+        case Link::closest: return moves_.closed;
+        case Link::surf_req: return moves_.surf_out.id;
+        case Link::surf_rsp: return moves_.surf_in;
+        case Link::spawn: return moves_.spawned;
         default: return moves_.ended;
     }
 }

@@ -55,7 +55,7 @@ public:
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
     bool surf_miss_valid() const { return shading_ && surf_cache_.miss_valid(); }
     Cache::Miss surf_miss() const { return surf_cache_.miss(); }
-    std::uint32_t ray_on(Channel c) const;   ///< of links that carry one and move
+    std::uint32_t ray_on(Link c) const;   ///< of links that carry one and move
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
     std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }

@@ -44,13 +44,13 @@ namespace rayclock {
     LINK(mem_rsp, MemRsp, memory, memport, fires, always)
 
 #define RAYCLOCK_NAME(name, ...) name,
-enum class Channel : std::uint8_t { RAYCLOCK_LINKS(RAYCLOCK_NAME) };
+enum class Link : std::uint8_t { RAYCLOCK_LINKS(RAYCLOCK_NAME) };
 #undef RAYCLOCK_NAME
 
 /// Whether what is offered may be refused.
 enum class Flow : std::uint8_t { handshake, fires };
 
-struct ChannelInfo {
+struct LinkInfo {
     const char* name;
     const char* from;   ///< unit that offers
     const char* to;     ///< unit that accepts
@@ -66,29 +66,29 @@ struct ChannelInfo {
 template <class Payload> constexpr bool names_ray = requires(Payload p) { p.ray; }
 || requires(Payload p) { p.closest.ray; };
 #define RAYCLOCK_INFO(name, payload, from, to, flow, when) \
-    ChannelInfo{#name, #from, #to, Flow::flow, When::when, names_ray<payload>},
-constexpr std::array channels{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
+    LinkInfo{#name, #from, #to, Flow::flow, When::when, names_ray<payload>},
+constexpr std::array link_infos{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 
 /// Payload of each link, by its number.
 #define RAYCLOCK_PAYLOAD(name, payload, ...) , std::declval<std::tuple<payload>>()
-using ChannelPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCLOCK_PAYLOAD)));
+using LinkPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCLOCK_PAYLOAD)));
 #undef RAYCLOCK_PAYLOAD
 #undef RAYCLOCK_LINKS
 
-constexpr std::size_t channel_count = channels.size();
-constexpr std::size_t pipeline_channels = [] {   // the others are what all pipelines share
+constexpr std::size_t link_count = link_infos.size();
+constexpr std::size_t pipeline_links = [] {   // the others are what all pipelines share
     std::size_t n = 0;
-    while (channels[n].of_pipeline()) ++n;
-    for (std::size_t i = n; i < channel_count; ++i)
-        if (channels[i].of_pipeline()) throw "links of a pipeline come first";
+    while (link_infos[n].of_pipeline()) ++n;
+    for (std::size_t i = n; i < link_count; ++i)
+        if (link_infos[i].of_pipeline()) throw "links of a pipeline come first";
     return n;
 }();
-constexpr std::size_t index(Channel c) { return std::size_t(c); }
-constexpr std::uint32_t bit(Channel c) { return 1u << index(c); }
-static_assert(channel_count <= 32);
+constexpr std::size_t index(Link c) { return std::size_t(c); }
+constexpr std::uint32_t bit(Link c) { return 1u << index(c); }
+static_assert(link_count <= 32);
 
 /// Whether a chip of this configuration has the link.
-constexpr bool is_there(Channel c, const Config& config) { return is_there(channels[index(c)].when, config); }
+constexpr bool is_there(Link c, const Config& config) { return is_there(link_infos[index(c)].when, config); }
 
 }   // namespace rayclock

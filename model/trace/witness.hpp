@@ -22,7 +22,7 @@ public:
         words_.clear();
     }
 
-    /// Gives `see(pipeline, channel, payload)` the payload of a transfer. Transfers come in the order of the
+    /// Gives `see(pipeline, link, payload)` the payload of a transfer. Transfers come in the order of the
     /// machine's cycles.
     template <class See> void operator()(const Move& m, See&& see);
 
@@ -35,7 +35,7 @@ private:
         return words;
     }
     /// A cache's request is remembered until its answer, which goes by the same id.
-    std::uint32_t& asked(const Move& m, Channel request) {
+    std::uint32_t& asked(const Move& m, Link request) {
         return words_[std::uint64_t(m.pipeline) << 40 | std::uint64_t(index(request)) << 32 | m.id];
     }
 
@@ -49,33 +49,33 @@ private:
 };
 
 template <class See> void Witness::operator()(const Move& m, See&& see) {
-    const auto tell = [&](const auto& payload) { see(m.pipeline, m.channel, payload); };
-    switch (m.channel) {
-        case Channel::tile: return tell(Tile{m.x, m.y});
-        case Channel::slot:
+    const auto tell = [&](const auto& payload) { see(m.pipeline, m.link, payload); };
+    switch (m.link) {
+        case Link::tile: return tell(Tile{m.x, m.y});
+        case Link::slot:
             walk(m).start({m.id, m.x, m.y});
             if (config_.shading) shader(m).start({m.id, m.x, m.y});
             return tell(Slot{m.id, m.x, m.y});
-        case Channel::ray:
+        case Link::ray:
             if (config_.shading) shader(m).sent(walk(m).ray());
             return tell(walk(m).ray());
-        case Channel::node_req: return tell(NodeReq{m.id, walk(m).node()});
-        case Channel::box_req: {
+        case Link::node_req: return tell(NodeReq{m.id, walk(m).node()});
+        case Link::box_req: {
             Walk& w = walk(m);
             const BoxRay& r = w.box_ray();
             tell(BoxReq{m.id, r.o, r.neg, r.recip, r.len, unpack<Node>(image_.line(w.node()), config_)});
             w.test_node();
             return;
         }
-        case Channel::box_rsp: {
+        case Link::box_rsp: {
             tell(walk(m).boxes());
             bool done = false;
             if (!walk(m).has_leaves()) walk(m).decide(done);   // trav does not ask list
             return;
         }
-        case Channel::leaves: return tell(walk(m).leaves());
-        case Channel::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
-        case Channel::tri_req: {
+        case Link::leaves: return tell(walk(m).leaves());
+        case Link::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
+        case Link::tri_req: {
             Walk& w = walk(m);
             const Ray& r = w.ray();
             tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(),
@@ -83,43 +83,43 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_triangle();
             return;
         }
-        case Channel::tri_rsp:
+        case Link::tri_rsp:
             tell(walk(m).tri());
             walk(m).advance();
             return;
-        case Channel::tested: {
+        case Link::tested: {
             bool done = false;
             tell(walk(m).tested());
             walk(m).decide(done);
             return;
         }
-        case Channel::hit:
+        case Link::hit:
             if (!config_.shading) return tell(HitOut{m.x, m.y, walk(m).closest(), {}});
             return tell(HitOut{m.x, m.y, shader(m).pixel().first, shader(m).pixel().colour});
-        case Channel::closest:
+        case Link::closest:
             tell(walk(m).closest());
             shader(m).arrived(walk(m).closest());
             if (!shader(m).wants_surface()) shader(m).run();
             return;
-        case Channel::surf_req: return tell(SurfReq{m.id, shader(m).surface_line()});
-        case Channel::surf_rsp:
+        case Link::surf_req: return tell(SurfReq{m.id, shader(m).surface_line()});
+        case Link::surf_rsp:
             tell(SurfRsp{m.id, shader(m).surface()});
             shader(m).run();
             return;
-        case Channel::spawn:
+        case Link::spawn:
             tell(shader(m).spawn());
             walk(m).start_at(spawn_ray(shader(m).spawn(), frame_, config_));
             return;
-        case Channel::surf_miss: asked(m, Channel::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
-        case Channel::surf_fill: return tell(SurfFill{m.id, line(asked(m, Channel::surf_miss))});
-        case Channel::node_miss: asked(m, Channel::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
-        case Channel::prim_miss: asked(m, Channel::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
-        case Channel::l2_req: asked(m, Channel::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});
-        case Channel::mem_req: return tell(MemReq{m.id, m.addr});
-        case Channel::node_fill: return tell(NodeFill{m.id, line(asked(m, Channel::node_miss))});
-        case Channel::prim_fill: return tell(PrimFill{m.id, line(asked(m, Channel::prim_miss))});
-        case Channel::l2_rsp: return tell(L2Rsp{m.id, line(asked(m, Channel::l2_req))});
-        case Channel::mem_rsp: return tell(MemRsp{m.id, line(m.addr)});
+        case Link::surf_miss: asked(m, Link::surf_miss) = m.addr; return tell(SurfMiss{m.id, m.addr});
+        case Link::surf_fill: return tell(SurfFill{m.id, line(asked(m, Link::surf_miss))});
+        case Link::node_miss: asked(m, Link::node_miss) = m.addr; return tell(NodeMiss{m.id, m.addr});
+        case Link::prim_miss: asked(m, Link::prim_miss) = m.addr; return tell(PrimMiss{m.id, m.addr});
+        case Link::l2_req: asked(m, Link::l2_req) = m.addr; return tell(L2Req{m.id, m.addr});
+        case Link::mem_req: return tell(MemReq{m.id, m.addr});
+        case Link::node_fill: return tell(NodeFill{m.id, line(asked(m, Link::node_miss))});
+        case Link::prim_fill: return tell(PrimFill{m.id, line(asked(m, Link::prim_miss))});
+        case Link::l2_rsp: return tell(L2Rsp{m.id, line(asked(m, Link::l2_req))});
+        case Link::mem_rsp: return tell(MemRsp{m.id, line(m.addr)});
     }
 }
 

@@ -156,9 +156,8 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
     while (!machine.done() && !interrupted()) {
         machine.step([&](const HitOut& hit) { collector.add(hit); });
         if (const auto& n = machine.nonsense())
-            throw std::runtime_error(fmt::format("rtl: cycle {}: the channel {} carries {}",
-                                                 machine.cycle() - 1, channels[index(n->channel)].name,
-                                                 n->what));
+            throw std::runtime_error(fmt::format("rtl: cycle {}: the link {} carries {}", machine.cycle() - 1,
+                                                 link_infos[index(n->link)].name, n->what));
         quiet = machine.moved() ? 0 : quiet + 1;
         if (quiet > limit)
             throw std::runtime_error(

@@ -29,12 +29,11 @@ std::string causes_text(const UnitInfo& unit, Kind kind) {
 }
 
 template <std::size_t i = 0> void add_links(Table& table) {
-    if constexpr (i < channel_count) {
-        const ChannelInfo& link = channels[i];
-        table.add(
-            {fmt::format("`{}`", link.name), link.from, link.to,
-             link.flow == Flow::fires ? "always taken" : "valid, ready", when_text(link.when),
-             std::to_string(bits_of<std::tuple_element_t<i, ChannelPayloads>>(named_config("default")))});
+    if constexpr (i < link_count) {
+        const LinkInfo& link = link_infos[i];
+        table.add({fmt::format("`{}`", link.name), link.from, link.to,
+                   link.flow == Flow::fires ? "always taken" : "valid, ready", when_text(link.when),
+                   std::to_string(bits_of<std::tuple_element_t<i, LinkPayloads>>(named_config("default")))});
         add_links<i + 1>(table);
     }
 }
@@ -57,7 +56,7 @@ std::string links_table() {
 
 std::string links_diagram() {
     std::string text = "```mermaid\nflowchart LR\n";
-    for (const ChannelInfo& link : channels)
+    for (const LinkInfo& link : link_infos)
         text += fmt::format("  {} {}|{}| {}\n", link.from, link.when == When::always ? "-->" : "-.->",
                             link.name, link.to);
     return text + "```\n";

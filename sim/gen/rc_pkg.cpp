@@ -148,8 +148,8 @@ public:
     }
     /// What the links carry, in their order.
     template <std::size_t i = 0> void links() {
-        if constexpr (i < channel_count) {
-            record<std::tuple_element_t<i, ChannelPayloads>>(channels[i].name);
+        if constexpr (i < link_count) {
+            record<std::tuple_element_t<i, LinkPayloads>>(link_infos[i].name);
             links<i + 1>();
         }
     }

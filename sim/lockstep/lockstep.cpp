@@ -156,7 +156,7 @@ private:
         ++result_.value_mismatches;
         if (result_.first) return;
         const RtlMachine::Nonsense& n = *rtl_.nonsense();
-        result_.first = at(rtl_.cycle(), n.pipeline, n.channel, last_ray_[index(n.channel)]);
+        result_.first = at(rtl_.cycle(), n.pipeline, n.link, last_ray_[index(n.link)]);
         result_.first->expected = "a value in range";
         result_.first->got = n.what;
     }
@@ -174,10 +174,9 @@ private:
         unmatched_.clear();
         const std::uint64_t now = model_.cycle();
         model_.step([&](const Move& move) {
-            last_ray_[index(move.channel)] = move.id;
-            witness_(move, [&](int pipeline, Channel c, const auto& payload) {
-                compare(now, pipeline, c, payload);
-            });
+            last_ray_[index(move.link)] = move.id;
+            witness_(move,
+                     [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
         });
         for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
             if (const std::uint32_t differ =
@@ -196,11 +195,11 @@ private:
         }
     }
 
-    bool rtl_fires(int pipeline, Channel c) const {
-        return (index(c) < pipeline_channels ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
+    bool rtl_fires(int pipeline, Link c) const {
+        return (index(c) < pipeline_links ? rtl_.fire_mask(pipeline) : rtl_.shared_fire()) & bit(c);
     }
 
-    template <class P> void compare(std::uint64_t now, int pipeline, Channel c, const P& payload) {
+    template <class P> void compare(std::uint64_t now, int pipeline, Link c, const P& payload) {
         if (!rtl_fires(pipeline, c)) {
             unmatched_.push_back({pipeline, c, pack(payload, job_.config)});
             return;
@@ -228,7 +227,7 @@ private:
         // An offer comes out of registers; whether it is accepted may hang on another offer of the same
         // cycle.
         const std::uint32_t offers = differ & (model.valid ^ rtl.valid);
-        const Channel c = Channel(std::countr_zero(offers ? offers : differ));
+        const Link c = Link(std::countr_zero(offers ? offers : differ));
         const auto tell = [&](const Masks& m) {
             return m.fire & bit(c)    ? "a transfer"
                    : m.valid & bit(c) ? "an offer that is not accepted"
@@ -236,14 +235,14 @@ private:
         };
         result_.first =
             at(now, pipeline, c, rtl.valid & bit(c) ? rtl_id<0>(pipeline, c) : last_ray_[index(c)]);
-        if (!offers) result_.first->unit = unit_name(channels[index(c)].to, pipeline, c);
+        if (!offers) result_.first->unit = unit_name(link_infos[index(c)].to, pipeline, c);
         result_.first->expected = tell(model);
         result_.first->got = tell(rtl);
         watch(now, pipeline, c, rtl.fire & bit(c), model.fire & bit(c));
     }
 
     /// Looks out for the transfer that only one of them made.
-    void watch(std::uint64_t now, int pipeline, Channel c, bool by_rtl, bool by_model) {
+    void watch(std::uint64_t now, int pipeline, Link c, bool by_rtl, bool by_model) {
         if (by_rtl == by_model) return;
         watched_ = Watched{now, pipeline, c, by_rtl, {}};
         if (by_rtl) {
@@ -252,7 +251,7 @@ private:
             std::memcpy(watched_->words.data(), port.data, port.bytes);
         } else {
             for (const Unmatched& u : unmatched_)
-                if (u.pipeline == pipeline && u.channel == c) watched_->words = u.words;
+                if (u.pipeline == pipeline && u.link == c) watched_->words = u.words;
         }
     }
 
@@ -264,24 +263,24 @@ private:
         watched_.reset();
     }
 
-    template <std::size_t i> std::uint32_t rtl_id(int pipeline, Channel c) const {
-        if constexpr (i < channel_count) {
+    template <std::size_t i> std::uint32_t rtl_id(int pipeline, Link c) const {
+        if constexpr (i < link_count) {
             if (index(c) == i)
                 return id_of(
-                    get_data<std::tuple_element_t<i, ChannelPayloads>>(rtl_.link(pipeline, c), job_.config));
+                    get_data<std::tuple_element_t<i, LinkPayloads>>(rtl_.link(pipeline, c), job_.config));
             return rtl_id<i + 1>(pipeline, c);
         } else {
             return 0;
         }
     }
 
-    Divergence at(std::uint64_t now, int pipeline, Channel c, std::uint32_t id) const {
-        const bool is_ray = channels[index(c)].carries_ray;
+    Divergence at(std::uint64_t now, int pipeline, Link c, std::uint32_t id) const {
+        const bool is_ray = link_infos[index(c)].carries_ray;
         const Slot pixel =
             is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
         return {now,
-                unit_name(channels[index(c)].from, pipeline, c),
-                channels[index(c)].name,
+                unit_name(link_infos[index(c)].from, pipeline, c),
+                link_infos[index(c)].name,
                 id,
                 pixel.x,
                 pixel.y,
@@ -290,10 +289,9 @@ private:
                 ""};
     }
 
-    std::string unit_name(const char* unit, int pipeline, Channel c) const {
-        return job_.config.pipelines > 1 && index(c) < pipeline_channels
-                   ? fmt::format("{}[{}]", unit, pipeline)
-                   : unit;
+    std::string unit_name(const char* unit, int pipeline, Link c) const {
+        return job_.config.pipelines > 1 && index(c) < pipeline_links ? fmt::format("{}[{}]", unit, pipeline)
+                                                                      : unit;
     }
 
     void run_apart(std::uint64_t limit, FrameCollector& hits) {
@@ -316,8 +314,8 @@ private:
         const std::uint64_t now = model_.cycle();
         if (!watched_ || !watched_->by_rtl) return model_.step();
         model_.step([&](const Move& move) {
-            witness_(move, [&](int pipeline, Channel c, const auto& payload) {
-                if (!watched_ || pipeline != watched_->pipeline || c != watched_->channel) return;
+            witness_(move, [&](int pipeline, Link c, const auto& payload) {
+                if (!watched_ || pipeline != watched_->pipeline || c != watched_->link) return;
                 pack(payload, job_.config, words_);
                 seen(now, words_.data(), words_.size() * 4);
             });
@@ -326,8 +324,8 @@ private:
 
     void step_rtl(FrameCollector& hits) {
         rtl_.settle();
-        if (watched_ && !watched_->by_rtl && rtl_fires(watched_->pipeline, watched_->channel)) {
-            const RcPort& port = rtl_.link(watched_->pipeline, watched_->channel);
+        if (watched_ && !watched_->by_rtl && rtl_fires(watched_->pipeline, watched_->link)) {
+            const RcPort& port = rtl_.link(watched_->pipeline, watched_->link);
             if (port.bytes >= 4)
                 seen(rtl_.cycle(), port.data, port.bytes);
             else {
@@ -356,19 +354,19 @@ private:
     Machine model_;
     RtlMachine rtl_;
     Witness witness_;
-    std::array<std::uint32_t, channel_count> last_ray_{};   // of the model's last transfer on each channel
+    std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
     bool parted_ = false, broken_ = false;
     struct Unmatched {
         int pipeline;
-        Channel channel;
+        Link link;
         Words words;
     };
     std::vector<Unmatched> unmatched_;   // transfers of this cycle that the model made and the RTL did not
     struct Watched {
         std::uint64_t cycle;
         int pipeline;
-        Channel channel;
+        Link link;
         bool by_rtl;   // made it; the other is watched
         Words words;
     };

@@ -9,9 +9,9 @@ namespace rayclock {
 /// The first cycle in which model and RTL did not do the same.
 struct Divergence {
     std::uint64_t cycle = 0;
-    std::string unit;   ///< that drives the channel; or that accepts what comes on it, if the difference is
+    std::string unit;   ///< that drives the link; or that accepts what comes on it, if the difference is
                         ///< that it does
-    std::string channel;
+    std::string link;
     std::uint32_t ray = 0;
     std::uint32_t x = 0, y = 0;
     std::string expected;   ///< what the model did: differing fields, or whether it moved anything
@@ -28,7 +28,7 @@ struct CounterDifference {
 
 struct LockstepResult {
     FrameRun model, rtl;                  ///< seconds: the time of each machine's own share
-    std::uint64_t events_compared = 0;    ///< transfers (cycle, channel, payload) seen on both sides
+    std::uint64_t events_compared = 0;    ///< transfers (cycle, link, payload) seen on both sides
     std::uint64_t value_mismatches = 0;   ///< transfers whose payload differs, and pixels that differ in the
                                           ///< end
     std::uint64_t account_mismatches = 0;   ///< frames whose counters differ
@@ -42,7 +42,7 @@ struct LockstepResult {
     }
 };
 
-/// Runs frames on model and RTL side by side and compares, in every cycle and on every channel, valid, ready
+/// Runs frames on model and RTL side by side and compares, in every cycle and on every link, valid, ready
 /// and the packed payload of what moves; at the end of a frame the RTL's counters with the model's accounts.
 /// After the first difference in time each machine runs on alone, and pixels are compared. What no machine
 /// can mean, and an assertion of the RTL that fails, is a difference like any other. The result's runs are

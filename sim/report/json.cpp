@@ -177,7 +177,7 @@ ordered_json divergence_json(const std::optional<Divergence>& d) {
     if (!d) return nullptr;
     return {
         {"cycle", d->cycle},     {"unit", d->unit},
-        {"channel", d->channel}, {"ray", d->ray},
+        {"channel", d->link},    {"ray", d->ray},
         {"pixel", {d->x, d->y}}, {"expected", d->expected},
         {"got", d->got},         {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)},
         {"wave", nullptr}};

@@ -28,9 +28,9 @@ std::string lockstep_lines(const LockstepResult& r) {
     if (!r.first) return text;
     const Divergence& d = *r.first;
     text += fmt::format(
-        "  FIRST DIVERGENCE at cycle {}: unit {}, channel {}, ray {}, pixel ({}, {})\n    expected {}\n    "
+        "  FIRST DIVERGENCE at cycle {}: unit {}, link {}, ray {}, pixel ({}, {})\n    expected {}\n    "
         "got      {}\n",
-        grouped(d.cycle), d.unit, d.channel, d.ray, d.x, d.y, d.expected, d.got);
+        grouped(d.cycle), d.unit, d.link, d.ray, d.x, d.y, d.expected, d.got);
     if (!d.later.empty()) text += fmt::format("    {}\n", d.later);
     return text;
 }

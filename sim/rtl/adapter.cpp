@@ -35,7 +35,7 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 
 /// Where a pipeline's link shows: in the engine, or in rc_pipeline, at a port if one end lies outside, else
 /// as a net.
-PortSpec pipeline_tap(const ChannelInfo& link, const std::string& path, const std::string& index) {
+PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index) {
     const std::string name = link.name;
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
@@ -56,7 +56,7 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
     for (int p = 0; p < config.pipelines; ++p) {
         const std::string index = fmt::format("[{}]", p),
                           path = fmt::format(".u_top.gen_pipeline[{}].u_pipeline", p);
-        for (const ChannelInfo& link : channels)
+        for (const LinkInfo& link : link_infos)
             if (link.of_pipeline() && is_there(link.when, config))
                 taps.push_back(pipeline_tap(link, path, index));
     }

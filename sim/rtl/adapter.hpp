@@ -26,7 +26,7 @@ struct PortSpec {
 };
 
 /// The links of a module that can be built on its own: rc_chip or a unit. Throws std::logic_error for any
-/// other name. Of rc_chip they include every channel of pipeline p as "<channel>[p]".
+/// other name. Of rc_chip they include every link of pipeline p as "<link>[p]".
 std::vector<PortSpec> ports_of(const std::string& module, const Config& config);
 
 /// C++ text of the library's side of sim/rtl/abi.hpp, and the Verilator configuration that makes the taps

@@ -25,16 +25,17 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
       valid_(links_.size()),
       fire_(links_.size()),
       under_way_(std::size_t(1) << config.mem_id_bits()) {
-    for (std::size_t c = 0; c < pipeline_channels; ++c)
-        if (is_there(Channel(c), config)) there_.push_back(c);
+    for (std::size_t c = 0; c < pipeline_links; ++c)
+        if (is_there(Link(c), config)) there_.push_back(c);
     for (int p = 0; p < config.pipelines; ++p) {
         auto& links = links_[std::size_t(p)];
         links.fill(nullptr);
-        for (const std::size_t c : there_) links[c] = &rtl_.port(fmt::format("{}[{}]", channels[c].name, p));
+        for (const std::size_t c : there_)
+            links[c] = &rtl_.port(fmt::format("{}[{}]", link_infos[c].name, p));
         sinks_.emplace_back(traffic, p);
     }
-    for (std::size_t c = pipeline_channels; c < channel_count; ++c)
-        if (is_there(Channel(c), config)) links_[0][c] = &rtl_.port(channels[c].name);
+    for (std::size_t c = pipeline_links; c < link_count; ++c)
+        if (is_there(Link(c), config)) links_[0][c] = &rtl_.port(link_infos[c].name);
     for (const RcPort* port : {bus_.cyc, bus_.stb}) std::memset(port->data, 0, port->bytes);
     quiet_ports();
     rtl_.reset();
@@ -139,7 +140,7 @@ void RtlMachine::settle() {
         moved_ = moved_ || fire;
     }
     shared_valid_ = shared_fire_ = 0;
-    for (std::size_t c = pipeline_channels; c < channel_count; ++c) {
+    for (std::size_t c = pipeline_links; c < link_count; ++c) {
         const RcPort* link = links_[0][c];
         if (!link) continue;
         shared_valid_ |= std::uint32_t(*link->valid) << c;
@@ -148,22 +149,22 @@ void RtlMachine::settle() {
     moved_ = moved_ || shared_fire_;
 }
 
-void RtlMachine::complain(int pipeline, Channel channel, const std::string& what) {
-    if (!nonsense_) nonsense_ = {pipeline, channel, what};
+void RtlMachine::complain(int pipeline, Link link, const std::string& what) {
+    if (!nonsense_) nonsense_ = {pipeline, link, what};
 }
 
 /// The request that the RTL makes in this cycle, if it can be meant.
 std::optional<Memory::Answer> RtlMachine::request() {
-    if (!(shared_fire_ & bit(Channel::mem_req))) return {};
+    if (!(shared_fire_ & bit(Link::mem_req))) return {};
     const MemReq req = get_data<MemReq>(*mem_req_, config_);
     // Long lines end at the next multiple of their length.
     const std::uint32_t line = std::uint32_t(
         std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
     if (req.addr / line > (image_.lines() - 1) / line)
-        complain(0, Channel::mem_req,
+        complain(0, Link::mem_req,
                  fmt::format("line {}, and the memory image has {}", req.addr, image_.lines()));
     if (under_way_[req.id]) {
-        complain(0, Channel::mem_req, fmt::format("id {}, whose last request is not answered yet", req.id));
+        complain(0, Link::mem_req, fmt::format("id {}, whose last request is not answered yet", req.id));
         return {};
     }
     under_way_[req.id] = 1;
@@ -174,7 +175,7 @@ std::optional<Memory::Answer> RtlMachine::request() {
 /// from it.
 bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
     const auto refuse = [&](const std::string& what) {
-        complain(pipeline, Channel::hit, what);
+        complain(pipeline, Link::hit, what);
         return false;
     };
     if (hit.x >= width_ || hit.y >= pixels_ / width_)
@@ -183,7 +184,7 @@ bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
     if (given) return refuse(fmt::format("pixel ({}, {}) for the second time", hit.x, hit.y));
     given = 1;
     if (hit.closest.found && hit.closest.prim >= image_.primitives) {
-        complain(pipeline, Channel::hit,
+        complain(pipeline, Link::hit,
                  fmt::format("primitive {}, and the scene has {}", hit.closest.prim, image_.primitives));
         hit.closest = {};
     }
@@ -192,11 +193,11 @@ bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
 
 void RtlMachine::count_boxes(int pipeline) {
     const std::uint32_t line =
-        get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Channel::node_req)], config_).addr;
+        get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Link::node_req)], config_).addr;
     if (line < image_.lines())
         box_tests_ += std::uint64_t(decoder_.node(line).children);
     else
-        complain(pipeline, Channel::node_req,
+        complain(pipeline, Link::node_req,
                  fmt::format("line {}, and the memory image has {}", line, image_.lines()));
 }
 
@@ -204,15 +205,15 @@ void RtlMachine::clock() {
     if (memory_.valid()) under_way_[memory_.answer().id] = 0;
     const std::optional<Memory::Answer> asked = request();
     for (std::size_t p = 0; p < links_.size(); ++p) {
-        hits_ += fire_[p] >> index(Channel::hit) & 1;
-        rays_.primary += fire_[p] >> index(Channel::slot) & 1;
-        if (fire_[p] & bit(Channel::spawn)) {
-            const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Channel::spawn)], config_).kind;
+        hits_ += fire_[p] >> index(Link::hit) & 1;
+        rays_.primary += fire_[p] >> index(Link::slot) & 1;
+        if (fire_[p] & bit(Link::spawn)) {
+            const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Link::spawn)], config_).kind;
             ++(kind == std::uint32_t(RayKind::camera) ? rays_.primary
                : ends_at_any(kind)                    ? rays_.shadow
                                                       : rays_.reflection);
         }
-        if (fire_[p] & bit(Channel::node_req)) count_boxes(int(p));
+        if (fire_[p] & bit(Link::node_req)) count_boxes(int(p));
     }
     rtl_.clock();
     memory_.clock(asked ? &*asked : nullptr);

@@ -25,8 +25,8 @@ public:
     void settle();
     template <class Take> void clock(Take&& take) {
         for (int p = 0; p < config_.pipelines; ++p) {
-            if (!(fire_[std::size_t(p)] & bit(Channel::hit))) continue;
-            HitOut hit = get_data<HitOut>(*links_[std::size_t(p)][index(Channel::hit)], config_);
+            if (!(fire_[std::size_t(p)] & bit(Link::hit))) continue;
+            HitOut hit = get_data<HitOut>(*links_[std::size_t(p)][index(Link::hit)], config_);
             if (check_hit(p, hit)) take(hit);
         }
         clock();
@@ -42,7 +42,7 @@ public:
     /// machine runs on.
     struct Nonsense {
         int pipeline = 0;
-        Channel channel{};
+        Link link{};
         std::string what;
     };
     const std::optional<Nonsense>& nonsense() const { return nonsense_; }
@@ -55,8 +55,8 @@ public:
     std::uint32_t shared_valid() const { return shared_valid_; }
     std::uint32_t shared_fire() const { return shared_fire_; }
     bool moved() const { return moved_; }
-    /// Packed payload that a channel offers in this cycle; shared ones have pipeline 0.
-    const RcPort& link(int pipeline, Channel c) const { return *links_[std::size_t(pipeline)][index(c)]; }
+    /// Packed payload that a link offers in this cycle; shared ones have pipeline 0.
+    const RcPort& link(int pipeline, Link c) const { return *links_[std::size_t(pipeline)][index(c)]; }
     /// From the chip's own counters, but for the memory, since the last start(). A frame that is under way is
     /// counted no further; the two cycles that this takes are in its counters, and pass for the memory as
     /// well.
@@ -73,7 +73,7 @@ private:
     std::optional<Memory::Answer> request();
     bool check_hit(int pipeline, HitOut& hit);
     void count_boxes(int pipeline);
-    void complain(int pipeline, Channel channel, const std::string& what);
+    void complain(int pipeline, Link link, const std::string& what);
     void read_counters();
     std::uint64_t read_counter(std::uint32_t address);
     void write_register(std::uint32_t address, std::uint32_t value);
@@ -86,7 +86,7 @@ private:
     const MemoryImage& image_;
     Decoder decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
-    std::vector<std::array<const RcPort*, channel_count>> links_;
+    std::vector<std::array<const RcPort*, link_count>> links_;
     struct Bus {
         const RcPort *cyc, *stb, *we, *adr, *dat, *ack, *err, *read;
     } bus_;

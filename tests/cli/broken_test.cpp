@@ -41,7 +41,7 @@ TEST_CASE("verify names the first divergence of wrong RTL: a value") {
     CHECK(outcome.err ==
           "rayclock: building the RTL of 'default', once for all runs; this may take a minute\n");
     CHECK(outcome.out.find("FIRST DIVERGENCE at cycle ") != std::string::npos);
-    CHECK(outcome.out.find("unit tri, channel tri_rsp") != std::string::npos);
+    CHECK(outcome.out.find("unit tri, link tri_rsp") != std::string::npos);
     CHECK(outcome.out.find("FAILED") != std::string::npos);
     CHECK(outcome.out.find("VERIFIED") == std::string::npos);
     const nlohmann::json report = nlohmann::json::parse(bytes_of(file)), d = report["first_divergence"];

@@ -51,7 +51,7 @@ Job small_job() {
     return make_job(scene, *scene.camera, {24, 18}, config);
 }
 
-/// What the model does first on a channel that satisfies `wanted`: cycle, ray and pixel.
+/// What the model does first on a link that satisfies `wanted`: cycle, ray and pixel.
 struct Event {
     std::uint64_t cycle = 0;
     std::uint32_t ray = 0, x = 0, y = 0;
@@ -62,7 +62,7 @@ template <class P> std::uint32_t id_of(const P& payload) {
     else
         return payload.id;
 }
-template <class Payload, class Wanted> Event first_event(const Job& job, Channel channel, Wanted wanted) {
+template <class Payload, class Wanted> Event first_event(const Job& job, Link link, Wanted wanted) {
     const FrameTrace frame = record_frame(job, job.frame);
     Machine machine(job.config, job.khz);
     Witness witness(job.image, job.config);
@@ -72,9 +72,9 @@ template <class Payload, class Wanted> Event first_event(const Job& job, Channel
     for (bool done = false; !done && !machine.done();) {
         const std::uint64_t now = machine.cycle();
         machine.step([&](const Move& move) {
-            witness(move, [&](int pipeline, Channel c, const auto& payload) {
+            witness(move, [&](int pipeline, Link c, const auto& payload) {
                 if constexpr (std::is_same_v<std::decay_t<decltype(payload)>, Payload>) {
-                    if (done || c != channel || !wanted(payload)) return;
+                    if (done || c != link || !wanted(payload)) return;
                     const Slot pixel = machine.pixel(pipeline, id_of(payload));
                     found = {now, id_of(payload), pixel.x, pixel.y};
                     done = true;
@@ -86,13 +86,13 @@ template <class Payload, class Wanted> Event first_event(const Job& job, Channel
 }
 
 void check_first(const LockstepResult& result, const Event& event, const std::string& unit,
-                 const std::string& channel) {
+                 const std::string& link) {
     REQUIRE(result.first);
     INFO(result.first->expected << " / " << result.first->got);
     CHECK_FALSE(result.agrees());
     CHECK(result.first->cycle == event.cycle);
     CHECK(result.first->unit == unit);
-    CHECK(result.first->channel == channel);
+    CHECK(result.first->link == link);
     CHECK(result.first->ray == event.ray);
     CHECK(result.first->x == event.x);
     CHECK(result.first->y == event.y);
@@ -110,7 +110,7 @@ TEST_CASE("lockstep agrees where nothing is wrong") {
 TEST_CASE("lockstep names the first wrong value") {
     const Job job = small_job();
     const Event event =
-        first_event<TriRsp>(job, Channel::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
+        first_event<TriRsp>(job, Link::tri_rsp, [](const TriRsp& rsp) { return rsp.closer != 0; });
     REQUIRE(event.cycle > 0);
     const Mutant mutant("isect/rc_hitdiv.sv", "assign v_o = {", "assign v_o = (B+1)'(1) + {");
     const LockstepResult result = run_lockstep(job);
@@ -125,7 +125,7 @@ TEST_CASE("lockstep names the first wrong value") {
 
 TEST_CASE("lockstep names the pixel whose ray is wrong") {
     const Job job = small_job();
-    const Event event = first_event<Ray>(job, Channel::ray, [](const Ray& ray) { return ray.ray == 5; });
+    const Event event = first_event<Ray>(job, Link::ray, [](const Ray& ray) { return ray.ray == 5; });
     const Mutant mutant(
         "raygen/rc_raygen.sv", "assign ray_o = ray_data;",
         "assign ray_o = ray_data ^ {{(rc_pkg::RayW-1){1'b0}}, ray_data[rc_pkg::RayW-1 -: I] == I'(5)};");
@@ -138,7 +138,7 @@ TEST_CASE("lockstep names the pixel whose ray is wrong") {
 
 TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     const Job job = small_job();
-    const Event event = first_event<BoxRsp>(job, Channel::box_rsp, [](const BoxRsp&) { return true; });
+    const Event event = first_event<BoxRsp>(job, Link::box_rsp, [](const BoxRsp&) { return true; });
     const std::string queue =
         "  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (\n    .clk_i, .rst_ni, ";
     const Mutant mutant(
@@ -150,7 +150,7 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     REQUIRE(result.first);
     CHECK(result.first->cycle == event.cycle);
     CHECK(result.first->unit == "box");
-    CHECK(result.first->channel == "box_rsp");
+    CHECK(result.first->link == "box_rsp");
     CHECK(result.first->expected == "a transfer");
     CHECK(result.first->got == "no offer");
     CHECK(result.first->later == "the RTL makes it 1 cycle later");
@@ -171,7 +171,7 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);
     CHECK(result.first->unit == "sched");
-    CHECK(result.first->channel == "hit");
+    CHECK(result.first->link == "hit");
     CHECK(result.first->got == "no offer");
     CHECK(result.first->x == 12);
     CHECK(result.first->y == 9);
@@ -207,7 +207,7 @@ TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
 
 TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
     const Job job = small_job();
-    const Event event = first_event<PrimMiss>(job, Channel::prim_miss, [](const PrimMiss&) { return true; });
+    const Event event = first_event<PrimMiss>(job, Link::prim_miss, [](const PrimMiss&) { return true; });
     // One source of the memory port is never served: rays that need a triangle wait for ever.
     const Mutant mutant("rc_top.sv", ".clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready)",
                         ".clk_i, .rst_ni, .valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)");
@@ -216,7 +216,7 @@ TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
     REQUIRE(result.first);
     CHECK(result.first->cycle == event.cycle);
     CHECK(result.first->unit == "memport");   // which should have accepted it
-    CHECK(result.first->channel == "prim_miss");
+    CHECK(result.first->link == "prim_miss");
     CHECK(result.first->expected == "a transfer");
     CHECK(result.first->got == "an offer that is not accepted");
     CHECK(result.first->later == "the RTL makes none there any more");

@@ -138,7 +138,7 @@ LockstepResult check_lockstep(const Job& job, const std::vector<FrameTrace>& fra
     LockstepResult result = run_lockstep(job, frames, traffic, {}, seed);
     if (result.first) {
         const Divergence& d = *result.first;
-        UNSCOPED_INFO("first divergence: cycle " << d.cycle << " unit " << d.unit << " channel " << d.channel
+        UNSCOPED_INFO("first divergence: cycle " << d.cycle << " unit " << d.unit << " link " << d.link
                                                  << " ray " << d.ray << " pixel " << d.x << "," << d.y
                                                  << " expected " << d.expected << " got " << d.got);
     }

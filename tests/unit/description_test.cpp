@@ -29,7 +29,7 @@ TEST_CASE("every link has two ends that exist whenever it does", "[description]"
             if (info.name == name) return &info;
         return nullptr;
     };
-    for (const ChannelInfo& link : channels) {
+    for (const LinkInfo& link : link_infos) {
         INFO(link.name);
         REQUIRE(unit(link.from));
         CHECK((unit(link.to) || std::string_view(link.to) == "sink"));

@@ -91,8 +91,8 @@ TEST_CASE("widths of the default format", "[layout]") {
     CHECK(bits_of<HitOut>(config) == 28 + 6 + 1 + 32 + 24 + 17 + 17);
 }
 
-TEST_CASE("channels have the payloads and names that lockstep and reports use", "[layout]") {
-    STATIC_REQUIRE(std::tuple_size_v<ChannelPayloads> == channel_count);
-    for (std::size_t a = 0; a < channel_count; ++a)
-        for (std::size_t b = 0; b < a; ++b) REQUIRE(std::string(channels[a].name) != channels[b].name);
+TEST_CASE("links have the payloads and names that lockstep and reports use", "[layout]") {
+    STATIC_REQUIRE(std::tuple_size_v<LinkPayloads> == link_count);
+    for (std::size_t a = 0; a < link_count; ++a)
+        for (std::size_t b = 0; b < a; ++b) REQUIRE(std::string(link_infos[a].name) != link_infos[b].name);
 }

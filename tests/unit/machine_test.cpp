@@ -85,12 +85,12 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     Machine machine{job.config, job.khz, traffic};
     machine.start(frame.frame, frame.trace);
     std::vector<int> seen(20 * 12, 0);
-    std::array<std::uint64_t, channel_count> moved{};
+    std::array<std::uint64_t, link_count> moved{};
     while (!machine.done()) {
         REQUIRE(machine.cycle() < 1000000);
         machine.step([&](const Move& move) {
-            ++moved[index(move.channel)];
-            if (move.channel == Channel::hit) ++seen[move.y * 20 + move.x];
+            ++moved[index(move.link)];
+            if (move.link == Link::hit) ++seen[move.y * 20 + move.x];
         });
         for (int p = 0; p < job.config.pipelines; ++p)
             if (machine.fire_mask(p) & ~machine.valid_mask(p))
@@ -108,23 +108,23 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
             if (unit_infos[u].causes[c].kind == Kind::none) REQUIRE(accounts.units[u][c] == 0);
     }
     // What goes into a loop comes out of it, and a unit works whenever its link moves.
-    const auto count = [&](Channel c) { return moved[index(c)]; };
+    const auto count = [&](Link c) { return moved[index(c)]; };
     const auto code = [&](Unit u, std::size_t c) { return accounts.units[index(u)][c]; };
-    for (const Channel c : {Channel::slot, Channel::ray, Channel::hit}) REQUIRE(count(c) == 20 * 12);
-    for (const Channel c : {Channel::node_req, Channel::box_req, Channel::box_rsp})
+    for (const Link c : {Link::slot, Link::ray, Link::hit}) REQUIRE(count(c) == 20 * 12);
+    for (const Link c : {Link::node_req, Link::box_req, Link::box_rsp})
         REQUIRE(count(c) == frame.trace.visits);
-    REQUIRE(count(Channel::leaves) == count(Channel::tested));
-    REQUIRE((count(Channel::tested) > 0 && count(Channel::tested) < frame.trace.visits));
-    for (const Channel c : {Channel::prim_req, Channel::tri_req, Channel::tri_rsp})
+    REQUIRE(count(Link::leaves) == count(Link::tested));
+    REQUIRE((count(Link::tested) > 0 && count(Link::tested) < frame.trace.visits));
+    for (const Link c : {Link::prim_req, Link::tri_req, Link::tri_rsp})
         REQUIRE(count(c) == frame.trace.triangle_tests);
-    REQUIRE((count(Channel::node_miss) == count(Channel::node_fill) &&
-             count(Channel::prim_miss) == count(Channel::prim_fill)));
-    REQUIRE(count(Channel::mem_req) == count(Channel::mem_rsp));
-    REQUIRE(count(Channel::mem_req) == machine.memory().stats().reads);
-    const Channel asked = job.config.l2_sets > 0 ? Channel::l2_req : Channel::mem_req;
-    REQUIRE(count(asked) == count(Channel::node_miss) + count(Channel::prim_miss));
-    REQUIRE(code(Unit::sched, 0) == count(Channel::slot));
-    REQUIRE(code(Unit::raygen, 0) == count(Channel::ray));
+    REQUIRE((count(Link::node_miss) == count(Link::node_fill) &&
+             count(Link::prim_miss) == count(Link::prim_fill)));
+    REQUIRE(count(Link::mem_req) == count(Link::mem_rsp));
+    REQUIRE(count(Link::mem_req) == machine.memory().stats().reads);
+    const Link asked = job.config.l2_sets > 0 ? Link::l2_req : Link::mem_req;
+    REQUIRE(count(asked) == count(Link::node_miss) + count(Link::prim_miss));
+    REQUIRE(code(Unit::sched, 0) == count(Link::slot));
+    REQUIRE(code(Unit::raygen, 0) == count(Link::ray));
     REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.turns);   // a turn
                                                                                                     // is
                                                                                                     // work,
@@ -132,13 +132,13 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
                                                                                                     // holds a
                                                                                                     // step up
     REQUIRE(frame.trace.turns > 0);
-    REQUIRE(code(Unit::box, 0) == count(Channel::box_req));
-    REQUIRE(code(Unit::tri, 0) == count(Channel::tri_req));
-    REQUIRE(code(Unit::dispatch, 0) == count(Channel::tile));
+    REQUIRE(code(Unit::box, 0) == count(Link::box_req));
+    REQUIRE(code(Unit::tri, 0) == count(Link::tri_req));
+    REQUIRE(code(Unit::dispatch, 0) == count(Link::tile));
     REQUIRE(code(Unit::memport, 0) == count(asked));
     for (const auto& [cache, request, miss, line] :
-         {std::tuple{Unit::node_cache, Channel::node_req, Channel::node_miss, job.config.node_line},
-          std::tuple{Unit::prim_cache, Channel::prim_req, Channel::prim_miss, job.config.prim_line}}) {
+         {std::tuple{Unit::node_cache, Link::node_req, Link::node_miss, job.config.node_line},
+          std::tuple{Unit::prim_cache, Link::prim_req, Link::prim_miss, job.config.prim_line}}) {
         INFO(unit_infos[index(cache)].name);
         REQUIRE(code(cache, 0) + code(cache, 1) + code(cache, 2) == count(request));   // hit, miss, merge:
                                                                                        // every look-up is one

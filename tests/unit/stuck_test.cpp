@@ -113,8 +113,8 @@ TEST_CASE("at any time every ray under way is somewhere", "[machine][stuck]") {
     while (!machine.done()) {
         REQUIRE(machine.cycle() < 100000);
         machine.step([&](const Move& move) {
-            if (move.channel == Channel::slot) ++under_way[std::size_t(move.pipeline)];
-            if (move.channel == Channel::hit) --under_way[std::size_t(move.pipeline)];
+            if (move.link == Link::slot) ++under_way[std::size_t(move.pipeline)];
+            if (move.link == Link::hit) --under_way[std::size_t(move.pipeline)];
         });
         const std::string text = where_rays_are(machine);
         INFO("cycle " << machine.cycle() << "\n" << text);

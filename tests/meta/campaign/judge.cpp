@@ -15,7 +15,7 @@ namespace {
 
 std::string seen(const TortureCase& torture, const LockstepResult& result) {
     return torture.name +
-           (result.first ? fmt::format(": {} {}", result.first->unit, result.first->channel) : ": counters");
+           (result.first ? fmt::format(": {} {}", result.first->unit, result.first->link) : ": counters");
 }
 
 }   // namespace

@@ -63,9 +63,9 @@ struct SharedCache {
 /// What both machines of a cache show.
 template <class K> struct CacheLinks {
     using Kind = K;
-    Link<typename K::Req> req;
-    Link<typename K::Rsp> rsp;
-    Link<typename K::Miss> miss;
+    Wire<typename K::Req> req;
+    Wire<typename K::Rsp> rsp;
+    Wire<typename K::Miss> miss;
     std::optional<typename K::Fill> fill;
     CacheDeed deed = CacheDeed::starved;   ///< the model's is known after commit(), the RTL's after eval()
 };

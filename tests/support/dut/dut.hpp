@@ -14,7 +14,7 @@ namespace rayclock::test {
 
 /// A link in one cycle. On an input the test sets `offer` and eval() sets `ready`; on an output the other way
 /// round.
-template <class P> struct Link {
+template <class P> struct Wire {
     std::optional<P> offer;
     bool ready = false;
     bool fires() const { return offer && ready; }
@@ -26,7 +26,7 @@ template <class P> bool same(const P& a, const P& b, const Config& config) {
 template <class P> bool same(const std::optional<P>& a, const std::optional<P>& b, const Config& config) {
     return a.has_value() == b.has_value() && (!a || same(*a, *b, config));
 }
-template <class P> bool same(const Link<P>& a, const Link<P>& b, const Config& config) {
+template <class P> bool same(const Wire<P>& a, const Wire<P>& b, const Config& config) {
     return a.ready == b.ready && same(a.offer, b.offer, config);
 }
 
@@ -65,8 +65,8 @@ struct TriUnit {
 template <class U> class Model {
 public:
     using Unit = U;
-    Link<typename U::Req> in;
-    Link<typename U::Rsp> out;
+    Wire<typename U::Req> in;
+    Wire<typename U::Rsp> out;
 
     explicit Model(const Config& config, const Frame& frame = {}, int = 1)
         : config_(config), frame_(frame), pipe_(U::latency(config), U::queue(config)) {}
@@ -97,7 +97,7 @@ public:
     template <class P> void fix(const char* name, const P& value) {
         set_data(rtl_.port(name), value, config_);
     }
-    template <class P> void drive_in(const char* name, const Link<P>& link) {
+    template <class P> void drive_in(const char* name, const Wire<P>& link) {
         const RcPort& port = rtl_.port(name);
         *port.valid = link.offer.has_value();
         if (link.offer) set_data(port, *link.offer, config_);
@@ -107,13 +107,13 @@ public:
         *port.valid = seen.has_value();
         if (seen) set_data(port, *seen, config_);
     }
-    template <class P> void drive_out(const char* name, const Link<P>& link) {
+    template <class P> void drive_out(const char* name, const Wire<P>& link) {
         *rtl_.port(name).ready = link.ready;
     }
-    template <class P> void read_in(const char* name, Link<P>& link) const {
+    template <class P> void read_in(const char* name, Wire<P>& link) const {
         link.ready = *rtl_.port(name).ready != 0;
     }
-    template <class P> void read_out(const char* name, Link<P>& link) const { read_told(name, link.offer); }
+    template <class P> void read_out(const char* name, Wire<P>& link) const { read_told(name, link.offer); }
     /// An output that is always accepted.
     template <class P> void read_told(const char* name, std::optional<P>& told) const {
         const RcPort& port = rtl_.port(name);
@@ -149,8 +149,8 @@ private:
 template <class U> class Rtl {
 public:
     using Unit = U;
-    Link<typename U::Req> in;
-    Link<typename U::Rsp> out;
+    Wire<typename U::Req> in;
+    Wire<typename U::Rsp> out;
 
     explicit Rtl(const Config& config, const Frame& frame = {}, int seed = 1)
         : links_(config, U::name, seed) {

@@ -11,13 +11,13 @@ struct ListLinks {
     std::optional<Start> start;
     std::optional<Ray> ray;
     std::optional<Leaves> leaves;
-    Link<PrimRsp> prim_rsp;
-    Link<TriRsp> tri_rsp;
-    Link<Done> done;
-    Link<PrimReq> prim_req;
-    Link<TriReq> tri_req;
-    Link<Tested> tested;
-    Link<Closest> closest;
+    Wire<PrimRsp> prim_rsp;
+    Wire<TriRsp> tri_rsp;
+    Wire<Done> done;
+    Wire<PrimReq> prim_req;
+    Wire<TriReq> tri_req;
+    Wire<Tested> tested;
+    Wire<Closest> closest;
 };
 
 /// List says when, the RayTests of each context what.

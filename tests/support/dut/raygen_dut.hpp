@@ -6,9 +6,9 @@ namespace rayclock::test {
 /// What both machines of raygen show, if the chip shades: rays that shade asks for and new pixels, on one
 /// door.
 struct RaygenLinks {
-    Link<Spawn> spawn;
-    Link<Slot> slot;
-    Link<Ray> ray;
+    Wire<Spawn> spawn;
+    Wire<Slot> slot;
+    Wire<Ray> ray;
 };
 
 class RaygenModel : public RaygenLinks {

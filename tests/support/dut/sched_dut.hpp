@@ -8,10 +8,10 @@ namespace rayclock::test {
 /// What both machines of sched show. A tile comes only where there is room; a finished ray's hit passes
 /// through in the same cycle.
 struct SchedLinks {
-    Link<Tile> tile;
-    Link<Slot> slot;
-    Link<Pixel> pixel;
-    Link<HitOut> hit;
+    Wire<Tile> tile;
+    Wire<Slot> slot;
+    Wire<Pixel> pixel;
+    Wire<HitOut> hit;
     std::optional<std::uint32_t> cause;   ///< what it did in the cycle, if this machine tells
 };
 
@@ -44,20 +44,20 @@ public:
         links_.fix("frame", frame);
         links_.drive_plain("start", 0);
         drive();
-        links_.drive_in("tile", Link<Tile>{});
+        links_.drive_in("tile", Wire<Tile>{});
         links_.reset();
     }
     void start(const Frame& frame) {
         links_.fix("frame", frame);
         links_.drive_plain("start", 1);
-        links_.drive_in("tile", Link<Tile>{});
+        links_.drive_in("tile", Wire<Tile>{});
         links_.settle();
         links_.clock();
         links_.drive_plain("start", 0);
     }
     void eval() {
         drive();
-        links_.drive_in("tile", Link<Tile>{});
+        links_.drive_in("tile", Wire<Tile>{});
         links_.settle();
         links_.read_in("tile", tile);
         if (tile.fires()) {

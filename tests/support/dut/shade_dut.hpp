@@ -10,12 +10,12 @@ namespace rayclock::test {
 struct ShadeLinks {
     std::optional<Slot> slot;
     std::optional<Ray> ray;
-    Link<Closest> closest;
-    Link<SurfReq> surf_req;
-    Link<SurfRsp> surf_rsp;
+    Wire<Closest> closest;
+    Wire<SurfReq> surf_req;
+    Wire<SurfRsp> surf_rsp;
     bool surf_waits = false;
-    Link<Spawn> spawn;
-    Link<Pixel> pixel;
+    Wire<Spawn> spawn;
+    Wire<Pixel> pixel;
     std::uint32_t cause = 0;
 };
 

@@ -8,14 +8,14 @@ namespace rayclock::test {
 /// answer goes on to box in the same cycle, and box's answer, if it has leaves to be tested, to list.
 struct TravLinks {
     std::optional<Start> start;
-    Link<Ray> ray;
-    Link<NodeRsp> node_rsp;
-    Link<BoxRsp> box_rsp;
-    Link<Tested> tested;
-    Link<NodeReq> node_req;
-    Link<BoxReq> box_req;
+    Wire<Ray> ray;
+    Wire<NodeRsp> node_rsp;
+    Wire<BoxRsp> box_rsp;
+    Wire<Tested> tested;
+    Wire<NodeReq> node_req;
+    Wire<BoxReq> box_req;
     std::optional<Leaves> leaves;
-    Link<Done> done;
+    Wire<Done> done;
     std::uint32_t cause = 0;
 };
 

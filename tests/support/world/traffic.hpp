@@ -22,7 +22,7 @@ constexpr std::array<Flow, 4> flows{
 template <class P> class Steady {
 public:
     explicit Steady(const Config& config) : config_(config) {}
-    void check(const Link<P>& link) {
+    void check(const Wire<P>& link) {
         if (held_) REQUIRE((link.offer && same(*link.offer, *held_, config_)));
         held_ = link.fires() ? std::nullopt : link.offer;
     }
