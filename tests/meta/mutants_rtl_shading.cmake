@@ -160,7 +160,8 @@ mutant(approach_passes_by_and_enters FILE rtl/shade/rc_approach.sv TEST unit [pa
 mutant(surf_far_is_lost FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);]]
   NEW [[s5_lost_o <= !sphere[4] && (s4_ends || s4_outside != '0);]])
-mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv
+  TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[assign s0_skips = s0_plane && req_i.is_finite;]]
   NEW [[assign s0_skips = 1'b0;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
@@ -262,6 +263,7 @@ mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where 
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
   OLD [[r_far && (r_inexact || r_lost)})]]
   NEW [[r_far && (r_inexact || (r_lost && 1'b0))})]])
-mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv TEST unit "a sphere that is touched where a shadow ray ends* - Rtl*"
+mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv
+  TEST unit "a sphere that is touched where a shadow ray ends is not in its way - Rtl*"
   OLD [[!s2_foot[Foot-1] && s2_foot != '0;]]
   NEW [[!s2_foot[Foot-1];]])
