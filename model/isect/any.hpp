@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "model/core/payloads.hpp"
+#include "model/isect/edges.hpp"
 
 namespace rayclock {
 
@@ -75,7 +75,6 @@ struct Root {
     int shift = 0;
     bool rest = false;   ///< whole 2^shift is not sqrt(D)
 };
-__extension__ using WideNatural = unsigned __int128;
 Root root(WideNatural square);
 
 }   // namespace rayclock

@@ -4,7 +4,11 @@
 // were quantised.
 #include <cstdint>
 
+#include <utility>
+
 #include "model/accel/memory_image.hpp"
+#include "model/bvh/box.hpp"
+#include "model/oracle/overlap.hpp"
 
 namespace rayclock {
 
@@ -36,8 +40,11 @@ struct ExtraVisits {
     }
 };
 
-/// Every `every`-th pixel of the frame, counted row by row; on all cores. All walks go nearest child first,
-/// leaves before inner children, and skip what lies beyond the best hit, as model/list and model/bvh do.
+/// A child's quantised box, from the bytes: its corners.
+std::pair<oracle::LatticeVec, oracle::LatticeVec> quantised_box(const WideNode& node, std::size_t child);
+
+/// Every `every`-th pixel of the frame, counted row by row; on all cores. All walks are TreeWalk's, with the
+/// distances of each test.
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every = 1);
 
 }   // namespace rayclock

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "model/oracle/extra_visits.hpp"
 #include "model/oracle/overlap.hpp"
 #include "model/raygen/raygen.hpp"
 #include "sim/stress/controls.hpp"
@@ -156,36 +157,36 @@ void Judge::compare_hits(Counts& counts) {
     counts.double_hits += !found_.empty();
 }
 
-bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
-    walk_->start_at(make_ray(shot.o, shot.d, config_));
+struct Judge::Watch {
+    Judge& judge;
+    const Shot& shot;
+    bool look;
+    Counts& counts;
     bool within_stack = true;   // no ray may need a deeper stack than compilation promised
-    for (bool done = false; !done; walk_->decide(done)) {
-        within_stack = within_stack && walk_->stack_height() <= image_.report.stack_need;
-        const WideNode& node = decoder_->node(walk_->node());
-        const bool leaves = walk_->test_node();
-        if (look) look_at_boxes(shot, node, counts);
-        if (leaves) do
-                walk_->test_triangle();
-            while (walk_->advance());
+
+    void visit(const auto& walk) {
+        within_stack = within_stack && walk.stack_height() <= judge.image_.report.stack_need;
+        if (look) look_at_boxes(shot, walk.node(), walk.hits(), counts);
     }
+    static void test(std::uint32_t) {}
+    static void decided(std::uint32_t, bool) {}
+};
+
+bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
+    Watch watch{*this, shot, look, counts};
+    walk_->start_at(make_ray(shot.o, shot.d, config_));
+    walk_->run(watch);
     const Closest closest = walk_->closest();
-    return within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
+    return watch.within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
 }
 
-/// Each child that the ray was told to look into, and each that it was not, against exact arithmetic on the
-/// same box.
-void Judge::look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts) const {
-    const BoxRsp& told = walk_->boxes();
-    const auto wide = [](const Vec3i& v) { return oracle::LatticeVec{v[0], v[1], v[2]}; };
+/// Each child that the ray was told to look into (bit i of `told`: child i), and each that it was not,
+/// against exact arithmetic on the same box.
+void Judge::look_at_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts) {
     for (std::size_t i = 0; i < node.children; ++i) {
-        oracle::LatticeVec lo, hi;
-        for (std::size_t k = 0; k < 3; ++k) {
-            lo[k] = node.org[k] + (std::int64_t(node.planes[k * max_width + i]) << node.exp[k]);
-            hi[k] = node.org[k] + (std::int64_t(node.planes[(3 + k) * max_width + i]) << node.exp[k]);
-        }
-        const bool met = oracle::overlap(wide(shot.o), wide(shot.d), lo, hi).has_value();
-        const auto end = told.offset.begin() + told.inner + told.leaves;
-        const bool taken = std::find(told.offset.begin(), end, std::uint32_t(node.offset[i])) != end;
+        const auto [lo, hi] = quantised_box(node, i);
+        const bool met = oracle::overlap(oracle::wide(shot.o), oracle::wide(shot.d), lo, hi).has_value();
+        const bool taken = told >> i & 1;
         counts.boxes += taken;
         counts.boxes_extra += taken && !met;
         counts.boxes_lost += met && !taken;

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "model/accel/count.hpp"
+#include "model/trace/count.hpp"
 #include "model/accel/decode.hpp"
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"

@@ -1,6 +1,6 @@
 // The exact ray-box overlap in wide integers, against the fractions of exact.hpp; and what the machine's box
 // test adds to it.
-#include "model/accel/count.hpp"
+#include "model/trace/count.hpp"
 #include "model/oracle/extra_visits.hpp"
 #include "model/oracle/overlap.hpp"
 #include "model/scene/builtin.hpp"
@@ -11,11 +11,9 @@ using namespace rayclock::test;
 
 namespace {
 
-oracle::LatticeVec wide(const Vec3i& v) { return {v[0], v[1], v[2]}; }
-
 /// Returns whether the ray meets the box.
 bool agree(const Vec3i& o, const Vec3i& d, const Vec3i& lo, const Vec3i& hi) {
-    const auto said = oracle::overlap(wide(o), wide(d), wide(lo), wide(hi));
+    const auto said = oracle::overlap(oracle::wide(o), oracle::wide(d), oracle::wide(lo), oracle::wide(hi));
     const auto exact =
         oracle::interval(oracle::point(o), oracle::point(d), {oracle::point(lo), oracle::point(hi), {}}, 1);
     if (said.has_value() != exact.has_value() ||

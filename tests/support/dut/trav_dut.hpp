@@ -1,4 +1,5 @@
 #pragma once
+#include "model/bvh/box.hpp"
 #include "model/bvh/trav.hpp"
 #include "tests/support/dut/dut.hpp"
 
@@ -43,8 +44,8 @@ public:
         box_req.offer.reset();
         if (node_rsp.offer) {
             const Ray& r = contexts_[node_rsp.offer->ray].ray;
-            box_req.offer = BoxReq{r.ray,   r.o,   {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0},
-                                   r.recip, r.len, node_rsp.offer->node};
+            const BoxRay from = box_ray(r);
+            box_req.offer = BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->node};
         }
         box_rsp.ready = true;
         leaves.reset();
