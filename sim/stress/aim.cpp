@@ -90,14 +90,6 @@ Vec3i outside(const Mesh& mesh, int coord_bits, Rng& rng) {
     return o;
 }
 
-std::function<Shot(Rng&)> from_outside(const Mesh& mesh, Target target, int coord_bits, int dir_bits) {
-    return [&mesh, target, coord_bits, dir_bits](Rng& rng) {
-        const Vec3i o = outside(mesh, coord_bits, rng);
-        const oracle::Corners& t = mesh.triangles[std::size_t(rng.below(int(mesh.triangles.size())))];
-        return Shot{o, towards(o, t, weights(target, rng), dir_bits, rng), 0};
-    };
-}
-
 double scale(int coord_bits, int least, Rng& rng) {
     double size = 0.7 * most(coord_bits);
     for (int steps = rng.below(4); steps > 0 && size / 8 >= least; --steps) size /= 8;
