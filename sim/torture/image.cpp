@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/accel/emit.hpp"
+#include "model/base/axes.hpp"
 #include "model/accel/encode.hpp"
 #include "model/core/payloads.hpp"
 #include "sim/torture/frames.hpp"
@@ -137,9 +138,7 @@ PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
     const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side},
                 two{0, normal[2] * side, -normal[1] * side};
     const auto corner = [&](std::int32_t x, std::int32_t y) {
-        Vec3i p;
-        for (std::size_t k = 0; k < 3; ++k) p[k] = place[k] + x * one[k] + y * two[k];
-        return p;
+        return by_axis([&](std::size_t k) { return place[k] + x * one[k] + y * two[k]; });
     };
     return triangle(corner(-1, -1), corner(2, -1), corner(-1, 2));
 }
