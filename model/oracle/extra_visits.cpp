@@ -7,10 +7,9 @@
 #include <tbb/parallel_for.h>
 
 #include "model/accel/tree.hpp"
+#include "model/base/axes.hpp"
 #include "model/isect/tri.hpp"
-#include "model/oracle/overlap.hpp"
 #include "model/raygen/raygen.hpp"
-#include "model/trace/decoder.hpp"
 
 namespace rayclock {
 
@@ -39,16 +38,6 @@ LatticeBox real_boxes(const Decoder& decoder, std::uint32_t line, Boxes& boxes) 
     }
     boxes.emplace(line, mine);
     return all;
-}
-
-/// A child's quantised box, from the bytes.
-std::pair<LatticeVec, LatticeVec> quantised(const WideNode& node, std::size_t child) {
-    LatticeVec lo, hi;
-    for (std::size_t k = 0; k < 3; ++k) {
-        lo[k] = node.org[k] + (std::int64_t(node.planes[k * max_width + child]) << node.exp[k]);
-        hi[k] = node.org[k] + (std::int64_t(node.planes[(3 + k) * max_width + child]) << node.exp[k]);
-    }
-    return {lo, hi};
 }
 
 /// A child that the box test took, and where the ray enters it.
@@ -86,19 +75,19 @@ struct ByMachine {
     /// enter.
     void judge(const WideNode& node, const std::vector<Taken<Time>>& taken, std::uint32_t mask) {
         count.boxes += node.children;
+        const auto entry = [&](std::uint32_t child) {
+            const auto [lo, hi] = quantised(node, child);
+            return oracle::overlap(wide(ray.o), wide(ray.d), lo, hi);
+        };
         for (const Taken<Time>& t : taken) {
-            const auto [lo, hi] = quantised(node, t.child);
-            const auto enter = oracle::overlap(wide(ray.o), wide(ray.d), lo, hi);
+            const auto enter = entry(t.child);
             count.boxes_extra += !enter;
             const Fraction said{std::int64_t(t.near), std::int64_t(1)
                                                           << (config.dir_bits - 1 + config.t_frac_bits)};
             count.t_late += enter && oracle::less(*enter, said);
         }
-        for (std::uint32_t i = 0; i < node.children; ++i) {
-            if (mask >> i & 1) continue;
-            const auto [lo, hi] = quantised(node, i);
-            count.boxes_lost += oracle::overlap(wide(ray.o), wide(ray.d), lo, hi).has_value();
-        }
+        for (std::uint32_t i = 0; i < node.children; ++i)
+            count.boxes_lost += (mask >> i & 1) == 0 && entry(i).has_value();
     }
 };
 
@@ -189,6 +178,15 @@ void add(WalkWork& sum, const WalkWork& part) {
 }
 
 }   // namespace
+
+std::pair<LatticeVec, LatticeVec> quantised(const WideNode& node, std::size_t child) {
+    const auto corner = [&](std::size_t first) {
+        return by_axis([&](std::size_t k) {
+            return node.org[k] + (std::int64_t(node.planes[(first + k) * max_width + child]) << node.exp[k]);
+        });
+    };
+    return {corner(0), corner(3)};
+}
 
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every) {
     const Decoder decoder(image, config);

@@ -3,10 +3,16 @@
 // the machine, with an exact one of the same quantised boxes, and with an exact one of the boxes before they
 // were quantised.
 #include <cstdint>
+#include <utility>
 
 #include "model/accel/memory_image.hpp"
+#include "model/oracle/overlap.hpp"
+#include "model/trace/decoder.hpp"
 
 namespace rayclock {
+
+/// A child's quantised box, from the node's bytes.
+std::pair<oracle::LatticeVec, oracle::LatticeVec> quantised(const WideNode& node, std::size_t child);
 
 /// One way of walking.
 struct WalkWork {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "model/oracle/overlap.hpp"
+#include "model/oracle/extra_visits.hpp"
 #include "model/raygen/raygen.hpp"
 #include "sim/stress/controls.hpp"
 
@@ -161,11 +161,7 @@ void Judge::look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts
     const BoxRsp& told = walk_->boxes();
     const auto wide = [](const Vec3i& v) { return oracle::LatticeVec{v[0], v[1], v[2]}; };
     for (std::size_t i = 0; i < node.children; ++i) {
-        oracle::LatticeVec lo, hi;
-        for (std::size_t k = 0; k < 3; ++k) {
-            lo[k] = node.org[k] + (std::int64_t(node.planes[k * max_width + i]) << node.exp[k]);
-            hi[k] = node.org[k] + (std::int64_t(node.planes[(3 + k) * max_width + i]) << node.exp[k]);
-        }
+        const auto [lo, hi] = quantised(node, i);
         const bool met = oracle::overlap(wide(shot.o), wide(shot.d), lo, hi).has_value();
         const auto end = told.offset.begin() + told.inner + told.leaves;
         const bool taken = std::find(told.offset.begin(), end, std::uint32_t(node.offset[i])) != end;

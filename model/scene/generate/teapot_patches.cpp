@@ -1,4 +1,4 @@
-// The teapot is symmetric, so that it takes 42 rows of numbers instead of 290 points: body, lid and bottom
+// The teapot is symmetric, so that it takes 35 rows of numbers instead of 290 points: body, lid and bottom
 // are surfaces of revolution, and of handle and spout the second half is the mirror image of the first. The
 // patches have the published numbers to the bit.
 #include "model/scene/generate/teapot_patches.hpp"
