@@ -1,6 +1,5 @@
 // compile_scene: lattice, tree, image, in that order.
 #include <bit>
-#include <chrono>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
@@ -9,13 +8,12 @@
 #include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/isect/vectors.hpp"
 
 namespace rayclock {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Without an area on the lattice no ray is taken; exact, as the cross product has at most 2 (N + 1) + 1
 /// bits.
@@ -123,7 +121,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
 
 MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Config& config,
                           const Progress& progress) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
@@ -139,7 +137,7 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     image.report.triangles = scene.triangles.size();
     image.report.collapsed = primitive_count(scene) - triangles.size();
     image.report.pitch = lattice.pitch;
-    image.report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    image.report.seconds = watch.seconds();
     return image;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 
 namespace rayclock {
@@ -41,6 +42,18 @@ template <class Words> std::string did_you_mean(std::string_view word, const Wor
         }
     }
     return best.empty() ? std::string{} : "; did you mean " + shown(best) + "?";
+}
+
+/// The item that has this name. If there is none, throws UserError: `none` ("no test"), "is called", the
+/// name, the nearest one that there is, and `tail`.
+template <class Items> const auto& by_name(const Items& items, std::string_view name, const std::string& none,
+                                           const char* tail = "") {
+    std::vector<std::string_view> names;
+    for (const auto& item : items) {
+        if (item.name == name) return item;
+        names.push_back(item.name);
+    }
+    throw UserError(none + " is called " + shown(name) + did_you_mean(name, names) + tail);
 }
 
 }   // namespace rayclock

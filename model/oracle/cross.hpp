@@ -19,6 +19,12 @@ struct Corners {
     Vec3i a{}, b{}, c{};
 };
 
+inline bool share_corner(const Corners& s, const Corners& t) {
+    for (const Vec3i& p : {s.a, s.b, s.c})
+        if (p == t.a || p == t.b || p == t.c) return true;
+    return false;
+}
+
 template <class Number> using Triple = std::array<Number, 3>;
 
 template <class Number> Triple<Number> triple(const Vec3i& v) {
@@ -32,6 +38,11 @@ template <class Number> Triple<Number> way(const Triple<Number>& b, const Triple
 /// Area of the parallelogram over two vectors, as a vector.
 template <class Short> Triple<Short> area(const Triple<Short>& a, const Triple<Short>& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// (b - a) x (c - a).
+template <class Number> Triple<Number> normal(const Corners& t) {
+    const auto a = triple<Number>(t.a);
+    return area(way(a, triple<Number>(t.b)), way(a, triple<Number>(t.c)));
 }
 /// Signed volume of the parallelepiped over a vector and an area.
 template <class Int, class Short> Int volume(const Triple<Short>& a, const Triple<Short>& bc) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/base/axes.hpp"
+
 namespace rayclock::oracle {
 
 namespace {
@@ -13,12 +15,8 @@ int sign(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// From the origin to a lattice point, in units of 2^-frac.
 Triple<Short> from_origin(const SolidRay& ray, const Vec3i& p) {
-    Triple<Short> way;
-    for (std::size_t k = 0; k < 3; ++k) way[k] = Short(p[k]) * (Short(1) << ray.frac) - ray.origin[k];
-    return way;
+    return by_axis([&](std::size_t k) { return Short(p[k]) * (Short(1) << ray.frac) - ray.origin[k]; });
 }
-
-Triple<Short> minus(const Vec3i& a, const Vec3i& b) { return way(triple<Short>(b), triple<Short>(a)); }
 
 /// The plane through three points, as the ray meets it: num / den directions away, times 2^frac; den < 0:
 /// from the side to which the normal does not point.
@@ -26,34 +24,34 @@ struct Height {
     Int128 num, den;
 };
 Height height(const SolidRay& ray, const Corners& t) {
-    const Triple<Short> normal = area(minus(t.b, t.a), minus(t.c, t.a));
-    return {volume<Int128>(from_origin(ray, t.a), normal),
-            volume<Int128>(triple<Short>(ray.direction), normal)};
+    const Triple<Short> n = normal<Short>(t);
+    return {volume<Int128>(from_origin(ray, t.a), n), volume<Int128>(triple<Short>(ray.direction), n)};
 }
 
-/// The volumes of the direction over pairs of corners.
-struct Volumes {
+/// The direction, the corners from the origin, and the volumes of the direction over pairs of them.
+struct Seen {
+    Triple<Short> d, a, b, c;
     Int128 bc, ca, ab;
+    Seen(const SolidRay& ray, const Corners& t)
+        : d(triple<Short>(ray.direction)),
+          a(from_origin(ray, t.a)),
+          b(from_origin(ray, t.b)),
+          c(from_origin(ray, t.c)),
+          bc(volume<Int128>(d, area(b, c))),
+          ca(volume<Int128>(d, area(c, a))),
+          ab(volume<Int128>(d, area(a, b))) {}
+    /// The moved ray's line passes between the edges.
+    bool within_edges() const {
+        if ((bc > 0 && ca < 0) || (bc < 0 && ca > 0)) return false;   // most end here
+        const int first = side(bc, d, b, c);
+        return first != 0 && side(ca, d, c, a) == first && side(ab, d, a, b) == first;
+    }
 };
-Volumes volumes(const SolidRay& ray, const Corners& t) {
-    const Triple<Short> d = triple<Short>(ray.direction), a = from_origin(ray, t.a),
-                        b = from_origin(ray, t.b), c = from_origin(ray, t.c);
-    return {volume<Int128>(d, area(b, c)), volume<Int128>(d, area(c, a)), volume<Int128>(d, area(a, b))};
-}
-
-/// The moved ray's line passes between the edges.
-bool within_edges(const SolidRay& ray, const Corners& t, const Volumes& v) {
-    if ((v.bc > 0 && v.ca < 0) || (v.bc < 0 && v.ca > 0)) return false;   // most end here
-    const Triple<Short> d = triple<Short>(ray.direction), a = from_origin(ray, t.a),
-                        b = from_origin(ray, t.b), c = from_origin(ray, t.c);
-    const int first = side(v.bc, d, b, c);
-    return first != 0 && side(v.ca, d, c, a) == first && side(v.ab, d, a, b) == first;
-}
 
 /// The crossing at t > 0.
 std::optional<FlatHit> cross_flat(const SolidRay& ray, const Solid& solid, std::uint32_t number) {
-    const Volumes v = volumes(ray, solid.corners);
-    if (solid.kind == Solid::Kind::triangle && !within_edges(ray, solid.corners, v)) return std::nullopt;
+    const Seen v(ray, solid.corners);
+    if (solid.kind == Solid::Kind::triangle && !v.within_edges()) return std::nullopt;
     const Height h = height(ray, solid.corners);
     if (h.den == 0 || h.num == 0 || (h.num > 0) != (h.den > 0)) return std::nullopt;
     const int turn = sign(h.den);
@@ -95,9 +93,7 @@ std::vector<Extent> boxes_of(const std::vector<Solid>& solids, std::vector<std::
             planes.push_back(i);
             continue;
         }
-        Extent box{s.corners.a, s.corners.a};
-        box.add(s.corners.b);
-        box.add(s.corners.c);
+        Extent box = extent(s.corners);
         if (s.kind == Solid::Kind::sphere) {
             const auto radius =
                 std::int32_t(std::min(std::sqrt(double(s.radius_squared)) + 1, double(1 << 21)));

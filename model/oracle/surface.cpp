@@ -4,13 +4,6 @@ namespace rayclock::oracle {
 
 namespace {
 
-Extent extent(const Corners& t) {
-    Extent box{t.a, t.a};
-    box.add(t.b);
-    box.add(t.c);
-    return box;
-}
-
 std::vector<Extent> extents(const std::vector<Corners>& triangles) {
     std::vector<Extent> boxes;
     boxes.reserve(triangles.size());
@@ -39,6 +32,13 @@ Surface::Surface(std::vector<Corners> triangles, int margin)
     : triangles_(std::move(triangles)), tree_(extents(triangles_), margin) {
     ordered_.reserve(triangles_.size());
     for (const std::uint32_t i : tree_.order()) ordered_.push_back(triangles_[i]);
+}
+
+Extent Surface::bounds() const {
+    Extent all = triangles_.empty() ? Extent{} : extent(triangles_[0]);
+    for (const Corners& t : triangles_)
+        for (const Vec3i& p : {t.a, t.b, t.c}) all.add(p);
+    return all;
 }
 
 ExactHit Surface::closest(const Vec3i& o, const Vec3i& d) const {

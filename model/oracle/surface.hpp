@@ -46,7 +46,19 @@ public:
     /// Numbers of all triangles that the ray may meet; `found` is cleared first.
     void candidates(const Vec3i& o, const Vec3i& d, std::vector<std::uint32_t>& found) const;
 
+    /// Calls meet(number) for triangles that may meet the way between two points anywhere, until it returns
+    /// false. The margin must be one step at least.
+    template <class Meet> void along(const glm::dvec3& from, const glm::dvec3& to, const Meet& meet) const {
+        const tree::Ray way(from, to - from);
+        bool goes_on = true;
+        tree_.nearest_first(
+            way, [&](double near) { return !goes_on || near > 2 * way.main_size(); },
+            [&](std::uint32_t place) { goes_on = goes_on && meet(tree_.order()[place]); });
+    }
+
     const std::vector<Corners>& triangles() const { return triangles_; }
+    /// Of all triangles.
+    Extent bounds() const;
 
 private:
     std::vector<Corners> triangles_;

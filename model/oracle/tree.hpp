@@ -23,7 +23,9 @@
 #include <utility>
 #include <vector>
 
-#include "model/core/payloads.hpp"
+#include <glm/vec3.hpp>
+
+#include "model/oracle/cross.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #include <immintrin.h>
@@ -47,6 +49,13 @@ struct Extent {
     }
 };
 
+inline Extent extent(const Corners& t) {
+    Extent box{t.a, t.a};
+    box.add(t.b);
+    box.add(t.c);
+    return box;
+}
+
 namespace tree {
 
 /// Boxes of four children, [axis][child]; twice the centres and twice the half widths, to have whole numbers.
@@ -59,16 +68,19 @@ struct Ray {
     double twice_o[3], d[3], size[3], forward[3];   ///< size: |d|; forward: sign of d
     std::size_t main = 0;                           ///< axis of the largest component
 
-    /// From origin / 2^frac.
-    Ray(const Vec3i& origin, const Vec3i& direction, int frac = 0) {
+    Ray(const glm::dvec3& origin, const glm::dvec3& direction) {
         for (std::size_t k = 0; k < 3; ++k) {
-            twice_o[k] = std::ldexp(double(origin[k]), 1 - frac);
-            d[k] = direction[k];
+            twice_o[k] = 2 * origin[int(k)];
+            d[k] = direction[int(k)];
             size[k] = std::abs(d[k]);
             forward[k] = (d[k] > 0) - (d[k] < 0);
             if (size[k] > size[main]) main = k;
         }
     }
+    /// From origin / 2^frac.
+    Ray(const Vec3i& o, const Vec3i& direction, int frac = 0)
+        : Ray(std::ldexp(1.0, -frac) * glm::dvec3(o[0], o[1], o[2]),
+              glm::dvec3(direction[0], direction[1], direction[2])) {}
     double main_size() const { return size[main]; }
 };
 

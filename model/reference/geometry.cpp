@@ -1,11 +1,11 @@
 #include "model/reference/geometry.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
 
+#include "model/base/stopwatch.hpp"
 #include "model/reference/distinct.hpp"
 
 namespace rayclock {
@@ -72,13 +72,10 @@ std::vector<RefBox> sphere_boxes(const std::vector<RefSphere>& spheres) {
 /// closer hit, and as soon as one is nearer than `enough`, it will do. A box is skipped only if it begins
 /// beyond the closest hit, and that is the smallest (depth, primitive) of all, so the order of the visit does
 /// not matter.
-struct NotCounted {
-    void operator()() const {}
-};
-template <class Test, class AtNode = NotCounted>
+template <class Test, class AtNode>
 [[gnu::always_inline]] inline RefClosest search(const std::vector<RefNode>& nodes, const RefRay& ray,
                                                 RefClosest best, double enough, const Test& test,
-                                                const AtNode& at_node = {}) {
+                                                const AtNode& at_node) {
     struct Entry {
         std::uint32_t child, blocks;
         float near;
@@ -131,77 +128,76 @@ RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
         planes_.emplace_back(scene.planes[i], space_, first_plane + i);
 }
 
+namespace {
+
+/// Takes the place of a RefEffort where nothing is counted.
+struct NotCounted {
+    struct Count {
+        void operator+=(std::uint64_t) {}
+    } boxes, tests;
+};
+
+}   // namespace
+
 /// The same for all kinds of primitives. Both are inlined, so that a ray that wants the closest hit does not
 /// ask for enough.
+template <class Effort>
 [[gnu::always_inline]] inline RefClosest RefGeometry::closest_of_all(const RefPath& path, const RefRay& ray,
-                                                                     const RefClosest& limit,
-                                                                     double enough) const {
+                                                                     const RefClosest& limit, double enough,
+                                                                     Effort effort) const {
     const RefBlock* blocks = blocks_.data();
     const std::uint32_t start = path.left;
-    const RefClosest best = search(nodes_, ray, limit, enough, [&](std::uint32_t block, RefClosest& b) {
-        test_block(blocks[block], ray, b, start);
-    });
+    const RefClosest best = search(
+        nodes_, ray, limit, enough,
+        [&](std::uint32_t block, RefClosest& b) {
+            effort.tests += ref_block_size;
+            test_block(blocks[block], ray, b, start);
+        },
+        [&] { effort.boxes += std::size(RefNode{}.child); });
     if (best.depth < enough || (planes_.empty() && spheres_.empty())) return best;
-    return closest_round(path, ray, best, enough);
+    return closest_round<Effort>(path, ray, best, enough, effort);
 }
 
+template <class Effort>
 [[gnu::noinline]] RefClosest RefGeometry::closest_round(const RefPath& path, const RefRay& ray,
-                                                        RefClosest best, double enough) const {
+                                                        RefClosest best, double enough, Effort effort) const {
     for (const RefPlane& plane : planes_) test_plane(plane, path, best);
+    effort.tests += planes_.size();
     if (best.depth < enough) return best;
-    return search(sphere_nodes_, ray, best, enough, [&](std::uint32_t block, RefClosest& b) {
-        for (int lane = 0; lane < ref_block_size; ++lane)
-            test_sphere(spheres_[block * ref_block_size + lane], path, b);
-    });
+    return search(
+        sphere_nodes_, ray, best, enough,
+        [&](std::uint32_t block, RefClosest& b) {
+            effort.tests += ref_block_size;
+            for (int lane = 0; lane < ref_block_size; ++lane)
+                test_sphere(spheres_[block * ref_block_size + lane], path, b);
+        },
+        [&] { effort.boxes += std::size(RefNode{}.child); });
 }
 
 RefClosest RefGeometry::closest(const RefPath& path, const RefRay& ray) const {
-    return closest_of_all(path, ray, {}, 0);
+    return closest_of_all(path, ray, {}, 0, NotCounted{});
 }
 
 bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
     const RefClosest limit{.depth = distance, .primitive = 0};   // 0: nothing at the distance itself counts
     if (effort_) return watched(path, limit, distance).depth < distance;
-    return closest_of_all(path, RefRay(path.from, path.direction), limit, distance).depth < distance;
+    const RefRay ray(path.from, path.direction);
+    return closest_of_all(path, ray, limit, distance, NotCounted{}).depth < distance;
 }
 
 RefClosest RefGeometry::watched(const RefPath& path, const RefClosest& limit, double enough) const {
-    const auto start = std::chrono::steady_clock::now();
-    const RefClosest best =
-        effort_->tests_all ? test_all(path, limit, enough) : watched_search(path, limit, enough);
-    effort_->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Stopwatch watch;
+    const RefRay ray(path.from, path.direction);
+    const RefClosest best = effort_->tests_all
+                                ? test_all(path, ray, limit, enough)
+                                : closest_of_all<RefEffort&>(path, ray, limit, enough, *effort_);
+    effort_->seconds += watch.seconds();
     ++effort_->rays;
     return best;
 }
 
-/// closest(), counting.
-RefClosest RefGeometry::watched_search(const RefPath& path, RefClosest best, double enough) const {
-    constexpr std::uint64_t children = std::size(RefNode{}.child);
-    const RefRay ray(path.from, path.direction);
-    const auto at_node = [&] { effort_->boxes += children; };
-    best = search(
-        nodes_, ray, best, enough,
-        [&](std::uint32_t block, RefClosest& b) {
-            effort_->tests += ref_block_size;
-            test_block(blocks_[block], ray, b, path.left);
-        },
-        at_node);
-    if (best.depth < enough) return best;
-    for (const RefPlane& plane : planes_) test_plane(plane, path, best);
-    effort_->tests += planes_.size();
-    if (best.depth < enough) return best;
-    return search(
-        sphere_nodes_, ray, best, enough,
-        [&](std::uint32_t block, RefClosest& b) {
-            effort_->tests += ref_block_size;
-            for (int lane = 0; lane < ref_block_size; ++lane)
-                test_sphere(spheres_[block * ref_block_size + lane], path, b);
-        },
-        at_node);
-}
-
-RefClosest RefGeometry::test_all(const RefPath& path, RefClosest best, double enough) const {
-    const RefRay ray(path.from, path.direction);
+RefClosest RefGeometry::test_all(const RefPath& path, const RefRay& ray, RefClosest best,
+                                 double enough) const {
     for (const RefBlock& block : blocks_) {
         test_block(block, ray, best, path.left);
         effort_->tests += ref_block_size;

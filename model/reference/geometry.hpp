@@ -47,12 +47,13 @@ public:
 
 private:
     RefClosest closest(const RefPath& path, const RefRay& ray) const;
-    RefClosest closest_of_all(const RefPath& path, const RefRay& ray, const RefClosest& limit,
-                              double enough) const;
-    RefClosest closest_round(const RefPath& path, const RefRay& ray, RefClosest best, double enough) const;
+    template <class Effort> RefClosest closest_of_all(const RefPath& path, const RefRay& ray,
+                                                      const RefClosest& limit, double enough,
+                                                      Effort effort) const;
+    template <class Effort> RefClosest closest_round(const RefPath& path, const RefRay& ray, RefClosest best,
+                                                     double enough, Effort effort) const;
     RefClosest watched(const RefPath& path, const RefClosest& limit, double enough) const;
-    RefClosest watched_search(const RefPath& path, RefClosest best, double enough) const;
-    RefClosest test_all(const RefPath& path, RefClosest best, double enough) const;
+    RefClosest test_all(const RefPath& path, const RefRay& ray, RefClosest best, double enough) const;
 
     RefUnitSpace space_;
     std::vector<RefNode> nodes_, sphere_nodes_;

@@ -14,19 +14,24 @@ namespace rayclock {
 
 using PixelTile = tbb::blocked_range2d<int>;
 
-/// body(tile) for every square of 32 x 32 pixels, on `threads` cores (0: all); `what` and the pixels done go
-/// to `progress`.
+/// As many threads as were asked for, but not more than there are cores; 0: all of these.
+inline tbb::task_arena arena_of(int threads) {
+    const int cores = tbb::this_task_arena::max_concurrency();
+    return tbb::task_arena(threads > 0 ? std::min(threads, cores) : cores);
+}
+
+/// body(tile) for every part of 32 x 32 pixels, or `side`, on `threads` cores (0: all); `what` and the pixels
+/// done go to `progress`.
 template <class Body> void for_each_tile(FrameSize size, int threads, std::string_view what,
-                                         const Progress& progress, const Body& body) {
-    constexpr int tile_side = 32;
+                                         const Progress& progress, const Body& body,
+                                         FrameSize side = {32, 32}) {
     std::mutex reporting;
     std::uint64_t done = 0;
     const std::uint64_t total =
         static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-    const int cores = tbb::this_task_arena::max_concurrency();
-    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
-    arena.execute([&] {
-        const PixelTile pixels(0, size.height, tile_side, 0, size.width, tile_side);
+    arena_of(threads).execute([&] {
+        const PixelTile pixels(0, size.height, std::size_t(side.height), 0, size.width,
+                               std::size_t(side.width));
         tbb::parallel_for(
             pixels,
             [&](const PixelTile& tile) {

@@ -61,19 +61,9 @@ constexpr std::array<Builtin, 13> all{{
 
 std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.find(':')); }
 
-const Builtin* find(std::string_view name) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Builtin& b) { return b.name == name; });
-    return found == all.end() ? nullptr : &*found;
-}
-
 /// Throws UserError with the nearest known name.
 const Builtin& named(std::string_view spec) {
-    const std::string_view name = name_of(spec);
-    if (const Builtin* builtin = find(name)) return *builtin;
-    std::vector<std::string> names;
-    for (const Builtin& b : all) names.emplace_back(b.name);
-    throw UserError("no built-in scene is called " + shown(name) + did_you_mean(name, names) +
-                    " (`rayclock scenes` lists them)");
+    return by_name(all, name_of(spec), "no built-in scene", " (`rayclock scenes` lists them)");
 }
 
 /// Scenes whose cones and cylinders may be cut into another number of sides.
@@ -124,7 +114,9 @@ Spec parsed(const Builtin& builtin, std::string_view spec) {
 
 std::span<const Builtin> builtins() { return all; }
 
-bool is_builtin(std::string_view spec) { return find(name_of(spec)) != nullptr; }
+bool is_builtin(std::string_view spec) {
+    return std::any_of(all.begin(), all.end(), [&](const Builtin& b) { return b.name == name_of(spec); });
+}
 
 PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {
     const Builtin& builtin = named(text);

@@ -1,8 +1,8 @@
 // rayclock bench: speed of the simulator itself, as ratios measured in one run.
-#include <chrono>
 
 #include <fmt/format.h>
 
+#include "model/base/stopwatch.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
@@ -17,12 +17,11 @@ namespace {
 /// Seconds that `work` takes: the best of at least three runs and half a second, since others share the
 /// machine.
 template <class Work> double best_seconds(Work work) {
-    using Clock = std::chrono::steady_clock;
     double best = 1e300, total = 0;
     for (int i = 0; i < 3 || total < 0.5; ++i) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         work();
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double seconds = watch.seconds();
         best = std::min(best, seconds);
         total += seconds;
         if (total > 20) break;

@@ -1,11 +1,14 @@
 // rayclock figures: the page docs/figures.md with its pictures and plots.
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/split.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/image/image.hpp"
@@ -20,23 +23,15 @@ namespace {
 using figures::Engine;
 
 std::vector<Engine> engines_of(const std::string& text) {
-    std::vector<Engine> all;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string name = text.substr(from, comma - from);
-        if (name == "reference")
-            all.push_back(Engine::reference);
-        else if (name == "model")
-            all.push_back(Engine::model);
-        else if (name == "rtl")
-            all.push_back(Engine::rtl);
-        else
+    const std::array<std::string, 3> names{"reference", "model", "rtl"};
+    std::set<Engine> all;
+    for (const std::string& name : split(text, ',')) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end())
             throw UserError("--engine: " + shown(name) + " is not reference, model or rtl");
-        from = comma + 1;
+        all.insert(Engine(found - names.begin()));
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return {all.begin(), all.end()};
 }
 
 constexpr const char* usual_size = "256x192";

@@ -1,6 +1,5 @@
 // rayclock fit: the smallest configuration that draws a scene within a bound, and the proof that nothing in
 // it overflows.
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -8,6 +7,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/fit/dominant.hpp"
@@ -168,7 +168,7 @@ Fit search_for(const Options& o, const Goal& goal, const Config& base, Measure& 
 }
 
 int run(const Options& o) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
@@ -194,7 +194,7 @@ int run(const Options& o) {
         throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(ranges));
     write_file(o.output, config_json_object(fit.config).dump(2) + "\n");
 
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
     const Found found{scene, size, goal, base, fit, ranges, measure.done(), seconds};
     if (!o.json.is_alone() && o.output != "-") print(o, found);
     o.json.write(json_of(found));

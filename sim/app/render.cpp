@@ -1,10 +1,10 @@
 // rayclock render: a picture with one engine.
-#include <chrono>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
@@ -95,10 +95,10 @@ int run(const Options& o) {
     const Scene& scene = request.scene;
     if (o.engine == "rtl") check_rtl(request.config);
 
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Drawn drawn = o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
                                                 : draw_machine(request, size, o.engine == "rtl", progress);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
     write_picture(o.output, drawn.picture, drawn.hits);
     if (!o.json.is_alone())
         fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height,

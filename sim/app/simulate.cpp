@@ -7,6 +7,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
@@ -221,7 +222,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
 }
 
 int run(const Options& o) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
@@ -237,7 +238,7 @@ int run(const Options& o) {
                     make_job(request.scene, path[0], size, request.config, progress, request.settings)};
     Simulated simulated = run_engine(o, work, traffic, progress);
     if (!o.no_reference && !simulated.partial) compare(simulated, o, work, progress);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
 
     const Totals totals = totals_of(simulated);
     if (!o.json.is_alone()) print(work, simulated, totals, seconds);

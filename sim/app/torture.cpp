@@ -1,8 +1,8 @@
 // rayclock verify --torture: frames that reach the corners of the machine, on model and RTL in lockstep.
-#include <chrono>
 
 #include <fmt/format.h>
 
+#include "model/base/stopwatch.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/report/json.hpp"
@@ -13,12 +13,6 @@
 namespace rayclock {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResult& r) {
     return {{"name", torture.name},
@@ -36,7 +30,7 @@ nlohmann::ordered_json case_json(const TortureCase& torture, const LockstepResul
 }   // namespace
 
 int run_torture_set(const JsonOutput& json) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     catch_interrupts();
     const Progress progress = terminal_progress();
     nlohmann::ordered_json cases = nlohmann::ordered_json::array();
@@ -54,7 +48,7 @@ int run_torture_set(const JsonOutput& json) {
         }
     }
     const bool good = failed == 0 && !interrupted();
-    const double seconds = seconds_since(start);
+    const double seconds = watch.seconds();
     if (!json.is_alone())
         fmt::print(
             "  torture: {} cases on {} chips, {} frames, {} transfers compared, {} cases differ\n  {} in "

@@ -6,6 +6,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/split.hpp"
 #include "sim/app/options.hpp"
 
 namespace rayclock {
@@ -34,15 +35,12 @@ FrameSize parse_size(const std::string& text) {
 
 std::vector<int> parse_clocks(const std::string& text) {
     std::vector<int> clocks;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::string_view item = std::string_view(text).substr(from, comma - from);
+    for (const std::string& item : split(text, ',')) {
         double mhz = 0;
         if (!parse_whole(item, mhz) || !(mhz >= 1) || mhz > 100000)
             throw UserError(fmt::format("--clock: {} is not a clock in MHz from 1 to 100000, in {}",
                                         shown(item), shown(text)));
         clocks.push_back(int(std::lround(mhz * 1000)));
-        from = comma + 1;
     }
     if (clocks.size() > 64)
         throw UserError(fmt::format("--clock: {} clocks are more than 64", clocks.size()));
@@ -53,14 +51,11 @@ std::vector<int> parse_values(const std::string& option, const std::string& text
     constexpr int most = 10000;
     std::vector<int> parts;
     const char separator = text.find(':') != std::string::npos ? ':' : ',';
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, from), text.size());
-        const std::string_view part = std::string_view(text).substr(from, end - from);
+    for (const std::string& part : split(text, separator)) {
         parts.emplace_back();
         if (!parse_whole(part, parts.back()))
             throw UserError(
                 fmt::format("{}: {} in {} is not a whole number", option, shown(part), shown(text)));
-        from = end + 1;
     }
     if (separator == ',') return parts;
     const int step = parts.size() > 2 ? parts[2] : 1;

@@ -9,6 +9,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
@@ -248,7 +249,7 @@ nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits
 int run(const Options& o) {
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::vector<int> clocks = parse_clocks(o.clock);
@@ -266,7 +267,7 @@ int run(const Options& o) {
     Verified verified = run_machines(o, work, traffic, progress);
     compare(verified, o, work, progress);
     if (!o.output.empty()) write_pictures(o.output, verified.pictures, verified.result, verified.judgement);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
 
     const std::string beyond = verified.partial() ? "" : beyond_limits(limits, verified.error());
     const bool good = (beyond.empty() || !limits.fails) && verified.is_good(request.config);

@@ -1,11 +1,11 @@
 #include "sim/area/speed.hpp"
 
-#include <chrono>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/rtl/builder.hpp"
 
@@ -14,10 +14,9 @@ namespace rayclock::area {
 namespace {
 
 template <class Work> void best_of(double& best, Work work) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const Stopwatch watch;
     work();
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = watch.seconds();
     if (best == 0 || seconds < best) best = seconds;
     if (interrupted())
         throw UserError("interrupted: no page was written; the same command goes on where it was");

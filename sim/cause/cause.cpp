@@ -1,17 +1,16 @@
 #include "sim/cause/cause.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <mutex>
 #include <optional>
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
 
+#include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
+#include "model/reference/tiles.hpp"
 #include "sim/image/srgb.hpp"
 
 namespace rayclock {
@@ -45,14 +44,14 @@ public:
         : asked_(asked), answered_(answered), size_(answered.reference.size) {}
 
     Judgement operator()(const Progress& progress) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         tbb::parallel_invoke([&] { truth_.emplace(asked_.scene, asked_.lattice, asked_.config); },
                              [&] { snapped_.emplace(on_lattice(asked_.scene, asked_.lattice)); },
                              [&] { expected_ = shade(asked_.scene, answered_.reference); });
         find(progress);
         explain();
         for (std::size_t i = 0; i < judgement_.pixels.size(); ++i) count(i);
-        judgement_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        judgement_.seconds = watch.seconds();
         return std::move(judgement_);
     }
 
@@ -78,9 +77,8 @@ private:
         judgement_.pixels.assign(pixels, PixelCause::none);
         judgement_.other.assign(pixels, false);
         std::vector<std::uint8_t> open(pixels), wrong(pixels);
-        std::mutex reporting;
-        std::uint64_t done = 0;
-        tbb::parallel_for(0, size_.height, [&](int row) {
+        const auto judge_row = [&](const PixelTile& tile) {
+            const int row = tile.rows().begin();
             const std::size_t begin = std::size_t(row) * std::size_t(size_.width),
                               end = begin + std::size_t(size_.width);
             for (std::size_t i = begin; i < end; ++i) {
@@ -91,10 +89,8 @@ private:
                 else
                     open[i] = differs(i);
             }
-            if (!progress) return;
-            const std::lock_guard lock(reporting);
-            progress("judging", done += std::uint64_t(size_.width), pixels);
-        });
+        };
+        for_each_tile(size_, 0, "judging", progress, judge_row, {size_.width, 1});
         for (std::size_t i = 0; i < pixels; ++i) {
             if (open[i]) open_.push_back(i);
             judgement_.other[i] = holds_another(i);
@@ -188,11 +184,7 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
 }
 
 Judgement judge(const Asked& asked, const Answered& answered, int threads, const Progress& progress) {
-    const int cores = tbb::this_task_arena::max_concurrency();
-    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
-    Judgement judgement;
-    arena.execute([&] { judgement = Judge(asked, answered)(progress); });
-    return judgement;
+    return arena_of(threads).execute([&] { return Judge(asked, answered)(progress); });
 }
 
 Picture cause_picture(const Picture& reference, const Judgement& judgement) {

@@ -1,6 +1,5 @@
 #include "sim/cause/finished.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -8,6 +7,7 @@
 
 #include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
+#include "model/base/stopwatch.hpp"
 #include "sim/image/srgb.hpp"
 
 namespace rayclock {
@@ -44,7 +44,7 @@ Camera on_lattice(Camera camera, const Lattice& lattice, const Frame& frame) {
 Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whitted& settings,
                          const FinishedAnswer& answered, const HitFrame& hits, int threads,
                          const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const PictureJudgement judged = judge_picture(asked, image, settings, answered.given, threads, progress);
     const std::size_t pixels = hits.hits.size();
     const std::optional<Scene> moved = aligned(asked.scene, asked.lattice);
@@ -73,7 +73,7 @@ Judgement judge_finished(const Asked& asked, const MemoryImage& image, const Whi
         ++j.causes[std::size_t(cause)];
         if (j.other[i]) ++j.causes_other[std::size_t(cause)];
     }
-    j.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    j.seconds = watch.seconds();
     return j;
 }
 

@@ -1,12 +1,12 @@
 #include "sim/engine/engine.hpp"
 
-#include <chrono>
 #include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/machine.hpp"
 #include "model/where.hpp"
@@ -16,16 +16,11 @@ namespace rayclock {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t cycles_between_reports = 1 << 16;
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::string with_rate(const char* machine, std::uint64_t cycles, Clock::time_point start) {
+std::string with_rate(const char* machine, std::uint64_t cycles, const Stopwatch& watch) {
     return fmt::format("{}, {:.1f} M cycles/s", machine,
-                       double(cycles) / std::max(1e-9, seconds_since(start)) / 1e6);
+                       double(cycles) / std::max(1e-9, watch.seconds()) / 1e6);
 }
 
 }   // namespace
@@ -67,7 +62,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
     Machine machine(config, khz, traffic);
     std::vector<FrameTiming> timings;
     for (const FrameTrace& frame : frames) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         const std::uint64_t first = machine.cycle(), pixels = frame.trace.rays.size();
         const Accounts accounts = machine.accounts();
         const MemoryStats memory = machine.memory().stats();
@@ -79,11 +74,10 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
                     "model: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done\n{}",
                     machine.quiet(), machine.cycle(), machine.hits(), pixels, where_rays_are(machine)));
             if (progress)
-                progress(with_rate("model", machine.cycle() - first, start), machine.hits(), pixels);
+                progress(with_rate("model", machine.cycle() - first, watch), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
-        FrameTiming timing{machine.cycle() - first,       machine.hits(),
-                           machine.accounts() - accounts, machine.memory().stats() - memory,
-                           seconds_since(start),          !machine.done()};
+        FrameTiming timing{machine.cycle() - first,           machine.hits(),  machine.accounts() - accounts,
+                           machine.memory().stats() - memory, watch.seconds(), !machine.done()};
         timings.push_back(timing);
         if (timing.partial) break;
     }
@@ -147,7 +141,7 @@ namespace {
 
 FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
                        const Progress& progress) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
     FrameCollector collector(frame, job.config.shading != 0);
@@ -164,7 +158,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
                 fmt::format("rtl: nothing has moved for {} cycles at cycle {}, with {} of {} pixels done",
                             limit, machine.cycle(), machine.hits(), pixels));
         if (progress && machine.cycle() % cycles_between_reports == 0)
-            progress(with_rate("rtl", machine.cycle() - first, start), machine.hits(), pixels);
+            progress(with_rate("rtl", machine.cycle() - first, watch), machine.hits(), pixels);
     }
     if (progress) progress("rtl", pixels, pixels);
     const Accounts& accounts = machine.accounts();   // of an interrupted frame it counts two cycles more
@@ -172,7 +166,7 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
                              machine.hits(),
                              accounts,
                              machine.memory().stats() - memory,
-                             seconds_since(start),
+                             watch.seconds(),
                              !machine.done()};
     const auto lookups = [&](Unit cache) {
         const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge

@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -69,6 +71,13 @@ private:
 
 std::string read_file(const std::filesystem::path& path, const std::string& asked_by, std::uint64_t most) {
     return Reader(path, asked_by).all(most);
+}
+
+std::string read_if_there(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return file ? bytes.str() : std::string{};
 }
 
 std::string extension(const std::filesystem::path& path) {

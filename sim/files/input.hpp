@@ -12,6 +12,9 @@ namespace rayclock {
 std::string read_file(const std::filesystem::path& path, const std::string& asked_by = {},
                       std::uint64_t most = std::uint64_t{1} << 40);
 
+/// All bytes of a file of this program's own; empty if it cannot be read.
+std::string read_if_there(const std::filesystem::path& path);
+
 /// The extension in small letters without the dot: "obj".
 std::string extension(const std::filesystem::path& path);
 

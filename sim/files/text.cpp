@@ -36,6 +36,13 @@ std::string_view take_word(std::string_view& rest) {
     return word;
 }
 
+std::string joined_words(std::string_view text) {
+    std::string all;
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text))
+        (all += all.empty() ? "" : " ") += word;
+    return all;
+}
+
 std::string_view take_line(std::string_view& rest) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, end);

@@ -22,6 +22,9 @@ struct Place {
 /// Takes the next word off the front of `rest`; empty at its end.
 std::string_view take_word(std::string_view& rest);
 
+/// The words, with single blanks between them.
+std::string joined_words(std::string_view text);
+
 /// Takes the next line off the front of `rest`, without its end (\n or \r\n). Only while `rest` is not empty.
 std::string_view take_line(std::string_view& rest);
 

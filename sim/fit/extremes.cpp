@@ -127,20 +127,12 @@ Extremes extremes(const MemoryImage& image, const Frame& frame, const Config& co
     Extremes e;
     measure_frame(frame, config, e);
     e.node = point(frame.root);
-    std::vector<std::uint32_t> pending{frame.root};
-    while (!pending.empty()) {
-        const Node node = read_node(image, pending.back(), config);
-        pending.pop_back();
-        measure_node(node, config, e);
-        std::uint32_t inner = 0, triangles = 0;
-        for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) {
-            inner += node.kind[i] == 1;
-            triangles += node.kind[i] > 1 ? node.kind[i] - 1 : 0;
-        }
-        for (std::uint32_t i = 0; i < inner; ++i) pending.push_back(node.base + i);
-        for (std::uint32_t i = 0; i < triangles; ++i)
-            measure_triangle(read_triangle(image, 2 * (node.base + inner) + i, config), frame.eye, e);
-    }
+    for_each_node(
+        image, frame.root, config, [&](const Node& node, std::uint32_t inner, std::uint32_t triangles) {
+            measure_node(node, config, e);
+            for (std::uint32_t i = 0; i < triangles; ++i)
+                measure_triangle(read_triangle(image, 2 * (node.base + inner) + i, config), frame.eye, e);
+        });
     return e;
 }
 

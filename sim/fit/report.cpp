@@ -49,6 +49,18 @@ std::array<Constant, 3> constants(const Ranges& ranges) {
              {"count_bits", count_bits, needed("box", "kind")}}};
 }
 
+/// What a cost is made of.
+struct CostPart {
+    const char *words, *key;
+    std::uint64_t Cost::*of;
+};
+constexpr std::array cost_parts{
+    CostPart{"multipliers, adders", "multiplier_adders", &Cost::multiplier_adders},
+    CostPart{"dividers, adders", "divider_adders", &Cost::divider_adders},
+    CostPart{"contexts, memory bits", "ray_bits", &Cost::ray_bits},
+    CostPart{"of these stacks", "stack_bits", &Cost::stack_bits},
+    CostPart{"caches, memory bits", "cache_bits", &Cost::cache_bits}};
+
 int lines_of(const Fit& fit) { return int(fit.outcome.compile.bytes / line_bytes); }
 
 }   // namespace
@@ -64,14 +76,8 @@ std::string parameter_table(const Fit& fit, const Config& base) {
 std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges) {
     const Cost &now = fit.cost, &before = fit.base_cost;
     Table table({"", base.name, "fitted"});
-    const auto row = [&](const char* what, std::uint64_t Cost::*of) {
-        table.add({what, grouped(before.*of), grouped(now.*of)});
-    };
-    row("multipliers, adders", &Cost::multiplier_adders);
-    row("dividers, adders", &Cost::divider_adders);
-    row("contexts, memory bits", &Cost::ray_bits);
-    row("of these stacks", &Cost::stack_bits);
-    row("caches, memory bits", &Cost::cache_bits);
+    for (const CostPart& part : cost_parts)
+        table.add({part.words, grouped(before.*part.of), grouped(now.*part.of)});
     table.add({"cost", grouped(before.total()), grouped(now.total())});
     std::string fixed;
     for (const Constant& c : constants(ranges))
@@ -138,12 +144,10 @@ ordered_json needs_json(const Fit& fit, const Ranges& ranges) {
 }
 
 ordered_json cost_json(const Cost& cost) {
-    return {{"multiplier_adders", cost.multiplier_adders},
-            {"divider_adders", cost.divider_adders},
-            {"ray_bits", cost.ray_bits},
-            {"stack_bits", cost.stack_bits},
-            {"cache_bits", cost.cache_bits},
-            {"total", cost.total()}};
+    ordered_json json;
+    for (const CostPart& part : cost_parts) json[part.key] = cost.*part.of;
+    json["total"] = cost.total();
+    return json;
 }
 
 ordered_json ranges_json(const Ranges& ranges) {

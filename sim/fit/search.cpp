@@ -23,6 +23,15 @@ const Parameter& parameter(int Config::*member) {
 int most(int Config::*member) { return parameter(member).hi; }
 int least(int Config::*member) { return parameter(member).lo; }
 
+/// The least value that is enough, by bisection: `top` is, `low` is not.
+template <class Enough> int least_of(int low, int top, const Enough& enough) {
+    while (top - low > 1) {
+        const int middle = (low + top) / 2;
+        (enough(middle) ? top : low) = middle;
+    }
+    return top;
+}
+
 std::string broken_rule(const Config& config) {
     try {
         check_config(config, "");
@@ -98,12 +107,7 @@ std::optional<int> Search::smallest_coord_bits() {
         if (config.dir_bits == most(&Config::dir_bits)) break;
     }
     if (top == 0) return {};
-    int low = least(&Config::coord_bits) - 1;   // does not keep them
-    while (top - low > 1) {
-        const int middle = (low + top) / 2;
-        (keeps(widest_at(middle)) ? top : low) = middle;
-    }
-    return top;
+    return least_of(least(&Config::coord_bits) - 1, top, [&](int n) { return keeps(widest_at(n)); });
 }
 
 /// The smallest M for this N, if that is less than what is known.
@@ -112,11 +116,7 @@ void Search::find_directions(int n) {
     int top = std::min(most(&Config::dir_bits), 62 - 2 * n), low = least(&Config::dir_bits) - 1;
     while (known && top > low && cost_of(widest(n, top)).total() >= cost_of(best_).total()) --top;
     if (top == low || !keeps(widest(n, top))) return;
-    while (top - low > 1) {
-        const int middle = (low + top) / 2;
-        (keeps(widest(n, middle)) ? top : low) = middle;
-    }
-    best_ = widest(n, top);
+    best_ = widest(n, least_of(low, top, [&](int m) { return keeps(widest(n, m)); }));
 }
 
 bool Search::find_lattice_and_directions() {
@@ -129,13 +129,11 @@ bool Search::find_lattice_and_directions() {
 }
 
 void Search::bisect(int Config::*member) {
-    int low = least(member) - 1, top = best_.*member;
-    while (top - low > 1) {
+    best_.*member = least_of(least(member) - 1, best_.*member, [&](int value) {
         Config config = best_;
-        config.*member = (low + top) / 2;
-        (keeps(config) ? top : low) = config.*member;
-    }
-    best_.*member = top;
+        config.*member = value;
+        return keeps(config);
+    });
 }
 
 void Search::descend() {

@@ -36,15 +36,13 @@ private:
     }
 };
 
-/// A table as one vector, entry 0 lowest: value above, step below.
-template <std::size_t n> std::string table_text(const char* name, const std::array<TableEntry, n>& entries,
-                                                int value_bits, int step_bits) {
-    const int width = value_bits + step_bits;
-    std::string text = fmt::format("  localparam logic [{}:0] {} = {{", int(n) * width - 1, name);
-    for (std::size_t i = n; i-- > 0;) {
-        if ((n - 1 - i) % 8 == 0) text += "\n   ";
-        text += fmt::format(" {}'h{:x}{}", width,
-                            std::uint64_t(entries[i].value) << step_bits | entries[i].step, i > 0 ? "," : "");
+/// Entries as one vector, entry 0 lowest.
+std::string list_text(const char* name, const std::vector<std::string>& entries, int width) {
+    std::string text =
+        fmt::format("  localparam logic [{}:0] {} = {{", int(entries.size()) * width - 1, name);
+    for (std::size_t i = entries.size(); i-- > 0;) {
+        if ((entries.size() - 1 - i) % 8 == 0) text += "\n   ";
+        text += fmt::format(" {}'{}{}", width, entries[i], i > 0 ? "," : "");
     }
     return text + "};\n";
 }
@@ -55,15 +53,10 @@ std::string host_constants(const Config& config) {
     const auto constant = [](const std::string& name, std::uint32_t value) {
         return fmt::format("  localparam int unsigned {} = {};\n", name, value);
     };
-    // Entry 0 lowest.
     const auto list = [](const char* name, const std::vector<std::uint32_t>& entries, int width) {
-        std::string text =
-            fmt::format("  localparam logic [{}:0] {} = {{", int(entries.size()) * width - 1, name);
-        for (std::size_t i = entries.size(); i-- > 0;) {
-            if ((entries.size() - 1 - i) % 8 == 0) text += "\n   ";
-            text += fmt::format(" {}'d{}{}", width, entries[i], i > 0 ? "," : "");
-        }
-        return text + "};\n";
+        std::vector<std::string> texts;
+        for (const std::uint32_t entry : entries) texts.push_back(fmt::format("d{}", entry));
+        return list_text(name, texts, width);
     };
     std::string text = "\n  // The host's registers: sim/gen/registers.hpp, docs/chip.md.\n";
     text += constant("Magic", host_magic) + constant("Version", host_version);
@@ -156,7 +149,10 @@ public:
     }
     template <std::size_t n>
     void table(const char* name, const std::array<TableEntry, n>& entries, int value_bits, int step_bits) {
-        text_ += table_text(name, entries, value_bits, step_bits);
+        std::vector<std::string> texts;   // value above, step below
+        for (const TableEntry& entry : entries)
+            texts.push_back(fmt::format("h{:x}", std::uint64_t(entry.value) << step_bits | entry.step));
+        text_ += list_text(name, texts, value_bits + step_bits);
     }
     void text(const std::string& more) { text_ += more; }
     std::string end() && { return std::move(text_) + "endpackage\n"; }

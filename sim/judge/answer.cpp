@@ -89,6 +89,11 @@ const char* judge_sphere(const Nearest& nearest, const Solids& solids, const Sol
     return nullptr;
 }
 
+/// More than whether something is there.
+bool says_more(const Closest& answer) {
+    return answer.prim || answer.t || answer.u || answer.v || answer.back;
+}
+
 }   // namespace
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
@@ -108,17 +113,13 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
         const bool met =
             RayKind(ray.kind) == RayKind::shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r);
         if (met != (answer.found != 0)) return met ? "its way is blocked" : "its way is free";
-        return answer.prim || answer.t || answer.u || answer.v || answer.back
-                   ? "more is said of a shadow ray than yes or no"
-                   : nullptr;
+        return says_more(answer) ? "more is said of a shadow ray than yes or no" : nullptr;
     }
     const Nearest nearest = solids.nearest(r);
     if (!answer.found) {
         if (nearest.flat.primitive != no_primitive || nearest.sphere.primitive != no_primitive)
             return "it meets something";
-        return answer.prim || answer.t || answer.u || answer.v || answer.back
-                   ? "more is said of a miss than that it is one"
-                   : nullptr;
+        return says_more(answer) ? "more is said of a miss than that it is one" : nullptr;
     }
     if (answer.prim >= solids.all().size()) return "there is no such primitive";
     return solids.all()[answer.prim].kind == Solid::Kind::sphere ? judge_sphere(nearest, solids, r, c, answer)

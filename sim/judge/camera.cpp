@@ -1,8 +1,8 @@
 #include "sim/judge/camera.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "model/base/axes.hpp"
 #include "sim/judge/steps.hpp"
 
 namespace rayclock {
@@ -16,17 +16,16 @@ Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& s
                                settings.jitter, settings.seed);
     const Int128 right = Int128(x) * parts + offset.x, down = Int128(y) * parts + offset.y;
     const Int128 unit = Int128(parts) << guard_bits, end = unit << (config.dir_bits - 1);
-    std::array<Int128, 3> sum;
-    for (std::size_t k = 0; k < 3; ++k)
-        sum[k] = Int128(frame.corner[k]) * parts + right * frame.right[k] + down * frame.down[k];
+    auto sum = by_axis([&](std::size_t k) {
+        return Int128(frame.corner[k]) * parts + right * frame.right[k] + down * frame.down[k];
+    });
     // Doubled for as long as it fits.
     const auto fits_twice = [&](Int128 v) { return -end <= 2 * v && 2 * v < end; };
     for (int doubled = 0; doubled < most_shift && std::all_of(sum.begin(), sum.end(), fits_twice); ++doubled)
         for (Int128& v : sum) v *= 2;
-    Vec3i d{};
-    for (std::size_t k = 0; k < 3; ++k)
-        d[k] = std::int32_t(std::min<Int128>(nearest_of(sum[k], unit), end / unit - 1));
-    return d;
+    return by_axis([&](std::size_t k) {
+        return std::int32_t(std::min<Int128>(nearest_of(sum[k], unit), end / unit - 1));
+    });
 }
 
 bool same_answer(const Closest& a, const Closest& b) {

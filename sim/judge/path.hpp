@@ -121,7 +121,7 @@ private:
     };
     Weight weight_of(const Share& share) const;
     bool follows(const Weight& weight);
-    std::int32_t direction_component(std::int32_t unit) const;
+    std::int32_t direction_component(Int128 unit) const;
     Branch bounce(const ShadeState& s, const Weight& weight, const Vec3i& start, const Vec3i& d,
                   bool through) const;
 

@@ -1,4 +1,5 @@
 // Reflected and refracted rays: whether they are sent, where they go, what they count.
+#include "model/base/axes.hpp"
 #include "sim/judge/path.hpp"
 
 namespace rayclock {
@@ -6,12 +7,6 @@ namespace rayclock {
 namespace {
 
 constexpr Int128 one = Int128(1) << unit_bits;
-
-/// On which side of the surface a direction leads.
-int side_of(const Vec3l& n, const Vec3i& d) {
-    const Int128 dot = Int128(n[0]) * d[0] + Int128(n[1]) * d[1] + Int128(n[2]) * d[2];
-    return dot > 0 ? 1 : dot < 0 ? -1 : 0;
-}
 
 /// floor(sqrt(x)): found from a root of a double.
 Int128 root_of(Int128 x) {
@@ -85,15 +80,15 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     const bool due = follows(weight);
     demand(out.refracted == due, "a refracted ray is followed against the threshold");
     if (!due || total) return demand(!out.push, "a refracted ray is sent where none is due");
-    Vec3i d{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Int128 bent = nearest_of_power(
-            bend.along * s.normal[k] - (Int128(s.ratio) * s.view[k] << (unit_bits - index_frac)), unit_bits);
-        d[k] = direction_component(std::int32_t(std::clamp<Int128>(bent, -one, one)));
-    }
+    const Vec3i d = by_axis([&](std::size_t k) {
+        return direction_component(std::clamp<Int128>(
+            nearest_of_power(
+                bend.along * s.normal[k] - (Int128(s.ratio) * s.view[k] << (unit_bits - index_frac)),
+                unit_bits),
+            -one, one));
+    });
     judge_refracted(d);
-    if (side_of(s.n, d) >= 0)
-        return demand(!out.push, "a refracted ray leaves on the side from which it came");
+    if (dot(s.n, d) >= 0) return demand(!out.push, "a refracted ray leaves on the side from which it came");
     const std::optional<Vec3i> start = start_of(s, d);
     if (!start) {
         background(weight.promised, weight.exact);
@@ -119,13 +114,12 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
         share.exact = (share.exact + transmit * fresnel.exact).wider(0.5 * unit_step);
     }
     const Weight weight = weight_of(share);
-    Vec3i d{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Int128 mirrored = nearest_of_power(2 * Int128(s.cosine) * s.normal[k], unit_bits) - s.view[k];
-        d[k] = direction_component(std::int32_t(std::clamp<Int128>(mirrored, -one, one)));
-    }
+    const Vec3i d = by_axis([&](std::size_t k) {
+        return direction_component(std::clamp<Int128>(
+            nearest_of_power(2 * Int128(s.cosine) * s.normal[k], unit_bits) - s.view[k], -one, one));
+    });
     judge_reflected(d);
-    const bool due = follows(weight) && side_of(s.n, d) > 0;
+    const bool due = follows(weight) && dot(s.n, d) > 0;
     const std::optional<Vec3i> start = start_of(s, d);
     if (!due || !start) {
         if (due) background(weight.promised, weight.exact);

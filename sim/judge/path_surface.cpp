@@ -1,5 +1,6 @@
 // A ray has arrived: the point on the surface, the vectors there, and what the surrounding light adds.
 #include "model/accel/plane.hpp"
+#include "model/base/axes.hpp"
 #include "sim/judge/path.hpp"
 
 namespace rayclock {
@@ -7,11 +8,7 @@ namespace rayclock {
 namespace {
 
 constexpr std::uint32_t one = 1u << unit_bits;
-using Wide3 = std::array<Int128, 3>;
-
-Wide3 edge(const Vec3i& from, const Vec3i& to) {
-    return {Int128(to[0]) - from[0], Int128(to[1]) - from[1], Int128(to[2]) - from[2]};
-}
+using Wide3 = oracle::Triple<Int128>;
 
 double ratio_of(const Material& m, bool from_inside) {
     const double index = m.index > 0 ? m.index : 1;
@@ -32,14 +29,9 @@ bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
     return true;
 }
 
-Int128 dot(const Vec3l& a, const Vec3i& b) {
-    return Int128(a[0]) * b[0] + Int128(a[1]) * b[1] + Int128(a[2]) * b[2];
-}
-
 /// The nearest product of two vectors of unit length, kept within 0 and 1.
 std::uint32_t promised_cosine(const Vec3i& a, const Vec3i& b) {
-    const Int128 sum = Int128(a[0]) * b[0] + Int128(a[1]) * b[1] + Int128(a[2]) * b[2];
-    return std::uint32_t(std::clamp<Int128>(nearest_of_power(sum, unit_bits), 0, one));
+    return std::uint32_t(std::clamp<Int128>(nearest_of_power(dot(a, b), unit_bits), 0, one));
 }
 
 }   // namespace
@@ -103,7 +95,9 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     const std::int64_t hit_u = is_plane ? signed_value(answer_.u, config_.uv_bits()) : answer_.u;
     const std::int64_t hit_v = is_plane ? signed_value(answer_.v, config_.uv_bits()) : answer_.v;
     const Int128 near_u = nearest_of_power(hit_u, drop), near_v = nearest_of_power(hit_v, drop);
-    const Wide3 e1 = edge(surface.a, surface.b), e2 = edge(surface.a, surface.c);
+    const auto a = oracle::triple<Int128>(surface.a);
+    const Wide3 e1 = oracle::way(a, oracle::triple<Int128>(surface.b)),
+                e2 = oracle::way(a, oracle::triple<Int128>(surface.c)), normal = oracle::area(e1, e2);
     const Int128 most = (Int128(1) << (config_.point_width() - 1)) - 1;
 
     const auto is_inside = [&](Int128 u, Int128 v) {
@@ -139,9 +133,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
     place_.is_far = place_.is_lost || (config_.planes && outside);
     demand((s.far != 0) == place_.is_far && (s.lost != 0) == place_.is_lost, "a point is far off, or is not");
     for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        const Int128 normal = (e1[i] * e2[j] - e1[j] * e2[i]) * (answer_.back ? -1 : 1);
-        demand(s.n[k] == normal, "the normal is not the triangle's, turned to the side that is seen");
+        demand(s.n[k] == normal[k] * (answer_.back ? -1 : 1),
+               "the normal is not the triangle's, turned to the side that is seen");
         const Int128 smooth =
             (whole - u - v) * surface.normal[k] + u * surface.normal[3 + k] + v * surface.normal[6 + k];
         toward[k] = surface.smooth ? std::int64_t(smooth) * (answer_.back ? -1 : 1) : s.n[k];
@@ -237,9 +230,9 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
            "a light is left out or asked twice");
     if (number >= all) return;
     const bool near = frame_.shade.near[number] != 0, to_the_point = near && !place_.is_far;
-    Vec3l way{};
-    for (std::size_t k = 0; k < 3; ++k)
-        way[k] = frame_.shade.place[3 * number + k] * (std::int64_t(1) << config_.origin_bits) - s.o[k];
+    const Vec3l way = by_axis([&](std::size_t k) {
+        return frame_.shade.place[3 * number + k] * (std::int64_t(1) << config_.origin_bits) - s.o[k];
+    });
     judge_light_parts(s, out.light, way);
     judge_share(out.state, out.light, unit_of(vector_of(way)));
 
@@ -305,9 +298,9 @@ std::optional<Vec3i> PathJudge::start_of(const ShadeState& s, const Vec3i& d) co
 }
 
 /// Of a unit vector, as a direction of M bits.
-std::int32_t PathJudge::direction_component(std::int32_t unit) const {
+std::int32_t PathJudge::direction_component(Int128 unit) const {
     const int up = config_.dir_bits - 2 - unit_bits;
-    return up >= 0 ? unit * (1 << up) : std::int32_t(nearest_of_power(unit, -up));
+    return std::int32_t(up >= 0 ? unit * (1 << up) : nearest_of_power(unit, -up));
 }
 
 void PathJudge::judge_light_parts(const ShadeState& s, const LightParts& parts, const Vec3l& way) {
@@ -315,10 +308,8 @@ void PathJudge::judge_light_parts(const ShadeState& s, const LightParts& parts, 
            "the vector to the light is not of unit length or points elsewhere");
     demand(parts.cosine == promised_cosine(s.normal, parts.unit),
            "the cosine to the light is not the vectors' product");
-    Int128 along = 0;
-    for (std::size_t k = 0; k < 3; ++k) along += Int128(parts.unit[k]) * s.view[k];
-    const Int128 mirrored =
-        nearest_of_power(2 * Int128(parts.cosine) * s.cosine, unit_bits) - nearest_of_power(along, unit_bits);
+    const Int128 mirrored = nearest_of_power(2 * Int128(parts.cosine) * s.cosine, unit_bits) -
+                            nearest_of_power(dot(parts.unit, s.view), unit_bits);
     const double base = double(std::clamp<Int128>(mirrored, 0, one)) * unit_step;
     demand(power_range({base, base}, s.shine).holds(parts.phong * unit_step),
            "the highlight's power is out of its bounds");

@@ -1,14 +1,12 @@
 #include "sim/judge/picture.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <mutex>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "model/accel/surfaces.hpp"
+#include "model/base/stopwatch.hpp"
+#include "model/reference/tiles.hpp"
 #include "model/trace/record_shaded.hpp"
 #include "sim/judge/camera.hpp"
 #include "sim/judge/path.hpp"
@@ -49,7 +47,7 @@ void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at,
 
 PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& image, const Whitted& settings,
                                const Given& given, int threads, const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::optional<Scene> moved = aligned(given_asked.scene, given_asked.lattice);
     const Asked asked{moved ? *moved : given_asked.scene, given_asked.camera, given_asked.frame,
                       given_asked.lattice, given_asked.config};
@@ -66,20 +64,13 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
         j.faults.push_back({0, 0, 0, sentence});
     j.wrong = j.faults.size();
     tbb::enumerable_thread_specific<Bench> benches([&] { return Bench(image, asked, decoder, rules); });
-    std::mutex reporting;
-    std::uint64_t done = 0;
-    tbb::task_arena arena(threads > 0 ? std::min(threads, tbb::this_task_arena::max_concurrency())
-                                      : tbb::this_task_arena::max_concurrency());
-    arena.execute([&] {
-        tbb::parallel_for(0u, height, [&](std::uint32_t y) {
-            Bench& bench = benches.local();
-            for (std::uint32_t x = 0; x < width; ++x)
-                judge_pixel(bench, x, y, std::size_t(y) * width + x, given, wrong);
-            if (!progress) return;
-            const std::lock_guard lock(reporting);
-            progress("judging", done += width, wrong.size());
-        });
-    });
+    const FrameSize size{int(width), int(height)}, row{size.width, 1};
+    const auto judge_row = [&](const PixelTile& tile) {
+        const auto y = std::uint32_t(tile.rows().begin());
+        for (std::uint32_t x = 0; x < width; ++x)
+            judge_pixel(benches.local(), x, y, std::size_t(y) * width + x, given, wrong);
+    };
+    for_each_tile(size, threads, "judging", progress, judge_row, row);
     std::vector<PictureFault> faults;
     for (const Bench& bench : benches) {
         j.rays += bench.judge.rays();
@@ -94,7 +85,7 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
     j.pixels.assign(wrong.begin(), wrong.end());
     j.colours = wrong.size();
     j.wrong += std::uint64_t(std::count(wrong.begin(), wrong.end(), 1));
-    j.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    j.seconds = watch.seconds();
     return j;
 }
 

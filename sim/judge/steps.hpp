@@ -47,6 +47,9 @@ struct Range {
     }
 };
 
+template <class A, class B> Int128 dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {
+    return Int128(a[0]) * b[0] + Int128(a[1]) * b[1] + Int128(a[2]) * b[2];
+}
 inline glm::dvec3 vector_of(const Vec3i& v) { return {v[0], v[1], v[2]}; }
 inline glm::dvec3 vector_of(const Vec3l& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
 /// Unit vector; zero of zero.

@@ -64,9 +64,7 @@ std::vector<MtlBlock> read_mtl(const std::filesystem::path& path, std::string_vi
         std::string_view line = whole.substr(0, whole.find('#'));
         const std::string_view key = take_word(line);
         if (key == "newmtl") {
-            std::string name;
-            for (std::string_view word = take_word(line); !word.empty(); word = take_word(line))
-                (name += name.empty() ? "" : " ") += word;
+            std::string name = joined_words(line);
             if (name.empty()) at.refuse("newmtl without a name");
             blocks.push_back({.name = std::move(name), .surface = {}});
         } else if (!blocks.empty()) {

@@ -162,7 +162,7 @@ private:
     }
 
     void material(std::string_view rest) {
-        const std::string name = trimmed(rest);
+        const std::string name = joined_words(rest);
         check_text(name, at_, "OBJ");
         use(name.empty() ? "default" : name);   // exporters do leave it out
     }
@@ -179,7 +179,7 @@ private:
     void library(std::string_view rest) {
         check_text(rest, at_, "OBJ");
         // One name with blanks or several names: the file system knows which.
-        const std::string whole = trimmed(rest);
+        const std::string whole = joined_words(rest);
         std::error_code ignored;
         if (std::filesystem::exists(path_.parent_path() / whole, ignored))
             return libraries_.push_back({whole, at_.line});
@@ -255,13 +255,6 @@ private:
         std::vector<std::string> known(silent.begin(), silent.end());
         known.insert(known.begin(), {"v", "vn", "f", "usemtl", "mtllib"});
         at_.refuse(shown(key) + " is not an OBJ statement" + did_you_mean(key, known));
-    }
-
-    static std::string trimmed(std::string_view text) {
-        std::string name;
-        for (std::string_view word = take_word(text); !word.empty(); word = take_word(text))
-            (name += name.empty() ? "" : " ") += word;
-        return name;
     }
 
     struct Library {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cstring>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "model/base/stopwatch.hpp"
 #include "model/machine.hpp"
 #include "model/trace/witness.hpp"
 #include "model/where.hpp"
@@ -93,13 +93,12 @@ public:
           witness_(job.image, job.config) {}
 
     LockstepResult run(const Progress& progress) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         for (const FrameTrace& frame : frames_) {
             run_frame(frame, progress);
             if (parted_ || interrupted()) break;
         }
-        for (FrameRun* run : {&result_.model, &result_.rtl})
-            run->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        for (FrameRun* run : {&result_.model, &result_.rtl}) run->seconds = watch.seconds();
         return std::move(result_);
     }
 

@@ -2,6 +2,7 @@
 #include "sim/pages/area.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -25,10 +26,13 @@ constexpr int speed_depth = 4, speed_rounds = 3;
 
 const Row count_heads{"LUTs", "LUT4", "CCU2C", "DPR16X4", "FF", "MULT18X18D", "DP16KD"};
 
+/// In the order of the heads.
+std::array<std::uint64_t, 7> figures_of(const Count& c) {
+    return {c.luts(), c.lut4, c.carry, c.ram, c.ff, c.dsp, c.bram};
+}
 Row count_cells(const Count& c) {
     Row cells;
-    for (const std::uint64_t n : {c.luts(), c.lut4, c.carry, c.ram, c.ff, c.dsp, c.bram})
-        cells.push_back(grouped(n));
+    for (const std::uint64_t n : figures_of(c)) cells.push_back(grouped(n));
     return cells;
 }
 
@@ -36,10 +40,10 @@ std::string signed_text(std::uint64_t now, std::uint64_t before) {
     return now == before ? "0" : now > before ? "+" + grouped(now - before) : "-" + grouped(before - now);
 }
 Row change_cells(const Count& now, const Count& before) {
-    return {signed_text(now.luts(), before.luts()), signed_text(now.lut4, before.lut4),
-            signed_text(now.carry, before.carry),   signed_text(now.ram, before.ram),
-            signed_text(now.ff, before.ff),         signed_text(now.dsp, before.dsp),
-            signed_text(now.bram, before.bram)};
+    const auto mine = figures_of(now), theirs = figures_of(before);
+    Row cells;
+    for (std::size_t i = 0; i < mine.size(); ++i) cells.push_back(signed_text(mine[i], theirs[i]));
+    return cells;
 }
 
 Row joined(const std::string& first, const Row& rest) {

@@ -1,7 +1,6 @@
 #include "sim/pages/spd.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +8,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/stopwatch.hpp"
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/engine/engine.hpp"
@@ -147,9 +147,9 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
     const Camera camera =
         corner_rays(scene.camera ? *scene.camera : fit_camera(scene, double(size.width) / size.height));
     const Whitted settings{.depth = depth};
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     c.reference = kinds_of(Reference(scene).whitted(camera, size, settings, threads, progress).rays);
-    c.reference_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    c.reference_seconds = watch.seconds();
     const Job job = make_job(scene, camera, size, fitted_config(scene, settings, named_config("default")),
                              progress, settings);
     const FrameTrace frame = record_frame(job, job.frame, threads, progress);

@@ -37,6 +37,15 @@ std::string hits_text(const FrameRun& run, Unit cache) {
     return fmt::format("{:.1f} %", 100 * cache_account(run, cache).hit_rate());
 }
 
+/// A frame of the job, at this clock.
+FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) {
+    std::vector<FrameTrace> frames;
+    frames.push_back(record_frame(job, job.frame, threads, progress));
+    const FrameRun run = frame_run(frames[0], replay(job.config, khz, frames, {}, progress)[0]);
+    if (run.partial) throw UserError("interrupted: no page was written");
+    return run;
+}
+
 std::string machine_table(const char* config_name, int khz, int threads, const Progress& progress) {
     const Config config = load_config({config_name, {}});
     Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits",
@@ -46,10 +55,7 @@ std::string machine_table(const char* config_name, int khz, int threads, const P
         for (const Size& size : sizes) {
             const Scene scene = ready_scene(row.scene, size.pixels, progress);
             const Job job = make_job(scene, *scene.camera, size.pixels, config, progress);
-            std::vector<FrameTrace> frames;
-            frames.push_back(record_frame(job, job.frame, threads, progress));
-            const FrameRun run = frame_run(frames[0], replay(config, khz, frames, {}, progress)[0]);
-            if (run.partial) throw UserError("interrupted: no page was written");
+            const FrameRun run = run_of(job, khz, threads, progress);
             const Bound bound = bound_of(config, khz, run);
             const double fps = per_second(run, khz), rays = double(run.pixels),
                          rate = fps * double(bytes_read(run));
@@ -102,11 +108,7 @@ std::string finished_table(int threads, const Progress& progress) {
         const Request request = request_of(row.scene, choice, finish, 1, size, progress);
         const Job job =
             make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
-        std::vector<FrameTrace> frames;
-        frames.push_back(record_frame(job, job.frame, threads, progress));
-        const FrameRun run =
-            frame_run(frames[0], replay(job.config, 1000 * row.mhz, frames, {}, progress)[0]);
-        if (run.partial) throw UserError("interrupted: no page was written");
+        const FrameRun run = run_of(job, 1000 * row.mhz, threads, progress);
         const Bound bound = bound_of(job.config, 1000 * row.mhz, run);
         const double fps = per_second(run, 1000 * row.mhz), rays = rays_of(run);
         const auto hits = [&](Unit cache) { return 100 * cache_account(run, cache).hit_rate(); };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
 #include "sim/rtl/compile.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/tools.hpp"
@@ -29,9 +30,7 @@ public:
     ~Report() {
         if (told_) tell("", {});
     }
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    double seconds() const { return watch_.seconds(); }
     void tell(const char* stage, std::optional<double> left) {
         told_ = true;
         const std::lock_guard lock(reporter_mutex);
@@ -40,7 +39,7 @@ public:
 
 private:
     std::string what_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stopwatch watch_;
     bool told_ = false;
 };
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include <fcntl.h>
@@ -17,6 +16,7 @@
 #include <unistd.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/input.hpp"
 
 namespace rayclock {
 
@@ -55,11 +55,7 @@ bool is_plain_file(const fs::path& path) {
 
 /// All bytes of an ordinary file; empty if it is none or cannot be read.
 std::string bytes_of(const fs::path& path) {
-    if (!is_plain_file(path)) return {};
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << file.rdbuf();
-    return file ? bytes.str() : std::string{};
+    return is_plain_file(path) ? read_if_there(path) : std::string{};
 }
 
 /// First lines of a seal. What follows is for readers.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <fstream>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -12,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
+#include "sim/files/input.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/adapter.hpp"
 #include "sim/rtl/cache.hpp"
@@ -42,13 +43,6 @@ Words operator+(Words words, const Words& more) {
     return words;
 }
 
-std::string text_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 /// The tools' own words, or the cause if they are known for it.
 [[noreturn]] void failed(const std::string& what, const fs::path& folder, const std::string& log) {
     if (log.find("No space left on device") != std::string::npos)
@@ -71,7 +65,7 @@ void run(const fs::path& folder, const std::vector<Job>& jobs, const std::string
     for (std::size_t left = jobs.size(); left > 0;) {
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             if (!running[i] || !running[i]->ended()) continue;
-            if (running[i]->code() != 0) failed(what, folder, text_of(folder / jobs[i].log));
+            if (running[i]->code() != 0) failed(what, folder, read_if_there(folder / jobs[i].log));
             running[i].reset();
             --left;
         }
@@ -104,7 +98,8 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
                         Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
     const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
     run(folder, {{words, "verilator.log"}}, what, meanwhile);
-    if (const std::string log = text_of(folder / "verilator.log"); log.find("%Warning") != std::string::npos)
+    if (const std::string log = read_if_there(folder / "verilator.log");
+        log.find("%Warning") != std::string::npos)
         throw std::runtime_error("verilator -Wall warns about " + module + ":\n" + log.substr(0, 2000));
 }
 
@@ -169,17 +164,13 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
                   const Working& working) {
     // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions.md).
     constexpr double compiler_share = 6;
-    using Clock = std::chrono::steady_clock;
-    const auto seconds_since = [](Clock::time_point t) {
-        return std::chrono::duration<double>(Clock::now() - t).count();
-    };
-    const auto start = Clock::now();
+    const Stopwatch verilating;
     verilate(folder, config, module, [&] { working("Verilator", {}); });
-    const double expected = seconds_since(start) * compiler_share;
+    const double expected = verilating.seconds() * compiler_share;
     write_parts(folder, config, module);
-    const auto compiling = Clock::now();
+    const Stopwatch compiling;
     compile(folder, module,
-            [&] { working("the C++ compiler", std::max(0.0, expected - seconds_since(compiling))); });
+            [&] { working("the C++ compiler", std::max(0.0, expected - compiling.seconds())); });
     tidy(folder);
 }
 
@@ -189,7 +180,7 @@ std::string lint_library(const fs::path& folder, const Config& config, const std
                   folder / "lint.log", folder});
     while (!lint.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     // Newer versions add a report on themselves, in lines that begin with a dash.
-    std::istringstream log(text_of(folder / "lint.log"));
+    std::istringstream log(read_if_there(folder / "lint.log"));
     std::string found;
     for (std::string line; std::getline(log, line);)
         if (!line.starts_with("- ")) found += (found.empty() ? "" : "\n") + line;

@@ -4,13 +4,12 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "sim/files/input.hpp"
 
 namespace rayclock {
 
@@ -39,11 +38,9 @@ fs::path own_tree() {
 
 std::string text_of(const fs::path& path) {
     if (!is_file(path)) throw UserError(path.string() + ": no ordinary file, and the RTL needs it");
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file || text.view().empty()) throw UserError(path.string() + ": empty, or cannot be read");
-    return text.str();
+    std::string text = read_if_there(path);
+    if (text.empty()) throw UserError(path.string() + ": empty, or cannot be read");
+    return text;
 }
 
 /// Verilator's makefiles and wrappers stumble over blanks, quotes and dollars.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "model/base/axes.hpp"
+
 namespace rayclock::stress {
 
 namespace {
@@ -13,18 +15,13 @@ Vec3i fitted(const Vec3l& v, int dir_bits, Rng& rng) {
     std::int64_t size = 0;
     for (const std::int64_t x : v) size = std::max(size, std::abs(x));
     if (size == 0) return any_direction(dir_bits, rng);
-    const std::int64_t limit = most(dir_bits);
-    Vec3i d{};
-    if (size <= limit) {
-        const std::int64_t room = limit / size,
-                           factor =
-                               rng.below(3) == 0 ? room : 1 + std::int64_t(rng.next() % std::uint64_t(room));
-        for (std::size_t k = 0; k < 3; ++k) d[k] = std::int32_t(v[k] * factor);
-        return d;
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-        d[k] = std::int32_t(std::llround(double(v[k]) * double(limit) / double(size)));
-    return d;
+    const std::int64_t limit = most(dir_bits), room = limit / size;
+    if (room == 0)
+        return by_axis([&](std::size_t k) {
+            return std::int32_t(std::llround(double(v[k]) * double(limit) / double(size)));
+        });
+    const std::int64_t factor = rng.below(3) == 0 ? room : 1 + std::int64_t(rng.next() % std::uint64_t(room));
+    return by_axis([&](std::size_t k) { return std::int32_t(v[k] * factor); });
 }
 
 }   // namespace
@@ -45,11 +42,11 @@ Weights weights(Target target, Rng& rng) {
 
 Vec3i towards(const Vec3i& o, const oracle::Corners& t, const Weights& w, int dir_bits, Rng& rng) {
     const std::int64_t sum = w.a + w.b + w.c;
-    Vec3l way{};
-    for (std::size_t k = 0; k < 3; ++k)
-        way[k] =
-            std::int64_t(w.a) * t.a[k] + std::int64_t(w.b) * t.b[k] + std::int64_t(w.c) * t.c[k] - sum * o[k];
-    return fitted(way, dir_bits, rng);
+    const auto way = [&](std::size_t k) {
+        return std::int64_t(w.a) * t.a[k] + std::int64_t(w.b) * t.b[k] + std::int64_t(w.c) * t.c[k] -
+               sum * o[k];
+    };
+    return fitted(by_axis(way), dir_bits, rng);
 }
 
 Vec3i towards(const Vec3i& o, const Vec3i& point, int dir_bits, Rng& rng) {
@@ -88,14 +85,6 @@ Vec3i outside(const Mesh& mesh, int coord_bits, Rng& rng) {
         o[k] = place < below ? lo + place : mesh.hi[k] + 1 + (place - below);
     }
     return o;
-}
-
-std::function<Shot(Rng&)> from_outside(const Mesh& mesh, Target target, int coord_bits, int dir_bits) {
-    return [&mesh, target, coord_bits, dir_bits](Rng& rng) {
-        const Vec3i o = outside(mesh, coord_bits, rng);
-        const oracle::Corners& t = mesh.triangles[std::size_t(rng.below(int(mesh.triangles.size())))];
-        return Shot{o, towards(o, t, weights(target, rng), dir_bits, rng), 0};
-    };
 }
 
 double scale(int coord_bits, int least, Rng& rng) {

@@ -28,9 +28,6 @@ Vec3i axis_direction(int dir_bits, Rng& rng);
 /// A lattice point outside the mesh's bounds: anywhere, or near.
 Vec3i outside(const Mesh& mesh, int coord_bits, Rng& rng);
 
-/// Rays from outside, at random triangles.
-std::function<Shot(Rng&)> from_outside(const Mesh& mesh, Target target, int coord_bits, int dir_bits);
-
 /// A half size for a mesh, one of several scales: from the whole lattice down to `least` lattice steps.
 double scale(int coord_bits, int least, Rng& rng);
 

@@ -1,5 +1,7 @@
 #include "sim/stress/controls.hpp"
 
+#include <algorithm>
+
 #include "model/isect/tri.hpp"
 
 namespace rayclock::stress {
@@ -32,17 +34,13 @@ bool ahead(const Edges& e) { return e.size() != 0 && e.height != 0 && (e.size() 
 /// Edge functions of zero count as inside, for every triangle: >= where the tie rule belongs.
 void inclusive(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best&, const Config&, TriRsp& out) {
     const Edges e = edges(o, d, t);
-    out.closer = ahead(e) && ((e.bc >= 0 && e.ca >= 0 && e.ab >= 0) || (e.bc <= 0 && e.ca <= 0 && e.ab <= 0));
+    out.closer = ahead(e) && (std::min({e.bc, e.ca, e.ab}) >= 0 || std::max({e.bc, e.ca, e.ab}) <= 0);
 }
-/// And as outside: >.
+/// And as outside: >. Only the bits in `keep` of the products are kept.
+template <Number keep>
 void exclusive(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best&, const Config&, TriRsp& out) {
-    const Edges e = edges(o, d, t);
-    out.closer = ahead(e) && ((e.bc > 0 && e.ca > 0 && e.ab > 0) || (e.bc < 0 && e.ca < 0 && e.ab < 0));
-}
-/// The products' lowest bit is lost.
-void dropped_bit(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best&, const Config&, TriRsp& out) {
-    const Edges e = edges(o, d, t, ~Number(1));
-    out.closer = ahead(e) && ((e.bc > 0 && e.ca > 0 && e.ab > 0) || (e.bc < 0 && e.ca < 0 && e.ab < 0));
+    const Edges e = edges(o, d, t, keep);
+    out.closer = ahead(e) && (std::min({e.bc, e.ca, e.ab}) > 0 || std::max({e.bc, e.ca, e.ab}) < 0);
 }
 /// Triangles whose determinant is small are taken for edge-on: 2^-30 of the largest there is.
 void epsilon(const Vec3i& o, const Vec3i& d, const PrimData& t, const Best& best, const Config& c,
@@ -76,10 +74,10 @@ const std::vector<NamedTest>& controls() {
     static const std::vector<NamedTest> all{
         {"inclusive", "control: >= for the tie rule. Must hit twice", inclusive, Walks::no,
          PrimitiveTest::exact, Demand::double_hits},
-        {"exclusive", "control: > for the tie rule. Must leak", exclusive, Walks::no, PrimitiveTest::exact,
-         Demand::leaks},
-        {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", dropped_bit, Walks::no,
+        {"exclusive", "control: > for the tie rule. Must leak", exclusive<~Number(0)>, Walks::no,
          PrimitiveTest::exact, Demand::leaks},
+        {"dropped_bit", "control: the lowest bit of every product is lost. Must leak", exclusive<~Number(1)>,
+         Walks::no, PrimitiveTest::exact, Demand::leaks},
         {"epsilon", "control: |det| < 2^-30 of the largest is no hit. Must leak", epsilon, Walks::no,
          PrimitiveTest::exact, Demand::leaks},
         {"inward_boxes",

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "model/base/error.hpp"
+#include "model/base/axes.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/stress/aim.hpp"
 
@@ -11,16 +11,33 @@ namespace rayclock::stress {
 
 namespace {
 
-/// A case's rays refer to its mesh: both live together.
-Case with_rays(Mesh mesh, const std::function<std::function<Shot(Rng&)>(const Mesh&)>& rays) {
+/// A case's rays, shoot(mesh, rng), refer to its mesh: both live together.
+template <class Shoot> Case with_rays(Mesh mesh, const Shoot& shoot) {
     const auto kept = std::make_shared<const Mesh>(std::move(mesh));
-    return {*kept, [kept, shoot = rays(*kept)](Rng& rng) { return shoot(rng); }};
-}
-Case aimed(Mesh mesh, Target target, int n, int m) {
-    return with_rays(std::move(mesh), [=](const Mesh& kept) { return from_outside(kept, target, n, m); });
+    return {*kept, [kept, shoot](Rng& rng) { return shoot(*kept, rng); }};
 }
 const oracle::Corners& any_triangle(const Mesh& mesh, Rng& rng) {
     return mesh.triangles[std::size_t(rng.below(int(mesh.triangles.size())))];
+}
+/// Rays from outside, at random triangles.
+Case aimed(Mesh mesh, Target target, int n, int m) {
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const Vec3i o = outside(kept, n, from);
+        const oracle::Corners& t = any_triangle(kept, from);
+        return Shot{o, towards(o, t, weights(target, from), m, from), 0};
+    });
+}
+
+/// The lattice point at or beside that with these weights.
+Vec3i point_of(const oracle::Corners& t, const Weights& w) {
+    return by_axis(
+        [&](std::size_t k) { return (w.a * t.a[k] + w.b * t.b[k] + w.c * t.c[k]) / (w.a + w.b + w.c); });
+}
+
+/// Moves an origin back along an axis to the end of the lattice.
+void move_back(Shot& shot, int n) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (shot.d[k] != 0) shot.o[k] = shot.d[k] > 0 ? -most(n) : most(n);
 }
 
 Mesh ball(int level, int n, Rng& rng) {
@@ -38,13 +55,11 @@ Case corners(int n, int m, Rng& rng) { return aimed(ball(1 + rng.below(3), n, rn
 Case fan(int n, int m, Rng& rng) {
     Mesh mesh;
     mesh.add(turned(bipyramid(16 << rng.below(4), 1), rng), scale(n, 64, rng));
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const Vec3i o = outside(kept, n, from);
-            const oracle::Corners& t = any_triangle(kept, from);   // its first corner is an apex
-            return Shot{
-                o, towards(o, t, from.below(2) ? Weights{1, 0, 0} : weights(Target::edge, from), m, from), 0};
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const Vec3i o = outside(kept, n, from);
+        const oracle::Corners& t = any_triangle(kept, from);   // its first corner is an apex
+        return Shot{o, towards(o, t, from.below(2) ? Weights{1, 0, 0} : weights(Target::edge, from), m, from),
+                    0};
     });
 }
 
@@ -59,15 +74,12 @@ Case seams(int n, int m, Rng& rng, bool slivers) {
     Mesh mesh = ball(3, n, rng);
     cut_edges(mesh, 200, slivers, rng);
     // Half at the new corners, which come last.
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const Vec3i o = outside(kept, n, from);
-            const int all = int(kept.triangles.size());
-            const oracle::Corners& t = kept.triangles[std::size_t(
-                from.below(2) ? all - 1 - from.below(std::min(all, 200)) : from.below(all))];
-            return Shot{o, towards(o, t, weights(from.below(2) ? Target::edge : Target::any, from), m, from),
-                        0};
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const Vec3i o = outside(kept, n, from);
+        const int all = int(kept.triangles.size());
+        const oracle::Corners& t = kept.triangles[std::size_t(
+            from.below(2) ? all - 1 - from.below(std::min(all, 200)) : from.below(all))];
+        return Shot{o, towards(o, t, weights(from.below(2) ? Target::edge : Target::any, from), m, from), 0};
     });
 }
 Case slivers(int n, int m, Rng& rng) { return seams(n, m, rng, true); }
@@ -80,24 +92,20 @@ Case edge_on(int n, int m, Rng& rng) {
         mesh.add(cube(4), std::floor(scale(n, 24, rng) / 4) * 2);
     else
         mesh = ball(2, n, rng);
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const oracle::Corners& t = any_triangle(kept, from);
-            const int p = from.below(9) - 4, q = from.below(9) - 4, r = from.below(5) - 2,
-                      s = from.below(5) - 2;
-            Shot shot;
-            Vec3i there{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                const int e = t.b[k] - t.a[k], f = t.c[k] - t.a[k];
-                shot.o[k] = std::clamp(t.a[k] + p * e + q * f, -most(n),
-                                       most(n));   // clamped: no longer in the plane, and as good
-                there[k] = t.a[k] + r * e + s * f;
-            }
-            shot.d = towards(shot.o, there, m, from);
-            for (std::size_t k = 0; k < 3; ++k)
-                if (shot.o[k] < kept.lo[k] || shot.o[k] > kept.hi[k]) shot.inside = 0;
-            return shot;
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const oracle::Corners& t = any_triangle(kept, from);
+        const int p = from.below(9) - 4, q = from.below(9) - 4, r = from.below(5) - 2, s = from.below(5) - 2;
+        const auto in_plane = [&](int along_ab, int along_ac) {
+            return by_axis([&](std::size_t k) {
+                return t.a[k] + along_ab * (t.b[k] - t.a[k]) + along_ac * (t.c[k] - t.a[k]);
+            });
         };
+        Shot shot{in_plane(p, q), {}, {}};
+        for (auto& x : shot.o) x = std::clamp(x, -most(n), most(n));   // no longer in the plane, and as good
+        shot.d = towards(shot.o, in_plane(r, s), m, from);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (shot.o[k] < kept.lo[k] || shot.o[k] > kept.hi[k]) shot.inside = 0;
+        return shot;
     });
 }
 
@@ -108,18 +116,13 @@ Case on_surface(int n, int m, Rng& rng) {
         mesh = {};
         mesh.add(cube(4), std::floor(scale(n, 24, rng) / 4) * 2);
     }
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, m](Rng& from) {
-            const oracle::Corners &t = any_triangle(kept, from), &other = any_triangle(kept, from);
-            const Weights w = weights(Target::any, from);
-            Shot shot;
-            for (std::size_t k = 0; k < 3; ++k)
-                shot.o[k] = (w.a * t.a[k] + w.b * t.b[k] + w.c * t.c[k]) / (w.a + w.b + w.c);
-            shot.d = from.below(4) == 0
-                         ? any_direction(m, from)
-                         : towards(shot.o, from.below(3) ? other : t, weights(Target::any, from), m, from);
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const oracle::Corners &t = any_triangle(kept, from), &other = any_triangle(kept, from);
+        Shot shot{point_of(t, weights(Target::any, from)), {}, {}};
+        shot.d = from.below(4) == 0
+                     ? any_direction(m, from)
+                     : towards(shot.o, from.below(3) ? other : t, weights(Target::any, from), m, from);
+        return shot;
     });
 }
 
@@ -147,18 +150,12 @@ Case coplanar(int n, int m, Rng& rng) {
 
 /// Along an axis through corners and edges.
 Case axis_parallel(int n, int m, Rng& rng) {
-    return with_rays(ball(1 + rng.below(3), n, rng), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const oracle::Corners& t = any_triangle(kept, from);
-            const Weights w = weights(Target::any, from);
-            Shot shot{{}, axis_direction(m, from), 0};
-            for (std::size_t k = 0; k < 3; ++k) {
-                shot.o[k] = (w.a * t.a[k] + w.b * t.b[k] + w.c * t.c[k]) / (w.a + w.b + w.c);
-                if (shot.d[k] > 0) shot.o[k] = -most(n);
-                if (shot.d[k] < 0) shot.o[k] = most(n);
-            }
-            return shot;
-        };
+    return with_rays(ball(1 + rng.below(3), n, rng), [=](const Mesh& kept, Rng& from) {
+        const oracle::Corners& t = any_triangle(kept, from);
+        const Weights w = weights(Target::any, from);
+        Shot shot{point_of(t, w), axis_direction(m, from), 0};
+        move_back(shot, n);
+        return shot;
     });
 }
 
@@ -167,17 +164,13 @@ Case grid(int n, int m, Rng& rng) {
     const int squares = 8, step = std::max(2, int(scale(n, 32, rng)) / squares * 2);
     Mesh mesh;
     mesh.add(cube(squares), step * squares / 2);
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m, step](Rng& from) {
-            Shot shot{{}, axis_direction(m, from), 0};
-            for (std::size_t k = 0; k < 3; ++k) {
-                shot.o[k] =
-                    kept.lo[k] + step * from.below(squares + 1) + (from.below(4) == 0 ? from.below(step) : 0);
-                if (shot.d[k] > 0) shot.o[k] = -most(n);
-                if (shot.d[k] < 0) shot.o[k] = most(n);
-            }
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        Shot shot{{}, axis_direction(m, from), 0};
+        for (std::size_t k = 0; k < 3; ++k)
+            shot.o[k] =
+                kept.lo[k] + step * from.below(squares + 1) + (from.below(4) == 0 ? from.below(step) : 0);
+        move_back(shot, n);
+        return shot;
     });
 }
 
@@ -187,17 +180,15 @@ Case flat_boxes(int n, int m, Rng& rng) {
     const double size = std::floor(scale(n, 24, rng) / 16) * 8;
     for (int i = -2; i <= 2; ++i) mesh.add(plate(4), size, {0, 0, i * std::floor(size / 4)});
     mesh.add(cube(2), size / 2);
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const oracle::Corners &t = any_triangle(kept, from), &s = any_triangle(kept, from);
-            Shot shot{outside(kept, n, from), {}, {}};
-            const auto axis = std::size_t(from.below(3));
-            shot.o[axis] = t.a[axis];
-            shot.d = towards(shot.o, s, weights(Target::any, from), m, from);
-            if (from.below(4)) shot.d[axis] = 0;
-            if (shot.d == Vec3i{}) shot.d = axis_direction(m, from);
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const oracle::Corners &t = any_triangle(kept, from), &s = any_triangle(kept, from);
+        Shot shot{outside(kept, n, from), {}, {}};
+        const auto axis = std::size_t(from.below(3));
+        shot.o[axis] = t.a[axis];
+        shot.d = towards(shot.o, s, weights(Target::any, from), m, from);
+        if (from.below(4)) shot.d[axis] = 0;
+        if (shot.d == Vec3i{}) shot.d = axis_direction(m, from);
+        return shot;
     });
 }
 
@@ -208,19 +199,17 @@ Case stadium(int n, int m, Rng& rng) {
     const double tiny = std::max(3.0, most(n) / (rng.below(2) ? 1e3 : rng.below(2) ? 1e4 : 1e5));
     const double place = most(n) / 2.0;
     mesh.add(turned(sphere(2), rng), tiny, {place, -place, place / 3});
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        const oracle::Corners first = kept.triangles[12];   // of the ball
-        return [&kept, n, m, first](Rng& from) {
-            Shot shot{{}, {}, 1};
-            do
-                for (auto& x : shot.o) x = from.below(2 * most(n) - 1) - most(n) + 1;
-            while (std::abs(shot.o[0] - first.a[0]) < most(n) / 8);   // in the cube, not in the ball
-            const int all = int(kept.triangles.size());
-            const oracle::Corners& t =
-                kept.triangles[std::size_t(from.below(8) == 0 ? from.below(12) : 12 + from.below(all - 12))];
-            shot.d = towards(shot.o, t, weights(Target::any, from), m, from);
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        constexpr int cube_triangles = 12;   // and then those of the ball
+        Shot shot{{}, {}, 1};
+        do
+            for (auto& x : shot.o) x = from.below(2 * most(n) - 1) - most(n) + 1;
+        while (std::abs(shot.o[0] - kept.triangles[cube_triangles].a[0]) < most(n) / 8);   // not in the ball
+        const int of_ball = int(kept.triangles.size()) - cube_triangles;
+        const oracle::Corners& t = kept.triangles[std::size_t(
+            from.below(8) == 0 ? from.below(cube_triangles) : cube_triangles + from.below(of_ball))];
+        shot.d = towards(shot.o, t, weights(Target::any, from), m, from);
+        return shot;
     });
 }
 
@@ -229,13 +218,11 @@ Case far_off(int n, int m, Rng& rng) {
     Mesh mesh;
     const double size = std::max(24.0, most(n) / 64.0), place = most(n) - size - 1;
     mesh.add(turned(sphere(1 + rng.below(3)), rng), size, {place, place, place});
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            Shot shot{{}, {}, 0};
-            for (auto& x : shot.o) x = -most(n) + from.below(most(n) / 64 + 1);
-            shot.d = towards(shot.o, any_triangle(kept, from), weights(Target::any, from), m, from);
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        Shot shot{{}, {}, 0};
+        for (auto& x : shot.o) x = -most(n) + from.below(most(n) / 64 + 1);
+        shot.d = towards(shot.o, any_triangle(kept, from), weights(Target::any, from), m, from);
+        return shot;
     });
 }
 
@@ -243,21 +230,19 @@ Case far_off(int n, int m, Rng& rng) {
 Case largest(int n, int m, Rng& rng) {
     Mesh mesh;
     mesh.add(rng.below(2) ? cube(1) : bipyramid(4, 1), most(n));
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const int limit = most(n), far = most(m);
-            Shot shot;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const int places[] = {-limit - 1, limit, -limit, 0, from.below(2 * limit) - limit},
-                          ways[] = {far, -far - 1, -far, 0, far - 1};
-                shot.o[k] = places[from.below(5)];
-                shot.d[k] = ways[from.below(5)];
-                if (shot.o[k] == -limit - 1) shot.inside = 0;
-            }
-            if (shot.d == Vec3i{} || from.below(2))
-                shot.d = towards(shot.o, any_triangle(kept, from), weights(Target::any, from), m, from);
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const int limit = most(n), far = most(m);
+        Shot shot;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int places[] = {-limit - 1, limit, -limit, 0, from.below(2 * limit) - limit},
+                      ways[] = {far, -far - 1, -far, 0, far - 1};
+            shot.o[k] = places[from.below(5)];
+            shot.d[k] = ways[from.below(5)];
+            if (shot.o[k] == -limit - 1) shot.inside = 0;
+        }
+        if (shot.d == Vec3i{} || from.below(2))
+            shot.d = towards(shot.o, any_triangle(kept, from), weights(Target::any, from), m, from);
+        return shot;
     });
 }
 
@@ -286,15 +271,13 @@ Case deep(int n, int m, Rng& rng) {
         place -= 1.5 * size;
         size /= 1.6;
     }
-    return with_rays(std::move(mesh), [=](const Mesh& kept) -> std::function<Shot(Rng&)> {
-        return [&kept, n, m](Rng& from) {
-            const oracle::Corners& t = any_triangle(kept, from);
-            Shot shot{outside(kept, n, from), {}, 0};
-            if (from.below(2))
-                shot.o = {most(n), most(n) / 2 + from.below(most(n) / 8), -most(n)};   // along the row
-            shot.d = towards(shot.o, t, weights(Target::any, from), m, from);
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh& kept, Rng& from) {
+        const oracle::Corners& t = any_triangle(kept, from);
+        Shot shot{outside(kept, n, from), {}, 0};
+        if (from.below(2))
+            shot.o = {most(n), most(n) / 2 + from.below(most(n) / 8), -most(n)};   // along the row
+        shot.d = towards(shot.o, t, weights(Target::any, from), m, from);
+        return shot;
     });
 }
 
@@ -307,14 +290,12 @@ Case quad(int n, int m, Rng& rng) {
     Shape body = cube(1);
     for (glm::dvec3& p : body.points) p = {5 * p.x, 5 * p.y, p.z > 0 ? 0 : -5};
     mesh.add(body, unit);
-    return with_rays(std::move(mesh), [=](const Mesh&) -> std::function<Shot(Rng&)> {
-        return [n, m, unit](Rng& from) {
-            Shot shot{{0, 0, std::min(most(n), int(10 * unit))}, {}, 0};
-            const int along = from.below(3) == 0 ? int(0.30458447 * most(m)) : from.below(most(m) / 2);
-            const int sign = from.below(2) ? 1 : -1;
-            shot.d = {sign * along, sign * along, from.below(2) ? -int(0.9024725 * most(m)) : -most(m)};
-            return shot;
-        };
+    return with_rays(std::move(mesh), [=](const Mesh&, Rng& from) {
+        Shot shot{{0, 0, std::min(most(n), int(10 * unit))}, {}, 0};
+        const int along = from.below(3) == 0 ? int(0.30458447 * most(m)) : from.below(most(m) / 2);
+        const int sign = from.below(2) ? 1 : -1;
+        shot.d = {sign * along, sign * along, from.below(2) ? -int(0.9024725 * most(m)) : -most(m)};
+        return shot;
     });
 }
 
@@ -359,13 +340,6 @@ const std::vector<Family>& families() {
     return all;
 }
 
-const Family& family(const std::string& name) {
-    std::vector<std::string> names;
-    for (const Family& f : families()) {
-        if (name == f.name) return f;
-        names.push_back(f.name);
-    }
-    throw UserError("--family: no family is called " + shown(name) + did_you_mean(name, names));
-}
+const Family& family(const std::string& name) { return by_name(families(), name, "--family: no family"); }
 
 }   // namespace rayclock::stress

@@ -1,5 +1,6 @@
 #pragma once
 // One ray of a hard case, judged by the oracle.
+#include <array>
 #include <memory>
 
 #include "model/isect/primitive.hpp"
@@ -34,6 +35,11 @@ struct Counts {
     Counts& operator+=(const Counts& other);
     friend bool operator==(const Counts&, const Counts&) = default;
 };
+/// All of them, in the order in which a state has them.
+inline constexpr std::array count_fields{
+    &Counts::rays,       &Counts::leaks,       &Counts::double_hits,   &Counts::oracle_mismatches,
+    &Counts::crossings,  &Counts::walked,      &Counts::boxes,         &Counts::boxes_extra,
+    &Counts::boxes_lost, &Counts::shadow_rays, &Counts::false_shadows, &Counts::light_leaks};
 
 /// What a test's counts must be.
 enum class Demand {

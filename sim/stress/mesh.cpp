@@ -129,19 +129,14 @@ Shape turned(const Shape& shape, Rng& rng) {
 void Mesh::add(const Shape& shape, double scale, const glm::dvec3& centre) {
     std::vector<Vec3i> points;
     for (const glm::dvec3& p : shape.points) {
-        Vec3i q{};
-        for (int k = 0; k < 3; ++k) q[std::size_t(k)] = std::int32_t(std::lround(p[k] * scale + centre[k]));
-        points.push_back(q);
+        const glm::dvec3 q = p * scale + centre;
+        points.push_back({int(std::lround(q.x)), int(std::lround(q.y)), int(std::lround(q.z))});
     }
     for (const Face& f : shape.faces) {
         const oracle::Corners t{points[f[0]], points[f[1]], points[f[2]]};
         if (triangles.empty()) lo = hi = t.a;
         triangles.push_back(t);
-        for (const Vec3i& p : {t.a, t.b, t.c})
-            for (std::size_t k = 0; k < 3; ++k) {
-                lo[k] = std::min(lo[k], p[k]);
-                hi[k] = std::max(hi[k], p[k]);
-            }
+        for (const Vec3i& p : {t.a, t.b, t.c}) add(p);
     }
 }
 

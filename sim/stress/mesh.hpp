@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "model/base/rng.hpp"
-#include "model/oracle/cross.hpp"
+#include "model/oracle/tree.hpp"
 
 namespace rayclock::stress {
 
@@ -31,13 +31,13 @@ Shape plate(int n, bool other_diagonal = false);
 /// Turned about a random axis by a random angle.
 Shape turned(const Shape& shape, Rng& rng);
 
-/// Triangles on the lattice.
-struct Mesh {
+/// Triangles on the lattice, and their bounds.
+struct Mesh : oracle::Extent {
     std::vector<oracle::Corners> triangles;
-    Vec3i lo{}, hi{};   ///< bounds
 
     /// Adds a shape scaled and moved; every point goes to the nearest lattice point, so what was closed is
     /// closed.
+    using Extent::add;
     void add(const Shape& shape, double scale, const glm::dvec3& centre = glm::dvec3{0});
     /// Each edge of a triangle is met by the opposite edge of another, as often: no border anywhere.
     bool closed() const;

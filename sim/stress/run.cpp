@@ -1,12 +1,12 @@
 #include "sim/stress/run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "model/base/stopwatch.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/stress/shadows.hpp"
 #include "sim/stress/state.hpp"
@@ -99,11 +99,6 @@ Config format_of(int bits, std::uint64_t batch) {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Rays of each cell after so many units.
 std::vector<std::uint64_t> rays_after(const Work& work, std::uint64_t units) {
     std::vector<std::uint64_t> rays(work.cells.size());
@@ -141,12 +136,12 @@ Outcome run(const Plan& plan, const Progress& progress) {
         rays_all += work.units[u].rays;
     }
 
-    const auto start = Clock::now();
-    auto saved = start;
+    const Stopwatch watch;
+    double saved = 0;
     std::uint64_t added = first, done_rays = outcome.rays_before;
     const auto save = [&] {
         if (!plan.state.empty()) write_state(plan, work.cells, added);
-        saved = Clock::now();
+        saved = watch.seconds();
     };
     const auto make = [&](std::size_t i) {
         const double begin = thread_seconds();
@@ -163,16 +158,16 @@ Outcome run(const Plan& plan, const Progress& progress) {
         outcome.core_seconds += made.seconds;
         if (progress)
             progress(fmt::format("rays, {:.2f} M/s",
-                                 double(done_rays - outcome.rays_before) / 1e6 / seconds_since(start)),
+                                 double(done_rays - outcome.rays_before) / 1e6 / watch.seconds()),
                      done_rays, rays_all);
-        if (seconds_since(saved) > seconds_between_saves) save();
+        if (watch.seconds() - saved > seconds_between_saves) save();
     };
     jobs::in_order(
         plan.threads, [&](std::size_t i) { return first + i < end && !interrupted(); }, make, take);
     save();
 
     outcome.partial = added < work.units.size();
-    outcome.seconds = seconds_since(start);
+    outcome.seconds = watch.seconds();
     for (const Cell& cell : work.cells) outcome.rays += cell.counts.rays;
     outcome.cells = std::move(work.cells);
     return outcome;

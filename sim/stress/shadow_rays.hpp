@@ -5,24 +5,21 @@
 #include <vector>
 
 #include "model/base/rng.hpp"
+#include "model/base/axes.hpp"
+#include "model/oracle/tree.hpp"
 #include "model/oracle/cross.hpp"
 
 namespace rayclock {
 
-/// Bounds of a mesh.
-struct MeshBounds {
-    Vec3i lo{}, hi{};
-};
-
 /// The nearest point of the lattice of N bits, without its lowest coordinate.
 inline Vec3i inside_lattice(const Vec3i& p, int bits) {
     const int most = (1 << (bits - 1)) - 1;
-    return {std::clamp(p[0], -most, most), std::clamp(p[1], -most, most), std::clamp(p[2], -most, most)};
+    return by_axis([&](std::size_t k) { return std::clamp(p[k], -most, most); });
 }
 
 class ShadowRays {
 public:
-    ShadowRays(const std::vector<oracle::Corners>& mesh, const MeshBounds& bounds, int coord_bits,
+    ShadowRays(const std::vector<oracle::Corners>& mesh, const oracle::Extent& bounds, int coord_bits,
                std::uint64_t seed)
         : mesh_(mesh), bounds_(bounds), bits_(coord_bits), rng_(seed) {}
 
@@ -43,16 +40,13 @@ public:
     Vec3i target() {
         const oracle::Corners& t = any_triangle();
         const int weights[][3] = {{2, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
-        Vec3i at{};
-        if (const int kind = below(8); kind < 4) {
-            for (std::size_t k = 0; k < 3; ++k)
-                at[k] = weights[kind][0] * t.a[k] + weights[kind][1] * t.b[k] + weights[kind][2] * t.c[k];
-        } else {
-            const std::int64_t u = below(1025), v = below(1025 - int(u));
-            for (std::size_t k = 0; k < 3; ++k)
-                at[k] = int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512);
-        }
-        return at;
+        if (const int kind = below(8); kind < 4)
+            return by_axis([&, w = weights[kind]](std::size_t k) {
+                return w[0] * t.a[k] + w[1] * t.b[k] + w[2] * t.c[k];
+            });
+        const std::int64_t u = below(1025), v = below(1025 - int(u));
+        return by_axis(
+            [&](std::size_t k) { return int(((1024 - u - v) * t.a[k] + u * t.b[k] + v * t.c[k]) / 512); });
     }
 
     /// For what was hit near `hit` on triangle t.
@@ -60,10 +54,7 @@ public:
         switch (below(7)) {
             case 0: return any_point();
             case 1: return point_in_bounds();
-            case 2: {
-                const int reach = 2 << below(5);
-                return near(hit, reach);
-            }
+            case 2: return near(hit, 2 << below(5));
             case 3: {
                 const Vec3i at = corner();
                 return near(at, below(2));
@@ -73,10 +64,10 @@ public:
                     {bounds_.hi[0] + 3, below(2) != 0 ? bounds_.hi[1] + 3 : bounds_.lo[1] - 3, 7}, bits_);
             default: {   // in the triangle's plane or a little off it
                 const int u = between(-3, 3), v = between(-3, 3), reach = below(3);
-                Vec3i at;
-                for (std::size_t k = 0; k < 3; ++k)
-                    at[k] = t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);
-                return near(at, reach);
+                const auto in_plane = [&](std::size_t k) {
+                    return t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]);
+                };
+                return near(by_axis(in_plane), reach);
             }
         }
     }
@@ -85,26 +76,21 @@ private:
     const oracle::Corners& any_triangle() { return mesh_[std::size_t(below(int(mesh_.size())))]; }
     Vec3i any_point() {
         const int most = (1 << (bits_ - 1)) - 1;
-        return {between(-most, most), between(-most, most), between(-most, most)};
+        return by_axis([&](std::size_t) { return between(-most, most); });
     }
     Vec3i point_in_bounds() {
-        Vec3i p{};
-        for (std::size_t k = 0; k < 3; ++k) p[k] = between(bounds_.lo[k], bounds_.hi[k]);
-        return p;
+        return by_axis([&](std::size_t k) { return between(bounds_.lo[k], bounds_.hi[k]); });
     }
     Vec3i near(const Vec3i& p, int reach) {
-        return inside_lattice(
-            {p[0] + between(-reach, reach), p[1] + between(-reach, reach), p[2] + between(-reach, reach)},
-            bits_);
+        return inside_lattice(by_axis([&](std::size_t k) { return p[k] + between(-reach, reach); }), bits_);
     }
     Vec3i corner() {
         const oracle::Corners& t = any_triangle();
-        const Vec3i* corners[] = {&t.a, &t.b, &t.c};
-        return *corners[below(3)];
+        return std::array{t.a, t.b, t.c}[std::size_t(below(3))];
     }
 
     const std::vector<oracle::Corners>& mesh_;
-    MeshBounds bounds_;
+    oracle::Extent bounds_;
     int bits_;
     Rng rng_;
 };

@@ -3,6 +3,9 @@
 #include <bit>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "model/isect/origin.hpp"
 #include "model/isect/tri.hpp"
 #include "model/oracle/sight.hpp"
@@ -17,11 +20,16 @@ using oracle::Sight;
 
 PrimData prim_of(const Corners& t, std::uint32_t number) { return {t.a, t.b, t.c, number}; }
 
+template <class Number> glm::dvec3 vector(const std::array<Number, 3>& v) {
+    return {double(v[0]), double(v[1]), double(v[2])};
+}
+int largest(const Vec3i& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+
 /// A camera ray's hit.
 struct CameraHit {
     std::uint32_t primitive = no_primitive;
     oracle::Place at;
-    std::array<double, 3> near{};   ///< the same, nearly
+    glm::dvec3 near{0};   ///< the same, nearly
     std::uint32_t u = 0, v = 0;
     int facing = 0;   ///< the side from which the ray came
 };
@@ -62,32 +70,30 @@ private:
 
     CameraHit first_hit() {
         const Vec3i o = draw_.camera(), at = draw_.target();
-        Vec3i d{};
-        std::uint32_t most = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            d[k] = at[k] - 2 * o[k];   // below 2^(N+1): fits M = N + 2 bits
-            most = std::max(most, std::uint32_t(std::abs(d[k])));
-        }
-        if (most == 0) return {};
-        const int room = config_.dir_bits - 1 - std::bit_width(most);
+        // Below 2^(N+1): fits M = N + 2 bits.
+        Vec3i d = by_axis([&](std::size_t k) { return at[k] - 2 * o[k]; });
+        if (largest(d) == 0) return {};
+        const int room = config_.dir_bits - 1 - std::bit_width(std::uint32_t(largest(d)));
         for (auto& x : d) x *= 1 << std::max(room, 0);
         const oracle::ExactHit exact = world_.surface_.closest(o, d);
         if (exact.primitive == no_primitive) return {};
         const PrimData prim = prim_of(triangle(exact.primitive), exact.primitive);
         TriRsp rsp;
         tri_test(o, d, prim, {}, config_, rsp);
-        CameraHit hit{exact.primitive, {{}, exact.den}, {}, rsp.u, rsp.v, -side_of_direction(prim, d)};
-        for (std::size_t k = 0; k < 3; ++k) {
-            hit.at.num[k] = Int128(o[k]) * exact.den + Int128(d[k]) * exact.num;
-            hit.near[k] = double(o[k]) + double(d[k]) * (double(exact.num) / double(exact.den));
-        }
-        return hit;
+        const auto at_hit = [&](std::size_t k) {
+            return Int128(o[k]) * exact.den + Int128(d[k]) * exact.num;
+        };
+        return {exact.primitive,
+                {by_axis(at_hit), exact.den},
+                vector(o) + vector(d) * (double(exact.num) / double(exact.den)),
+                rsp.u,
+                rsp.v,
+                -side_of_direction(prim, d)};
     }
 
     Vec3i nearest(const CameraHit& hit) const {
-        return inside_lattice(
-            {int(std::lround(hit.near[0])), int(std::lround(hit.near[1])), int(std::lround(hit.near[2]))},
-            config_.coord_bits);
+        return inside_lattice(by_axis([&](std::size_t k) { return int(std::lround(hit.near[int(k)])); }),
+                              config_.coord_bits);
     }
 
     /// A ray towards a light or where it would be, or nothing if that is seen edge-on.
@@ -95,12 +101,10 @@ private:
         const Vec3i from = nearest(hit), lamp = draw_.light(triangle(hit.primitive), from);
         const bool endless = draw_.below(4) == 0, through = draw_.below(8) != 0;
         Task task{lamp, {}, 0};
-        Vec3l way;
-        for (std::size_t k = 0; k < 3; ++k) way[k] = (std::int64_t(lamp[k]) - from[k]) * 2;
         int side = side_of_point(prim, lamp);
         if (endless) {
             task.light.reset();
-            for (std::size_t k = 0; k < 3; ++k) task.direction[k] = std::int32_t(way[k]);
+            task.direction = by_axis([&](std::size_t k) { return (lamp[k] - from[k]) * 2; });
             side = side_of_direction(prim, task.direction);
         }
         if (side == 0) return std::nullopt;
@@ -157,49 +161,36 @@ private:
         if (scheme_.kind == Kind::pushed) push(at, prim, facing);
         return {{{at[0], at[1], at[2]}, 0}, scheme_.kind == Kind::excluded ? hit.primitive : no_primitive};
     }
-    static std::array<double, 3> normal(const PrimData& t) {
-        std::array<double, 3> e{}, f{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            e[k] = t.b[k] - t.a[k];
-            f[k] = t.c[k] - t.a[k];
-        }
-        return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    static glm::dvec3 normal(const PrimData& t) {
+        return glm::cross(vector(t.b) - vector(t.a), vector(t.c) - vector(t.a));
     }
     static void push(Vec3i& at, const PrimData& prim, int facing) {
-        const auto n = normal(prim);
-        std::size_t main = 0;
-        for (std::size_t k = 1; k < 3; ++k)
-            if (std::abs(n[k]) > std::abs(n[main])) main = k;
-        while (side_of_point(prim, at) != facing) at[main] += (n[main] > 0) == (facing > 0) ? 1 : -1;
+        const glm::dvec3 n = normal(prim), size = glm::abs(n);
+        const int main = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        while (side_of_point(prim, at) != facing)
+            at[std::size_t(main)] += (n[main] > 0) == (facing > 0) ? 1 : -1;
     }
     SurfacePoint lifted(const CameraHit& hit, const PrimData& prim, int facing) const {
-        const auto n = normal(prim);
-        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        const glm::dvec3 n = normal(prim);
         const double step = facing * 1e-4 * double(1 << config_.coord_bits);
-        SurfacePoint at{{}, most_origin_bits};
-        for (std::size_t k = 0; k < 3; ++k)
-            at.at[k] = std::llround((hit.near[k] + step * n[k] / length) * (1 << most_origin_bits));
-        return at;
+        const glm::dvec3 at = (hit.near + step * n / glm::length(n)) * double(1 << most_origin_bits);
+        return {{std::llround(at.x), std::llround(at.y), std::llround(at.z)}, most_origin_bits};
     }
 
-    static std::array<double, 3> place(const SurfacePoint& at) {
-        const double one = double(std::int64_t(1) << at.frac_bits);
-        return {double(at.at[0]) / one, double(at.at[1]) / one, double(at.at[2]) / one};
+    static glm::dvec3 place(const SurfacePoint& at) {
+        return vector(at.at) / double(std::int64_t(1) << at.frac_bits);
     }
     /// Where to look for triangles to: the light, or a point beyond the lattice (a direction is not zero).
-    std::array<double, 3> end(const std::array<double, 3>& from, const std::optional<Vec3i>& light,
-                              const Vec3i& d) const {
-        if (light) return {double((*light)[0]), double((*light)[1]), double((*light)[2])};
-        const double far = double(2 << config_.coord_bits) /
-                           double(std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}));
-        return {from[0] + far * d[0], from[1] + far * d[1], from[2] + far * d[2]};
+    glm::dvec3 end(const glm::dvec3& from, const std::optional<Vec3i>& light, const Vec3i& d) const {
+        if (light) return vector(*light);
+        return from + double(2 << config_.coord_bits) / double(largest(d)) * vector(d);
     }
 
     bool is_blocked(const ShadowStart& start, const Task& to) const {
         const Vec3l inwards = to.light ? shadow_direction(*to.light, start.at) : Vec3l{};
         bool blocked = false;
-        const auto from = place(start.at);
-        world_.around_.along(from, end(from, to.light, to.direction), [&](std::uint32_t number) {
+        const glm::dvec3 from = place(start.at);
+        world_.surface_.along(from, end(from, to.light, to.direction), [&](std::uint32_t number) {
             if (number == start.excluded) return true;
             const PrimData prim = prim_of(triangle(number), number);
             blocked = to.light ? shadow_test(*to.light, inwards, start.at.frac_bits, prim)
@@ -209,10 +200,10 @@ private:
         return blocked;
     }
     Sight::Answer truth(const oracle::Path& path, std::uint32_t primitive, int facing,
-                        const std::array<double, 3>& from) const {
+                        const glm::dvec3& from) const {
         Sight sight(path, triangle(primitive), facing);
-        world_.around_.along(from, end(from, path.to, path.direction),
-                             [&](std::uint32_t number) { return sight.look(triangle(number)); });
+        world_.surface_.along(from, end(from, path.to, path.direction),
+                              [&](std::uint32_t number) { return sight.look(triangle(number)); });
         return sight.answer();
     }
 
@@ -243,16 +234,7 @@ ShadowCounts& ShadowCounts::operator+=(const ShadowCounts& other) {
 }
 
 Shadows::Shadows(std::vector<oracle::Corners> mesh, int coord_bits)
-    : surface_(mesh), around_(mesh), coord_bits_(coord_bits) {
-    const int most = 1 << coord_bits;
-    bounds_ = {{most, most, most}, {-most, -most, -most}};
-    for (const Corners& t : this->mesh())
-        for (const Vec3i* p : {&t.a, &t.b, &t.c})
-            for (std::size_t k = 0; k < 3; ++k) {
-                bounds_.lo[k] = std::min(bounds_.lo[k], (*p)[k]);
-                bounds_.hi[k] = std::max(bounds_.hi[k], (*p)[k]);
-            }
-}
+    : surface_(std::move(mesh), 1), coord_bits_(coord_bits), bounds_(surface_.bounds()) {}
 
 ShadowCounts Shadows::count(std::uint64_t seed, std::uint64_t rays, const OriginScheme& scheme) const {
     return ShadowProbe(*this, seed, scheme).run(rays);

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "model/oracle/around.hpp"
 #include "model/oracle/surface.hpp"
 #include "sim/stress/shadow_rays.hpp"
 
@@ -55,9 +54,8 @@ public:
 private:
     friend class ShadowProbe;
     oracle::Surface surface_;
-    oracle::Around around_;
     int coord_bits_;
-    MeshBounds bounds_;
+    oracle::Extent bounds_;
 };
 
 /// The same in one call.

@@ -7,6 +7,7 @@
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
+#include "sim/jobs/cache.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock::stress {
@@ -25,17 +26,18 @@ ordered_json plan_json(const Plan& plan) {
 }
 
 ordered_json counts_json(const Counts& c) {
-    return {c.rays,  c.leaks,       c.double_hits, c.oracle_mismatches, c.crossings,     c.walked,
-            c.boxes, c.boxes_extra, c.boxes_lost,  c.shadow_rays,       c.false_shadows, c.light_leaks};
+    ordered_json row = ordered_json::array();
+    for (const auto field : count_fields) row.push_back(c.*field);
+    return row;
 }
 
 /// What a row of counts may hold: exactly these rays, and no more of anything than can have come of them.
 Counts counts_of(const JsonValue& in, std::uint64_t rays) {
-    constexpr std::size_t columns = 12;
     constexpr std::uint64_t most = std::uint64_t{1} << 53;   // sums of rows stay far below 2^64
-    if (in.array().size() != columns) in.expected("12 whole numbers");
-    const auto at = [&](std::size_t i) { return in[i].whole(most); };
-    const Counts c{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9), at(10), at(11)};
+    if (in.array().size() != count_fields.size())
+        in.expected(fmt::format("{} whole numbers", count_fields.size()));
+    Counts c;
+    for (std::size_t i = 0; i < count_fields.size(); ++i) c.*count_fields[i] = in[i].whole(most);
     if (c.rays != rays) in.refuse(fmt::format("has {} rays; so many batches have {}", c.rays, rays));
     const bool is_possible = c.leaks <= rays && c.double_hits <= rays && c.oracle_mismatches <= rays &&
                              c.walked <= rays && c.boxes_extra <= c.boxes &&
@@ -44,15 +46,8 @@ Counts counts_of(const JsonValue& in, std::uint64_t rays) {
     return c;
 }
 
-/// FNV-1a: against mistakes, not against malice.
-std::string hash_of(const std::string& text) {
-    std::uint64_t h = 0xcbf29ce484222325u;
-    for (const unsigned char c : text) h = (h ^ c) * 0x100000001b3u;
-    return fmt::format("{:016x}", h);
-}
-
 std::string check_of(const ordered_json& batches, const ordered_json& counts) {
-    return hash_of(batches.dump() + counts.dump());
+    return jobs::hash_text(batches.dump() + counts.dump());   // against mistakes, not against malice
 }
 
 }   // namespace

@@ -1,7 +1,6 @@
 // The tests by name, and what is demanded of them.
 #include <algorithm>
 
-#include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/isect/moller.hpp"
 #include "model/isect/sheared.hpp"
@@ -58,12 +57,7 @@ const std::vector<NamedTest>& named_tests() {
 }
 
 const NamedTest& named_test(const std::string& name) {
-    std::vector<std::string> names;
-    for (const NamedTest& t : named_tests()) {
-        if (name == t.name) return t;
-        names.push_back(t.name);
-    }
-    throw UserError("--test: no test is called " + shown(name) + did_you_mean(name, names));
+    return by_name(named_tests(), name, "--test: no test");
 }
 
 bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells) {

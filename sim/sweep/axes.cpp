@@ -8,6 +8,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/split.hpp"
 
 namespace rayclock::sweep {
 
@@ -20,18 +21,8 @@ int whole(const std::string& text, const std::string& axis) {
     throw UserError("--axis: " + shown(text) + " in " + shown(axis) + " is not a whole number");
 }
 
-std::vector<std::string> parts(const std::string& text, char separator) {
-    std::vector<std::string> list;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t to = std::min(text.find(separator, from), text.size());
-        list.push_back(text.substr(from, to - from));
-        from = to + 1;
-    }
-    return list;
-}
-
 std::vector<std::string> range(const std::string& list, const std::string& text) {
-    const std::vector<std::string> ends = parts(list, ':');
+    const std::vector<std::string> ends = split(list, ':');
     if (ends.size() > 3)
         throw UserError("--axis: " + shown(list) + " in " + shown(text) + " is not from:to:step");
     const int from = whole(ends[0], text), to = whole(ends[1], text),
@@ -61,7 +52,7 @@ Axis parse_axis(const std::string& text) {
         throw UserError("--axis: " + shown(text) + " is not key=values, for example contexts=16,32,64");
     const std::string list = text.substr(equals + 1);
     return {text.substr(0, equals),
-            list.find(':') != std::string::npos ? range(list, text) : parts(list, ',')};
+            list.find(':') != std::string::npos ? range(list, text) : split(list, ',')};
 }
 
 std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,

@@ -14,27 +14,13 @@ namespace {
 using oracle::Corners;
 using oracle::Int128;
 
-bool touch(const Corners& s, const Corners& t) {
-    for (const Vec3i& p : {s.a, s.b, s.c})
-        if (p == t.a || p == t.b || p == t.c) return true;
-    return false;
-}
-
 /// Whether the ray reaches the plane of `t` after the hit, or never. The plane n . (p - a) = 0 is reached at
 /// n . (a - o) / n . d; both have the bounds of an ExactHit's, so the products fit.
 bool plane_is_farther(const Vec3i& o, const Vec3i& d, const Corners& t, const oracle::ExactHit& hit) {
-    std::array<Int128, 3> ab{}, ac{}, n{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        ab[k] = std::int64_t(t.b[k]) - t.a[k];
-        ac[k] = std::int64_t(t.c[k]) - t.a[k];
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-        n[k] = ab[(k + 1) % 3] * ac[(k + 2) % 3] - ab[(k + 2) % 3] * ac[(k + 1) % 3];
-    Int128 num = 0, den = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        num += n[k] * (std::int64_t(t.a[k]) - o[k]);
-        den += n[k] * d[k];
-    }
+    const auto n = oracle::normal<Int128>(t);
+    Int128 num =
+               oracle::volume<Int128>(oracle::way(oracle::triple<Int128>(o), oracle::triple<Int128>(t.a)), n),
+           den = oracle::volume<Int128>(oracle::triple<Int128>(d), n);
     if (den < 0) {
         num = -num;
         den = -den;
@@ -47,7 +33,8 @@ bool is_crack(const oracle::Surface& surface, const Vec3i& o, const Vec3i& d, co
     if (hit.primitive == no_primitive || (answer.found && answer.prim == hit.primitive)) return false;
     if (!answer.found) return true;
     const Corners& found = surface.triangles()[answer.prim];
-    return !touch(found, surface.triangles()[hit.primitive]) && plane_is_farther(o, d, found, hit);
+    return !oracle::share_corner(found, surface.triangles()[hit.primitive]) &&
+           plane_is_farther(o, d, found, hit);
 }
 
 }   // namespace

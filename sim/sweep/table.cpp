@@ -10,53 +10,51 @@ namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
 
-const std::vector<std::string>& columns() {
-    static const std::vector<std::string> all{"cycles",
-                                              "fps",
-                                              "cycles_per_ray",
-                                              "node_hit_rate",
-                                              "prim_hit_rate",
-                                              "bytes_per_ray",
-                                              "bound",
-                                              "bound_reached",
-                                              "pixels_other_primitive",
-                                              "percent_other_primitive",
-                                              "psnr_db",
-                                              "max_abs_depth",
-                                              "cracks",
-                                              "memory_bytes",
-                                              "multipliers",
-                                              "flip_flops",
-                                              "pareto",
-                                              "knee"};
-    return all;
+namespace {
+
+/// A figure of a point that is complete.
+struct Column {
+    const char* name;
+    std::string (*cell)(const Result& r);
+};
+
+std::string count_text(const std::optional<std::uint64_t>& n) { return n ? std::to_string(*n) : ""; }
+template <int digits> std::string fixed(const ordered_json& figure) {
+    return fmt::format("{:.{}f}", figure.get<double>(), digits);
 }
+std::string percent_other(const FrameError& e) {
+    return fmt::format("{:.4f}", 100 * double(e.pixels_other_primitive) / double(e.pixels));
+}
+std::string decibel_text(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : ""; }
+const ordered_json& frame_of(const Result& r) { return r.clock.at("frames").at(0); }
+
+const Column columns[] = {
+    {"cycles", [](const Result& r) { return fmt::format("{:.0f}", r.cycles()); }},
+    {"fps", [](const Result& r) { return fmt::format("{:.3f}", r.fps()); }},
+    {"cycles_per_ray", [](const Result& r) { return fmt::format("{:.3f}", r.cycles_per_ray()); }},
+    {"node_hit_rate", [](const Result& r) { return fixed<4>(frame_of(r).at("node_hit_rate")); }},
+    {"prim_hit_rate", [](const Result& r) { return fixed<4>(frame_of(r).at("prim_hit_rate")); }},
+    {"bytes_per_ray", [](const Result& r) { return fixed<2>(r.clock.at("bytes_per_ray")); }},
+    {"bound", [](const Result& r) { return r.clock.at("bound").get<std::string>(); }},
+    {"bound_reached", [](const Result& r) { return fixed<3>(r.clock.at("bound_reached")); }},
+    {"pixels_other_primitive",
+     [](const Result& r) { return count_text(r.picture->error.pixels_other_primitive); }},
+    {"percent_other_primitive", [](const Result& r) { return percent_other(r.picture->error); }},
+    {"psnr_db", [](const Result& r) { return decibel_text(r.picture->error.psnr_db); }},
+    {"max_abs_depth", [](const Result& r) { return fmt::format("{:.4g}", r.picture->error.max_abs_depth); }},
+    {"cracks", [](const Result& r) { return count_text(r.picture->cracks); }},
+    {"memory_bytes", [](const Result& r) { return count_text(r.picture->memory_bytes); }},
+    {"multipliers", [](const Result& r) { return count_text(r.multipliers); }},
+    {"flip_flops", [](const Result& r) { return count_text(r.flip_flops); }},
+};
+
+}   // namespace
 
 std::vector<std::string> cells(const Result& r, bool pareto, bool knee) {
-    const auto count = [](const std::optional<std::uint64_t>& n) {
-        return n ? std::to_string(*n) : std::string();
-    };
-    if (!r.complete()) return std::vector<std::string>(columns().size());
-    const ordered_json& frame = r.clock.at("frames").at(0);
-    const FrameError& error = r.picture->error;
-    return {fmt::format("{:.0f}", r.cycles()),
-            fmt::format("{:.3f}", r.fps()),
-            fmt::format("{:.3f}", r.cycles_per_ray()),
-            fmt::format("{:.4f}", frame.at("node_hit_rate").get<double>()),
-            fmt::format("{:.4f}", frame.at("prim_hit_rate").get<double>()),
-            fmt::format("{:.2f}", r.clock.at("bytes_per_ray").get<double>()),
-            r.clock.at("bound").get<std::string>(),
-            fmt::format("{:.3f}", r.clock.at("bound_reached").get<double>()),
-            std::to_string(error.pixels_other_primitive),
-            fmt::format("{:.4f}", 100 * double(error.pixels_other_primitive) / double(error.pixels)),
-            std::isfinite(error.psnr_db) ? fmt::format("{:.2f}", error.psnr_db) : "",
-            fmt::format("{:.4g}", error.max_abs_depth),
-            std::to_string(r.picture->cracks),
-            std::to_string(r.picture->memory_bytes),
-            count(r.multipliers),
-            count(r.flip_flops),
-            pareto ? "1" : "0",
-            knee ? "1" : "0"};
+    std::vector<std::string> all;
+    for (const Column& column : columns) all.push_back(r.complete() ? column.cell(r) : "");
+    for (const bool flag : {pareto, knee}) all.emplace_back(!r.complete() ? "" : flag ? "1" : "0");
+    return all;
 }
 
 namespace {
@@ -66,7 +64,8 @@ bool is_knee(const Front& front, std::size_t i) { return front.knee && front.kne
 std::vector<std::string> head(const std::vector<Axis>& axes) {
     std::vector<std::string> names;
     for (const Axis& axis : axes) names.push_back(axis.key);
-    names.insert(names.end(), columns().begin(), columns().end());
+    for (const Column& column : columns) names.emplace_back(column.name);
+    names.insert(names.end(), {"pareto", "knee"});
     return names;
 }
 

@@ -4,9 +4,8 @@
 
 namespace rayclock::sweep {
 
-/// Columns after the axes: what was there from the beginning stays where it is.
-const std::vector<std::string>& columns();
-/// One point's cells; a figure that is missing is empty.
+/// One point's cells after the axes; a figure that is missing is empty. What was there from the beginning
+/// stays where it is.
 std::vector<std::string> cells(const Result& result, bool pareto, bool knee);
 
 std::string csv(const std::vector<Axis>& axes, const std::vector<Result>& results, const Front& front);

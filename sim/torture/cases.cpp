@@ -60,8 +60,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             Frame frame = view(prims, config_, sizes[(number + 2 * i) % 6], i == 1 ? number : 0, dice_);
             if (i == 2) frame.root = inner_root(t.job.image);
-            shade(frame, t.job.image, 1 + (number + i) % 3);
-            t.frames.push_back(frame);
+            add(t, frame, 1 + (number + i) % 3);
         }
         end(std::move(t));
     }
@@ -89,10 +88,8 @@ private:
         // From a point of the mesh itself: what is met at a distance of nought does not count.
         Frame on_it = view(prims, config_, {9, 5}, 0, dice_);
         on_it.eye = turned(Vec3i{step / 2, step / 3, 0}, turn);
-        shade(on_it, t.job.image, 1);
-        t.frames.push_back(on_it);
-        t.frames.push_back(diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
-        shade(t.frames.back(), t.job.image, 1);
+        add(t, on_it);
+        add(t, diagonal_view(t.frames[0].eye, 1 << (config_.dir_bits - 4)));
         for (Frame& frame : t.frames)   // lights in the plane of the mesh, from which they are on neither
                                         // side
             for (std::size_t i = 0; i < frame.shade.lights; i += 2)
@@ -105,10 +102,8 @@ private:
     void add_specks() {
         const std::vector<PrimData> prims = specks(config_, dice_, 40);
         TortureCase t = begin("specks", image_of(prims, config_, dice_, "specks"));
-        for (const Vec3i& eye : {Vec3i{0, 0, 3}, Vec3i{1, -1, 1}, Vec3i{-2, 3, 4}}) {
-            t.frames.push_back(diagonal_view(eye, 1));
-            shade(t.frames.back(), t.job.image, 1);
-        }
+        for (const Vec3i& eye : {Vec3i{0, 0, 3}, Vec3i{1, -1, 1}, Vec3i{-2, 3, 4}})
+            add(t, diagonal_view(eye, 1));
         end(std::move(t));
     }
 
@@ -120,9 +115,7 @@ private:
         for (const double spread : {0.4, 0.01, 3e-6, 3e-7, 0.1}) {
             Frame frame = pane_view(config_, {6, 4}, spread);
             if (spread == 0.1) frame.eye[2] = (prims[0].a[2] + prims[2].a[2]) / 2;
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
-            t.frames.push_back(frame);
+            add_deep(t, frame);
         }
         // Thresholds that a weight of one half, or a quarter, reaches with what rounding is allowed, and not
         // with less.
@@ -139,12 +132,9 @@ private:
         const std::vector<PrimData> prims = spans(config_, dice_, 16);
         TortureCase t = begin("ends", image_of(prims, config_, dice_, "ends"));
         const std::int32_t most = most_of(config_.coord_bits);
-        for (const Vec3i& eye : {Vec3i{most, most, most}, Vec3i{-most, most, -most}, Vec3i{most, -most, 0}}) {
-            t.frames.push_back(diagonal_view(eye, 1 << (config_.dir_bits - 4)));
-            shade(t.frames.back(), t.job.image, 1);
-        }
-        t.frames.push_back(brim_view({most, most, most}, config_));
-        shade(t.frames.back(), t.job.image, 1);
+        for (const Vec3i& eye : {Vec3i{most, most, most}, Vec3i{-most, most, -most}, Vec3i{most, -most, 0}})
+            add(t, diagonal_view(eye, 1 << (config_.dir_bits - 4)));
+        add(t, brim_view({most, most, most}, config_));
         end(std::move(t));
     }
 
@@ -152,12 +142,8 @@ private:
     void add_tiles() {
         const std::vector<PrimData> prims = soup(config_, dice_, 4);
         TortureCase t = begin("tiles", image_of(prims, config_, dice_, "tiles"));
-        for (const Size size : {Size{1, 1}, Size{40, 3}, Size{1, 1}, Size{9, 9}, Size{2, 1}, Size{5, 33}}) {
-            Frame frame = view(prims, config_, size, 0, dice_);
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = 0;
-            t.frames.push_back(frame);
-        }
+        for (const Size size : {Size{1, 1}, Size{40, 3}, Size{1, 1}, Size{9, 9}, Size{2, 1}, Size{5, 33}})
+            add(t, view(prims, config_, size, 0, dice_)).shade.depth = 0;
         end(std::move(t), 0);
     }
 
@@ -168,12 +154,7 @@ private:
         std::vector<PrimData> prims;
         for (std::int32_t i = 0; i < 3; ++i) prims.push_back(mirror(config_, normals[i], i - 1));
         TortureCase t = begin("axes", image_of(prims, config_, dice_, "axes", Look::clear));
-        for (std::int32_t i = 0; i < 3; ++i) {
-            Frame frame = mirror_view(config_, {12, 8}, normals[i], i - 1);
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
-            t.frames.push_back(frame);
-        }
+        for (std::int32_t i = 0; i < 3; ++i) add_deep(t, mirror_view(config_, {12, 8}, normals[i], i - 1));
         end(std::move(t));
     }
 
@@ -181,10 +162,8 @@ private:
         const std::vector<PrimData> prims = mesh(40, 6);
         TortureCase t = begin("contrast", image_of(prims, config_, dice_, "mesh", Look::bright));
         for (const std::uint32_t contrast : {1u << unit_bits, 1u, (1u << unit_bits) - 1, 0u}) {
-            Frame frame = corner_view(config_, {9, 7}, 40);
-            shade(frame, t.job.image, 3);
+            Frame& frame = add(t, corner_view(config_, {9, 7}, 40), 3);
             frame.shade.contrast = contrast, frame.shade.background = {0, 1u << unit_bits, 0};
-            t.frames.push_back(frame);
         }
         end(std::move(t));
     }
@@ -194,8 +173,7 @@ private:
         const std::vector<PrimData> prims = soup(config_, dice_, 12);
         TortureCase t = begin("lights", image_of(prims, config_, dice_, "lights", Look::shiny));
         for (int i = 0; i < 4; ++i) {
-            Frame frame = view(prims, config_, {12, 9}, 0, dice_);
-            shade(frame, t.job.image, 1);
+            Frame& frame = add(t, view(prims, config_, {12, 9}, 0, dice_));
             frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
             // One light is bright, so that all of them together do not make everything white.
             const std::size_t bright =
@@ -204,7 +182,6 @@ private:
                 if (k / 3 != bright) frame.shade.colour[k] >>= 6;
             for (std::size_t k = 0; k < 3; ++k)   // of the last one a single bit, the highest
                 if (i % 2 == 0) frame.shade.colour[3 * bright + k] = 1u << (strength_bits - 1);
-            t.frames.push_back(frame);
         }
         end(std::move(t));
     }
@@ -213,11 +190,8 @@ private:
         const std::vector<PrimData> prims = balls(config_, dice_, 12);
         TortureCase t = begin("balls", image_of(prims, config_, dice_, "balls", Look::clear));
         for (int i = 0; i < 3; ++i) {
-            Frame frame = view(prims, config_, {10, 8}, 0, dice_);
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
+            Frame& frame = add_deep(t, view(prims, config_, {10, 8}, 0, dice_));
             if (i == 2) put_lights_into(prims, frame);
-            t.frames.push_back(frame);
         }
         end(std::move(t));
     }
@@ -229,8 +203,7 @@ private:
         for (std::size_t i = 0; i < frame.shade.lights; ++i) {
             Vec3i place = balls[i / 2].a;
             place[i % 3] += i % 2 == 0 ? 0 : 1 + dice_.below(most_of(config_.coord_bits) >> 4);
-            frame.shade.near[i] = 1, frame.shade.clear[i] = 0;
-            std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
+            put_light(frame, i, place);
         }
         frame.eye = balls[0].a;
     }
@@ -240,13 +213,11 @@ private:
         const std::vector<PrimData> prims = beads(config_, dice_, 24);
         TortureCase t = begin("beads", image_of(prims, config_, dice_, "beads", Look::clear));
         for (const Vec3i& eye : {Vec3i{0, 0, 14}, Vec3i{3, -2, 9}}) {
-            t.frames.push_back(diagonal_view(eye, 1 << (config_.dir_bits - 5)));
-            Frame& frame = t.frames.back();
+            Frame frame = diagonal_view(eye, 1 << (config_.dir_bits - 5));
             frame.width = frame.height = 12;
             for (std::size_t k = 0; k < 2; ++k) frame.corner[k] /= 2;
             frame.right[0] = frame.right[0] * 3 / 8, frame.down[1] = frame.down[1] * 3 / 8;
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
+            add_deep(t, frame);
         }
         end(std::move(t), 0);
     }
@@ -260,8 +231,7 @@ private:
         const Vec3i points[] = {{-50, 20, 0}, {-50, 60, 0}, {-50, -20, 0}};
         for (const Vec3i& p : points) prims.push_back(ball(config_, {p[0] - radius, p[1], 0}, radius));
         TortureCase t = begin("contacts", image_of(prims, config_, dice_, "contacts", Look::shiny));
-        Frame frame = corner_view(config_, {13, 13}, radius);
-        shade(frame, t.job.image, 1);
+        Frame& frame = add(t, corner_view(config_, {13, 13}, radius));
         frame.shade.lights = std::uint32_t(config_.lights), frame.shade.depth = 0;
         for (std::size_t i = 0; i < frame.shade.lights; ++i) {
             Vec3i place = points[i % 3];
@@ -269,13 +239,10 @@ private:
                 place[0] -= radius, place[2] = 1 + std::int32_t(i);
             else
                 place[2] = step * std::int32_t(i);
-            frame.shade.near[i] = 1, frame.shade.clear[i] = 0;
-            std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
+            put_light(frame, i, place);
         }
-        t.frames.push_back(frame);
         // From a point of a ball's surface into it.
-        t.frames.push_back(diagonal_view(points[0], 1 << (config_.dir_bits - 4)));
-        shade(t.frames.back(), t.job.image, 1);
+        add(t, diagonal_view(points[0], 1 << (config_.dir_bits - 4)));
         end(std::move(t), 0);
     }
 
@@ -285,12 +252,7 @@ private:
         std::vector<PrimData> prims = soup(config_, dice_, 8);
         for (const PrimData& plane : walls(config_)) prims.push_back(plane);
         TortureCase t = begin("planes", image_of(prims, config_, dice_, "planes", Look::clear));
-        for (int i = 0; i < 3; ++i) {
-            Frame frame = view(prims, config_, {7, 5}, 0, dice_);
-            shade(frame, t.job.image, 1);
-            frame.shade.depth = std::uint32_t(config_.bounces), frame.shade.threshold = 0;
-            t.frames.push_back(frame);
-        }
+        for (int i = 0; i < 3; ++i) add_deep(t, view(prims, config_, {7, 5}, 0, dice_));
         end(std::move(t));
     }
 
@@ -299,10 +261,8 @@ private:
         const std::vector<PrimData> prims = soup(config_, dice_, 9);
         TortureCase t = begin("samples", image_of(prims, config_, dice_, "samples"));
         for (const int side : {2, 4, 5, 6, 7, 8}) {
-            Frame frame = view(prims, config_, {3, 2}, 0, dice_);
-            shade(frame, t.job.image, side);
+            Frame& frame = add(t, view(prims, config_, {3, 2}, 0, dice_), side);
             frame.shade.depth = 0, frame.shade.contrast = 0;   // and all of them are taken
-            t.frames.push_back(frame);
         }
         end(std::move(t));
     }
@@ -310,6 +270,21 @@ private:
     void shade(Frame& frame, const MemoryImage& image, int samples) {
         if (config_.shading)
             frame.shade = settings(image, config_, config_.supersampling ? samples : 1, dice_);
+    }
+    /// The case gets the frame, with settings drawn at random.
+    Frame& add(TortureCase& t, Frame frame, int samples = 1) {
+        shade(frame, t.job.image, samples);
+        return t.frames.emplace_back(std::move(frame));
+    }
+    /// The same with as many bounces as can be.
+    Frame& add_deep(TortureCase& t, Frame frame) {
+        Frame& added = add(t, std::move(frame));
+        added.shade.depth = std::uint32_t(config_.bounces), added.shade.threshold = 0;
+        return added;
+    }
+    void put_light(Frame& frame, std::size_t i, const Vec3i& place) {
+        frame.shade.near[i] = 1, frame.shade.clear[i] = 0;
+        std::copy(place.begin(), place.end(), frame.shade.place.begin() + std::ptrdiff_t(3 * i));
     }
 
     TortureCase begin(const std::string& name, MemoryImage image) {

@@ -3,38 +3,34 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <glm/vec3.hpp>
+
+#include "model/base/axes.hpp"
+
 namespace rayclock::torture {
 
 namespace {
 
-using Vec3d = std::array<double, 3>;
-
-double largest(const Vec3d& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
-
-Vec3d at(const Vec3d& corner, const Vec3d& right, const Vec3d& down, double x, double y) {
-    Vec3d d;
-    for (std::size_t k = 0; k < 3; ++k) d[k] = corner[k] + x * right[k] + y * down[k];
-    return d;
-}
+double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// Sets the pixel map so that no direction, nor a step alone, exceeds 2^(M-1) - 1, halves of a pixel around
 /// included.
-void aim(Frame& frame, const Vec3d& middle, Vec3d right, Vec3d down, double shrink, const Config& config) {
-    Vec3d corner;
-    for (std::size_t k = 0; k < 3; ++k)
-        corner[k] = middle[k] - 0.5 * (frame.width - 1) * right[k] - 0.5 * (frame.height - 1) * down[k];
+void aim(Frame& frame, const glm::dvec3& middle, const glm::dvec3& right, const glm::dvec3& down,
+         double shrink, const Config& config) {
+    const glm::dvec3 corner = middle - 0.5 * (frame.width - 1) * right - 0.5 * (frame.height - 1) * down;
     double m = std::max({largest(right), largest(down), 1e-9});
     for (const double x : {-0.5, frame.width - 0.5})
         for (const double y : {-0.5, frame.height - 0.5})
-            m = std::max(m, largest(at(corner, right, down, x, y)));
+            m = std::max(m, largest(corner + x * right + y * down));
     const double limit =
         double(std::int64_t(most_of(config.dir_bits)) << guard_bits) - frame.width - frame.height;
     const double scale = limit / m * shrink;
-    for (std::size_t k = 0; k < 3; ++k) {
-        frame.corner[k] = std::llround(corner[k] * scale);
-        frame.right[k] = frame.width > 1 || config.supersampling ? std::llround(right[k] * scale) : 0;
-        frame.down[k] = frame.height > 1 || config.supersampling ? std::llround(down[k] * scale) : 0;
-    }
+    const auto fixed = [&](const glm::dvec3& v) {
+        return by_axis([&](std::size_t k) { return std::int64_t(std::llround(v[int(k)] * scale)); });
+    };
+    frame.corner = fixed(corner);
+    if (frame.width > 1 || config.supersampling) frame.right = fixed(right);
+    if (frame.height > 1 || config.supersampling) frame.down = fixed(down);
 }
 
 }   // namespace
@@ -50,12 +46,12 @@ Frame view(const std::vector<PrimData>& prims, const Config& config, Size size, 
     if (at_the_end)
         for (auto& x : frame.eye) x = dice.percent(50) ? most : -most;
     const Vec3i target = any_corner();
-    Vec3d middle, right, down;
-    for (std::size_t k = 0; k < 3; ++k) middle[k] = target[k] - frame.eye[k];
+    glm::dvec3 middle(target[0] - frame.eye[0], target[1] - frame.eye[1], target[2] - frame.eye[2]), right,
+        down;
     if (largest(middle) == 0) middle = {1, 0, 0};
     const double spread =
         largest(middle) * std::ldexp(1.0, at_the_end ? 2 : dice.between(-4, 2)) / size.width;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         right[k] = spread * dice.between(-16, 16) / 16;
         down[k] = spread * dice.between(-16, 16) / 16;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/accel/emit.hpp"
+#include "model/base/axes.hpp"
 #include "model/accel/encode.hpp"
 #include "model/core/payloads.hpp"
 #include "sim/torture/frames.hpp"
@@ -96,16 +97,22 @@ Surface random_surface(const PrimData& prim, const Config& config, Dice& dice, L
     return s;
 }
 
+/// So many of those that count.
+template <class Make> std::vector<PrimData> many(int count, const Config& config, const Make& make) {
+    std::vector<PrimData> all;
+    while (int(all.size()) < count)
+        if (const PrimData next = make(); counts(next, config)) all.push_back(next);
+    return all;
+}
+
 }   // namespace
 
 std::vector<PrimData> soup(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
-    std::vector<PrimData> all;
-    while (int(all.size()) < count) {
-        PrimData next = random_triangle(dice, most);
-        if (config.spheres && dice.percent(25)) next = random_sphere(dice, config, most);
-        if (counts(next, config)) all.push_back(next);
-    }
+    std::vector<PrimData> all = many(count, config, [&] {
+        const PrimData flat = random_triangle(dice, most);
+        return config.spheres && dice.percent(25) ? random_sphere(dice, config, most) : flat;
+    });
     if (config.planes) {
         const std::int32_t low = -most / 3, square = std::max(4, most / 64);
         all.push_back(plane({0, low, 0}, {square, low, 0}, {0, low, -square}));
@@ -124,12 +131,9 @@ std::vector<PrimData> walls(const Config& config) {
 std::vector<PrimData> spans(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
     const auto end = [&] { return dice.percent(50) ? most : -most; };
-    std::vector<PrimData> all;
-    while (int(all.size()) < count) {
-        const PrimData next = triangle({end(), end(), end()}, {end(), end(), end()}, {end(), end(), end()});
-        if (counts(next, config)) all.push_back(next);
-    }
-    return all;
+    return many(count, config, [&] {
+        return triangle({end(), end(), end()}, {end(), end(), end()}, {end(), end(), end()});
+    });
 }
 
 PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
@@ -137,22 +141,18 @@ PrimData mirror(const Config& config, const Vec3i& normal, std::int32_t at) {
     const Vec3i place = mirror_place(config, at), one{normal[2] * side, 0, -normal[0] * side},
                 two{0, normal[2] * side, -normal[1] * side};
     const auto corner = [&](std::int32_t x, std::int32_t y) {
-        Vec3i p;
-        for (std::size_t k = 0; k < 3; ++k) p[k] = place[k] + x * one[k] + y * two[k];
-        return p;
+        return by_axis([&](std::size_t k) { return place[k] + x * one[k] + y * two[k]; });
     };
     return triangle(corner(-1, -1), corner(2, -1), corner(-1, 2));
 }
 
 std::vector<PrimData> balls(const Config& config, Dice& dice, int count) {
     const std::int32_t most = most_of(config.coord_bits);
-    std::vector<PrimData> all;
-    for (int i = 0; i < count; ++i) {
+    return many(count, config, [&] {
         const auto radius = std::uint64_t(dice.between(1, std::max(2, most >> dice.between(2, 5))));
-        all.push_back(sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)),
-                             config.coord_bits));
-    }
-    return all;
+        return sphere(dice.near({}, most / 3, most), radius * radius + std::uint64_t(dice.below(3)),
+                      config.coord_bits);
+    });
 }
 
 PrimData ball(const Config& config, const Vec3i& centre, std::int32_t radius) {
@@ -160,24 +160,21 @@ PrimData ball(const Config& config, const Vec3i& centre, std::int32_t radius) {
 }
 
 std::vector<PrimData> beads(const Config& config, Dice& dice, int count) {
-    std::vector<PrimData> all;
-    for (int i = 0; i < count; ++i)
-        all.push_back(sphere(dice.near({}, 6, 6), std::uint64_t(dice.between(1, 9)), config.coord_bits));
-    return all;
+    return many(count, config, [&] {
+        return sphere(dice.near({}, 6, 6), std::uint64_t(dice.between(1, 9)), config.coord_bits);
+    });
 }
 
 std::vector<PrimData> specks(const Config& config, Dice& dice, int count) {
     const auto place = [&] { return dice.near({}, 3, 3); };
-    std::vector<PrimData> all;
-    while (int(all.size()) < count) {
+    return many(count, config, [&] {
         const Vec3i a = place(), b = place(), c = place();
         PrimData next = triangle(a, b, c);
         if (dice.percent(40)) next.b[2] = next.c[2] = next.a[2];
         if (config.spheres && dice.percent(25))
             next = sphere(a, std::uint64_t(dice.between(1, 16)), config.coord_bits);
-        if (counts(next, config)) all.push_back(next);
-    }
-    return all;
+        return next;
+    });
 }
 
 std::vector<PrimData> mesh(std::int32_t step, int side) {

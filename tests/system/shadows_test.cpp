@@ -137,7 +137,7 @@ TEST_CASE("from every point of a small solid to every light, on either side", "[
 
 TEST_CASE("the search around a way skips no triangle that it meets", "[shadows]") {
     for (const ShadowScene& scene : shadow_scenes()) {
-        const oracle::Around around(scene.make(12));
+        const oracle::Surface around(scene.make(12), 1);
         const auto& mesh = around.triangles();
         for (std::uint32_t i = 0; i < 200; ++i) {
             // From a corner of one triangle to that of another: both meet the way, and so do all that it
@@ -145,9 +145,7 @@ TEST_CASE("the search around a way skips no triangle that it meets", "[shadows]"
             const std::uint32_t from = i * 7919u % std::uint32_t(mesh.size()),
                                 to = i * 104729u % std::uint32_t(mesh.size());
             const Vec3i a = mesh[from].a, b = mesh[to].b;
-            const auto place = [](const Vec3i& p) {
-                return std::array{double(p[0]), double(p[1]), double(p[2])};
-            };
+            const auto place = [](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]); };
             std::vector<bool> found(mesh.size());
             around.along(place(a), place(b), [&](std::uint32_t number) { return found[number] = true; });
             REQUIRE((found[from] && found[to]));

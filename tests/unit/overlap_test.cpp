@@ -1,9 +1,9 @@
 // The exact ray-box overlap in wide integers, against the fractions of exact.hpp; and what the machine's box
 // test adds to it.
-#include "model/trace/count.hpp"
 #include "model/oracle/extra_visits.hpp"
 #include "model/oracle/overlap.hpp"
 #include "model/scene/builtin.hpp"
+#include "model/trace/trace.hpp"
 #include "tests/support/cases/box_cases.hpp"
 
 using namespace rayclock;
@@ -11,9 +11,11 @@ using namespace rayclock::test;
 
 namespace {
 
+oracle::LatticeVec wide(const Vec3i& v) { return {v[0], v[1], v[2]}; }
+
 /// Returns whether the ray meets the box.
 bool agree(const Vec3i& o, const Vec3i& d, const Vec3i& lo, const Vec3i& hi) {
-    const auto said = oracle::overlap(oracle::wide(o), oracle::wide(d), oracle::wide(lo), oracle::wide(hi));
+    const auto said = oracle::overlap(wide(o), wide(d), wide(lo), wide(hi));
     const auto exact =
         oracle::interval(oracle::point(o), oracle::point(d), {oracle::point(lo), oracle::point(hi), {}}, 1);
     if (said.has_value() != exact.has_value() ||
@@ -95,11 +97,11 @@ TEST_CASE("the machine's walk is the one that the work is counted on", "[overlap
     const Scene scene = make_builtin("balls:2");
     const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
     const Frame frame = make_frame(*scene.camera, {64, 48}, image.lattice, config);
-    const WorkCount count = count_work(image, frame, config);
+    const Trace trace = record_trace(image, frame, config);
     const ExtraVisits extra = extra_visits(image, frame, config, 1);
-    CHECK(extra.rays == count.rays);
-    CHECK(extra.machine.visits == count.nodes);
-    CHECK(extra.machine.triangles == count.triangles);
+    CHECK(extra.rays == trace.rays.size());
+    CHECK(extra.machine.visits == trace.visits);
+    CHECK(extra.machine.triangles == trace.triangle_tests);
 }
 
 TEST_CASE("conservative boxes cost at most 2 % more visits than exact ones", "[overlap][slow]") {

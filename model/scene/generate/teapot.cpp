@@ -35,8 +35,8 @@ template <class T> T weighted(const Weights& b, const std::array<T, 4>& q) {
 glm::dvec3 evaluate(const TeapotPatch& patch, const Weights& s, const Weights& t) {
     std::array<glm::dvec3, 4> row;
     for (std::size_t r = 0; r < 4; ++r)
-        row[r] = weighted<glm::dvec3>(t, {teapot_points[patch[4 * r]], teapot_points[patch[4 * r + 1]],
-                                          teapot_points[patch[4 * r + 2]], teapot_points[patch[4 * r + 3]]});
+        row[r] =
+            weighted<glm::dvec3>(t, {patch[4 * r], patch[4 * r + 1], patch[4 * r + 2], patch[4 * r + 3]});
     return weighted(s, row);
 }
 
@@ -56,8 +56,7 @@ void add_patch(MeshWriter& mesh, const Scene& scene, const TeapotPatch& patch, i
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j) {
             glm::dvec3 p = evaluate(patch, bernstein(i, n), bernstein(j, n));
-            if (is_cusp(p))
-                p = teapot_points[patch[0]];   // rounding would pull the copies of the point apart
+            if (is_cusp(p)) p = patch[0];   // rounding would pull the copies of the point apart
             mesh.vertex(p, normal_at(patch, p, i, j, n));
         }
     const auto emit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -110,7 +109,8 @@ Scene make_teapot(int size) {
     scene.lights = white_lights({{-3.1, 9.8, 12.1}, {11.3, 5.1, 8.8}});
     MeshWriter mesh(scene);
     const auto grid = static_cast<std::uint64_t>(size + 1) * static_cast<std::uint64_t>(size + 1);
-    mesh.reserve((teapot_patches.size() + 1) * grid, {.triangles = teapot_triangles(size)}, true);
+    const std::vector<TeapotPatch> patches = teapot_patches();
+    mesh.reserve((patches.size() + 1) * grid, {.triangles = teapot_triangles(size)}, true);
     checkerboard(mesh, scene, size);
     mesh.material({.name = "teapot",
                    .colour{1, 0.5, 0.1},
@@ -119,7 +119,7 @@ Scene make_teapot(int size) {
                    .highlight = 0.25,
                    .shine = shine_of(37),
                    .mirror = 0.25});
-    for (const TeapotPatch& patch : teapot_patches) add_patch(mesh, scene, patch, size);
+    for (const TeapotPatch& patch : patches) add_patch(mesh, scene, patch, size);
     return scene;
 }
 

@@ -1,15 +1,16 @@
 #pragma once
 #include <array>
-#include <cstdint>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
 namespace rayclock {
 
-/// Sixteen control points of a bicubic Bezier patch, row by row, as indices into teapot_points.
-using TeapotPatch = std::array<std::uint16_t, 16>;
+/// Sixteen control points of a bicubic Bezier patch, row by row.
+using TeapotPatch = std::array<glm::dvec3, 16>;
 
-extern const std::array<glm::dvec3, 290> teapot_points;
-extern const std::array<TeapotPatch, 32> teapot_patches;
+/// The 32 patches of Martin Newell's teapot of 1975, as Haines' package has them (spd.md 3.5): rim and body,
+/// handle, spout, lid, bottom.
+std::vector<TeapotPatch> teapot_patches();
 
 }   // namespace rayclock

@@ -1,9 +1,9 @@
 // How much of the time goes into intersection tests, with and without a hierarchy.
 #include <algorithm>
-#include <chrono>
 
 #include <fmt/format.h>
 
+#include "model/base/stopwatch.hpp"
 #include "model/reference/whitted.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/pages/figures/page.hpp"
@@ -13,11 +13,6 @@
 namespace rayclock::figures {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr const char* scenes[] = {"balls:2", "mount:4", "gears:1"};
 constexpr int depth = 4;
@@ -36,8 +31,8 @@ double clock_cost() {
     for (int i = 0; i < batches; ++i) {
         double sum = 0;
         for (int k = 0; k < times; ++k) {
-            const auto start = Clock::now();
-            sum += std::chrono::duration<double>(Clock::now() - start).count();
+            const Stopwatch watch;
+            sum += watch.seconds();
         }
         least = std::min(least, sum / times);
     }
@@ -51,9 +46,9 @@ Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool
         Measured m;
         m.effort.tests_all = tests_all;
         geometry.watch(&m.effort);
-        const auto start = Clock::now();
+        const Stopwatch watch;
         ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, {});
-        m.total = seconds_since(start);
+        m.total = watch.seconds();
         geometry.watch(nullptr);
         const double cost = clock_cost() * double(m.effort.rays);   // of one reading: the other one is
                                                                     // outside the search's time
