@@ -39,34 +39,15 @@ struct PlaceVisitor {
     }
 };
 
-/// Answers with the children met: inner ones, then leaves.
-void answer(std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node, BoxRsp& out) {
-    std::array<std::uint64_t, 2 * max_width> sorted;
-    out.base = node.base;
-    out.inner = sort_children(hits & node.inner_mask, t_near, sorted.data());
-    out.leaves = sort_children(hits & ~std::uint32_t(node.inner_mask), t_near, &sorted[out.inner]);
-    out.t_near.fill(0);
-    out.offset.fill(0);
-    out.count.fill(0);
-    for (std::size_t i = 0; i < out.inner + out.leaves; ++i) {
-        const std::size_t child = sorted[i] & (max_width - 1);
-        out.t_near[i] = std::uint32_t(sorted[i] >> 3);
-        out.offset[i] = node.offset[child];
-        out.count[i] = node.count[child];
-    }
-}
-
 }   // namespace
 
 namespace plain {
 #include "model/bvh/slab.inl"
 }   // namespace plain
 
-void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
-    std::array<std::uint32_t, max_width> t_near;
-    const SlabRay slab = slab_ray(ray, config);
-    const std::uint32_t hits = plain::slab_test(slab, node, node.children, t_near.data());
-    answer(hits, t_near.data(), node, out);
+std::uint32_t box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config,
+                                 std::uint32_t* t_near) {
+    return plain::slab_test(slab_ray(ray, config), node, node.children, t_near);
 }
 
 #ifdef RAYCLOCK_AVX2
@@ -82,18 +63,35 @@ static void test(const SlabRay& ray, const WideNode& node, std::uint32_t* t_near
 #undef RAYCLOCK_WITH_AVX2
 #pragma GCC pop_options
 
-void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
-    if (!__builtin_cpu_supports("avx2")) return box_children_plain(ray, node, config, out);
-    std::array<std::uint32_t, max_width> t_near;
+std::uint32_t box_children(const BoxRay& ray, const WideNode& node, const Config& config,
+                           std::uint32_t* t_near) {
+    if (!__builtin_cpu_supports("avx2")) return box_children_plain(ray, node, config, t_near);
     std::uint32_t hits = 0;
-    avx2::test(slab_ray(ray, config), node, t_near.data(), hits);
-    answer(hits, t_near.data(), node, out);
+    avx2::test(slab_ray(ray, config), node, t_near, hits);
+    return hits;
 }
 #else
-void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out) {
-    box_children_plain(ray, node, config, out);
+std::uint32_t box_children(const BoxRay& ray, const WideNode& node, const Config& config,
+                           std::uint32_t* t_near) {
+    return box_children_plain(ray, node, config, t_near);
 }
 #endif
+
+BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node) {
+    BoxRsp out;
+    std::array<std::uint64_t, 2 * max_width> sorted;
+    out.ray = ray;
+    out.base = node.base;
+    out.inner = sort_children(hits & node.inner_mask, t_near, sorted.data());
+    out.leaves = sort_children(hits & ~std::uint32_t(node.inner_mask), t_near, &sorted[out.inner]);
+    for (std::size_t i = 0; i < out.inner + out.leaves; ++i) {
+        const std::uint32_t child = ByDistance::child(sorted[i]);
+        out.t_near[i] = ByDistance::near(sorted[i]);
+        out.offset[i] = node.offset[child];
+        out.count[i] = node.count[child];
+    }
+    return out;
+}
 
 WideNode widen(const Node& node, int node_width) {
     WideNode wide;
@@ -168,11 +166,11 @@ Leaves leaves_of(const BoxRsp& boxes) {
     return leaves;
 }
 
-BoxRsp box(const BoxReq& req, const Config& config) {
-    BoxRsp rsp;
-    rsp.ray = req.ray;
-    box_children({req.o, req.neg, req.recip, req.len}, widen(req.node, config.node_width), config, rsp);
-    return rsp;
+BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test) {
+    const WideNode node = widen(req.node, config.node_width);
+    std::array<std::uint32_t, max_width> t_near;
+    const std::uint32_t hits = test({req.o, req.neg, req.recip, req.len}, node, config, t_near.data());
+    return box_answer(req.ray, hits, t_near.data(), node);
 }
 
 }   // namespace rayclock

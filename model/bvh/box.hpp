@@ -30,6 +30,9 @@ struct BoxRay {
     Vec3i o{};   ///< with B fraction bits if the chip shades
     std::array<std::uint32_t, 3> neg{}, recip{}, len{};
 };
+inline BoxRay box_ray(const Ray& ray) {
+    return {ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len};
+}
 
 /// Slab test of all children of a node, conservative: a box that holds a point of the ray is never left out,
 /// and its t_near is never beyond that point.
@@ -42,9 +45,15 @@ struct BoxRay {
 /// lie between lattice points: D of near is taken from the one further along the ray, D of far from the other
 /// (docs/origins.md, Boxes). Mirror of rtl/bvh/rc_box.sv, latency Config::box_latency() + 1, one node per
 /// cycle.
-void box_children(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
+///
+/// Gives the children met, bit by bit, and t_near by child.
+using BoxTest = std::uint32_t(const BoxRay& ray, const WideNode& node, const Config& config,
+                              std::uint32_t* t_near);
+BoxTest box_children;
 /// The same without the processor's wider vectors, whether it has them or not: for the tests.
-void box_children_plain(const BoxRay& ray, const WideNode& node, const Config& config, BoxRsp& out);
-BoxRsp box(const BoxReq& req, const Config& config);
+BoxTest box_children_plain;
+/// The unit's answer: the children met, inner ones first, then leaves, both nearest first.
+BoxRsp box_answer(std::uint32_t ray, std::uint32_t hits, const std::uint32_t* t_near, const WideNode& node);
+BoxRsp box(const BoxReq& req, const Config& config, BoxTest* test = box_children);
 
 }   // namespace rayclock

@@ -1,9 +1,9 @@
 #pragma once
 // The slab test's data in the form in which the arithmetic wants it. The arithmetic itself is slab.inl.
-#include <bit>
 #include <cstring>
 
 #include "model/bvh/box.hpp"
+#include "model/bvh/order.hpp"
 
 // With this, slab.inl and what includes it are compiled twice, for the baseline and for AVX2, and the
 // processor decides. The results are the same, since every operation is exact.
@@ -15,7 +15,6 @@
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
-#define RAYCLOCK_INLINE inline __attribute__((always_inline))
 
 namespace rayclock {
 
@@ -28,9 +27,9 @@ using Whole = std::int32_t __attribute__((vector_size(16)));
 /// What the slab test needs of a ray, lane k for axis k; the fourth lane is 0.
 struct SlabRay {
     Lanes near_o,
-        far_o;   ///< lattice points from which near and far planes are measured; one point, but for a bounce
-    Lanes near, far;       ///< signed r and r + 1
-    Mask scale;            ///< of a step of lattice times r, to t's unit: a double's exponent
+        far_o;         ///< lattice points from which near and far planes are measured; a bounce may have two
+    Lanes near, far;   ///< signed r and r + 1
+    Mask scale;        ///< of a step of lattice times r, to t's unit: a double's exponent
     double beyond, past;   ///< all ones, and 1 more
     std::array<std::uint32_t, 3> near_at,
         far_at;   ///< where the axis' near and far planes begin in WideNode::planes
@@ -70,60 +69,6 @@ inline SlabRay slab_ray(const BoxRay& ray, const Config& c) {
     slab.beyond = double((1u << c.t_bits()) - 1);
     slab.past = slab.beyond + 1;
     return slab;
-}
-
-/// Sorts of small sets of keys.
-namespace keys {
-
-/// Puts two keys in order without a branch, which no predictor could guess.
-RAYCLOCK_INLINE void order(std::uint64_t& a, std::uint64_t& b) {
-    const std::uint64_t least = b < a ? b : a;
-    b = b < a ? a : b;
-    a = least;
-}
-/// Batcher's merge sort of the first four or of all eight.
-RAYCLOCK_INLINE void sort_four(std::uint64_t* k) {
-    order(k[0], k[1]), order(k[2], k[3]);
-    order(k[0], k[2]), order(k[1], k[3]);
-    order(k[1], k[2]);
-}
-RAYCLOCK_INLINE void sort_eight(std::uint64_t* k) {
-    sort_four(k);
-    sort_four(k + 4);
-    order(k[0], k[4]), order(k[1], k[5]), order(k[2], k[6]), order(k[3], k[7]);
-    order(k[2], k[4]), order(k[3], k[5]);
-    order(k[1], k[2]), order(k[3], k[4]), order(k[5], k[6]);
-}
-
-}   // namespace keys
-
-/// The children in `set` (bit i: child i) by (t_near, place in the node): their keys in order. A key is
-/// t_near << 3 | child. `sorted` has room for eight and more than the result may be written. Returns how many
-/// there are.
-RAYCLOCK_INLINE std::uint32_t sort_children(std::uint32_t set, const std::uint32_t* t_near,
-                                            std::uint64_t* sorted) {
-    const auto take = [&] {
-        const auto child = std::uint32_t(std::countr_zero(set));
-        set &= set - 1;
-        return std::uint64_t(t_near[child]) << 3 | child;
-    };
-    if (set == 0) return 0;
-    sorted[0] = take();
-    if (set == 0) return 1;
-    sorted[1] = take();
-    if (set == 0) {
-        keys::order(sorted[0], sorted[1]);
-        return 2;
-    }
-    std::uint32_t count = 2;
-    do sorted[count++] = take();
-    while (set != 0);
-    for (std::uint32_t i = count; i < max_width; ++i) sorted[i] = ~std::uint64_t(0);
-    if (count <= 4)
-        keys::sort_four(sorted);
-    else
-        keys::sort_eight(sorted);
-    return count;
 }
 
 }   // namespace rayclock

@@ -1,7 +1,10 @@
 #pragma once
+#include <algorithm>
+#include <cassert>
 #include <vector>
 
 #include "model/bvh/children.hpp"
+#include "model/bvh/order.hpp"
 
 namespace rayclock {
 
@@ -12,8 +15,13 @@ struct Turn {
         again,   ///< a group was dropped: decide once more, with no new children
         done,    ///< nothing is left that can matter
     };
+    /// The same as flags, none of which is set if there is no turn.
+    struct Flags {
+        bool visit = false, again = false, done = false;
+    };
     Kind kind = Kind::done;
     std::uint32_t addr = 0;
+    Flags flags() const { return {kind == Kind::visit, kind == Kind::again, kind == Kind::done}; }
 };
 
 /// One ray's stack of sibling groups, and the decision where the ray goes next: what trav does, without when.
@@ -22,26 +30,76 @@ struct Turn {
 /// matter the stack is popped. Each group knows `below`, the smallest t_near of all groups under it, so that
 /// a ray for which nothing there matters is done at once. A group whose nearest child is too far is dropped,
 /// one a turn. A stop empties the stack: the ray is done. Mirror of rtl/bvh/rc_stack.sv.
-class Stack {
+///
+/// `Order` says what distances are, and how children are put in order by them; the machine's is ByDistance.
+template <class Order> class GroupStack {
 public:
-    explicit Stack(const Config& config)
-        : beyond_((1u << config.t_bits()) - 1), groups_(std::size_t(config.stack_depth)) {}
+    using Time = typename Order::Time;
+    using Key = typename Order::Key;
 
-    /// After a node whose leaves are tested; in another turn there are no new children.
-    Turn decide(const Tested& tested, const Children& children = {});
+    /// `beyond`: no distance is larger.
+    GroupStack(int depth, Time beyond) : beyond_(beyond), groups_(std::size_t(depth) + 1) {}
+    explicit GroupStack(const Config& config) : GroupStack(config.stack_depth, (1u << config.t_bits()) - 1) {}
+
+    /// Where the keys of the next node's inner children belong, in order, before decide().
+    Key* place() { return groups_[height_].keys.data(); }
+    /// After a node whose leaves are tested. Its inner children that the ray meets lie from line `base` on.
+    RAYCLOCK_INLINE Turn decide(Time t_best, bool stop, std::uint32_t base, std::uint32_t inner) {
+        if (stop) {
+            height_ = 0;
+            return {};
+        }
+        Group& g = groups_[height_];
+        if (inner == 0 || t_best < Order::near(g.keys[0])) return pop(t_best);
+        const Turn forward{Turn::Kind::visit, base + Order::child(g.keys[0])};
+        if (inner == 1) return forward;
+        assert(height_ + 1 < groups_.size() && "the compiled scene promised a shallower stack");
+        g.below = beyond_;
+        if (height_ > 0) {
+            const Group& under = groups_[height_ - 1];
+            g.below = std::min(under.nearest(), under.below);
+        }
+        g.base = base;
+        g.next = 1;
+        g.end = inner;
+        ++height_;
+        return forward;
+    }
+    /// The same in the payloads' form; in another turn there are no new children.
+    Turn decide(const Tested& tested, const Children& c = {}) {
+        for (std::size_t i = 0; i < c.inner; ++i) place()[i] = Order::key(c.t_near[i], c.slot[i]);
+        return decide(tested.t_best, tested.stop != 0, c.base, c.inner);
+    }
     void clear() { height_ = 0; }
-    int height() const { return height_; }
+    int height() const { return int(height_); }
 
 private:
     struct Group {
-        std::uint32_t base = 0, count = 0, below = 0;
-        std::array<std::uint32_t, max_width> t_near{}, slot{};
+        std::array<Key, max_width> keys;   ///< of these next..end - 1 are left
+        std::uint32_t base, next, end;
+        Time below;
+        Time nearest() const { return Order::near(keys[next]); }
     };
-    Turn pop(std::uint32_t t_best);
+    RAYCLOCK_INLINE Turn pop(Time t_best) {
+        if (height_ == 0) return {};
+        Group& top = groups_[height_ - 1];
+        if (!(t_best < top.nearest())) {
+            const Turn turn{Turn::Kind::visit, top.base + Order::child(top.keys[top.next])};
+            if (++top.next == top.end) --height_;
+            return turn;
+        }
+        if (height_ == 1 || t_best < top.below) {
+            height_ = 0;
+            return {};
+        }
+        --height_;
+        return {Turn::Kind::again, 0};
+    }
 
-    std::uint32_t beyond_;
-    int height_ = 0;
-    std::vector<Group> groups_;
+    Time beyond_;
+    std::size_t height_ = 0;
+    std::vector<Group> groups_;   // one more than the depth: in the one above the top children are sorted
 };
+using Stack = GroupStack<ByDistance>;
 
 }   // namespace rayclock

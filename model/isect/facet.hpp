@@ -1,5 +1,5 @@
 #pragma once
-#include "model/core/payloads.hpp"
+#include "model/isect/edges.hpp"
 
 namespace rayclock {
 
@@ -30,16 +30,8 @@ inline Facet make_facet(const PrimData& triangle, const Vec3i& o) {
     return facet;
 }
 
-/// What a direction makes of a facet; as tri_test has them before the signs are turned.
-struct FacetHit {
-    std::int64_t det = 0, u = 0, v = 0, num = 0;
-    /// An edge function is zero: tri_test must decide.
-    bool on_edge() const { return u == 0 || v == 0 || det - u - v == 0; }
-    /// If not: the ray's line crosses the triangle, and not behind the origin. (For det = 0 the three have
-    /// not all one sign.)
-    bool ahead() const { return ((u ^ det) | (v ^ det) | ((det - u - v) ^ det) | (num ^ det)) >= 0; }
-};
-inline FacetHit test_facet(const Facet& f, const Vec3i& direction) {
+/// What a direction makes of a facet, before signs are turned. On an edge tri_test() must decide.
+inline Edges<std::int64_t> test_facet(const Facet& f, const Vec3i& direction) {
     const auto dot = [&](const std::array<std::uint64_t, 3>& a) {
         std::uint64_t sum = 0;
         for (std::size_t k = 0; k < 3; ++k) sum += a[k] * std::uint64_t(std::int64_t(direction[k]));

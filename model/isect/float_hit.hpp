@@ -31,10 +31,4 @@ inline void float_hit(double t, double u, double v, const PrimData& triangle, co
     out.v = weight(v);
 }
 
-inline void no_hit(TriRsp& out) {
-    out.closer = 0;
-    out.num = out.det = 0;
-    out.prim = out.t = out.u = out.v = 0;
-}
-
 }   // namespace rayclock

@@ -4,39 +4,21 @@
 #include <bit>
 #include <cassert>
 
-#include "model/isect/vectors.hpp"
+#include "model/isect/edges.hpp"
 
 namespace rayclock {
 
 namespace {
 
-Wide dot(const Vec3l& a, const Vec3l& b) { return Wide(a[0]) * b[0] + Wide(a[1]) * b[1] + Wide(a[2]) * b[2]; }
 Vec3l normal(const PrimData& t) { return cross(minus(t.b, t.a), minus(t.c, t.a)); }
 int sign(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// The edge function is positive, a zero being decided as in tri_test.
-bool inside(Wide edge, const Vec3l& gradient, bool flip) {
-    const Wide decides = edge != 0          ? edge
-                         : gradient[0] != 0 ? gradient[0]
-                         : gradient[1] != 0 ? gradient[1]
-                                            : gradient[2];
-    return flip ? decides < 0 : decides > 0;
-}
-
-/// tri_test's formulas for s in units of 2^-one_bits.
-std::optional<OriginHit> meet(const Vec3l& s, const Vec3l& d, const PrimData& triangle, int one_bits) {
-    const Vec3l e1 = minus(triangle.b, triangle.a), e2 = minus(triangle.c, triangle.a);
-    const Vec3l p1 = cross(d, e1), p2 = cross(d, e2);
-    const Wide det = dot(p2, e1);
-    if (det == 0) return std::nullopt;
-    const bool flip = det < 0;
-    const Wide u = dot(p2, s), v = -dot(p1, s), w = det * (Wide(1) << one_bits) - u - v;
-    const Vec3l grad_v{-p1[0], -p1[1], -p1[2]}, grad_w{p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]};
-    if (!inside(u, p2, flip) || !inside(v, grad_v, flip) || !inside(w, grad_w, flip)) return std::nullopt;
-    const Wide num = dot(cross(e1, e2), s);
-    const OriginHit hit{flip ? -num : num, flip ? -det : det};
-    if (hit.num <= 0) return std::nullopt;
-    return hit;
+/// tri_test's decisions for s in units of 2^-one_bits.
+std::optional<OriginHit> hit_of(const Vec3l& s, const Vec3l& d, const PrimData& triangle, int one_bits) {
+    Edges<Wide> e;
+    bool flip = false;
+    if (!meet(s, d, triangle, one_bits, true, e, flip)) return std::nullopt;
+    return OriginHit{e.num, e.det >> one_bits};
 }
 
 std::uint64_t magnitude(std::int64_t value) { return std::uint64_t(value < 0 ? -value : value); }
@@ -68,10 +50,10 @@ SurfacePoint surface_point(const PrimData& triangle, const Weights& weights, int
 }
 
 int side_of_direction(const PrimData& triangle, const Vec3i& d) {
-    return sign(dot(normal(triangle), {d[0], d[1], d[2]}));
+    return sign(dot<Wide>(normal(triangle), {d[0], d[1], d[2]}));
 }
 int side_of_point(const PrimData& triangle, const Vec3i& point) {
-    return sign(dot(normal(triangle), minus(point, triangle.a)));
+    return sign(dot<Wide>(normal(triangle), minus(point, triangle.a)));
 }
 
 Vec3i leaving_direction(const Vec3l& way, const PrimData& triangle, int facing, int dir_bits) {
@@ -89,24 +71,11 @@ Vec3i leaving_direction(const Vec3l& way, const PrimData& triangle, int facing, 
 std::optional<OriginHit> bounce_test(const SurfacePoint& o, const Vec3i& d, const PrimData& triangle) {
     Vec3l s{};
     for (std::size_t k = 0; k < 3; ++k) s[k] = o.at[k] - triangle.a[k] * (std::int64_t(1) << o.frac_bits);
-    return meet(s, {d[0], d[1], d[2]}, triangle, o.frac_bits);
+    return hit_of(s, {d[0], d[1], d[2]}, triangle, o.frac_bits);
 }
 
 bool nearer(const OriginHit& one, const OriginHit& other) {
-    // num det' may pass 128 bits, so it is made in two parts of 64; det has at most 64.
-    struct Product {
-        Wide high;
-        std::uint64_t low;
-    };
-    const auto product = [](Wide num, Wide det) {
-        __extension__ using Unsigned = unsigned __int128;
-        assert(num >= 0 && det > 0 && det >> 64 == 0 &&
-               "a hit's parts are positive, det fits 2N + M + 2 bits");
-        const Unsigned low = Unsigned(std::uint64_t(num)) * std::uint64_t(det);
-        return Product{(num >> 64) * det + Wide(low >> 64), std::uint64_t(low)};
-    };
-    const Product mine = product(one.num, other.det), theirs = product(other.num, one.det);
-    return mine.high != theirs.high ? mine.high < theirs.high : mine.low < theirs.low;
+    return Product(one.num, other.det) < Product(other.num, one.det);
 }
 
 Vec3l shadow_direction(const Vec3i& light, const SurfacePoint& o) {
@@ -116,7 +85,7 @@ Vec3l shadow_direction(const Vec3i& light, const SurfacePoint& o) {
 }
 
 bool shadow_test(const Vec3i& light, const Vec3l& d, int frac_bits, const PrimData& triangle) {
-    const auto hit = meet(minus(light, triangle.a), d, triangle, 0);
+    const auto hit = hit_of(minus(light, triangle.a), d, triangle, 0);
     return hit && hit->num << frac_bits < hit->det;
 }
 

@@ -11,6 +11,13 @@ namespace rayclock {
 using TriTest = void(const Vec3i& o, const Vec3i& d, const PrimData& triangle, const Best& best,
                      const Config& config, TriRsp& out);
 
+/// The answer of a test that does not hit.
+inline void no_hit(TriRsp& out) {
+    out.closer = out.back = 0;
+    out.num = out.det = 0;
+    out.prim = out.t = out.u = out.v = 0;
+}
+
 /// The test that the configuration names. Chosen once for a frame, not for each triangle.
 ///
 /// | name      | arithmetic                                                     | in      | judged by |

@@ -3,13 +3,13 @@
 #include <cassert>
 #include <cstdlib>
 
+#include "model/isect/edges.hpp"
+#include "model/isect/primitive.hpp"
 #include "model/isect/tri.hpp"
 
 namespace rayclock {
 
 namespace {
-
-__extension__ using Wide = __int128;
 
 struct Corner {
     std::int64_t x, y, z;
@@ -53,10 +53,7 @@ Shear shear_of(const Vec3i& d, const Config& config) {
 
 void sheared_test(const Vec3i& o, const Shear& shear, const PrimData& triangle, const Best& best,
                   const Config& config, TriRsp& out) {
-    out.closer = 0;
-    out.num = out.det = 0;
-    out.prim = out.t = out.u = out.v = 0;
-
+    no_hit(out);
     const int frac = config.slope_frac_bits();
     const Corner a = sheared(triangle.a, o, shear, frac), b = sheared(triangle.b, o, shear, frac),
                  c = sheared(triangle.c, o, shear, frac);
@@ -69,11 +66,7 @@ void sheared_test(const Vec3i& o, const Shear& shear, const PrimData& triangle, 
     const std::int64_t size = sign * det, num = (sign < 0) != (shear.neg != 0) ? -num_raw : num_raw;
     assert(size < std::int64_t(1) << (config.edge_bits() - 1) &&
            std::abs(num) < std::int64_t(1) << (config.num_bits() - 1));
-    if (num <= 0) return;
-    if (best.found) {
-        const Wide mine = Wide(num) * best.det, theirs = Wide(best.num) * size;
-        if (mine > theirs || (mine == theirs && triangle.prim > best.prim)) return;
-    }
+    if (num <= 0 || !goes_before(num, size, triangle.prim, best)) return;
     out.closer = 1;
     out.num = num;
     out.det = size;

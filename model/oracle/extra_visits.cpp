@@ -1,15 +1,17 @@
 #include "model/oracle/extra_visits.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <mutex>
 #include <unordered_map>
 
 #include <tbb/parallel_for.h>
 
 #include "model/accel/tree.hpp"
-#include "model/base/axes.hpp"
+#include "model/bvh/walk.hpp"
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
+#include "model/trace/decoder.hpp"
 
 namespace rayclock {
 
@@ -17,8 +19,6 @@ namespace {
 
 using oracle::Fraction;
 using oracle::LatticeVec;
-
-LatticeVec wide(const Vec3i& v) { return {v[0], v[1], v[2]}; }
 
 /// Boxes of the children of every node, by the node's line.
 using Boxes = std::unordered_map<std::uint32_t, std::array<LatticeBox, max_width>>;
@@ -40,134 +40,121 @@ LatticeBox real_boxes(const Decoder& decoder, std::uint32_t line, Boxes& boxes) 
     return all;
 }
 
-/// A child that the box test took, and where the ray enters it.
-template <class Time> struct Taken {
-    Time near;
-    std::uint32_t child = 0;
-};
-
-/// The machine's own decisions: t_near and t in its units.
-struct ByMachine {
-    using Time = std::uint32_t;
+/// What all walks share: camera rays and the exact test. `Time` is the way's own.
+struct CameraWay {
+    const Decoder& decoder;
     const Config& config;
     const Ray& ray;
-    ExtraVisits& count;
+    Best best{};
 
-    static bool less(Time a, Time b) { return a < b; }
-    Time beyond() const { return (1u << config.t_bits()) - 1; }
-    static Time time(const TriRsp& hit) { return hit.t; }
-
-    void children(const WideNode& node, std::uint32_t, std::vector<Taken<Time>>& out) {
-        BoxRsp rsp;
-        box_children({ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len}, node, config,
-                     rsp);
-        std::uint32_t mask = 0;
-        for (std::uint32_t i = 0; i < rsp.inner + rsp.leaves; ++i) {
-            std::uint32_t child = 0;
-            while (node.offset[child] != rsp.offset[i]) ++child;
-            out.push_back({rsp.t_near[i], child});
-            mask |= 1u << child;
-        }
-        judge(node, out, mask);
+    /// True if the primitive is the closest so far.
+    bool meets(std::uint32_t half_line, TriRsp& rsp) {
+        tri_test(ray.o, ray.d, decoder.prim(half_line), best, config, rsp);
+        if (rsp.closer) best = {1, rsp.num, rsp.det, rsp.prim};
+        return rsp.closer != 0;
     }
+    static bool stop() { return false; }
+};
 
-    /// Against exact arithmetic, child by child. With unit = 2^(M-1+F) a t_near is late if t_near / unit >
-    /// enter.
-    void judge(const WideNode& node, const std::vector<Taken<Time>>& taken, std::uint32_t mask) {
-        count.boxes += node.children;
-        const auto entry = [&](std::uint32_t child) {
-            const auto [lo, hi] = quantised(node, child);
-            return oracle::overlap(wide(ray.o), wide(ray.d), lo, hi);
-        };
-        for (const Taken<Time>& t : taken) {
-            const auto enter = entry(t.child);
-            count.boxes_extra += !enter;
-            const Fraction said{std::int64_t(t.near), std::int64_t(1)
-                                                          << (config.dir_bits - 1 + config.t_frac_bits)};
-            count.t_late += enter && oracle::less(*enter, said);
-        }
-        for (std::uint32_t i = 0; i < node.children; ++i)
-            count.boxes_lost += (mask >> i & 1) == 0 && entry(i).has_value();
+/// The machine's own decisions: t_near and t in its units. What it says of boxes is judged and counted.
+struct ByMachine : CameraWay {
+    using Order = ByDistance;
+    ExtraVisits* count;
+    std::uint32_t t_best = beyond(config);
+
+    static std::uint32_t beyond(const Config& config) { return (1u << config.t_bits()) - 1; }
+    std::uint32_t t() const { return t_best; }
+    void test(std::uint32_t half_line) {
+        TriRsp rsp;
+        if (meets(half_line, rsp)) t_best = rsp.t;
     }
+    const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) const {
+        const WideNode& node = decoder.node(line);
+        hits = box_children(box_ray(ray), node, config, t_near);
+        count->boxes += node.children;
+        for (std::uint32_t i = 0; i < node.children; ++i) judge(node, i, (hits >> i & 1) != 0, t_near[i]);
+        return node;
+    }
+    /// Against exact arithmetic. With unit = 2^(M-1+F) a t_near is late if t_near / unit > enter.
+    void judge(const WideNode& node, std::uint32_t child, bool taken, std::uint32_t t_near) const {
+        const auto [lo, hi] = quantised_box(node, child);
+        const auto enter = oracle::overlap(oracle::wide(ray.o), oracle::wide(ray.d), lo, hi);
+        const Fraction said{std::int64_t(t_near), std::int64_t(1)
+                                                      << (config.dir_bits - 1 + config.t_frac_bits)};
+        count->boxes_extra += taken && !enter;
+        count->boxes_lost += !taken && enter;
+        count->t_late += taken && enter && oracle::less(*enter, said);
+    }
+};
+
+/// Distances as fractions.
+struct Exactly {
+    struct Time : Fraction {
+        friend bool operator<(const Time& a, const Time& b) { return oracle::less(a, b); }
+    };
+    struct Key {
+        Time time;
+        std::uint32_t place = 0;
+    };
+    static const Time& near(const Key& key) { return key.time; }
+    static std::uint32_t child(const Key& key) { return key.place; }
+    static std::uint32_t sort(std::uint32_t set, const Time* near, Key* sorted) {
+        Key* end = sorted;
+        for (std::uint32_t i = 0; i < max_width; ++i)
+            if (set >> i & 1) *end++ = {near[i], i};
+        std::sort(sorted, end, [](const Key& a, const Key& b) {
+            return a.time < b.time || (!(b.time < a.time) && a.place < b.place);
+        });
+        return std::uint32_t(end - sorted);
+    }
+    static Time beyond() { return {{std::int64_t(1) << 62, 1}}; }
 };
 
 /// Exact entries and exact hits; `real`: the boxes to test, or null for those of the node.
-struct ByOracle {
-    using Time = Fraction;
-    const Ray& ray;
+struct ByOracle : CameraWay {
+    using Order = Exactly;
     const Boxes* real;
+    Exactly::Time t_best = Exactly::beyond();
 
-    static bool less(const Time& a, const Time& b) { return oracle::less(a, b); }
-    static Time beyond() { return {std::int64_t(1) << 62, 1}; }
-    static Time time(const TriRsp& hit) { return {std::int64_t(hit.num), std::int64_t(hit.det)}; }
-
-    void children(const WideNode& node, std::uint32_t line, std::vector<Taken<Time>>& out) const {
-        const std::array<LatticeBox, max_width>* boxes = real ? &real->at(line) : nullptr;
-        for (std::uint32_t i = 0; i < node.children; ++i) {
-            const auto [lo, hi] =
-                boxes ? std::pair{wide((*boxes)[i].lo), wide((*boxes)[i].hi)} : quantised(node, i);
-            if (const auto enter = oracle::overlap(wide(ray.o), wide(ray.d), lo, hi))
-                out.push_back({*enter, i});
-        }
-    }
-};
-
-/// One ray's walk by one rule.
-template <class Rule> class Walker {
-public:
-    using Time = typename Rule::Time;
-    Walker(const Decoder& decoder, const Config& config, const Ray& ray, Rule rule, WalkWork& work)
-        : decoder_(decoder), config_(config), ray_(ray), rule_(rule), work_(work), t_best_(rule.beyond()) {}
-
-    Best run(std::uint32_t root) {
-        stack_.push_back({Time{}, root});
-        while (!stack_.empty()) {
-            const auto [near, line] = stack_.back();
-            stack_.pop_back();
-            if (!Rule::less(t_best_, near)) visit(line);
-        }
-        return best_;
-    }
-
-private:
-    void visit(std::uint32_t line) {
-        const WideNode& node = decoder_.node(line);
-        taken_.clear();
-        rule_.children(node, line, taken_);
-        ++work_.visits;
-        work_.taken += taken_.size();
-        std::sort(taken_.begin(), taken_.end(), [](const Taken<Time>& a, const Taken<Time>& b) {
-            return Rule::less(a.near, b.near) || (!Rule::less(b.near, a.near) && a.child < b.child);
-        });
-        for (const auto& [near, child] : taken_) {
-            if (Rule::less(t_best_, near)) break;
-            for (std::uint32_t n = 0; n < node.count[child]; ++n)
-                test(2 * node.base + node.offset[child] + n);
-        }
-        for (std::size_t i = taken_.size(); i-- > 0;)
-            if (node.inner_mask >> taken_[i].child & 1)
-                stack_.push_back({taken_[i].near, node.base + taken_[i].child});
-    }
-
+    const Exactly::Time& t() const { return t_best; }
     void test(std::uint32_t half_line) {
-        ++work_.triangles;
         TriRsp rsp;
-        tri_test(ray_.o, ray_.d, decoder_.prim(half_line), best_, config_, rsp);
-        if (!rsp.closer) return;
-        best_ = {1, rsp.num, rsp.det, rsp.prim};
-        t_best_ = Rule::time(rsp);
+        if (meets(half_line, rsp)) t_best = {{std::int64_t(rsp.num), std::int64_t(rsp.det)}};
     }
-
-    const Decoder& decoder_;
-    const Config& config_;
-    const Ray& ray_;
-    Rule rule_;
-    WalkWork& work_;
-    std::vector<std::pair<Time, std::uint32_t>> stack_;
-    std::vector<Taken<Time>> taken_;   // of the node that is visited
-    Best best_;
-    Time t_best_;
+    const WideNode& boxes(std::uint32_t line, Exactly::Time* t_near, std::uint32_t& hits) const {
+        const WideNode& node = decoder.node(line);
+        const std::array<LatticeBox, max_width>* boxes = real ? &real->at(line) : nullptr;
+        hits = 0;
+        for (std::uint32_t i = 0; i < node.children; ++i) {
+            const auto [lo, hi] = boxes
+                                      ? std::pair{oracle::wide((*boxes)[i].lo), oracle::wide((*boxes)[i].hi)}
+                                      : quantised_box(node, i);
+            if (const auto enter = oracle::overlap(oracle::wide(ray.o), oracle::wide(ray.d), lo, hi)) {
+                t_near[i] = {*enter};
+                hits |= 1u << i;
+            }
+        }
+        return node;
+    }
 };
+
+struct Counter {
+    WalkWork& work;
+    void visit(const auto& walk) {
+        ++work.visits;
+        work.taken += std::uint64_t(std::popcount(walk.hits()));
+    }
+    void test(std::uint32_t) { ++work.triangles; }
+    static void decided(std::uint32_t, bool) {}
+};
+
+/// Walks a ray; returns its closest hit.
+template <class Way>
+Best walked(Way&& way, GroupStack<typename Way::Order>& stack, std::uint32_t root, WalkWork& work) {
+    WalkRoom<typename Way::Order> room;
+    TreeWalk(way, stack, room).run(root, Counter{work});
+    return way.best;
+}
 
 bool same(const Best& a, const Best& b) { return a.found == b.found && (!a.found || a.prim == b.prim); }
 
@@ -179,36 +166,37 @@ void add(WalkWork& sum, const WalkWork& part) {
 
 }   // namespace
 
-std::pair<LatticeVec, LatticeVec> quantised(const WideNode& node, std::size_t child) {
-    const auto corner = [&](std::size_t first) {
-        return by_axis([&](std::size_t k) {
-            return node.org[k] + (std::int64_t(node.planes[(first + k) * max_width + child]) << node.exp[k]);
-        });
-    };
-    return {corner(0), corner(3)};
+std::pair<LatticeVec, LatticeVec> quantised_box(const WideNode& node, std::size_t child) {
+    LatticeVec lo, hi;
+    for (std::size_t k = 0; k < 3; ++k) {
+        lo[k] = node.org[k] + (std::int64_t(node.planes[k * max_width + child]) << node.exp[k]);
+        hi[k] = node.org[k] + (std::int64_t(node.planes[(3 + k) * max_width + child]) << node.exp[k]);
+    }
+    return {lo, hi};
 }
 
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every) {
     const Decoder decoder(image, config);
+    const std::uint32_t root = frame.root;
     Boxes real;
-    real_boxes(decoder, frame.root, real);
+    real_boxes(decoder, root, real);
     const std::uint64_t pixels = std::uint64_t(frame.width) * frame.height, step = std::uint64_t(every);
     ExtraVisits sum;
     std::mutex lock;
     tbb::parallel_for(
         tbb::blocked_range<std::uint64_t>(0, (pixels + step - 1) / step, 1024), [&](const auto& range) {
             ExtraVisits part;
+            Stack stack(config);
+            GroupStack<Exactly> exact_stack(config.stack_depth, Exactly::beyond());
             for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
                 const std::uint64_t pixel = i * step;
                 const Ray ray =
                     raygen({0, std::uint32_t(pixel % frame.width), std::uint32_t(pixel / frame.width)}, frame,
                            config);
-                const Best first = Walker<ByMachine>(decoder, config, ray, {config, ray, part}, part.machine)
-                                       .run(frame.root);
-                const Best second =
-                    Walker<ByOracle>(decoder, config, ray, {ray, nullptr}, part.exact).run(frame.root);
-                const Best third =
-                    Walker<ByOracle>(decoder, config, ray, {ray, &real}, part.real).run(frame.root);
+                const CameraWay camera{decoder, config, ray};
+                const Best first = walked(ByMachine{camera, &part}, stack, root, part.machine);
+                const Best second = walked(ByOracle{camera, nullptr}, exact_stack, root, part.exact);
+                const Best third = walked(ByOracle{camera, &real}, exact_stack, root, part.real);
                 part.other_hits += !same(first, second) || !same(first, third);
                 ++part.rays;
             }

@@ -3,16 +3,14 @@
 // the machine, with an exact one of the same quantised boxes, and with an exact one of the boxes before they
 // were quantised.
 #include <cstdint>
+
 #include <utility>
 
 #include "model/accel/memory_image.hpp"
+#include "model/bvh/box.hpp"
 #include "model/oracle/overlap.hpp"
-#include "model/trace/decoder.hpp"
 
 namespace rayclock {
-
-/// A child's quantised box, from the node's bytes.
-std::pair<oracle::LatticeVec, oracle::LatticeVec> quantised(const WideNode& node, std::size_t child);
 
 /// One way of walking.
 struct WalkWork {
@@ -42,8 +40,11 @@ struct ExtraVisits {
     }
 };
 
-/// Every `every`-th pixel of the frame, counted row by row; on all cores. All walks go nearest child first,
-/// leaves before inner children, and skip what lies beyond the best hit, as model/list and model/bvh do.
+/// A child's quantised box, from the bytes: its corners.
+std::pair<oracle::LatticeVec, oracle::LatticeVec> quantised_box(const WideNode& node, std::size_t child);
+
+/// Every `every`-th pixel of the frame, counted row by row; on all cores. All walks are TreeWalk's, with the
+/// distances of each test.
 ExtraVisits extra_visits(const MemoryImage& image, const Frame& frame, const Config& config, int every = 1);
 
 }   // namespace rayclock

@@ -19,6 +19,7 @@ inline bool less(const Fraction& a, const Fraction& b) {
 }
 
 using LatticeVec = std::array<std::int64_t, 3>;
+inline LatticeVec wide(const std::array<std::int32_t, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// Where the ray o + s d, s >= 0, enters the closed box [lo, hi]: the least such s, or nothing if no point of
 /// the ray is in the box. Coordinates of magnitude 2^30 at most, components of d 2^31 at most, so that every

@@ -1,13 +1,13 @@
 #include "model/trace/record.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "model/isect/any.hpp"
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
 #include "model/bvh/slab.hpp"
+#include "model/bvh/walk.hpp"
 
 namespace rayclock {
 
@@ -31,6 +31,7 @@ static_assert(RecordBlock::side <= 16);
 
 namespace plain {
 #include "model/bvh/slab.inl"
+#include "model/bvh/walk.inl"
 #include "model/trace/record.inl"
 }   // namespace plain
 
@@ -50,6 +51,7 @@ std::size_t record_any_plain(const Decoder& decoder, const Config& config, std::
 #define RAYCLOCK_WITH_AVX2
 namespace avx2 {
 #include "model/bvh/slab.inl"
+#include "model/bvh/walk.inl"
 #include "model/trace/record.inl"
 }   // namespace avx2
 #undef RAYCLOCK_WITH_AVX2

@@ -1,13 +1,13 @@
 #pragma once
-// One block of pixels, recorded: the inside of record_trace(). The same as a Walk for each of them, but that
-// only the trace and the hits are made, not what the links carry; that all rays begin at the frame's eye is
-// made use of.
+// One block of pixels, recorded: the inside of record_trace(). The walk is TreeWalk, as everywhere; boxes and
+// primitives are met in a faster way, which makes use of it that all rays begin at the frame's eye.
 #include "model/accel/memory_image.hpp"
 #include "model/isect/facet.hpp"
 #include "model/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/bvh/box.hpp"
+#include "model/bvh/stack.hpp"
 
 namespace rayclock {
 
@@ -68,12 +68,8 @@ struct RecordTotals {
 
 /// Memory that a thread keeps from block to block.
 struct RecordScratch {
-    struct Group {
-        std::array<std::uint64_t, max_width> keys;   ///< t_near << 3 | slot, in order
-        std::uint32_t base, below, next, end;        ///< keys[next..end) are left; for `below` see Stack
-        std::uint32_t t_near() const { return std::uint32_t(keys[next] >> 3); }
-    };
-    std::vector<Group> groups;
+    explicit RecordScratch(const Config& config) : stack(config) {}
+    Stack stack;
     std::vector<std::uint32_t> words;   ///< of the block's rays, in any order
     std::vector<std::size_t> starts;    ///< where each ray's words begin, row by row
     std::size_t used = 0;               ///< words
@@ -92,9 +88,8 @@ RecordFunction record_block_plain;
 /// The same, faster, if this processor can; plain otherwise.
 RecordFunction* record_block();
 
-/// One ray of any kind, of a chip that shades: a Walk, but that only the trace and the answer are made. Its
-/// words begin at `at` in scratch.words, which grows as it must; returns where they end. scratch.groups must
-/// have stack_depth + 1 places.
+/// One ray of any kind, of a chip that shades. Its words begin at `at` in scratch.words, which grows as it
+/// must; returns where they end.
 using RecordRayFunction = std::size_t(const Decoder& decoder, const Config& config, std::uint32_t root,
                                       const Ray& ray, std::size_t at, RecordScratch& scratch,
                                       RecordTotals& totals, Closest& hit);

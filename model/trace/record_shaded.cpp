@@ -28,7 +28,6 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
 
 const Pixel& ShadedRecorder::follow(std::uint32_t x, std::uint32_t y, RecordScratch& scratch,
                                     ShadeWatch& watch) {
-    scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
     RecordTotals totals;
     shader_.watch(&watch);
     pixel(x, y, 0, scratch, totals);
@@ -38,7 +37,6 @@ const Pixel& ShadedRecorder::follow(std::uint32_t x, std::uint32_t y, RecordScra
 
 void ShadedRecorder::block(const RecordBlock& block, RecordScratch& scratch, Trace& trace,
                            RecordTotals& totals) {
-    scratch.groups.resize(std::size_t(config_.stack_depth) + 1);
     scratch.starts.clear();
     std::size_t end = 0;
     for (std::uint32_t y = block.y0; y < block.y1; ++y)

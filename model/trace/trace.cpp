@@ -37,7 +37,7 @@ struct Recording::Work {
     }
 
     void run() {
-        RecordScratch scratch;
+        RecordScratch scratch(job.config());
         RecordTotals totals;
         std::optional<ShadedRecorder> shaded;
         if (decoder) shaded.emplace(image, frame, job.config(), *decoder);

@@ -1,64 +1,96 @@
 #pragma once
+#include "model/bvh/walk.hpp"
+#include "model/isect/any.hpp"
 #include "model/isect/primitive.hpp"
-#include "model/list/ray_tests.hpp"
 #include "model/trace/decoder.hpp"
-#include "model/bvh/box.hpp"
-#include "model/bvh/stack.hpp"
 
 namespace rayclock {
 
-/// *What* one ray does: the units' pure functions in the order in which a ray meets them. The sequence of
-/// nodes, tests and results does not depend on *when* anything happens, so the same walk serves to record
-/// traces and to say what every link of the machine must carry.
+/// How any ray meets boxes and primitives: by the units' pure functions.
+struct UnitWay {
+    using Order = ByDistance;
+    const Config& config;
+    const Decoder& decoder;
+    TriTest* primitive_test;
+    Ray ray{};
+    BoxRay from{};
+    BestHit hit{};
+    TriRsp tri{};   ///< the last answer
+
+    void start(const Ray& ray_) {
+        ray = ray_;
+        from = box_ray(ray);
+        hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
+    }
+    const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) const {
+        const WideNode& node = decoder.node(line);
+        hits = box_children(from, node, config, t_near);
+        return node;
+    }
+    void test(std::uint32_t half_line) {
+        const PrimData& prim = decoder.prim(half_line);
+        tri.ray = ray.ray;
+        if (config.shading)
+            any_test(ray, prim, hit.best(), config, tri);
+        else
+            primitive_test(ray.o, ray.d, prim, hit.best(), config, tri);
+        hit.take(tri);
+    }
+    std::uint32_t t() const { return hit.t(); }
+    bool stop() const { return hit.stop(); }
+};
+
+/// *What* one ray does, and what every link of the machine must carry for it. The sequence of nodes, tests
+/// and results does not depend on *when* anything happens.
 class Walk {
 public:
-    Walk(const Frame& frame, const Config& config, const Decoder& decoder);
+    Walk(const Frame& frame, const Config& config, const Decoder& decoder)
+        : frame_(frame), way_{config, decoder, tri_test_of(config)}, stack_(config) {}
+    Walk(const Walk&) = delete;
 
     /// raygen: the camera ray of a pixel; the next node is the root.
     const Ray& start(const Slot& slot);
     /// Any ray, made as raygen would.
     const Ray& start_at(const Ray& ray);
-    std::uint32_t node() const { return node_; }
-    std::uint32_t children() const { return decoder_->node(node_).children; }   ///< of the next node
+    /// To its end; see TreeWalk::run().
+    template <class Watch> void run(Watch&& watch) { steps_.run(frame_.root, watch); }
+
+    std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
 
     /// box, on the next node, and trav on its answer. True if list has a triangle to be tested.
-    bool test_node();
-    bool has_leaves() const { return has_leaves_; }    ///< what it returned
-    const Leaves& leaves() const { return leaves_; }   ///< that trav gave to list
-    std::uint32_t prim() const { return tests_.prim(); }
-    /// tri, on the next triangle.
-    const TriRsp& test_triangle();
-    /// list, on tri's answer. True if there is another triangle.
-    bool advance() { return tests_.advance(tri_); }
+    bool test_node() { return has_leaves_ = steps_.visit(); }
+    bool has_leaves() const { return has_leaves_; }   ///< what it returned
+    BoxRsp boxes() const { return box_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node()); }
+    Leaves leaves() const { return leaves_of(boxes()); }   ///< that trav gave to list
+    std::uint32_t prim() const { return steps_.prim(); }
+    /// tri, on the next triangle, and list on its answer.
+    const TriRsp& test_triangle() {
+        way_.test(prim());
+        return tri();
+    }
+    /// True if there is another triangle.
+    bool advance() { return steps_.advance(); }
 
     /// list -> trav, when no triangle is left.
-    Tested tested() const { return tests_.tested(); }
+    Tested tested() const { return {ray().ray, way_.stop(), way_.t()}; }
     /// trav: to the next node, or the ray's end. Returns how many groups were dropped on the way.
-    int decide(bool& done);
+    std::uint32_t decide(bool& done) { return steps_.decide(done); }
     /// Groups on the ray's stack now.
     int stack_height() const { return stack_.height(); }
 
-    const Ray& ray() const { return ray_; }
-    const BoxRay& box_ray() const { return box_ray_; }
-    const BoxRsp& boxes() const { return boxes_; }
-    const Best& best() const { return tests_.best(); }
-    const TriRsp& tri() const { return tri_; }
-    Closest closest() const { return tests_.closest(); }
+    const Ray& ray() const { return way_.ray; }
+    const BoxRay& box_ray() const { return way_.from; }
+    const Best& best() const { return way_.hit.best(); }
+    const TriRsp& tri() const { return way_.tri; }
+    Closest closest() const { return way_.hit.closest(); }
 
 private:
-    const Frame* frame_;
-    const Config* config_;
-    const Decoder* decoder_;
-    TriTest* test_;
-    Ray ray_;
-    BoxRay box_ray_;
-    BoxRsp boxes_;
-    Leaves leaves_;
-    bool has_leaves_ = false;
-    RayTests tests_;
+    const Frame& frame_;
+    UnitWay way_;
     Stack stack_;
-    TriRsp tri_;
-    std::uint32_t node_ = 0;
+    WalkRoom<ByDistance> room_;
+    TreeWalk<UnitWay> steps_{way_, stack_, room_};
+    bool has_leaves_ = false;
 };
 
 }   // namespace rayclock

@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <unordered_map>
 
 #include "model/machine.hpp"
@@ -17,7 +18,9 @@ public:
 
     void start(const Frame& frame) {
         frame_ = frame;
-        walks_.assign(std::size_t(config_.pipelines * config_.contexts), Walk(frame_, config_, decoder_));
+        walks_.clear();
+        for (int i = 0; i < config_.pipelines * config_.contexts; ++i)
+            walks_.emplace_back(frame_, config_, decoder_);
         if (config_.shading) shaders_.assign(walks_.size(), Shader(frame_, config_, image_));
         words_.clear();
     }
@@ -43,7 +46,7 @@ private:
     Config config_;
     Decoder decoder_;
     Frame frame_;
-    std::vector<Walk> walks_;                                  // [pipeline * contexts + context]
+    std::deque<Walk> walks_;                                   // [pipeline * contexts + context]
     std::vector<Shader> shaders_;                              // likewise, if the chip shades
     std::unordered_map<std::uint64_t, std::uint32_t> words_;   // addresses asked for
 };

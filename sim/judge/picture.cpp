@@ -24,7 +24,7 @@ struct Bench {
     PathJudge judge;
     std::vector<PictureFault> faults;
     Bench(const MemoryImage& image, const Asked& asked, const Decoder& decoder, const PathRules& rules)
-        : recorder(image, asked.frame, asked.config, decoder), judge(rules) {}
+        : recorder(image, asked.frame, asked.config, decoder), scratch(asked.config), judge(rules) {}
 };
 
 void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at, const Given& given,

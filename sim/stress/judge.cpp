@@ -1,9 +1,11 @@
 #include "sim/stress/judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "model/oracle/extra_visits.hpp"
+#include "model/oracle/overlap.hpp"
 #include "model/raygen/raygen.hpp"
 #include "sim/stress/controls.hpp"
 
@@ -11,10 +13,19 @@ namespace rayclock::stress {
 
 namespace {
 
+bool share_corner(const oracle::Corners& s, const oracle::Corners& t) {
+    for (const Vec3i& p : {s.a, s.b, s.c})
+        if (p == t.a || p == t.b || p == t.c) return true;
+    return false;
+}
+
 /// 1 if the line along d passes the triangle against its normal, as oracle::Passage has it.
 int sense_of(const Vec3i& d, const oracle::Corners& t) {
     using Number = std::int64_t;
-    return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), oracle::normal<Number>(t)) < 0 ? 1 : -1;
+    const auto a = oracle::triple<Number>(t.a);
+    const auto normal = oracle::area(oracle::way(a, oracle::triple<Number>(t.b)),
+                                     oracle::way(a, oracle::triple<Number>(t.c)));
+    return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), normal) < 0 ? 1 : -1;
 }
 
 /// The direction fills its bits, as a camera's do. Shorter ones reach the largest t before the scene ends:
@@ -30,7 +41,7 @@ template <class Hits> void drop_grazing(Hits& hits, const std::vector<oracle::Co
     for (std::size_t i = 0; i < hits.size(); ++i)
         for (std::size_t j = i + 1; j < hits.size(); ++j)
             if (hits[i].sense != hits[j].sense &&
-                oracle::share_corner(triangles[hits[i].primitive], triangles[hits[j].primitive])) {
+                share_corner(triangles[hits[i].primitive], triangles[hits[j].primitive])) {
                 hits.erase(hits.begin() + std::ptrdiff_t(j));
                 hits.erase(hits.begin() + std::ptrdiff_t(i--));
                 break;
@@ -47,7 +58,14 @@ std::vector<PrimData> numbered(const std::vector<oracle::Corners>& corners) {
 }   // namespace
 
 Counts& Counts::operator+=(const Counts& other) {
-    for (const auto field : count_fields) this->*field += other.*field;
+    const auto fields = [](auto& c) {
+        return std::array{&c.rays,       &c.leaks,       &c.double_hits,   &c.oracle_mismatches,
+                          &c.crossings,  &c.walked,      &c.boxes,         &c.boxes_extra,
+                          &c.boxes_lost, &c.shadow_rays, &c.false_shadows, &c.light_leaks};
+    };
+    const auto mine = fields(*this);
+    const auto theirs = fields(other);
+    for (std::size_t i = 0; i < mine.size(); ++i) *mine[i] += *theirs[i];
     return *this;
 }
 
@@ -130,7 +148,7 @@ void Judge::compare_hits(Counts& counts) {
     std::erase_if(missing, [&](const Hit& t) {
         return take([&](const Hit& f) {
             return f.sense == t.sense &&
-                   oracle::share_corner(mesh_.triangles[f.primitive], mesh_.triangles[t.primitive]);
+                   share_corner(mesh_.triangles[f.primitive], mesh_.triangles[t.primitive]);
         });
     });
     drop_grazing(missing, mesh_.triangles);
@@ -139,32 +157,36 @@ void Judge::compare_hits(Counts& counts) {
     counts.double_hits += !found_.empty();
 }
 
-bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
-    walk_->start_at(make_ray(shot.o, shot.d, config_));
+struct Judge::Watch {
+    Judge& judge;
+    const Shot& shot;
+    bool look;
+    Counts& counts;
     bool within_stack = true;   // no ray may need a deeper stack than compilation promised
-    for (bool done = false; !done; walk_->decide(done)) {
-        within_stack = within_stack && walk_->stack_height() <= image_.report.stack_need;
-        const WideNode& node = decoder_->node(walk_->node());
-        const bool leaves = walk_->test_node();
-        if (look) look_at_boxes(shot, node, counts);
-        if (leaves) do
-                walk_->test_triangle();
-            while (walk_->advance());
+
+    void visit(const auto& walk) {
+        within_stack = within_stack && walk.stack_height() <= judge.image_.report.stack_need;
+        if (look) look_at_boxes(shot, walk.node(), walk.hits(), counts);
     }
+    static void test(std::uint32_t) {}
+    static void decided(std::uint32_t, bool) {}
+};
+
+bool Judge::walk_agrees(const Shot& shot, bool look, Counts& counts) {
+    Watch watch{*this, shot, look, counts};
+    walk_->start_at(make_ray(shot.o, shot.d, config_));
+    walk_->run(watch);
     const Closest closest = walk_->closest();
-    return within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
+    return watch.within_stack && (closest.found ? closest.prim : no_primitive) == closest_.primitive;
 }
 
-/// Each child that the ray was told to look into, and each that it was not, against exact arithmetic on the
-/// same box.
-void Judge::look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts) const {
-    const BoxRsp& told = walk_->boxes();
-    const auto wide = [](const Vec3i& v) { return oracle::LatticeVec{v[0], v[1], v[2]}; };
+/// Each child that the ray was told to look into (bit i of `told`: child i), and each that it was not,
+/// against exact arithmetic on the same box.
+void Judge::look_at_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts) {
     for (std::size_t i = 0; i < node.children; ++i) {
-        const auto [lo, hi] = quantised(node, i);
-        const bool met = oracle::overlap(wide(shot.o), wide(shot.d), lo, hi).has_value();
-        const auto end = told.offset.begin() + told.inner + told.leaves;
-        const bool taken = std::find(told.offset.begin(), end, std::uint32_t(node.offset[i])) != end;
+        const auto [lo, hi] = quantised_box(node, i);
+        const bool met = oracle::overlap(oracle::wide(shot.o), oracle::wide(shot.d), lo, hi).has_value();
+        const bool taken = told >> i & 1;
         counts.boxes += taken;
         counts.boxes_extra += taken && !met;
         counts.boxes_lost += met && !taken;

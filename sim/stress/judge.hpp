@@ -90,6 +90,7 @@ public:
     static constexpr int walk_every = 16, look_every = 4;
 
 private:
+    struct Watch;
     struct Hit {
         std::uint32_t primitive;
         int sense;
@@ -97,7 +98,7 @@ private:
     void compare_hits(Counts& counts);
     bool clear_of_bounds(const Vec3i& o) const;
     bool walk_agrees(const Shot& shot, bool look, Counts& counts);
-    void look_at_boxes(const Shot& shot, const WideNode& node, Counts& counts) const;
+    static void look_at_boxes(const Shot& shot, const WideNode& node, std::uint32_t told, Counts& counts);
 
     const Mesh& mesh_;
     Config config_;

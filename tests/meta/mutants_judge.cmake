@@ -122,12 +122,12 @@ mutant(judge_lights_share_a_colour FILE model/accel/surfaces.cpp TEST simulate "
   NEW [[fixed(0.9 * scene.lights[0].colour[int(k)], share_bits,]])
 
 # ---- Rays and primitives: model/isect/any.cpp.
-mutant(judge_bounce_without_its_fraction QUICK FILE model/isect/any.cpp TEST simulate "mirrors --depth 3"
-  OLD [[size = (flip ? -det : det) * (Wide(1) << scale);]]
-  NEW [[size = flip ? -det : det;]])
+mutant(judge_bounce_without_its_fraction QUICK FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST simulate "mirrors --depth 3"
+  OLD [[flip = edges.turn();]]
+  NEW [[flip = edges.turn(), edges.det >>= frac;]])
 mutant(judge_far_half_of_shadow_rays_is_free FILE model/isect/any.cpp TEST simulate "cornell --depth 1"
-  OLD [[out.closer = num * (Wide(1) << frac) < size;]]
-  NEW [[out.closer = num * (Wide(1) << frac) * 2 < size;]])
+  OLD [[out.closer = e.num * (Wide(1) << frac) < e.det;]]
+  NEW [[out.closer = e.num * (Wide(1) << frac) * 2 < e.det;]])
 mutant(judge_plane_rounded_to_zero FILE model/isect/any.cpp TEST simulate "spheres --depth 1"
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])

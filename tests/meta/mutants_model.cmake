@@ -1,17 +1,17 @@
 # Faults of the model that the tests must notice; how a row reads: mutants_rtl.cmake.
 
 # ---- The model and scene compilation.
-mutant(model_tri_epsilon QUICK FILE model/isect/tri.cpp TEST unit [tri]
-  OLD [[if (num <= 0) return;]]
-  NEW [[if (num <= size >> 12) return;]])
-mutant(model_tri_tie_turned QUICK FILE model/isect/tri.cpp TEST unit [tri]
+mutant(model_tri_epsilon QUICK FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST unit [tri]
+  OLD [[return edges.num > 0;]]
+  NEW [[return edges.num > edges.det >> 12;]])
+mutant(model_tri_tie_turned QUICK FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST unit [tri]
   OLD [[edge != 0          ? edge
-                                 : gradient[0] != 0 ? gradient[0]
-                                 :]]
+                           : gradient[0] != 0 ? gradient[0]
+                           :]]
   NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
-mutant(model_tri_higher_number_wins FILE model/isect/tri.cpp TEST unit [tri]
-  OLD [[triangle.prim > best.prim]]
-  NEW [[triangle.prim < best.prim]])
+mutant(model_tri_higher_number_wins FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST unit [tri]
+  OLD [[(mine == theirs && prim <= best.prim)]]
+  NEW [[(mine == theirs && prim >= best.prim)]])
 mutant(model_tri_t_rounded_down FILE model/isect/tri.hpp WITH model/isect/tri.cpp TEST unit [tri]
   OLD [[q.whole + q.rest]]
   NEW [[q.whole]])
@@ -79,24 +79,24 @@ mutant(model_box_near_from_the_point_before QUICK FILE model/bvh/slab.hpp WITH m
 mutant(model_box_far_from_the_point_beyond FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.far_o = Lanes{before(0), before(1), before(2), 0};]]
   NEW [[slab.far_o = Lanes{beyond(0), beyond(1), beyond(2), 0 * before(0)};]])
-mutant(model_list_goes_on_behind_a_blocker QUICK FILE model/list/ray_tests.cpp TEST unit [list][shading]
-  OLD [[        if (any_) return false;]]
-  NEW [[]])
-mutant(model_list_forgets_to_stop FILE model/list/ray_tests.hpp WITH model/list/ray_tests.cpp tests/unit/list_test.cpp TEST unit [list][shading]
+mutant(model_list_goes_on_behind_a_blocker QUICK FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list][shading]
+  OLD [[return !hit_.stop() && cursor_.advance(]]
+  NEW [[return cursor_.advance(]])
+mutant(model_list_forgets_to_stop FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list][shading]
   OLD [[return any_ && best_.found; }]]
   NEW [[return any_ && best_.found && ray_ % 2 == 0; }]])
-mutant(model_list_looks_beyond_the_surface FILE model/list/ray_tests.hpp WITH model/list/ray_tests.cpp tests/unit/list_test.cpp TEST unit [list][shading]
-  OLD [[reach_ = reaches_[start.kind];]]
-  NEW [[reach_ = reaches_[0];]])
-mutant(model_trav_stop_keeps_the_stack QUICK FILE model/bvh/stack.cpp TEST unit [trav][shading]
-  OLD [[    if (tested.stop) {
-        height_ = 0;
-        return {};]]
-  NEW [[    if (tested.stop) {
-        return {};]])
-mutant(model_trav_goes_on_when_stopped FILE model/bvh/stack.cpp TEST unit [trav][shading]
-  OLD [[    if (tested.stop) {]]
-  NEW [[    if (tested.stop && height_ == 0) {]])
+mutant(model_list_looks_beyond_the_surface FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list][shading]
+  OLD [[hit_ = {start, reaches_[start.kind]};]]
+  NEW [[hit_ = {start, reaches_[0]};]])
+mutant(model_trav_stop_keeps_the_stack QUICK FILE model/bvh/stack.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav][shading]
+  OLD [[        if (stop) {
+            height_ = 0;
+            return {};]]
+  NEW [[        if (stop) {
+            return {};]])
+mutant(model_trav_goes_on_when_stopped FILE model/bvh/stack.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav][shading]
+  OLD [[        if (stop) {]]
+  NEW [[        if (stop && height_ == 0) {]])
 mutant(model_recip_of_fewer_bits FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
   OLD [[power / double(m)]]
   NEW [[power / double(float(m))]])
@@ -112,15 +112,15 @@ mutant(model_sample_jitter_repeats FILE model/scene/whitted.cpp TEST unit [rayge
 mutant(frame_forgets_the_outer_samples FILE model/accel/frame.cpp TEST accel "every sample*"
   OLD [[config.supersampling ? 0.5 : 0;]]
   NEW [[0;]])
-mutant(model_list_skips_last_triangle FILE model/list/ray_tests.cpp TEST unit [list]
-  OLD [[if (triangle_ + 1 < leaves_.count]]
-  NEW [[if (triangle_ + 2 < leaves_.count]])
-mutant(model_trav_gives_up_early FILE model/bvh/stack.cpp TEST unit [trav]
-  OLD [[top.below > t_best]]
-  NEW [[top.below >= t_best]])
-mutant(model_trav_equal_does_not_matter FILE model/bvh/stack.cpp TEST unit [trav]
-  OLD [[if (top.t_near[0] <= t_best) {]]
-  NEW [[if (top.t_near[0] < t_best) {]])
+mutant(model_list_skips_last_triangle FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list]
+  OLD [[if (++half_line < end) return true;]]
+  NEW [[if (++half_line + 1 < end) return true;]])
+mutant(model_trav_gives_up_early FILE model/bvh/stack.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav]
+  OLD [[t_best < top.below]]
+  NEW [[t_best <= top.below]])
+mutant(model_trav_equal_does_not_matter FILE model/bvh/stack.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav]
+  OLD [[if (!(t_best < top.nearest())) {]]
+  NEW [[if (top.nearest() < t_best) {]])
 mutant(model_child_box_rounded_inward QUICK FILE model/accel/encode.cpp TEST accel ~[none]
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
@@ -134,18 +134,18 @@ mutant(model_origin_bits_cut FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[point.at[k] = std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] +
                       weights.v * e2[k];]]
   NEW [[point.at[k] = (std::int64_t(triangle.a[k]) * (std::int64_t(1) << frac_bits) + weights.u * e1[k] + weights.v * e2[k]) & ~1;]])
-mutant(model_origin_hits_at_its_start FILE model/isect/origin.cpp TEST unit [origin]
-  OLD [[if (hit.num <= 0) return std::nullopt;]]
-  NEW [[if (hit.num < 0) return std::nullopt;]])
+mutant(model_origin_hits_at_its_start FILE model/isect/edges.hpp WITH model/isect/origin.cpp TEST unit [origin]
+  OLD [[return edges.num > 0;]]
+  NEW [[return edges.num >= 0;]])
 mutant(model_origin_end_counts FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[hit->num << frac_bits < hit->det]]
   NEW [[hit->num << frac_bits <= hit->det]])
 mutant(model_origin_direction_rounded_up FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[(n[k] > 0) == (facing > 0) ?]]
   NEW [[(n[k] > 0) == (facing > 0) || d[k] == 0 ?]])
-mutant(model_origin_low_products_alone FILE model/isect/origin.cpp TEST unit [origin]
-  OLD [[(num >> 64) * det + Wide(low >> 64)]]
-  NEW [[(num >> 64) * det]])
+mutant(model_origin_low_products_alone FILE model/isect/edges.hpp WITH model/isect/origin.cpp TEST unit [origin]
+  OLD [[high = (bottom >> 64) +]]
+  NEW [[high =]])
 mutant(model_origin_boxes_inward FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[box.near[k] = d[k] < 0 ? below : above;]]
   NEW [[box.near[k] = below;]])
@@ -172,17 +172,30 @@ mutant(model_cache_touch_turned FILE model/mem/cache.cpp TEST unit "a set gives 
   OLD [[if (!(node & 1)) turn_]]
   NEW [[if (node & 1) turn_]])
 mutant(model_cache_waiting_way_given_away FILE model/mem/cache.cpp TEST unit [cache]
-  OLD [[if (of_set[way].mshr == 0) return int(way);]]
-  NEW [[if (of_set[way].mshr == 0 || way > 0) return int(way);]])
-mutant(model_cache_chain_turned FILE model/mem/cache.hpp WITH tests/unit/cache_test.cpp model/mem/cache.cpp TEST unit "misses to one line*"
-  OLD [[        next_[mshrs_[m - 1].tail] = request.id;
-        mshrs_[m - 1].tail = request.id;]]
-  NEW [[        Mshr& chain = mshrs_[m - 1];
-        if (chain.head == chain.tail) chain.tail = request.id;
-        next_[request.id] = next_[chain.head];
-        next_[chain.head] = request.id;]])
+  OLD [[if (set.mshrs[way] == 0) return int(way);]]
+  NEW [[if (set.mshrs[way] == 0 || way > 0) return int(way);]])
+mutant(model_cache_chain_turned FILE model/mem/cache.cpp TEST unit "misses to one line*"
+  OLD [[    next_[m.tail] = request.id;
+    m.tail = request.id;]]
+  NEW [[    if (m.head == m.tail) m.tail = request.id;
+    next_[request.id] = next_[m.head];
+    next_[m.head] = request.id;]])
 
 # ---- The model in time: headers, and the machine around them.
+mutant(model_delay_one_cycle_late FILE model/base/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+  OLD [[Delay(int latency, int depth)
+        : latency_(std::uint64_t(latency) + 1),]]
+  NEW [[Delay(int latency, int depth)
+        : latency_(std::uint64_t(latency) + 2),]])
+mutant(model_delay_never_empties FILE model/base/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+  OLD [[int(admitted.there) - int(answer(now).there)]]
+  NEW [[int(admitted.there)]])
+mutant(model_ring_without_a_spare_place FILE model/base/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+  OLD [[items_.resize(std::size_t(1) << index_bits(capacity + 1))]]
+  NEW [[items_.resize(std::size_t(1) << index_bits(capacity))]])
+mutant(model_cache_answers_at_once FILE model/mem/cache.hpp WITH tests/unit/cache_test.cpp model/mem/cache.cpp TEST unit [cache]
+  OLD [[answers_.size() > std::uint32_t(read_)]]
+  NEW [[answers_.size() > 0]])
 mutant(model_frame_one_row_less FILE model/sched/dispatch.hpp WITH tests/unit/dispatch_test.cpp TEST unit [dispatch]
   OLD [[if (++tile_.y == rows_) more_ = false;]]
   NEW [[if (++tile_.y + 1 == rows_) more_ = false;]])
@@ -196,8 +209,8 @@ mutant(model_trav_leafless_first FILE model/bvh/trav.hpp WITH tests/unit/bvh/tra
   OLD [[return step_link_.second(offered); }]]
   NEW [[return step_link_.second(offered && leafless_.empty()); }]])
 mutant(model_list_queues_mixed FILE model/list/list.hpp WITH tests/unit/list_test.cpp TEST unit [list][lockstep]
-  OLD [[(tri_prim ? next_ : tested_).push(]]
-  NEW [[(tri_prim ? first_ : tested_).push(]])
+  OLD [[next_.push(RayNumber(tri.ray), tri.there & tri_prim);]]
+  NEW [[first_.push(RayNumber(tri.ray), tri.there & tri_prim);]])
 mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit/arbiter_test.cpp TEST unit [arbiter]
   OLD [[if (held_) return chosen_;]]
   NEW [[if (held_ && valid == 0) return chosen_;]])
@@ -209,8 +222,8 @@ mutant(model_sched_keeps_the_last_frames_pixel FILE model/sched/sched.hpp WITH t
         look();]]
   NEW [[        height_ = frame.height;]])
 mutant(model_blames_trav FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
-  OLD [[: node_cache_.waits() ? 1 : 2;]]
-  NEW [[: node_cache_.waits() ? 2 : 1;]])
+  OLD [[progress(Link::box_req) + 3 * node_cache_.waits()]]
+  NEW [[progress(Link::box_req) + 3 * !node_cache_.waits()]])
 mutant(model_sleeps_through_an_answer QUICK FILE model/machine.cpp TEST unit "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])
@@ -222,17 +235,17 @@ mutant(model_where_forgets_trav FILE model/pipeline.cpp TEST unit [stuck]
 ]]
   NEW [[]])
 mutant(model_takes_no_hit FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
-  OLD [[if ((m.hit = trav_.done_valid() && sink_.ready()))]]
-  NEW [[if ((m.hit = trav_.done_valid() && sink_.ready() && trav_.done_ray() != 7))]])
+  OLD [[m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());]]
+  NEW [[m.offer(Link::hit, trav_.done_valid(), sink_.ready() & (trav_.done_ray() != 7), trav_.done_ray());]])
 mutant(model_trace_looks_on_after_a_light_is_blocked QUICK FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
-  OLD [[bool stop() const { return any && best.found; }]]
+  OLD [[bool stop() const { return hit.stop(); }]]
   NEW [[bool stop() const { return false; }]])
 mutant(model_trace_shadow_ray_goes_beyond_the_surface FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
-  OLD [[limit(reach_of(RayKind(from.kind), config))]]
-  NEW [[limit(reach_of(RayKind::camera, config))]])
+  OLD [[reach_of(RayKind(from.kind), config)]]
+  NEW [[reach_of(RayKind::camera, config)]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
-  OLD [[flags |= turns << Trace::turns_shift;]]
-  NEW [[flags |= std::uint32_t(turns > 0) << Trace::turns_shift;]])
+  OLD [[flags |= dropped << Trace::turns_shift;]]
+  NEW [[flags |= std::uint32_t(dropped > 0) << Trace::turns_shift;]])
 
 # ---- DRAM: gates between commands, refresh, and the order of requests.
 mutant(dram_trrd_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
@@ -252,17 +265,17 @@ mutant(dram_starves FILE model/mem/dram.cpp TEST unit [dram]
   NEW [[if (e.overtaken > part_.age_cap) break;]])
 
 # ---- The same, judged by whole frames against exact integers: that test has an edge of its own.
-mutant(frames_tri_tie_turned FILE model/isect/tri.cpp TEST system "every pixel*"
+mutant(frames_tri_tie_turned FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST system "every pixel*"
   OLD [[edge != 0          ? edge
-                                 : gradient[0] != 0 ? gradient[0]
-                                 :]]
+                           : gradient[0] != 0 ? gradient[0]
+                           :]]
   NEW [[edge != 0 ? edge : gradient[0] != 0 ? -gradient[0] :]])
 mutant(frames_child_box_rounded_inward FILE model/accel/encode.cpp TEST system "every pixel*"
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(frames_record_skips_last_triangle FILE model/trace/record.inl WITH model/trace/record.cpp TEST system "every pixel*"
-  OLD [[n < node.count[child] && !way.stop(); ++n)]]
-  NEW [[n + 1 < node.count[child] && !way.stop(); ++n)]])
+mutant(frames_record_skips_last_triangle FILE model/list/ray_tests.hpp WITH model/trace/record.cpp TEST system "every pixel*"
+  OLD [[if (++half_line < end) return true;]]
+  NEW [[if (++half_line + 1 < end) return true;]])
 
 # ---- fit: intervals that are too small or too large, a search that stops early.
 mutant(fit_box_far_with_r QUICK FILE sim/fit/ranges_box.cpp TEST unit "box's intervals*"
@@ -317,18 +330,18 @@ mutant(model_overlap_behind_the_origin FILE model/oracle/overlap.cpp TEST unit [
   NEW [[if (k == 0 || less(enter, in)) enter = in;]])
 
 # ---- Hard cases: faults of the machine that `rayclock stress` must notice by itself.
-mutant(stress_tri_tie_rule_without_flip FILE model/isect/tri.cpp TEST system "the exact test stands*"
+mutant(stress_tri_tie_rule_without_flip FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST system "the exact test stands*"
   OLD [[return flip ? decides < 0 : decides > 0;]]
   NEW [[return decides > 0 || (flip && decides == 0);]])
-mutant(stress_tri_edges_inclusive FILE model/isect/tri.cpp TEST system "the exact test stands*"
-  OLD [[if (u != 0 && v != 0 && w != 0) {]]
-  NEW [[if (true) {]])
-mutant(stress_tri_dropped_bit FILE model/isect/tri.cpp TEST system "the exact test stands*"
-  OLD [[const Vec3l p1 = cross(dir, e1), p2 = cross(dir, e2);]]
-  NEW [[const Vec3l p1 = cross(dir, e1), whole = cross(dir, e2), p2{whole[0] & ~std::int64_t(1), whole[1], whole[2]};]])
-mutant(stress_tri_epsilon FILE model/isect/tri.cpp TEST system "the exact test stands*"
-  OLD [[if (det == 0) return;]]
-  NEW [[if (det < 1000 && det > -1000) return;]])
+mutant(stress_tri_edges_inclusive FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[if (!edges.on_edge()) return]]
+  NEW [[if (true) return]])
+mutant(stress_tri_dropped_bit FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[const Vec3l p1 = cross(d, e1), p2 = cross(d, e2);]]
+  NEW [[const Vec3l p1 = cross(d, e1), whole = cross(d, e2), p2{whole[0] & ~std::int64_t(1), whole[1], whole[2]};]])
+mutant(stress_tri_epsilon FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST system "the exact test stands*"
+  OLD [[if (det == 0) return false;]]
+  NEW [[if (det < 1000 && det > -1000) return false;]])
 mutant(stress_box_inward FILE model/accel/encode.cpp TEST system "the exact test stands*"
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
@@ -352,12 +365,12 @@ mutant(model_answer_weights_off FILE model/isect/tri.hpp WITH tests/system/cause
 mutant(model_answer_product_bits_dropped FILE model/isect/facet.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp model/trace/trace.cpp TEST system "the oracle finds every answer right*"
   OLD [[sum += a[k] * std::uint64_t(std::int64_t(direction[k]));]]
   NEW [[sum += (a[k] * std::uint64_t(std::int64_t(direction[k]))) & ~std::uint64_t(0xfff);]])
-mutant(model_answer_edges_inclusive FILE model/isect/facet.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp model/trace/trace.cpp TEST system "the oracle finds every answer right*"
-  OLD [[return u == 0 || v == 0 || det - u - v == 0;]]
+mutant(model_answer_edges_inclusive FILE model/isect/edges.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp model/trace/trace.cpp TEST system "the oracle finds every answer right*"
+  OLD [[return u == 0 || v == 0 || w() == 0;]]
   NEW [[return det == 0;]])
-mutant(model_answer_tie_first_come FILE model/trace/record.inl WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "where coplanar triangles*"
-  OLD [[if (mine > theirs || (mine == theirs && facet.prim > best.prim)) return;]]
-  NEW [[if (mine >= theirs) return;]])
+mutant(model_answer_tie_first_come FILE model/isect/edges.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "where coplanar triangles*"
+  OLD [[return mine < theirs || (mine == theirs && prim <= best.prim);]]
+  NEW [[return mine < theirs;]])
 
 # ---- Sweeps.
 mutant(sweep_equal_points_beat_each_other FILE sim/sweep/front.cpp TEST sweep "the front is*"

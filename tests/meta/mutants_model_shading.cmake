@@ -1,16 +1,16 @@
 # Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
 
 # ---- Any ray against any primitive: model/isect/any.hpp.
-mutant(model_any_bounce_without_its_fraction QUICK FILE model/isect/any.cpp TEST unit [any]~[tri]
-  OLD [[size = (flip ? -det : det) * (Wide(1) << scale);]]
-  NEW [[size = flip ? -det : det;]])
+mutant(model_any_bounce_without_its_fraction QUICK FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST unit [any]~[tri]
+  OLD [[flip = edges.turn();]]
+  NEW [[flip = edges.turn(), edges.det >>= frac;]])
 mutant(model_any_end_of_the_way_blocks FILE model/isect/any.cpp TEST unit [any]~[tri]
-  OLD [[out.closer = num * (Wide(1) << frac) < size;]]
-  NEW [[out.closer = num * (Wide(1) << frac) <= size;]])
+  OLD [[out.closer = e.num * (Wide(1) << frac) < e.det;]]
+  NEW [[out.closer = e.num * (Wide(1) << frac) <= e.det;]])
 mutant(model_any_plane_rounded_to_zero FILE model/isect/any.cpp TEST unit "tri of a chip that shades is exact at the ends of every width - Model*"
   OLD [[if (scaled < 0 && whole * det != scaled) --whole;]]
   NEW [[;]])
-mutant(model_any_low_products_alone FILE model/isect/any.cpp TEST unit "tri of a chip that shades decides exactly and measures within its bound - Model*"
+mutant(model_any_low_products_alone FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST unit "tri of a chip that shades decides exactly and measures within its bound - Model*"
   OLD [[(WideNatural(high_of(one)) * high_of(other) << 64);]]
   NEW [[0;]])
 mutant(model_sphere_touch_is_no_hit QUICK FILE model/isect/any.cpp TEST unit "tri is right for every camera ray and sphere*"

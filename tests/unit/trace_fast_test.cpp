@@ -90,12 +90,7 @@ TEST_CASE("box says the same with the processor's wider vectors and without", "[
         Draw draw{2};
         for (int i = 0; i < 3000; ++i) {
             const BoxCase c = random_box_case(draw, config);
-            const BoxRay ray{c.req.o, c.req.neg, c.req.recip, c.req.len};
-            const WideNode node = widen(c.req.node, config.node_width);
-            BoxRsp fast, plain;
-            fast.ray = plain.ray = c.req.ray;
-            box_children(ray, node, config, fast);
-            box_children_plain(ray, node, config, plain);
+            const BoxRsp fast = box(c.req, config), plain = box(c.req, config, box_children_plain);
             REQUIRE(same(fast, plain, config));
             if (i % 10 == 0) judge(c, plain, config);
         }
@@ -161,12 +156,12 @@ TEST_CASE("a triangle seen from a point is the triangle", "[trace]") {
             req.best = {};
             const TriRsp rsp = tri(req, config);
             const Facet facet = make_facet(req.triangle, req.o);
-            const FacetHit hit = test_facet(facet, req.d);
+            const Edges<std::int64_t> hit = test_facet(facet, req.d);
             REQUIRE(facet.prim == req.triangle.prim);
             if (hit.on_edge())
                 ++edges;
             else
-                REQUIRE((rsp.closer != 0) == (hit.ahead() && hit.num != 0));
+                REQUIRE((rsp.closer != 0) == (hit.same_signs() && hit.ahead() && hit.num != 0));
             if (!rsp.closer) continue;
             ++ahead;
             const std::int64_t sign = hit.det < 0 ? -1 : 1;
@@ -193,7 +188,7 @@ TEST_CASE("a trace is what the walk walks, with the processor's wider vectors an
         const Trace trace = record_trace(image, frame, config, 1);
         const Decoder decoder(image, config);
         const RecordJob job(image, frame, config);
-        RecordScratch scratch;
+        RecordScratch scratch(config);
         RecordTotals totals;
         std::vector<Closest> hits(trace.hits.size());
         Walk walk(frame, config, decoder);

@@ -49,8 +49,7 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
     const Decoder decoder(p.image, p.config);
     Walk walk(p.frame, p.config, decoder);
     Shader shader(p.frame, p.config, p.image);
-    RecordScratch scratch;
-    scratch.groups.resize(std::size_t(p.config.stack_depth) + 1);
+    RecordScratch scratch(p.config);
     RecordTotals totals;
     std::uint64_t kinds[4]{};
     for (std::uint32_t y = 0; y < p.frame.height; ++y)

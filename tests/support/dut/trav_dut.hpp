@@ -1,4 +1,5 @@
 #pragma once
+#include "model/bvh/box.hpp"
 #include "model/bvh/trav.hpp"
 #include "tests/support/dut/dut.hpp"
 
@@ -43,8 +44,8 @@ public:
         box_req.offer.reset();
         if (node_rsp.offer) {
             const Ray& r = contexts_[node_rsp.offer->ray].ray;
-            box_req.offer = BoxReq{r.ray,   r.o,   {r.d[0] < 0, r.d[1] < 0, r.d[2] < 0},
-                                   r.recip, r.len, node_rsp.offer->node};
+            const BoxRay from = box_ray(r);
+            box_req.offer = BoxReq{r.ray, from.o, from.neg, from.recip, from.len, node_rsp.offer->node};
         }
         box_rsp.ready = true;
         leaves.reset();
@@ -53,15 +54,15 @@ public:
             leaves = leaves_of(*box_rsp.offer);
     }
     void commit() {
-        const auto leafless = box_rsp.offer && !leaves ? &box_rsp.offer->ray : nullptr;
-        trav_.clock({ray.fires() ? &ray.offer->ray : nullptr, leafless,
-                     tested.offer ? &tested.offer->ray : nullptr, node_req.fires(), done.fires()},
-                    [&](std::uint32_t number) {
+        const OnLink leafless = leaves ? OnLink{} : ray_of(box_rsp.offer);
+        trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
+                    [&](std::uint32_t number, bool valid) {
+                        if (!valid) return Turn::Flags{};
                         Context& c = contexts_[number];
                         const Turn turn = c.stack.decide(c.tested, c.children);
                         c.addr = turn.addr;
                         c.children = {};   // in another turn there are no new ones
-                        return turn.kind;
+                        return turn.flags();
                     });
         if (box_rsp.offer) {
             Context& c = contexts_[box_rsp.offer->ray];

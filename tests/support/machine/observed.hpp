@@ -33,7 +33,6 @@ private:
 
     void pixel(const Slot& slot) {
         Walk walk(frame_, c_, decoder_);
-        Stack stack(c_);
         const Ray& ray = walk.start(slot);
         raygen(slot, ray);
         for (bool done = false; !done;) {
@@ -50,11 +49,9 @@ private:
             }
             const Tested tested = walk.tested();
             see("list.t_best", tested.t_best);
-            Turn turn = stack.decide(tested, children_of(boxes));
-            while (turn.kind == Turn::Kind::again) turn = stack.decide(tested);
-            see("trav.height", stack.height());
             see("trav.ray", tested.ray);
             walk.decide(done);
+            see("trav.height", walk.stack_height());
         }
     }
 

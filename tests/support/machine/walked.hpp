@@ -21,8 +21,8 @@ inline void append_walk(Walk& walk, std::vector<std::uint32_t>& words) {
             words.back() |= Trace::last_flag;
             words[head] |= Trace::tests_flag;
         }
-        const int turns = walk.decide(done);
-        words[head] |= (done ? Trace::end_flag : 0) | std::uint32_t(turns) << Trace::turns_shift;
+        const std::uint32_t turns = walk.decide(done);
+        words[head] |= (done ? Trace::end_flag : 0) | turns << Trace::turns_shift;
     }
 }
 

@@ -13,16 +13,9 @@ namespace {
 BoxVerdict try_model(const Config& config, const BoxSpace& space) {
     BoxRequests requests(space, config);
     BoxVerdict verdict;
-    BoxRsp rsp;
     for (std::uint64_t n = requests.size(); n-- > 0;) {
         const BoxCase c = requests.next();
-        const WideNode node = widen(c.req.node, config.node_width);
-        const BoxRay ray{c.req.o, c.req.neg, c.req.recip, c.req.len};
-        if (n % 2)
-            box_children(ray, node, config, rsp);
-        else
-            box_children_plain(ray, node, config, rsp);
-        judge_small(c, rsp, config, verdict);
+        judge_small(c, box(c.req, config, n % 2 ? box_children : box_children_plain), config, verdict);
     }
     REQUIRE(verdict.boxes == requests.boxes());
     return verdict;
