@@ -1,7 +1,6 @@
 #include "sim/stress/judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "model/oracle/extra_visits.hpp"
@@ -13,19 +12,10 @@ namespace rayclock::stress {
 
 namespace {
 
-bool share_corner(const oracle::Corners& s, const oracle::Corners& t) {
-    for (const Vec3i& p : {s.a, s.b, s.c})
-        if (p == t.a || p == t.b || p == t.c) return true;
-    return false;
-}
-
 /// 1 if the line along d passes the triangle against its normal, as oracle::Passage has it.
 int sense_of(const Vec3i& d, const oracle::Corners& t) {
     using Number = std::int64_t;
-    const auto a = oracle::triple<Number>(t.a);
-    const auto normal = oracle::area(oracle::way(a, oracle::triple<Number>(t.b)),
-                                     oracle::way(a, oracle::triple<Number>(t.c)));
-    return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), normal) < 0 ? 1 : -1;
+    return oracle::volume<oracle::Int128>(oracle::triple<Number>(d), oracle::normal<Number>(t)) < 0 ? 1 : -1;
 }
 
 /// The direction fills its bits, as a camera's do. Shorter ones reach the largest t before the scene ends:
@@ -41,7 +31,7 @@ template <class Hits> void drop_grazing(Hits& hits, const std::vector<oracle::Co
     for (std::size_t i = 0; i < hits.size(); ++i)
         for (std::size_t j = i + 1; j < hits.size(); ++j)
             if (hits[i].sense != hits[j].sense &&
-                share_corner(triangles[hits[i].primitive], triangles[hits[j].primitive])) {
+                oracle::share_corner(triangles[hits[i].primitive], triangles[hits[j].primitive])) {
                 hits.erase(hits.begin() + std::ptrdiff_t(j));
                 hits.erase(hits.begin() + std::ptrdiff_t(i--));
                 break;
@@ -58,14 +48,7 @@ std::vector<PrimData> numbered(const std::vector<oracle::Corners>& corners) {
 }   // namespace
 
 Counts& Counts::operator+=(const Counts& other) {
-    const auto fields = [](auto& c) {
-        return std::array{&c.rays,       &c.leaks,       &c.double_hits,   &c.oracle_mismatches,
-                          &c.crossings,  &c.walked,      &c.boxes,         &c.boxes_extra,
-                          &c.boxes_lost, &c.shadow_rays, &c.false_shadows, &c.light_leaks};
-    };
-    const auto mine = fields(*this);
-    const auto theirs = fields(other);
-    for (std::size_t i = 0; i < mine.size(); ++i) *mine[i] += *theirs[i];
+    for (const auto field : count_fields) this->*field += other.*field;
     return *this;
 }
 
@@ -148,7 +131,7 @@ void Judge::compare_hits(Counts& counts) {
     std::erase_if(missing, [&](const Hit& t) {
         return take([&](const Hit& f) {
             return f.sense == t.sense &&
-                   share_corner(mesh_.triangles[f.primitive], mesh_.triangles[t.primitive]);
+                   oracle::share_corner(mesh_.triangles[f.primitive], mesh_.triangles[t.primitive]);
         });
     });
     drop_grazing(missing, mesh_.triangles);
