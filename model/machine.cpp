@@ -9,6 +9,7 @@ Machine::Machine(const Config& config, int khz, Traffic traffic)
       has_l2_(config.l2_sets > 0),
       dispatch_(config),
       clients_(std::uint32_t(config.clients())),
+      client_shift_(config.client_id_bits() - config.client_bits()),
       arbiter_(config.clients() * config.pipelines),
       memory_(config, khz, traffic),
       undisturbed_(traffic.none()),
@@ -53,7 +54,7 @@ void Machine::settle_shared() {
     };
     if (has_l2_) {
         link(Link::l2_req, client_ >= 0, l2_->ready());
-        link(Link::l2_rsp, l2_->valid(now_), true);
+        link(Link::l2_rsp, l2_->valid(), true);
         link(Link::mem_req, l2_->miss_valid(), memory_.ready());
         if (l2_->miss_valid()) l2_miss_ = l2_->miss();
         route(fires(Link::l2_rsp), fires(Link::l2_rsp) ? l2_->answer() : 0);
@@ -68,9 +69,7 @@ void Machine::settle_shared() {
         const Cache::Miss miss = cache == 0   ? pipelines_[p].node_miss()
                                  : cache == 1 ? pipelines_[p].prim_miss()
                                               : pipelines_[p].surf_miss();
-        client_request_ = {
-            std::uint32_t(client_) << (config_.client_id_bits() - config_.client_bits()) | miss.id,
-            miss.addr};
+        client_request_ = {std::uint32_t(client_) << client_shift_ | miss.id, miss.addr};
         (cache == 0   ? shared_moves_[p].node_miss
          : cache == 1 ? shared_moves_[p].prim_miss
                       : shared_moves_[p].surf_miss) = taken;
@@ -83,9 +82,8 @@ void Machine::settle_shared() {
 void Machine::route(bool answered, std::uint32_t id) {
     fill_client_ = -1;
     if (!answered) return;
-    const int shift = config_.client_id_bits() - config_.client_bits();
-    fill_client_ = int(id >> shift);
-    fill_id_ = id & ((1u << shift) - 1);
+    fill_client_ = int(id >> client_shift_);
+    fill_id_ = id & ((1u << client_shift_) - 1);
     SharedMoves& moves = shared_moves_[std::size_t(fill_client_) / clients_];
     const std::uint32_t cache = std::uint32_t(fill_client_) % clients_;
     (cache == 0 ? moves.node_fill : cache == 1 ? moves.prim_fill : moves.surf_fill) = &fill_id_;
@@ -94,8 +92,7 @@ void Machine::route(bool answered, std::uint32_t id) {
 void Machine::settle_pipelines() {
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         pipelines_[p].settle(now_);
-        masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p], now_),
-                     pipelines_[p].fire_mask(shared_moves_[p])};
+        masks_[p] = {pipelines_[p].valid_mask(shared_moves_[p]), pipelines_[p].fire_mask(shared_moves_[p])};
     }
 }
 
@@ -113,7 +110,7 @@ void Machine::clock_shared() {
     arbiter_.clock(client_valid_, client_, taken);
     if (has_l2_) {
         const std::uint32_t filled = fires(Link::mem_rsp) ? memory_.answer().id : 0;
-        l2_deed_ = l2_->clock(now_, taken ? &client_request_ : nullptr, fires(Link::l2_rsp),
+        l2_deed_ = l2_->clock(taken, client_request_, fires(Link::l2_rsp),
                               fires(Link::mem_rsp) ? &filled : nullptr, fires(Link::mem_req));
         ++l2_counts_[std::size_t(l2_deed_)];
     }
@@ -124,13 +121,11 @@ void Machine::clock_shared() {
 }
 
 // In most cycles nothing moves between the pipelines and what they share.
-bool Machine::shared_is_still() const {
+inline bool Machine::shared_is_still() const {
     if (has_l2_ || memory_.valid()) return false;
-    unsigned busy = 0;   // without branches: this is asked in every cycle
-    for (const Pipeline& pipeline : pipelines_)
-        busy += unsigned(pipeline.node_miss_valid()) + unsigned(pipeline.prim_miss_valid()) +
-                unsigned(pipeline.surf_miss_valid()) + unsigned(pipeline.tile_ready() && dispatch_.more());
-    return busy == 0;
+    bool asks = false;   // without branches: this is asked in every cycle
+    for (const Pipeline& pipeline : pipelines_) asks |= pipeline.asks(dispatch_.more());
+    return !asks;
 }
 
 void Machine::step() {
@@ -140,7 +135,7 @@ void Machine::step() {
     bool asleep = true;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         hits_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
-        asleep = asleep && pipelines_[p].slept();
+        asleep &= pipelines_[p].slept();
     }
     if (still) {
         last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of units that wait
@@ -179,11 +174,11 @@ void Machine::sleep(std::uint64_t until) {
     std::uint64_t wake = until;
     for (const Pipeline& pipeline : pipelines_) {
         if (!pipeline.slept()) return;
-        wake = std::min(wake, pipeline.wakes());
+        wake = std::min(wake, pipeline.wakes(now_));
     }
     if (has_l2_) {
         if (l2_deed_ <= CacheDeed::drain) return;
-        wake = std::min(wake, l2_->due());
+        if (l2_->answers()) return;
     }
     wake = std::min(wake, memory_.quiet_until());
     if (wake <= now_) return;

@@ -59,7 +59,7 @@ public:
     Accounts accounts(int pipeline) const { return pipelines_[std::size_t(pipeline)].accounts(); }
     const Memory& memory() const { return memory_; }
     std::string where(int pipeline, std::uint32_t ray) const {
-        return pipelines_[std::size_t(pipeline)].where(ray);
+        return pipelines_[std::size_t(pipeline)].where(ray, now_);
     }
 
     /// Valid and fire masks of the last observed cycle, of a pipeline and of what all share.
@@ -88,6 +88,7 @@ private:
     Dispatch dispatch_;
     std::vector<Pipeline> pipelines_;
     std::uint32_t clients_;
+    int client_shift_;   ///< of a cache's number in the id of its request
     Arbiter arbiter_;
     std::optional<Cache> l2_;
     Memory memory_;

@@ -19,7 +19,8 @@ struct SharedMoves {
     const std::uint32_t *node_fill = nullptr, *prim_fill = nullptr, *surf_fill = nullptr;
     bool node_miss = false, prim_miss = false, surf_miss = false;
     bool any() const {
-        return tile || node_fill || prim_fill || surf_fill || node_miss || prim_miss || surf_miss;
+        return (tile != nullptr) | (node_fill != nullptr) | (prim_fill != nullptr) | (surf_fill != nullptr) |
+               node_miss | prim_miss | surf_miss;
     }
 };
 
@@ -32,6 +33,7 @@ public:
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
         trace_ = &trace;
+        rays_.assign(rays_.size(), {});   // no word of the last frame's trace is looked at again
     }
 
     /// Cycle `now`: what moves, from registered state, and the clock edge. True if a hit left.
@@ -46,16 +48,22 @@ public:
 
     // ---- What is on the links, between settle() and clock().
 
-    std::uint32_t valid_mask(const SharedMoves& shared, std::uint64_t now) const;
+    std::uint32_t valid_mask(const SharedMoves& shared) const;
     std::uint32_t fire_mask(const SharedMoves& shared) const;
     bool tile_ready() const { return sched_.tile_ready(); }
     bool node_miss_valid() const { return node_cache_.miss_valid(); }
     bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
     Cache::Miss node_miss() const { return node_cache_.miss(); }
     Cache::Miss prim_miss() const { return prim_cache_.miss(); }
-    bool surf_miss_valid() const { return shading_ && surf_cache_.miss_valid(); }
+    bool surf_miss_valid() const { return shading_ & surf_cache_.miss_valid(); }
     Cache::Miss surf_miss() const { return surf_cache_.miss(); }
-    std::uint32_t ray_on(Link c) const;   ///< of links that carry one and move
+    /// Of links that carry one and move.
+    std::uint32_t ray_on(Link link) const { return moves_[link].ray; }
+    /// Something is to be moved between it and what all share; `more`: there are tiles left.
+    bool asks(bool more) const {
+        return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_miss_valid() |
+               (tile_ready() & more);
+    }
     Slot slot() const { return sched_.slot(); }
     const Slot& pixel(std::uint32_t ray) const { return sched_.pixel(ray); }
     std::uint32_t node_addr(std::uint32_t ray) const { return rays_[ray].head & Trace::node_mask; }
@@ -66,7 +74,7 @@ public:
 
     /// In the last cycle nothing moved and nothing changed: the next will be the same until `wakes()`.
     bool slept() const { return asleep_; }
-    std::uint64_t wakes() const;
+    std::uint64_t wakes(std::uint64_t now) const;
     void skip(std::uint64_t cycles) {
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
@@ -74,53 +82,59 @@ public:
     }
 
     Accounts accounts() const;
-    std::string where(std::uint32_t ray) const;   ///< the queue or unit that holds a ray, for people
+    /// The queue or unit that holds a ray, for people.
+    std::string where(std::uint32_t ray, std::uint64_t now) const;
 
 private:
     /// Where a context's ray is in the trace.
     struct Place {
-        const std::uint32_t* at = nullptr;   ///< word of the visit, or of the triangle under way; the first
-                                             ///< after a ray
-        std::uint32_t head = 0;   ///< the visit's word; turns count down. After a ray the passes left
+        /// Word of the visit, or of the triangle under way; the first after a ray.
+        const std::uint32_t* at = nowhere;
+        /// The visit's word; turns count down. After a ray the passes left.
+        std::uint32_t head = 0;
     };
-    /// Links inside that move in a cycle, and what is on them: rays, but for a slot and requests to the
-    /// caches.
+    static constexpr std::uint32_t nowhere[1] = {0};
+    /// A link in a cycle: whether something is on it, whether it moves, and its ray, which is some context's
+    /// also if nothing is there.
+    struct LinkInside {
+        bool valid, fires;
+        std::uint32_t ray;
+        operator OnLink() const { return {fires, ray}; }
+    };
+    /// All links inside in a cycle, but those to what the pipelines share, which are in SharedMoves.
     struct Moves {
-        bool slot, ray, node_req, box_req, box_rsp, leaves, prim_req, tri_req, tri_rsp, tested, hit;
-        bool offered;                              // by list to trav: `tested`, if it is taken
-        bool step;                                 // inside trav, of a ray that was tested or has no leaves
-        bool closest, surf_req, surf_rsp, spawn;   // of a chip that shades
-        Slot given;
-        Cache::Request node_out, prim_out, surf_out;
-        std::uint32_t started, node_in, boxed, prim_in, answered, returned, ended, closed, surf_in, spawned;
-        bool any() const {
-            return slot | ray | node_req | box_req | box_rsp | prim_req | tri_req | tri_rsp | step | hit |
-                   closest | surf_req | surf_rsp | spawn;
+        std::array<LinkInside, pipeline_links> links;
+        bool step = false;              // inside trav, of a ray that was tested or has no leaves
+        std::uint32_t shade_code = 0;   // of units.hpp
+        const LinkInside& operator[](Link link) const { return links[index(link)]; }
+        void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
+            links[index(link)] = {offered, bool(offered & ready), ray};
         }
+        /// Whether one of them moves.
+        template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    Moves moving(std::uint64_t now);
-    void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
-    Turn::Kind decide(std::uint32_t ray);
+    template <bool shades> void settle(Moves& m, std::uint64_t now) const;
+    template <bool shades> void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    template <bool shades> bool step(std::uint64_t now, const SharedMoves& shared);
+    Turn::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
-    bool has_more(std::uint32_t ray);
-    void moving_shaded(Moves& m, std::uint64_t now);
+    bool has_more(std::uint32_t ray, bool tested);
     Shade::Turn turn_of(std::uint32_t ray);
-    void account_units(const Moves& m, std::uint64_t now);
+    void account_units(const Moves& m);
     void account_caches() {
         last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;
         ++caches_[last_caches_];
     }
-    void clock_sched(const Moves& m, const Tile* tile);
-    void clock_raygen(const Moves& m, std::uint64_t now);
-    void clock_trav(const Moves& m);
-    void clock_node_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    template <bool shades> void clock_sched(const Moves& m, const Tile* tile);
+    template <bool shades> void clock_raygen(const Moves& m, std::uint64_t now);
+    template <bool shades> void clock_trav(const Moves& m);
+    void clock_node_cache(const Moves& m, const SharedMoves& shared);
     void clock_box(const Moves& m, std::uint64_t now);
     void clock_list(const Moves& m);
-    void clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    void clock_prim_cache(const Moves& m, const SharedMoves& shared);
     void clock_tri(const Moves& m, std::uint64_t now);
-    void clock_surf_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    void clock_surf_cache(const Moves& m, const SharedMoves& shared);
     void clock_shade(const Moves& m, std::uint64_t now);
-    std::uint32_t shaded_valid(const SharedMoves& shared, std::uint64_t now) const;
 
     bool shading_;
     const Trace* trace_ = nullptr;
@@ -128,20 +142,26 @@ private:
     Pipe<RayNumber> raygen_;
     Trav trav_;
     Cache node_cache_;
-    Pipe<RayNumber> box_;
+    Delay box_;
     List list_;
     Cache prim_cache_;
-    Pipe<RayNumber> tri_;
+    Delay tri_;
     Cache surf_cache_;
     Shade shade_;
     Merge raygen_link_;
-    std::uint32_t shade_code_ = 2;
     Sink sink_;
     std::vector<Place> rays_;
 
     Moves moves_{};   // of the cycle that was settled
     CacheDeed node_deed_{}, prim_deed_{}, surf_deed_{CacheDeed::starved};
     bool asleep_ = false;
+
+    // Codes of units.hpp, by how far the thing that the unit waits for has come: nothing there, on offer,
+    // accepted. sched's pixel must be there first; who tests asks whether memory is asked (then 3 more); trav
+    // asks whether a step waits, and (2 more) whether no ray goes round, which is work as well.
+    static constexpr std::array<std::uint8_t, 4> sched_codes{2, 1, 3, 0}, trav_codes{0, 2, 1, 0};
+    static constexpr std::array<std::uint8_t, 3> raygen_codes{1, 2, 0};
+    static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
 
     // Cycles by the units' codes, several units to an index; see account_units().
     std::uint32_t last_units_ = 0, last_caches_ = 0, last_shades_ = 0;
@@ -150,148 +170,168 @@ private:
     std::array<std::uint64_t, 1 << 5> shades_{};   // surf_cache, shade
 };
 
-[[gnu::always_inline]] inline Pipeline::Moves Pipeline::moving(std::uint64_t now) {
+// Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
+// Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
+template <bool shades>
+[[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
     // What leaves one unit enters another: noted before either sees the clock edge.
-    Moves m;
-    m.closest = m.surf_req = m.surf_rsp = m.spawn = false;
-    if ((m.slot = sched_.slot_valid() && raygen_.ready())) m.given = sched_.slot();
-    if ((m.ray = raygen_.valid(now) && trav_.ray_ready())) m.started = raygen_.front();
-    if ((m.node_req = trav_.node_valid() && node_cache_.ready())) {
-        const std::uint32_t ray = trav_.node_ray();
-        m.node_out = {ray, node_addr(ray)};
+    const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
+    m.offer(Link::slot, sched_.slot_valid(), raygen_.ready() & camera, sched_.slot().ray);
+    m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
+    m.offer(Link::node_req, trav_.node_valid(), node_cache_.ready(), trav_.node_ray());
+    m.offer(Link::box_req, node_cache_.valid(), box_.ready(), node_cache_.answer());
+    const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
+    m.offer(Link::box_rsp, boxed.there, true, boxed.ray);
+    m.offer(Link::leaves, boxed.there & has_tests(boxed.ray), true, boxed.ray);
+    m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
+    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready(), prim_cache_.answer());
+    m.offer(Link::tri_rsp, tried.there, true, tried.ray);
+    const bool tested = list_.tested_valid();
+    m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray());
+    m.step = trav_.step_valid(tested) & trav_.step_ready();
+    if constexpr (shades) {
+        m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray());
+        m.offer(Link::closest, trav_.done_valid(), true, trav_.done_ray());
+        m.offer(Link::surf_req, shade_.surf_valid(), surf_cache_.ready(), shade_.surf_ray());
+        m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready(), surf_cache_.answer());
+        m.offer(Link::spawn, shade_.spawn_valid(), raygen_.ready() & !camera, shade_.spawn_ray());
+        const bool offered = shade_.offers(surf_cache_.valid());
+        m.shade_code = offered ? (shade_.ready() ? 0 : 3) : surf_cache_.waits() ? 1 : 2;
+    } else {
+        m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
-    if ((m.box_req = node_cache_.valid(now) && box_.ready())) m.node_in = node_cache_.answer();
-    if ((m.box_rsp = box_.valid(now))) m.boxed = box_.front();
-    m.leaves = m.box_rsp && has_tests(m.boxed);
-    if ((m.prim_req = list_.prim_valid() && prim_cache_.ready())) {
-        const std::uint32_t ray = list_.prim_ray();
-        m.prim_out = {ray, prim_addr(ray) >> 1};
-    }
-    if ((m.tri_req = prim_cache_.valid(now) && tri_.ready())) m.prim_in = prim_cache_.answer();
-    if ((m.tri_rsp = tri_.valid(now))) m.answered = tri_.front();
-    if ((m.offered = list_.tested_valid())) m.returned = list_.tested_ray();
-    m.tested = m.offered && trav_.tested_ready(m.offered);
-    m.step = trav_.step_valid(m.offered) && trav_.step_ready();
-    if (shading_) [[unlikely]]
-        moving_shaded(m, now);
-    else if ((m.hit = trav_.done_valid() && sink_.ready()))
-        m.ended = trav_.done_ray();
-    account_units(m, now);
-    return m;
 }
 
-inline void Pipeline::account_units(const Moves& m, std::uint64_t now) {
-    // Codes of units.hpp: 0 where a link moves; a refused offer and an idle link have their own.
-    const std::uint32_t sched = m.slot ? 0 : sched_.slot_valid() ? 3 : sched_.pixel_valid() ? 1 : 2;
-    const std::uint32_t raygen = m.ray ? 0 : raygen_.valid(now) ? 2 : 1;
-    const std::uint32_t trav = m.step                        ? 0
-                               : trav_.step_valid(m.offered) ? 2
-                                                             : trav_.step_ready();   // a ray that goes round
-                                                                                     // is work, if no step
-                                                                                     // waits
-    const std::uint32_t box = m.box_req ? 0 : node_cache_.valid(now) ? 3 : node_cache_.waits() ? 1 : 2;
-    const std::uint32_t list = !(m.leaves | m.tri_rsp);
-    const std::uint32_t tri = m.tri_req ? 0 : prim_cache_.valid(now) ? 3 : prim_cache_.waits() ? 1 : 2;
+[[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
+    const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
+    const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
+    const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
+                        raygen = raygen_codes[std::size_t(progress(Link::ray))],
+                        trav = trav_codes[turn + 2 * free],
+                        box = test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
+                        list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
+                        tri = test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
     last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
     ++units_[last_units_];
 }
 
-inline Turn::Kind Pipeline::decide(std::uint32_t ray) {
+inline Turn::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     Place& place = rays_[ray];
-    if (place.head >> Trace::turns_shift) {
-        place.head -= 1u << Trace::turns_shift;
-        return Turn::Kind::again;
-    }
-    if (place.head & Trace::end_flag) return Turn::Kind::done;
-    place.head = *++place.at;
-    return Turn::Kind::visit;
+    const bool again = place.head >> Trace::turns_shift, done = !again & bool(place.head & Trace::end_flag);
+    const bool visit = valid & !again & !done;
+    const std::uint32_t turns = std::uint32_t(valid & again) << Trace::turns_shift;
+    place.at += visit;
+    const std::uint32_t next = *place.at;
+    place.head = select(visit, next, place.head - turns);
+    return {visit, bool(valid & again), bool(valid & done)};
 }
 
-inline bool Pipeline::has_more(std::uint32_t ray) {
+inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
     Place& place = rays_[ray];
     const bool more = !(*place.at & Trace::last_flag);
-    place.at += more;
+    place.at += more & tested;
     return more;
 }
 
-inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
-    if (m.slot) {
-        Place& place = rays_[m.given.ray];
-        place.at = ray_at(*trace_, m.given.x, m.given.y);
+template <bool shades>
+[[gnu::always_inline]] inline void Pipeline::clock_sched(const Moves& m, const Tile* tile) {
+    const bool slot = m[Link::slot].fires;
+    if (slot) {
+        const Slot given = sched_.slot();
+        Place& place = rays_[given.ray];
+        place.at = ray_at(*trace_, given.x, given.y);
         place.head = *place.at;
     }
-    if (shading_) [[unlikely]] {
-        const bool slot = raygen_link_.second(shade_.spawn_valid());
-        raygen_link_.clock(shade_.spawn_valid() || sched_.slot_valid(), m.slot || m.spawn, slot);
+    if constexpr (shades) {
+        const bool second = raygen_link_.second(shade_.spawn_valid());
+        raygen_link_.clock(shade_.spawn_valid() | sched_.slot_valid(), slot | m[Link::spawn].fires, second);
     }
-    sched_.clock(m.slot, tile, m.hit ? &m.ended : nullptr);
+    sched_.clock(slot, tile, m[Link::hit]);
     sink_.clock();
 }
 
-inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
-    if (m.ray) raygen_.leave();
-    if (m.slot) raygen_.admit(now) = RayNumber(m.given.ray);
-    if (m.spawn) raygen_.admit(now) = RayNumber(m.spawned);
+template <bool shades>
+[[gnu::always_inline]] inline void Pipeline::clock_raygen(const Moves& m, std::uint64_t now) {
+    OnLink in = m[Link::slot];
+    if constexpr (shades) {
+        const LinkInside& spawn = m[Link::spawn];
+        in = {bool(in.there | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
+    }
+    raygen_.clock(now, m[Link::ray].fires, in.there, RayNumber(in.ray));
 }
 
-inline void Pipeline::clock_trav(const Moves& m) {
-    trav_.clock({m.ray ? &m.started : nullptr, m.box_rsp && !m.leaves ? &m.boxed : nullptr,
-                 m.offered ? &m.returned : nullptr, m.node_req, shading_ ? m.closest : m.hit},
-                [this](std::uint32_t ray) { return decide(ray); });
+template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
+    const LinkInside &answer = m[Link::box_rsp], &tested = m[Link::tested];
+    trav_.clock({m[Link::ray],
+                 {bool(answer.fires & !m[Link::leaves].fires), answer.ray},
+                 {tested.valid, tested.ray},
+                 m[Link::node_req].fires,
+                 m[shades ? Link::closest : Link::hit].fires},
+                [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
 
-inline void Pipeline::clock_node_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
-    node_deed_ = node_cache_.clock(now, m.node_req ? &m.node_out : nullptr, m.box_req, shared.node_fill,
-                                   shared.node_miss);
+[[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, const SharedMoves& shared) {
+    const LinkInside& req = m[Link::node_req];
+    node_deed_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m[Link::box_req].fires,
+                                   shared.node_fill, shared.node_miss);
 }
 
-inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
-    if (m.box_rsp) box_.leave();
-    if (m.box_req) box_.admit(now) = RayNumber(m.node_in);
+[[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
+    box_.clock(now, m[Link::box_req]);
 }
 
-inline void Pipeline::clock_list(const Moves& m) {
-    if (m.leaves) ++rays_[m.boxed].at;   // to the first triangle
-    list_.clock(m.leaves ? &m.boxed : nullptr, m.tri_rsp ? &m.answered : nullptr,
-                m.tri_rsp && has_more(m.answered), m.prim_req, m.tested);
+[[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
+    const LinkInside &leaves = m[Link::leaves], &answer = m[Link::tri_rsp];
+    rays_[leaves.ray].at += leaves.fires;   // to the first triangle
+    list_.clock(leaves, answer, has_more(answer.ray, answer.fires), m[Link::prim_req].fires,
+                m[Link::tested].fires);
 }
 
-inline void Pipeline::clock_prim_cache(const Moves& m, std::uint64_t now, const SharedMoves& shared) {
-    prim_deed_ = prim_cache_.clock(now, m.prim_req ? &m.prim_out : nullptr, m.tri_req, shared.prim_fill,
-                                   shared.prim_miss);
+[[gnu::always_inline]] inline void Pipeline::clock_prim_cache(const Moves& m, const SharedMoves& shared) {
+    const LinkInside& req = m[Link::prim_req];
+    prim_deed_ = prim_cache_.clock(req.fires, {req.ray, prim_addr(req.ray) >> 1}, m[Link::tri_req].fires,
+                                   shared.prim_fill, shared.prim_miss);
 }
 
-inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
-    if (m.tri_rsp) tri_.leave();
-    if (m.tri_req) tri_.admit(now) = RayNumber(m.prim_in);
+[[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
+    tri_.clock(now, m[Link::tri_req]);
 }
 
-[[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
-                                                   const SharedMoves& shared) {
-    const bool turning = !trav_.idle() || sched_.passing();
-    clock_sched(m, shared.tile);
-    clock_raygen(m, now);
-    clock_trav(m);
-    clock_node_cache(m, now, shared);
+template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
+                                                                          const SharedMoves& shared) {
+    account_units(m);
+    const bool turning = !trav_.idle() | sched_.passing();
+    clock_sched<shades>(m, shared.tile);
+    clock_raygen<shades>(m, now);
+    clock_trav<shades>(m);
+    clock_node_cache(m, shared);
     clock_box(m, now);
     clock_list(m);
-    clock_prim_cache(m, now, shared);
+    clock_prim_cache(m, shared);
     clock_tri(m, now);
     account_caches();
-    asleep_ = node_deed_ > CacheDeed::drain && prim_deed_ > CacheDeed::drain && !turning && !m.any() &&
-              !shared.any();
-    if (shading_) [[unlikely]] {
-        asleep_ = asleep_ && !shade_.answers(now) && !shade_.offers(false);
-        clock_surf_cache(m, now, shared);
+    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) &
+              !(turning | m.step | shared.any() |
+                m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
+                      Link::tri_req, Link::tri_rsp, Link::hit));
+    if constexpr (shades) {
+        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) &
+                  !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
+        clock_surf_cache(m, shared);
         clock_shade(m, now);
-        asleep_ = asleep_ && surf_deed_ > CacheDeed::drain;
+        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain);
     }
 }
 
+template <bool shades> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+    Moves m;   // not moves_: this lives in registers
+    settle<shades>(m, now);
+    clock<shades>(m, now, shared);
+    return m[Link::hit].fires;
+}
+
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
-    const Moves moves = moving(now);   // by value, so that it lives in registers
-    clock(moves, now, shared);
-    return moves.hit;
+    return shading_ ? step<true>(now, shared) : step<false>(now, shared);
 }
 
 }   // namespace rayclock

@@ -7,11 +7,14 @@
 module rc_pipeline (
   input  logic               clk_i,
   input  logic               rst_ni,
+  // From the host
   input  logic               start_i,
   input  rc_pkg::frame_t     frame_i,
+  // From dispatch
   output logic               tile_ready_o,
   input  logic               tile_fires_i,
   input  rc_pkg::tile_t      tile_i,
+  // To and from memory, by way of the arbiter: nodes, primitives, and surfaces if the chip shades
   output logic               node_miss_valid_o,
   input  logic               node_miss_ready_i,
   output rc_pkg::node_miss_t node_miss_o,
@@ -22,15 +25,17 @@ module rc_pipeline (
   output rc_pkg::prim_miss_t prim_miss_o,
   input  logic               prim_fill_fires_i,
   input  rc_pkg::prim_fill_t prim_fill_i,
-  output logic               surf_miss_valid_o,   // this and what follows: if the chip shades
+  output logic               surf_miss_valid_o,
   input  logic               surf_miss_ready_i,
   output rc_pkg::surf_miss_t surf_miss_o,
   input  logic               surf_fill_fires_i,
   input  rc_pkg::surf_fill_t surf_fill_i,
+  // The picture
   output logic               hit_valid_o,
   input  logic               hit_ready_i,
   output rc_pkg::hit_t       hit_o,
-  output logic [3*rc_pkg::PipelineUnits-1:0] causes_o   // what each unit did, sched lowest
+  // What each unit did, sched lowest
+  output logic [3*rc_pkg::PipelineUnits-1:0] causes_o
 );
   logic              slot_valid, slot_ready;
   rc_pkg::slot_t     slot;

@@ -290,6 +290,7 @@ package rc_pkg;
   localparam int unsigned RegCycles = 6;
   localparam int unsigned RegParameters = 32;
   localparam int unsigned RegFrame = 1024;
+  localparam int unsigned RegCounters = 4096;
   localparam int unsigned Parameters = 25;
   localparam logic [799:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
@@ -625,30 +626,6 @@ package rc_pkg;
   localparam int unsigned PixelW = 97;
 
   typedef struct packed {
-    logic [1:0] kind;
-    logic smooth;
-    logic checkered;
-    logic schlick;
-    logic [2:0] fine;
-    logic [53:0] a;
-    logic [53:0] b;
-    logic [53:0] c;
-    logic [98:0] normal;
-    logic [38:0] colour;
-    logic [38:0] other;
-    logic [12:0] ambient;
-    logic [12:0] diffuse;
-    logic [12:0] highlight;
-    logic [16:0] mirror;
-    logic [16:0] transmit;
-    logic [16:0] r0;
-    logic [13:0] shine;
-    logic [15:0] enter;
-    logic [15:0] leave;
-  } surface_t;
-  localparam int unsigned SurfaceW = 483;
-
-  typedef struct packed {
     logic [13:0] x;
     logic [13:0] y;
     logic [2:0] purpose;
@@ -699,4 +676,48 @@ package rc_pkg;
     logic is_inside;
   } waiting_t;
   localparam int unsigned WaitingW = 168;
+
+  // What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.
+
+  typedef struct packed {
+    logic [53:0] org;
+    logic [14:0] exp;
+    logic [23:0] base;
+    logic [23:0] kind;
+    logic [191:0] lo;
+    logic [191:0] hi;
+  } node_t;
+  localparam int unsigned NodeW = 501;
+
+  typedef struct packed {
+    logic [53:0] a;
+    logic [53:0] b;
+    logic [53:0] c;
+    logic [31:0] prim;
+  } primitive_t;
+  localparam int unsigned PrimitiveW = 194;
+
+  typedef struct packed {
+    logic [1:0] kind;
+    logic smooth;
+    logic checkered;
+    logic schlick;
+    logic [2:0] fine;
+    logic [53:0] a;
+    logic [53:0] b;
+    logic [53:0] c;
+    logic [98:0] normal;
+    logic [38:0] colour;
+    logic [38:0] other;
+    logic [12:0] ambient;
+    logic [12:0] diffuse;
+    logic [12:0] highlight;
+    logic [16:0] mirror;
+    logic [16:0] transmit;
+    logic [16:0] r0;
+    logic [13:0] shine;
+    logic [15:0] enter;
+    logic [15:0] leave;
+  } surface_t;
+  localparam int unsigned SurfaceW = 483;
 endpackage

@@ -9,24 +9,27 @@
 module rc_top (
   input  logic                                      clk_i,
   input  logic                                      rst_ni,
+  // From the host
   input  logic                                      start_i,
   input  rc_pkg::frame_t                            frame_i,
+  // To and from memory
   output logic                                      mem_req_valid_o,
   input  logic                                      mem_req_ready_i,
   output rc_pkg::mem_req_t                          mem_req_o,
   input  logic                                      mem_rsp_fires_i,
   input  rc_pkg::mem_rsp_t                          mem_rsp_i,
+  // The picture, a stream for each pipeline
   output logic [rc_pkg::Pipelines-1:0]              hit_valid_o,
   input  logic [rc_pkg::Pipelines-1:0]              hit_ready_i,
   output logic [rc_pkg::Pipelines*rc_pkg::HitW-1:0] hit_o,
-  // What each unit did in this cycle: those that all share lowest, then pipeline by pipeline.
+  // What each unit did in this cycle: those that all share lowest, then pipeline by pipeline
   output logic [3*(rc_pkg::Pipelines*rc_pkg::PipelineUnits+rc_pkg::SharedUnits)-1:0] causes_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
   localparam int unsigned CB = rc_pkg::ClientBits;
   localparam int unsigned MB = rc_pkg::ClientIdBits - CB;  // a cache's own id
   localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned NB = rc_pkg::NodeMissW - A;
+  localparam int unsigned NB = rc_pkg::NodeMissW - A;      // of the ids of each kind of cache
   localparam int unsigned PB = rc_pkg::PrimMissW - A;
   localparam int unsigned SB = rc_pkg::SurfMissW - A;
   localparam int unsigned K  = rc_pkg::Clients;
@@ -41,41 +44,45 @@ module rc_top (
 
   // Caches are clients of memory: K p reads nodes, K p + 1 primitives, K p + 2 surfaces, if
   // the chip shades; K p + 3 is never there.
-  logic [K*P-1:0]             miss_valid, miss_ready, fill_fires;
-  logic [K*P*(MB+A)-1:0]      miss;
-  logic                       fill_valid;
-  logic [rc_pkg::L2RspW-1:0]  fill;
+  logic [K*P-1:0]        miss_valid, miss_ready, fill_fires;
+  logic [K*P*(MB+A)-1:0] miss;
+  logic                  fill_valid;
+  rc_pkg::l2_rsp_t       fill;
+  logic [CB-1:0]         fill_client;
+  logic [MB-1:0]         fill_id;      // the client's own
+  assign {fill_client, fill_id} = fill.id;
   for (genvar p = 0; p < P; p++) begin : gen_pipeline
-    logic [rc_pkg::NodeMissW-1:0] node_miss;   // {id, address}
-    logic [rc_pkg::PrimMissW-1:0] prim_miss;
-    logic [rc_pkg::SurfMissW-1:0] surf_miss;
-    logic                         surf_valid, surf_ready, surf_fires;
+    logic [NB-1:0] node_id;
+    logic [PB-1:0] prim_id;
+    logic [SB-1:0] surf_id;
+    logic [A-1:0]  node_addr, prim_addr, surf_addr;
+    logic          surf_valid, surf_ready, surf_fires;
     rc_pipeline u_pipeline (
       .clk_i, .rst_ni, .start_i, .frame_i,
       .tile_ready_o(tile_ready[p]), .tile_fires_i(tile_fires[p]), .tile_i(tile),
       .node_miss_valid_o(miss_valid[K*p]), .node_miss_ready_i(miss_ready[K*p]),
-      .node_miss_o(node_miss), .node_fill_fires_i(fill_fires[K*p]),
-      .node_fill_i({fill[rc_pkg::LineBits +: NB], fill[rc_pkg::LineBits-1:0]}),
+      .node_miss_o({node_id, node_addr}), .node_fill_fires_i(fill_fires[K*p]),
+      .node_fill_i({fill_id[NB-1:0], fill.line}),
       .prim_miss_valid_o(miss_valid[K*p+1]), .prim_miss_ready_i(miss_ready[K*p+1]),
-      .prim_miss_o(prim_miss), .prim_fill_fires_i(fill_fires[K*p+1]),
-      .prim_fill_i({fill[rc_pkg::LineBits +: PB], fill[rc_pkg::LineBits-1:0]}),
+      .prim_miss_o({prim_id, prim_addr}), .prim_fill_fires_i(fill_fires[K*p+1]),
+      .prim_fill_i({fill_id[PB-1:0], fill.line}),
       .surf_miss_valid_o(surf_valid), .surf_miss_ready_i(surf_ready),
-      .surf_miss_o(surf_miss), .surf_fill_fires_i(surf_fires),
-      .surf_fill_i({fill[rc_pkg::LineBits +: SB], fill[rc_pkg::LineBits-1:0]}),
+      .surf_miss_o({surf_id, surf_addr}), .surf_fill_fires_i(surf_fires),
+      .surf_fill_i({fill_id[SB-1:0], fill.line}),
       .hit_valid_o(hit_valid_o[p]), .hit_ready_i(hit_ready_i[p]),
       .hit_o(hit_o[p*rc_pkg::HitW +: rc_pkg::HitW]),
       .causes_o(causes_o[3*rc_pkg::SharedUnits+p*UC +: UC]));
-    assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_miss[A +: NB]), node_miss[A-1:0]};
-    assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_miss[A +: PB]), prim_miss[A-1:0]};
+    assign miss[K*p*(MB+A) +: MB+A]     = {MB'(node_id), node_addr};
+    assign miss[(K*p+1)*(MB+A) +: MB+A] = {MB'(prim_id), prim_addr};
     if (rc_pkg::Shading == 0) begin : gen_plain
       assign {surf_ready, surf_fires} = '0;
       logic unused;
-      assign unused = ^{surf_valid, surf_miss};
+      assign unused = ^{surf_valid, surf_id, surf_addr};
     end else begin : gen_shaded
       assign {surf_ready, surf_fires} = {miss_ready[K*p+2], fill_fires[K*p+2]};
       assign miss_valid[K*p+2 +: 2] = {1'b0, surf_valid};
       assign miss[(K*p+2)*(MB+A) +: 2*(MB+A)] = {
-          {(MB+A){1'b0}}, MB'(surf_miss[A +: SB]), surf_miss[A-1:0]};
+          {(MB+A){1'b0}}, MB'(surf_id), surf_addr};
       logic unused;
       assign unused = ^{miss_ready[K*p+3], fill_fires[K*p+3]};
     end
@@ -87,7 +94,7 @@ module rc_top (
   rc_arbiter #(.Sources(K * P), .Width(MB + A)) u_arbiter (
     .clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
-  assign fill_fires = {{(K*P-1){1'b0}}, fill_valid} << fill[rc_pkg::L2RspW-1 -: CB];
+  assign fill_fires = {{(K*P-1){1'b0}}, fill_valid} << fill_client;
 
   logic [2:0] memport_cause, l2_cause;
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches

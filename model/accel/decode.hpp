@@ -21,7 +21,7 @@ void for_each_triangle(const MemoryImage& image, const Config& config,
 /// What is wrong with an image, one sentence each; empty if nothing is. Every child's dequantised box holds
 /// all triangles below it; every line is reached once, blocks do not overlap, and what nothing uses is zero;
 /// kinds are in order; the report's figures are true. With the scene: its triangles, snapped, are there
-/// exactly once, but for those without area (sheared: with two equal corners). Stops after 20 complaints.
+/// exactly once, except for those without area (sheared: with two equal corners). Stops after 20 complaints.
 std::vector<std::string> check_image(const MemoryImage& image, const Config& config,
                                      const Scene* scene = nullptr);
 

@@ -2,7 +2,7 @@
 // Layout: the collapsed tree as memory lines.
 //
 // Blocks lie depth-first, a block being all that a node's base points at: one line per inner child, then the
-// leaves' triangles in half lines, padded to a line. A subtree is contiguous but for its root's line.
+// leaves' triangles in half lines, padded to a line. A subtree is contiguous except for its root's line.
 #include <vector>
 
 #include "model/accel/collapse.hpp"

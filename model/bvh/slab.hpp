@@ -27,9 +27,9 @@ using Whole = std::int32_t __attribute__((vector_size(16)));
 /// What the slab test needs of a ray, lane k for axis k; the fourth lane is 0.
 struct SlabRay {
     Lanes near_o,
-        far_o;   ///< lattice points from which near and far planes are measured; one point, but for a bounce
-    Lanes near, far;       ///< signed r and r + 1
-    Mask scale;            ///< of a step of lattice times r, to t's unit: a double's exponent
+        far_o;         ///< lattice points from which near and far planes are measured; a bounce may have two
+    Lanes near, far;   ///< signed r and r + 1
+    Mask scale;        ///< of a step of lattice times r, to t's unit: a double's exponent
     double beyond, past;   ///< all ones, and 1 more
     std::array<std::uint32_t, 3> near_at,
         far_at;   ///< where the axis' near and far planes begin in WideNode::planes

@@ -15,8 +15,13 @@ struct Turn {
         again,   ///< a group was dropped: decide once more, with no new children
         done,    ///< nothing is left that can matter
     };
+    /// The same as flags, none of which is set if there is no turn.
+    struct Flags {
+        bool visit = false, again = false, done = false;
+    };
     Kind kind = Kind::done;
     std::uint32_t addr = 0;
+    Flags flags() const { return {kind == Kind::visit, kind == Kind::again, kind == Kind::done}; }
 };
 
 /// One ray's stack of sibling groups, and the decision where the ray goes next: what trav does, without when.

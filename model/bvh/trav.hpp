@@ -20,18 +20,20 @@ public:
     bool ray_ready() const { return !spawn_.full(); }
     bool step_ready() const { return !again_; }
     /// Whether a ray takes its step, and which one is next, if list offers one (null if it does not).
-    bool step_valid(bool offered) const { return offered || !leafless_.empty(); }
+    bool step_valid(bool offered) const { return offered | !leafless_.empty(); }
     bool takes_leafless(bool offered) const { return step_link_.second(offered); }
     std::uint32_t leafless_ray() const { return leafless_.front(); }
-    bool tested_ready(bool offered) const { return step_ready() && !takes_leafless(offered); }
-    bool node_valid() const { return !nodes_.empty() || !spawn_.empty(); }
-    bool spawning() const {
-        return node_link_.second(!nodes_.empty());
-    }   ///< the node on offer is a new ray's root
-    std::uint32_t node_ray() const { return spawning() ? spawn_.front() : nodes_.front(); }
+    bool tested_ready(bool offered) const { return step_ready() & !takes_leafless(offered); }
+    bool node_valid() const { return !nodes_.empty() | !spawn_.empty(); }
+    /// The node on offer is a new ray's root.
+    bool spawning() const { return node_link_.second(!nodes_.empty()); }
+    std::uint32_t node_ray() const {
+        const RayNumber root = spawn_.front(), node = nodes_.front();
+        return select(spawning(), root, node);
+    }
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done_ray() const { return done_.front(); }
-    bool idle() const { return !again_ && !s1_valid_; }   ///< nothing in the two stages
+    bool idle() const { return !(again_ | s1_valid_); }   ///< nothing in the two stages
 
     const char* where(std::uint32_t ray) const {
         return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"
@@ -42,46 +44,39 @@ public:
                                                                             : nullptr;
     }
 
-    /// What came in one cycle (null if nothing): new rays, rays that box has answered and that have no leaf
-    /// to be tested, rays that list offers; and which outputs were taken.
+    /// What came in one cycle: new rays, rays that box has answered and that have no leaf to be tested, rays
+    /// that list offers; and which outputs were taken.
     struct Moves {
-        const std::uint32_t *ray = nullptr, *leafless = nullptr, *tested = nullptr;
+        OnLink ray, leafless, tested;
         bool node_taken = false, done_taken = false;
     };
-    /// One clock edge. `decide(ray)` tells the kind of turn that the ray in the second stage takes.
+    /// One clock edge. `decide(ray, valid)` tells the turn that the ray in the second stage takes, if it is
+    /// valid.
     template <class Decide> void clock(const Moves& moves, Decide&& decide) {
         // Everything that leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
-        if (moves.done_taken) done_.pop();
+        done_.pop(moves.done_taken);
         const bool spawn = spawning();
         node_link_.clock(node_valid(), moves.node_taken, spawn);
-        if (moves.node_taken && spawn)
-            spawn_.pop();
-        else if (moves.node_taken)
-            nodes_.pop();
-        const bool valid = step_valid(moves.tested), step = valid && step_ready(),
-                   leafless = takes_leafless(moves.tested);
+        spawn_.pop(moves.node_taken & spawn);
+        nodes_.pop(moves.node_taken & !spawn);
+        const bool offered = moves.tested.there, valid = step_valid(offered), step = valid & step_ready(),
+                   leafless = takes_leafless(offered);
         step_link_.clock(valid, step, leafless);
-        const std::uint32_t stepping = !step ? 0 : leafless ? leafless_.front() : *moves.tested;
-        if (step && leafless) leafless_.pop();
+        const std::uint32_t without = leafless_.front(),
+                            stepping = select(leafless, without, moves.tested.ray);
+        leafless_.pop(step & leafless);
         // Stage 0 looks at the recirculation register before stage 1 may set it again.
         const bool turn = again_;
         const std::uint32_t returned = again_ray_;
-        again_ = false;
-        if (s1_valid_) switch (decide(s1_)) {
-                case Turn::Kind::visit: nodes_.push(RayNumber(s1_)); break;
-                case Turn::Kind::done: done_.push(RayNumber(s1_)); break;
-                case Turn::Kind::again:
-                    again_ = true;
-                    again_ray_ = s1_;
-                    break;
-            }
-        s1_valid_ = turn || step;
-        if (turn)
-            s1_ = returned;
-        else if (step)
-            s1_ = stepping;
-        if (moves.ray) spawn_.push(RayNumber(*moves.ray));
-        if (moves.leafless) leafless_.push(RayNumber(*moves.leafless));
+        const Turn::Flags went = decide(s1_, s1_valid_);
+        nodes_.push(RayNumber(s1_), went.visit);
+        done_.push(RayNumber(s1_), went.done);
+        again_ = went.again;
+        again_ray_ = s1_;
+        s1_valid_ = turn | step;
+        s1_ = select(turn, returned, stepping);
+        spawn_.push(RayNumber(moves.ray.ray), moves.ray.there);
+        leafless_.push(RayNumber(moves.leafless.ray), moves.leafless.there);
     }
 
 private:

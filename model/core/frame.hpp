@@ -67,10 +67,10 @@ struct ShadeFrame {
 ///
 /// Its point (px, py) is the pixel's number with f fraction bits: f = 0 and px = x, py = y; if the chip has
 /// supersampling, f = 8 and px = 256 x + offset (sample_offset()). With g = guard_bits + f and M dir_bits:
-///   V_k = 2^f corner_k + px right_k + py down_k, on every axis k; the host sees to it that -2^(M-1+g) <= V_k
-///   < 2^(M-1+g) s   = the largest of 0..most_shift for which -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three
-///   axes d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1): to nearest, halves up, but never 2^(M-1),
-///   which M bits cannot hold
+/// - V_k = 2^f corner_k + px right_k + py down_k on every axis k; the host keeps it to M + g bits, signed;
+/// - s, the largest of 0..most_shift for which -2^(M-1+g) <= 2^s V_k < 2^(M-1+g) on all three axes;
+/// - d_k = min(floor((2^s V_k + 2^(g-1)) / 2^g), 2^(M-1) - 1): to nearest, halves up; 2^(M-1) would not fit
+///   into M bits.
 ///
 /// So every ray has all the bits that M allows, and an integer direction: d is only longer by a power of two
 /// than it would be without s. The host also sees to it that max |V_k| >= 2^(M-2+g-most_shift) at every

@@ -75,9 +75,9 @@ struct Shear {
 
 /// raygen -> trav, list: a ray with its reciprocal direction.
 /// For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m). A zero component has len 0,
-/// recip 1. If the chip shades, o has B fraction bits, all zero but for a bounce; d has ray_dir_bits, which
-/// only a shadow ray fills, and len counts as if those of the others were as long: it is ray_dir_bits - M
-/// more than |d|'s bit length (but 0 for d = 0).
+/// recip 1. If the chip shades, o has B fraction bits, all zero except for a bounce; d has ray_dir_bits,
+/// which only a shadow ray fills, and len counts as if those of the others were as long: it is ray_dir_bits -
+/// M more than |d|'s bit length (but 0 for d = 0).
 struct Ray {
     std::uint32_t ray = 0;
     Vec3i o{};                              ///< origin, lattice point, N bits

@@ -43,9 +43,9 @@ namespace rayclock {
 /// exactly where it says it is. One that saturates ranks at all ones.
 void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out);
 
-/// Bits of the sphere test's values, signed but for A, the root and the quotient's numerator. With N lattice,
-/// M direction, B fraction bits, components |s| < 2^(N+B), |d| <= 2^(M-1) of a bounce, |s| < 2^N, |d| <
-/// 2^(N+B) of a shadow ray; camera rays are bounces whose fraction is 0.
+/// Bits of the sphere test's values, signed except for A, the root and the quotient's numerator. With N
+/// lattice, M direction, B fraction bits, components |s| < 2^(N+B), |d| <= 2^(M-1) of a bounce, |s| < 2^N,
+/// |d| < 2^(N+B) of a shadow ray; camera rays are bounces whose fraction is 0.
 struct SphereWidths {
     int offset;      ///< s
     int direction;   ///< d

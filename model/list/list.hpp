@@ -15,8 +15,11 @@ public:
     explicit List(const Config& config)
         : next_(config.contexts), first_(config.contexts), tested_(config.contexts) {}
 
-    bool prim_valid() const { return !next_.empty() || !first_.empty(); }
-    std::uint32_t prim_ray() const { return starting() ? first_.front() : next_.front(); }
+    bool prim_valid() const { return !next_.empty() | !first_.empty(); }
+    std::uint32_t prim_ray() const {
+        const RayNumber first = first_.front(), next = next_.front();
+        return select(starting(), first, next);
+    }
     bool tested_valid() const { return !tested_.empty(); }
     std::uint32_t tested_ray() const { return tested_.front(); }
 
@@ -27,17 +30,18 @@ public:
                                                   : nullptr;
     }
 
-    /// One clock edge: rays that came with leaves and from tri (null if none), whether tri's has another
-    /// triangle to be tested, and which outputs were taken.
-    void clock(const std::uint32_t* leaves, const std::uint32_t* tri, bool tri_prim, bool prim_taken,
-               bool tested_taken) {
+    /// One clock edge: rays that came with leaves and from tri, whether tri's has another triangle to be
+    /// tested, and which outputs were taken.
+    void clock(OnLink leaves, OnLink tri, bool tri_prim, bool prim_taken, bool tested_taken) {
         // What leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
         const bool start = starting();
         prim_link_.clock(prim_valid(), prim_taken, start);
-        if (prim_taken) (start ? first_ : next_).pop();
-        if (tested_taken) tested_.pop();
-        if (tri) (tri_prim ? next_ : tested_).push(RayNumber(*tri));
-        if (leaves) first_.push(RayNumber(*leaves));
+        first_.pop(prim_taken & start);
+        next_.pop(prim_taken & !start);
+        tested_.pop(tested_taken);
+        next_.push(RayNumber(tri.ray), tri.there & tri_prim);
+        tested_.push(RayNumber(tri.ray), tri.there & !tri_prim);
+        first_.push(RayNumber(leaves.ray), leaves.there);
     }
 
 private:

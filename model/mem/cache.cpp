@@ -27,16 +27,13 @@ CacheShape l2_shape(const Config& c) {
 Cache::Cache(const CacheShape& shape)
     : shape_(shape),
       word_bits_(log2_of(shape.words)),
-      way_bits_(log2_of(shape.ways)),
       set_mask_(std::uint32_t(shape.sets - 1)),
-      ways_(std::size_t(shape.sets * shape.ways)),
-      recent_(std::size_t(shape.sets)),
-      last_(std::size_t(shape.sets)),
+      sets_(std::size_t(shape.sets)),
       mshrs_(std::size_t(shape.mshrs)),
       next_(std::size_t(shape.ids)),
       misses_(shape.mshrs),
       filled_(shape.mshrs),
-      answers_(1, shape.queue) {
+      answers_(shape.queue) {
     for (std::uint32_t way = 0; way < std::uint32_t(shape.ways); ++way) {
         keep_[way] = 0xff;
         for (std::uint32_t node = way + std::uint32_t(shape.ways); node > 1; node >>= 1) {
@@ -47,29 +44,42 @@ Cache::Cache(const CacheShape& shape)
     }
 }
 
-CacheDeed Cache::ask(const Request& request, std::uint32_t line, std::uint32_t set) {
+CacheDeed Cache::ask(const Request& request, std::uint32_t line, std::uint32_t number) {
     if (busy_ == shape_.mshrs) return CacheDeed::mshrs;
+    Set& set = sets_[number];
     const int way = victim(set);
     if (way < 0) return CacheDeed::conflict;
     std::uint32_t m = 0;
     while (mshrs_[m].busy) ++m;
-    mshrs_[m] = {true, line, set, std::uint32_t(way), request.id, request.id, 0};
+    mshrs_[m] = {true, line, number, std::uint32_t(way), request.id, request.id, 0};
     ++busy_;
-    ways_[(std::size_t(set) << way_bits_) + std::size_t(way)] = {line + 1, m + 1};
-    touch(set, std::uint32_t(way));
+    set.lines[std::size_t(way)] = line + 1;
+    set.mshrs[std::size_t(way)] = std::uint8_t(m + 1);
+    set.recent = touched(set, std::uint32_t(way));
     misses_.push(m);
     in_.pop();
     return CacheDeed::miss;
 }
 
-CacheDeed Cache::drain(std::uint64_t now) {
+/// The line is on its way: the request waits behind those that do already.
+CacheDeed Cache::wait(const Request& request, Set& set, std::uint32_t way) {
+    set.recent = touched(set, way);
+    Mshr& m = mshrs_[set.mshrs[way] - 1u];
+    next_[m.tail] = request.id;
+    m.tail = request.id;
+    in_.pop();
+    return CacheDeed::merge;
+}
+
+CacheDeed Cache::drain(bool room, bool answer_taken) {
     Mshr& m = mshrs_[filled_.front()];
-    answers_.admit(now) = m.head;
+    answer(answer_taken, room, m.head);
+    if (!room) return CacheDeed::answers;
     if (m.head == m.tail) {
         m.busy = false;
         --busy_;
         filled_.pop();
-        ways_[(std::size_t(m.set) << way_bits_) + m.way].mshr = 0;
+        sets_[m.set].mshrs[m.way] = 0;
     } else {
         m.head = next_[m.head];
     }
@@ -87,14 +97,13 @@ void Cache::fill(std::uint32_t id) {
     if (++mshrs_[m].words == std::uint32_t(shape_.words)) filled_.push(m);
 }
 
-int Cache::victim(std::uint32_t set) const {
+int Cache::victim(const Set& set) const {
     const std::uint32_t ways = std::uint32_t(shape_.ways);
-    const Way* of_set = &ways_[std::size_t(set) << way_bits_];
     std::uint32_t node = 1;
-    while (node < ways) node = 2 * node + (recent_[set] >> node & 1);
-    if (of_set[node - ways].mshr == 0) return int(node - ways);
+    while (node < ways) node = 2 * node + (set.recent >> node & 1);
+    if (set.mshrs[node - ways] == 0) return int(node - ways);
     for (std::uint32_t way = 0; way < ways; ++way)
-        if (of_set[way].mshr == 0) return int(way);
+        if (set.mshrs[way] == 0) return int(way);
     return -1;
 }
 

@@ -58,7 +58,7 @@ public:
     explicit Cache(const CacheShape& shape);
 
     bool ready() const { return !in_.full(); }
-    bool valid(std::uint64_t now) const { return answers_.valid(now); }
+    bool valid() const { return answers_.size() > std::uint32_t(read_); }
     std::uint32_t answer() const { return answers_.front(); }   ///< id of the request that is answered
     bool miss_valid() const { return !misses_.empty(); }
     Miss miss() const {
@@ -66,25 +66,28 @@ public:
         return {m << word_bits_ | miss_word_, mshrs_[m].line << word_bits_ | miss_word_};
     }
 
-    /// One clock edge at the end of cycle `now`: what came in (null if nothing), and which outputs were
-    /// taken.
-    CacheDeed clock(std::uint64_t now, const Request* request, bool answer_taken,
-                    const std::uint32_t* fill_id, bool miss_taken) {
+    /// One clock edge: the request that came in, if it is there, the id of the word
+    /// that came (null if none), and which outputs were taken.
+    CacheDeed clock(bool asked, const Request& request, bool answer_taken, const std::uint32_t* fill_id,
+                    bool miss_taken) {
         // What is looked up or drained was there at the beginning of the cycle; a place in the answers'
         // queue, too.
-        const bool room = answers_.ready(), draining = !filled_.empty();
-        CacheDeed deed = CacheDeed::starved;
-        if (draining || !in_.empty())
-            deed = !room ? CacheDeed::answers : draining ? drain(now) : look_up(now);
-        if (answer_taken) answers_.leave();
-        if (miss_taken) next_word();
-        if (fill_id) fill(*fill_id);
-        if (request) in_.push(*request);
+        const bool room = !answers_.full();
+        CacheDeed deed;
+        if (!filled_.empty()) [[unlikely]]
+            deed = drain(room, answer_taken);
+        else
+            deed = look_up(room, answer_taken);
+        if (miss_taken) [[unlikely]]
+            next_word();
+        if (fill_id) [[unlikely]]
+            fill(*fill_id);
+        in_.push(request, asked);
         return deed;
     }
 
-    std::uint64_t due() const { return answers_.due(); }   ///< cycle of the next answer
-    bool waits() const { return busy_ > 0; }               ///< lines are on their way
+    bool answers() const { return !answers_.empty(); }   ///< if not now, then in the next cycle
+    bool waits() const { return busy_ > 0; }             ///< lines are on their way
     /// Where a request is, for people; empty if not here.
     std::string where(std::uint32_t id) const;
 
@@ -93,58 +96,63 @@ private:
         bool busy = false;
         std::uint32_t line = 0, set = 0, way = 0, head = 0, tail = 0, words = 0;
     };
-    /// A way of a set: the line that it holds, and the MSHR that it waits for.
-    struct Way {
-        std::uint32_t line = 0;   ///< + 1; 0: nothing
-        std::uint32_t mshr = 0;   ///< + 1; 0: the line is there
+    static constexpr std::uint32_t most_ways = 8;
+    /// The lines that a set's ways hold, and the MSHRs that these wait for.
+    struct Set {
+        std::array<std::uint32_t, most_ways> lines{};   ///< + 1; 0: nothing
+        std::array<std::uint8_t, most_ways> mshrs{};    ///< + 1; 0: the line is there
+        std::uint8_t recent = 0;                        ///< bits of the tree, node 1 at bit 1
     };
-    CacheDeed look_up(std::uint64_t now);
-    CacheDeed drain(std::uint64_t now);
+    CacheDeed look_up(bool room, bool answer_taken);
+    CacheDeed drain(bool room, bool answer_taken);
+    void answer(bool taken, bool given, std::uint32_t id) {
+        answers_.pop(taken);
+        answers_.push(id, given);
+        read_ = given;
+    }
     CacheDeed ask(const Request& request, std::uint32_t line, std::uint32_t set);
+    CacheDeed wait(const Request& request, Set& set, std::uint32_t way);
     void next_word();
     void fill(std::uint32_t id);
-    int victim(std::uint32_t set) const;
+    int victim(const Set& set) const;
 
     // A bit of the tree points to the half that was used longer ago: using a way turns the bits above it away
     // from it.
-    void touch(std::uint32_t set, std::uint32_t way) {
-        recent_[set] = std::uint8_t((recent_[set] & keep_[way]) | turn_[way]);
-        last_[set] = std::uint8_t(way);
+    std::uint8_t touched(const Set& set, std::uint32_t way) const {
+        return std::uint8_t((set.recent & keep_[way]) | turn_[way]);
     }
 
     CacheShape shape_;
-    int word_bits_, way_bits_;
+    int word_bits_;
     std::uint32_t set_mask_;
-    std::vector<Way> ways_;              ///< [set * ways + way]
-    std::vector<std::uint8_t> recent_;   ///< [set]: bits of the tree, node 1 at bit 1
-    std::vector<std::uint8_t> last_;     ///< [set]: way used last; where to look first, nothing more
-    std::array<std::uint8_t, 8> keep_{}, turn_{};
+    std::vector<Set> sets_;
+    std::array<std::uint8_t, most_ways> keep_{}, turn_{};
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
     std::vector<std::uint32_t> next_;   ///< [id]: who waits after it
     Ring<Request, 2> in_{2};
-    Ring<std::uint32_t, 64> misses_, filled_;
+    Ring<std::uint32_t> misses_, filled_;
     std::uint32_t miss_word_ = 0;
-    Pipe<std::uint32_t> answers_;
+    Ring<std::uint32_t> answers_;
+    bool read_ = false;   // the last answer is still read from the data memory
 };
 
-inline CacheDeed Cache::look_up(std::uint64_t now) {
+inline CacheDeed Cache::look_up(bool room, bool answer_taken) {
     const Request request = in_.front();
-    const std::uint32_t line = request.addr >> word_bits_, set = line & set_mask_;
-    const Way* ways = &ways_[std::size_t(set) << way_bits_];
-    std::uint32_t way = last_[set];   // a guess
-    if (ways[way].line != line + 1) way = 0;
-    while (way < std::uint32_t(shape_.ways) && ways[way].line != line + 1) ++way;
-    if (way == std::uint32_t(shape_.ways)) return ask(request, line, set);
-    in_.pop();
-    touch(set, way);
-    if (const std::uint32_t m = ways[way].mshr) {
-        next_[mshrs_[m - 1].tail] = request.id;
-        mshrs_[m - 1].tail = request.id;
-        return CacheDeed::merge;
-    }
-    answers_.admit(now) = request.id;
-    return CacheDeed::hit;
+    const bool some = !in_.empty();
+    const std::uint32_t line = request.addr >> word_bits_, number = line & set_mask_;
+    Set& set = sets_[number];
+    std::uint32_t place = 0;   // + 1, of the way that holds the line: at most one does
+    for (std::uint32_t w = 0; w < most_ways; ++w) place |= set.lines[w] == line + 1 ? w + 1 : 0;
+    const bool found = place != 0;
+    const std::uint32_t way = place - found;
+    const bool hit = some & room & found & (set.mshrs[way] == 0);
+    answer(answer_taken, hit, request.id);
+    set.recent = std::uint8_t(select(hit, touched(set, way), set.recent));
+    in_.pop(hit);
+    if (some & room & !hit) [[unlikely]]
+        return found ? wait(request, set, way) : ask(request, line, number);
+    return !some ? CacheDeed::starved : room ? CacheDeed::hit : CacheDeed::answers;
 }
 
 }   // namespace rayclock

@@ -40,10 +40,9 @@ void Dram::clock(const Answer* request) {
     ++now_;
     time_ += giga / khz_;
     rest_ += giga % khz_;
-    if (rest_ >= khz_) {
-        rest_ -= khz_;
-        ++time_;
-    }
+    const bool carry = rest_ >= khz_;
+    rest_ -= carry * khz_;
+    time_ += carry;
     if (request) accept(*request);
     if (event_ps_ <= time_) run();
     last_cause_ = cause(begin);
@@ -208,11 +207,15 @@ void Dram::read(Entry& entry) {
 
 /// Of the cycle that ends at time_.
 DramCause Dram::cause(std::uint64_t begin) {
-    const bool busy = busy_ || (!data_.empty() && data_.front().from < time_);
+    // Without branches, as which of them it is changes often.
+    const bool busy = busy_ | (!data_.empty() & (data_.front().from < time_));
+    const bool starved = !waiting_ & data_.empty();
+    const bool refresh = (refresh_.from < time_) & (refresh_.until > begin);
     busy_ = false;
-    if (busy) return DramCause::busy;
-    if (!waiting_ && data_.empty()) return DramCause::starved;
-    return refresh_.from < time_ && refresh_.until > begin ? DramCause::refresh : DramCause::row;
+    constexpr std::array<DramCause, 4> causes{DramCause::row, DramCause::refresh, DramCause::starved,
+                                              DramCause::starved};
+    const std::size_t waits = std::size_t(refresh + 2 * starved);
+    return std::array{causes[waits], DramCause::busy}[busy];
 }
 
 }   // namespace rayclock

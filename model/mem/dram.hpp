@@ -56,6 +56,8 @@ public:
     /// One clock edge of the chip: the request that was accepted in this cycle, null if none.
     void clock(const Answer* request);
 
+    /// It has nothing to do: ready() and valid() stay as they are until a request comes.
+    bool rests() const { return !valid_ & queue_.empty() & answers_.empty(); }
     /// The chip cycle it is in, from 0.
     std::uint64_t now() const { return now_; }
     /// Until this cycle ready() and valid() stay as they are, unless a request comes in; then they may

@@ -28,7 +28,7 @@ void Memory::work(const Answer* request) {
         pay();
         const Dram::Answer asked{request ? request->id : 0, request ? request->addr : 0};
         dram_->clock(request ? &asked : nullptr);
-        sleeping_ = !disturbed_ && dram_->quiet_until() == ~std::uint64_t(0);
+        sleeping_ = !disturbed_ & dram_->rests();
     } else {
         ++ideal_deeds_[std::size_t(ideal_.valid()   ? MemoryDeed::busy
                                    : ideal_.waits() ? MemoryDeed::latency

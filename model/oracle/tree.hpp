@@ -118,7 +118,7 @@ public:
     /// The boxes' numbers in the order in which the leaves have them: meet() below gets a place in it.
     const std::vector<std::uint32_t>& order() const { return order_; }
 
-    /// Calls meet(place) for every box that the ray may meet, nearer ones first, but for those for which
+    /// Calls meet(place) for every box that the ray may meet, nearer ones first, except for those for which
     /// after(near) is true: `near` is twice the way to a box's near plane along the ray's main axis.
     template <class After, class Meet>
     void nearest_first(const tree::Ray& ray, const After& after, const Meet& meet) const {

@@ -13,10 +13,11 @@ public:
     explicit Sched(const Config& config)
         : tile_bits_(config.tile_bits),
           last_((1u << 2 * config.tile_bits) - 1),
-          contexts_(std::uint32_t(config.contexts)),
           tiles_(2),
           free_(config.contexts),
-          pixels_(std::size_t(config.contexts)) {}
+          pixels_(std::size_t(config.contexts)) {
+        for (int ray = 0; ray < config.contexts; ++ray) free_.push(RayNumber(ray));
+    }
 
     /// A new frame. What is left of the last one's tiles, pixels outside its picture, is dropped.
     void start(const Frame& frame) {
@@ -30,22 +31,17 @@ public:
     /// A pixel of the picture is at hand; passing: one that lies outside.
     bool pixel_valid() const { return inside_; }
     bool passing() const { return outside_; }
-    bool context_free() const { return started_ < contexts_ || !free_.empty(); }
-    bool slot_valid() const { return inside_ && context_free(); }
-    Slot slot() const { return {started_ < contexts_ ? started_ : free_.front(), x_, y_}; }
+    bool slot_valid() const { return inside_ & !free_.empty(); }
+    Slot slot() const { return {free_.front(), x_, y_}; }
     const Slot& pixel(std::uint32_t ray) const { return pixels_[ray]; }
-    bool in_use(std::uint32_t ray) const { return ray < started_ && !free_.contains(RayNumber(ray)); }
+    bool in_use(std::uint32_t ray) const { return !free_.contains(RayNumber(ray)); }
 
-    /// One clock edge: whether the slot was taken, the tile that came and the context whose hit left (null if
-    /// none).
-    void clock(bool slot_taken, const Tile* tile, const std::uint32_t* freed) {
+    /// One clock edge: whether the slot was taken, the tile that came (null if none) and the context whose
+    /// hit left.
+    void clock(bool slot_taken, const Tile* tile, OnLink hit) {
         if (slot_taken) {
-            const Slot given = slot();
-            pixels_[given.ray] = given;
-            if (started_ < contexts_)
-                ++started_;
-            else
-                free_.pop();
+            pixels_[free_.front()] = slot();
+            free_.pop();
         }
         if (slot_taken || outside_) {
             if (at_ == last_) tiles_.pop();
@@ -56,7 +52,7 @@ public:
             tiles_.push(*tile);
             if (tiles_.size() == 1) look();
         }
-        if (freed) free_.push(RayNumber(*freed));
+        free_.push(RayNumber(hit.ray), hit.there);
     }
 
 private:
@@ -78,8 +74,8 @@ private:
     }
 
     int tile_bits_;
-    std::uint32_t last_, contexts_, width_ = 0, height_ = 0;
-    std::uint32_t at_ = 0, started_ = 0;   // pixel of the tile, contexts used so far
+    std::uint32_t last_, width_ = 0, height_ = 0;
+    std::uint32_t at_ = 0;   // pixel of the tile
     std::uint32_t x_ = 0, y_ = 0;
     bool inside_ = false, outside_ = false;
     Ring<Tile, 2> tiles_;

@@ -25,7 +25,7 @@ public:
     bool surf_valid() const { return !fetch_.empty(); }   ///< a surface is asked for
     std::uint32_t surf_ray() const { return fetch_.front(); }
     bool ready() const { return pass_.ready(); }   ///< for a surface
-    bool offers(bool surface) const { return surface || !again_.empty() || !arrived_.empty(); }
+    bool offers(bool surface) const { return surface | !again_.empty() | !arrived_.empty(); }
     bool spawn_valid() const { return !spawns_.empty(); }
     std::uint32_t spawn_ray() const { return spawns_.front(); }
     bool pixel_valid() const { return !pixels_.empty(); }
@@ -43,34 +43,29 @@ public:
                                                             : nullptr;
     }
 
-    /// One clock edge: the ray whose answer came (null if none) and whether it wants a surface, the one whose
-    /// surface is there (null if none), and which outputs were taken. `turn(ray)` tells what a pass has led
-    /// to.
-    template <class Decide> void clock(std::uint64_t now, const std::uint32_t* closest, bool wants_surface,
-                                       const std::uint32_t* surface, bool surf_taken, bool spawn_taken,
-                                       bool pixel_taken, Decide&& turn) {
+    /// One clock edge: the ray whose answer came and whether it wants a surface, the one whose surface is
+    /// there, and which outputs were taken. `turn(ray)` tells what a pass has led to.
+    template <class Decide> void clock(std::uint64_t now, OnLink closest, bool wants_surface, OnLink surface,
+                                       bool surf_taken, bool spawn_taken, bool pixel_taken, Decide&& turn) {
         const bool open = pass_.ready(), again = !again_.empty(), arrived = !arrived_.empty();
         const bool answer = pass_.valid(now);
-        const RayNumber done = answer ? pass_.front() : RayNumber(0);
-        if (surf_taken) fetch_.pop();
-        if (spawn_taken) spawns_.pop();
-        if (pixel_taken) pixels_.pop();
-        if (answer) pass_.leave();
-        if (open && surface) {
-            pass_.admit(now) = RayNumber(*surface);
-        } else if (open && again) {
-            pass_.admit(now) = again_.front();
-            again_.pop();
-        } else if (open && arrived) {
-            pass_.admit(now) = arrived_.front();
-            arrived_.pop();
-        }
+        const RayNumber done = pass_.front();
+        fetch_.pop(surf_taken);
+        spawns_.pop(spawn_taken);
+        pixels_.pop(pixel_taken);
+        const RayNumber next = surface.there ? RayNumber(surface.ray)
+                               : again       ? again_.front()
+                                             : arrived_.front();
+        pass_.clock(now, answer, open & (surface.there | again | arrived), next);
+        again_.pop(open & !surface.there & again);
+        arrived_.pop(open & !surface.there & !again & arrived);
         if (answer) switch (turn(done)) {
                 case Turn::again: again_.push(done); break;
                 case Turn::spawn: spawns_.push(done); break;
                 case Turn::pixel: pixels_.push(done); break;
             }
-        if (closest) (wants_surface ? fetch_ : arrived_).push(RayNumber(*closest));
+        fetch_.push(RayNumber(closest.ray), closest.there & wants_surface);
+        arrived_.push(RayNumber(closest.ray), closest.there & !wants_surface);
     }
 
 private:

@@ -7,9 +7,11 @@
 module rc_box (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // From trav
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::box_req_t req_i,
+  // To trav
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
   output rc_pkg::box_rsp_t rsp_o
@@ -26,7 +28,6 @@ module rc_box (
   localparam int unsigned I  = rc_pkg::RayBits;
   localparam int unsigned A  = rc_pkg::AddrBits;
   localparam int unsigned G  = rc_pkg::GroupBits;
-  localparam int unsigned SharedW = I + A + W * C;  // what rides along: ray, base, kinds
   localparam int unsigned EntryW  = T + O + C;
   localparam int unsigned L  = rc_pkg::BoxLatency;
 
@@ -42,21 +43,24 @@ module rc_box (
   end
 
   // s1..s4: ray, base, kinds and planes wait.
-  logic [SharedW-1:0] s1_shared_q, s2_shared_q, s3_shared_q, s4_shared_q;
-  logic [3*W*B-1:0]   s1_lo_q, s1_hi_q, s2_lo_q, s2_hi_q;
+  logic [I+A-1:0]   s1_whose_q, s2_whose_q, s3_whose_q, s4_whose_q;   // {ray, base}
+  logic [W*C-1:0]   s1_kind_q, s2_kind_q, s3_kind_q, s4_kind_q;
+  logic [3*W*B-1:0] s1_lo_q, s1_hi_q, s2_lo_q, s2_hi_q;
   always_ff @(posedge clk_i) begin
     if (admit) begin
-      s1_shared_q <= {req_i.ray, req_i.base, req_i.kind};
-      s1_lo_q     <= req_i.lo;
-      s1_hi_q     <= req_i.hi;
+      s1_whose_q <= {req_i.ray, req_i.base};
+      s1_kind_q  <= req_i.kind;
+      s1_lo_q    <= req_i.lo;
+      s1_hi_q    <= req_i.hi;
     end
     if (valid_q[0]) begin
-      s2_shared_q <= s1_shared_q;
-      s2_lo_q     <= s1_lo_q;
-      s2_hi_q     <= s1_hi_q;
+      s2_whose_q <= s1_whose_q;
+      s2_kind_q  <= s1_kind_q;
+      s2_lo_q    <= s1_lo_q;
+      s2_hi_q    <= s1_hi_q;
     end
-    if (valid_q[1]) s3_shared_q <= s2_shared_q;
-    if (valid_q[2]) s4_shared_q <= s3_shared_q;
+    if (valid_q[1]) {s3_whose_q, s3_kind_q} <= {s2_whose_q, s2_kind_q};
+    if (valid_q[2]) {s4_whose_q, s4_kind_q} <= {s3_whose_q, s3_kind_q};
   end
 
   logic [3*OW-1:0] s0_o;
@@ -110,7 +114,7 @@ module rc_box (
     always_ff @(posedge clk_i) begin
       if (valid_q[2]) begin
         s4_hit_q[i] <= near <= far && !s3_miss[i] && !s3_miss[W+i] && !s3_miss[2*W+i]
-                    && s3_shared_q[i*C +: C] != '0;
+                    && s3_kind_q[i*C +: C] != '0;
         s4_near_q[i*T +: T] <= near;
       end
     end
@@ -119,20 +123,20 @@ module rc_box (
   // s5, s6: order.
   rc_rank u_rank (
     .clk_i, .s4_valid_i(valid_q[3]), .s5_valid_i(valid_q[4]),
-    .s4_hit_i(s4_hit_q), .s4_near_i(s4_near_q), .s4_kind_i(s4_shared_q[W*C-1:0]),
+    .s4_hit_i(s4_hit_q), .s4_near_i(s4_near_q), .s4_kind_i(s4_kind_q),
     .s6_inner_o(s6_inner), .s6_leaves_o(s6_leaves), .s6_entries_o(s6_entries));
 
-  logic [I+A-1:0]      s5_shared_q, s6_shared_q;
+  logic [I+A-1:0]      s5_whose_q, s6_whose_q;
   logic [G-1:0]        s6_inner, s6_leaves;
   logic [W*EntryW-1:0] s6_entries;
   always_ff @(posedge clk_i) begin
-    if (valid_q[3]) s5_shared_q <= s4_shared_q[SharedW-1 -: I+A];
-    if (valid_q[4]) s6_shared_q <= s5_shared_q;
+    if (valid_q[3]) s5_whose_q <= s4_whose_q;
+    if (valid_q[4]) s6_whose_q <= s5_whose_q;
   end
 
   logic                       queue_ready;
   logic [rc_pkg::BoxRspW-1:0] queue_data, rsp_data;
-  assign queue_data = {s6_shared_q, s6_inner, s6_leaves, s6_entries};
+  assign queue_data = {s6_whose_q, s6_inner, s6_leaves, s6_entries};
   rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));

@@ -47,7 +47,7 @@ module rc_trav (
   output logic              done_valid_o,
   input  logic              done_ready_i,
   output rc_pkg::done_t     done_o,
-  // What it did; codes in model/core/units.hpp
+  // What it did; rc_pkg::trav_cause_e
   output logic [2:0]        cause_o
 );
   localparam int unsigned I = rc_pkg::RayBits;

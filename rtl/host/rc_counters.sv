@@ -18,6 +18,10 @@ module rc_counters #(
   localparam int unsigned S = rc_pkg::SharedUnits;
   localparam int unsigned U = rc_pkg::PipelineUnits;
 
+  logic [7:0]         which_unit;    // {group, number}
+  logic [2:0]         which_cause;
+  assign {which_unit, which_cause} = which_i;
+
   logic [Units-1:0]   there;
   logic [Units*W-1:0] counts;
   for (genvar k = 0; k < Units; k++) begin : gen_unit
@@ -26,9 +30,9 @@ module rc_counters #(
     if (k < S ? rc_pkg::SharedUnitsThere[Unit] : rc_pkg::PipelineUnitsThere[Unit]) begin : gen_there
       logic [W-1:0] count;
       rc_tally u_tally (
-        .clk_i, .count_i, .cause_i(causes_i[3*k +: 3]), .clear_i, .at_i(which_i[2:0]),
+        .clk_i, .count_i, .cause_i(causes_i[3*k +: 3]), .clear_i, .at_i(which_cause),
         .count_o(count));
-      assign there[k]         = which_i[10:3] == {4'(Group), 4'(Unit)};
+      assign there[k]         = which_unit == {4'(Group), 4'(Unit)};
       assign counts[k*W +: W] = there[k] ? count : '0;
     end else begin : gen_none
       assign there[k]         = 1'b0;

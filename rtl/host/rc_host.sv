@@ -2,10 +2,10 @@
 // addresses). docs/chip.md has the registers to the bit, sim/gen/registers.hpp lists them.
 //
 // Every access is answered two cycles after it is seen: by ack, or by err if it asks for
-// what is not there or cannot be had now; then it changes nothing. A start first clears the
-// counters and works out the number of pixels, in sixteen cycles, the same as after a reset.
-// start_o is high for one cycle, and the frame's cycle 0 is the next. The frame ends with
-// the cycle in which its last hit is taken.
+// what is not there or not possible now. An access that ends in err changes nothing. A start
+// first clears the counters and works out the number of pixels, in sixteen cycles, the same as
+// after a reset. start_o is high for one cycle, and the frame's cycle 0 is the next. The frame
+// ends with the cycle in which its last hit is taken.
 `default_nettype none
 module rc_host #(
   parameter int unsigned Counters = 1
@@ -119,9 +119,14 @@ module rc_host #(
   logic         counts_q;   // the host wants it
   logic [W-1:0] cycles_q;
   logic [31:0]  high_q;     // of cycles_q, when its lower word was read
-  assign count_o   = Counters != 0 && running_o && counts_q;
-  assign clear_o   = Counters != 0 && state_q == StPrepare;
-  assign counter_o = clear_o ? {8'd0, step_q[2:0]} : adr_q[11:1];
+  assign count_o = Counters != 0 && running_o && counts_q;
+  assign clear_o = Counters != 0 && state_q == StPrepare;
+  // A counter's address ends in {group, number, code} and the bit that asks for its upper word.
+  logic        of_counter, upper_word;
+  logic [10:0] counter;
+  assign of_counter            = adr_q >= 13'(rc_pkg::RegCounters);
+  assign {counter, upper_word} = 12'(adr_q);
+  assign counter_o             = clear_o ? {8'd0, step_q[2:0]} : counter;
   always_ff @(posedge clk_i) begin
     if (!rst_ni)                                          counts_q <= 1'b1;
     else if (writes && adr_q == 13'(rc_pkg::RegCount))    counts_q <= dat_q[0];
@@ -147,8 +152,8 @@ module rc_host #(
     if (we_q) begin
       good = adr_q == 13'(rc_pkg::RegCount)
           || (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));
-    end else if (adr_q[12]) begin
-      read = adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];
+    end else if (of_counter) begin
+      read = upper_word ? 32'(counter_i >> 32) : counter_i[31:0];
       good = Counters != 0 && still && counter_there_i;
     end else if (parameter_word < 13'(rc_pkg::Parameters)) begin
       read = rc_pkg::ParameterValues[32*parameter_word[4:0] +: 32];

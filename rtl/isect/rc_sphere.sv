@@ -270,7 +270,7 @@ module rc_sphere #(
     if (p_closer) q_t_q <= p_t_q;
   end
 
-  // ---- Who is under way: met_q[k] and far_q[k] belong to stage 5 + k.
+  // ---- What is under way: met_q[k] and far_q[k] belong to stage 5 + k.
   localparam int unsigned Tail = BestStage + 2 - 4;   // stages after s4
   logic [Tail-1:0] met_q, far_q, blocked_q;
   always_ff @(posedge clk_i) begin

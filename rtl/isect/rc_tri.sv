@@ -13,9 +13,11 @@
 module rc_tri (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // From prim_cache, with the ray from list
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
+  // To list
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
   output rc_pkg::tri_rsp_t rsp_o

@@ -85,7 +85,9 @@ module rc_list (
     if (closer)        found_q[tri_rsp_i.ray] <= 1'b1;
   end
   if (rc_pkg::Shading != 0) begin : gen_kinds
-    always_ff @(posedge clk_i) if (start_fires_i) any_q[start_ray] <= start_i.kind >= 2'd2;
+    logic ends_at_any;
+    assign ends_at_any = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
+    always_ff @(posedge clk_i) if (start_fires_i) any_q[start_ray] <= ends_at_any;
   end else begin : gen_camera
     assign any_q = '0;
   end
@@ -173,17 +175,29 @@ module rc_list (
     assign tested_o = {tested_ray, tested_t_best};
   end
 
-  // ---- Triangle, ray and hit to beat, together to tri.
+  // ---- Triangle, ray and hit to beat, together to tri. What tri wants of a ray is in ray_t
+  // and in tri_req_t under the same names.
   localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
-  localparam int unsigned TriRayW = rc_pkg::TriRayBits;   // behind the number in both structs
-  logic [rc_pkg::RayW-1:0] ray_flat;
-  logic [TriRayW-1:0] tri_ray;
+  localparam int unsigned TriRayW = rc_pkg::TriRayBits;
+  logic [TriRayW-1:0] ray_for_tri, tri_ray;
   logic [BestW-1:0] tri_best;
   logic             tri_found;
-  assign ray_flat = ray_i;
+  if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_slopes
+    assign ray_for_tri = {ray_i.axis, ray_i.neg, ray_i.size, ray_i.slope, ray_i.o};
+  end else if (rc_pkg::Shading == 0) begin : gen_camera_ray
+    assign ray_for_tri = {ray_i.o, ray_i.d};
+  end else if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_ray_of_all
+    assign ray_for_tri = {ray_i.kind, ray_i.is_finite, ray_i.self, ray_i.is_inside, ray_i.o,
+                          ray_i.d};
+  end else if (rc_pkg::Planes != 0) begin : gen_ray_of_planes
+    assign ray_for_tri = {ray_i.kind, ray_i.is_finite, ray_i.o, ray_i.d};
+  end else if (rc_pkg::Spheres != 0) begin : gen_ray_of_spheres
+    assign ray_for_tri = {ray_i.kind, ray_i.self, ray_i.is_inside, ray_i.o, ray_i.d};
+  end else begin : gen_ray_of_triangles
+    assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
+  end
   rc_ram #(.Width(TriRayW), .Depth(T)) u_ray (
-    .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray),
-    .write_data_i(ray_flat[rc_pkg::RayW-I-1 -: TriRayW]),
+    .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_for_tri),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
   rc_ram #(.Width(BestW), .Depth(T)) u_best (
     .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
@@ -192,8 +206,7 @@ module rc_list (
   assign tri_found        = found_q[prim_rsp_i.ray];
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
-  localparam int unsigned PrimDataW = rc_pkg::PrimRspW - I;
-  logic [PrimDataW-1:0] prim_data;
+  logic [rc_pkg::PrimitiveW-1:0] prim_data;
   if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kinds_of_primitives
     assign prim_data = {prim_rsp_i.prim_kind, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c,
                         prim_rsp_i.prim};
@@ -222,6 +235,6 @@ module rc_list (
   assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
 
   logic unused;
-  assign unused = ^ray_flat;   // what only trav uses of a ray
+  assign unused = ^{ray_i};   // what only trav uses of a ray
 endmodule
 `default_nettype wire

@@ -8,7 +8,7 @@
 // for a line that is on its way wait with the first, in a chain of any length (rc_mshr). When
 // the line's last word has come, they are answered before anything is looked up: the first of
 // them 3 cycles after that word, then one per cycle. A look-up that cannot go on stays at the
-// head of the queue. deed_o says what happened in a cycle: the codes of CacheDeed.
+// head of the queue. deed_o says what happened in a cycle.
 // Model: model/mem/cache.hpp.
 //
 // The user holds reset for at least Sets cycles (rc_tags), gives an id again only after its
@@ -30,18 +30,22 @@ module rc_cache #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
+  // From the unit that reads
   input  logic                             req_valid_i,
   output logic                             req_ready_o,
   input  logic [IdBits+AddrBits+PartB-1:0] req_i,          // {id, address}
+  // To the unit that takes what was read
   output logic                             rsp_valid_o,
   input  logic                             rsp_ready_i,
   output logic [IdBits+PartW-1:0]          rsp_o,          // {id, part of a word}
+  // To and from memory
   output logic                             miss_valid_o,
   input  logic                             miss_ready_i,
   output logic [MissIdW+AddrBits-1:0]      miss_o,         // {id, address of a word}
   input  logic                             fill_fires_i,
   input  logic [MissIdW-1:0]               fill_id_i,
   input  logic [Parts*PartW-1:0]           fill_word_i,
+  // What it waits for, and what it did; rc_pkg::deed_e
   output logic                             waits_o,        // lines are on their way
   output logic [2:0]                       deed_o
 );
@@ -137,7 +141,7 @@ module rc_cache #(
     end
   end
 
-  // ---- What those who wait want of their line.
+  // ---- What the requests that wait want of their line.
   logic [SelW-1:0] drain_select, read_select;
   if (SelB == 0) begin : gen_no_select
     assign drain_select = '0;
@@ -148,7 +152,7 @@ module rc_cache #(
   end
   assign read_select = draining ? drain_select : select;
 
-  // ---- s1: data of a hit or of one who waited. The door knows a place for it.
+  // ---- s1: data of a hit, or of a request that waited. The door knows a place for it.
   function automatic logic [DataA-1:0] place(input logic [SetW-1:0] s, input logic [WayW-1:0] w,
       input logic [WordW-1:0] word);
     place = DataA'(s) << (WayB + WordB) | DataA'(w) << WordB | DataA'(word);

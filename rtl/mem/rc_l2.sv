@@ -1,5 +1,5 @@
 // The cache that all pipelines share, between their caches' misses and memory: rc_cache with
-// whole memory words. In a machine without it (L2Sets = 0) nobody instantiates it.
+// whole memory words. A machine without it has L2Sets = 0, and does not build it.
 //
 // Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
 // Model: model/mem/cache.hpp with l2_shape().
@@ -7,17 +7,21 @@
 module rc_l2 (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // From the arbiter
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::l2_req_t  req_i,
+  // To the pipelines
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
   output rc_pkg::l2_rsp_t  rsp_o,
+  // To and from memory
   output logic             miss_valid_o,
   input  logic             miss_ready_i,
   output rc_pkg::mem_req_t miss_o,
   input  logic             fill_fires_i,
   input  rc_pkg::mem_rsp_t fill_i,
+  // What it waits for, and what it did; rc_pkg::deed_e
   output logic             waits_o,
   output logic [2:0]       deed_o
 );

@@ -1,7 +1,8 @@
-// The lines of a cache that are on their way, and who waits for them. Part of rc_cache.
+// The lines of a cache that are on their way, and the requests that wait for them. Part of
+// rc_cache.
 //
-// Each has a miss status holding register (MSHR) with its set and way; those who wait for it
-// are a chain through their ids, first to last. A request takes a free MSHR or joins the chain
+// Each line has a miss status register (MSHR) with its set and way. The requests that wait for
+// it are a chain through their ids, first to last. A request takes a free MSHR or joins the chain
 // of the line that way_i waits for. Words come in any order; with the last of them the line is
 // filled, and its chain is answered from the next cycle on, one request per drain_i, while no
 // request may take or merge. The MSHR is free after the last of them.
@@ -19,7 +20,7 @@ module rc_mshr #(
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,
-  // The request that is looked up:
+  // The request that is looked up
   input  logic [IdBits-1:0] id_i,
   input  logic [SetW-1:0]   set_i,
   output logic [Ways-1:0]   waiting_o,     // ways of its set that wait for a line
@@ -29,12 +30,12 @@ module rc_mshr #(
   input  logic [WayW-1:0]   way_i,
   input  logic              take_i,        // takes the free MSHR: way_i waits from now on
   input  logic              merge_i,       // way_i waits already: joins the chain
-  // A word from memory, and where its line goes:
+  // A word from memory, and where its line goes
   input  logic              fill_fires_i,
   input  logic [MshrW-1:0]  fill_mshr_i,
   output logic [SetW-1:0]   fill_set_o,
   output logic [WayW-1:0]   fill_way_o,
-  // Who is to be answered, and where the line is:
+  // The request to be answered, and where its line is
   output logic              drain_valid_o,
   output logic [IdBits-1:0] drain_id_o,
   output logic [SetW-1:0]   drain_set_o,
@@ -44,7 +45,7 @@ module rc_mshr #(
   if (Words < 1 || Mshrs < 1 || (Words & (Words - 1)) != 0 || (Mshrs & (Mshrs - 1)) != 0)
     $error("rc_mshr: Words and Mshrs must be powers of two");
   logic [MshrW-1:0] drained;   // MSHR at the head of the filled ones
-  logic             is_last;   // it has nobody else
+  logic             is_last;   // no other request waits for it
   logic [MshrW-1:0] joined;    // MSHR of way_i
 
   for (genvar m = 0; m < Mshrs; m++) begin : gen_mshr

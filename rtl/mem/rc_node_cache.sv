@@ -6,23 +6,28 @@
 module rc_node_cache (
   input  logic               clk_i,
   input  logic               rst_ni,
+  // From trav
   input  logic               req_valid_i,
   output logic               req_ready_o,
   input  rc_pkg::node_req_t  req_i,
+  // To box
   output logic               rsp_valid_o,
   input  logic               rsp_ready_i,
   output rc_pkg::node_rsp_t  rsp_o,
+  // To and from memory
   output logic               miss_valid_o,
   input  logic               miss_ready_i,
   output rc_pkg::node_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::node_fill_t fill_i,
+  // What it waits for, and what it did; rc_pkg::deed_e
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  localparam int unsigned NodeW = rc_pkg::NodeRspW - rc_pkg::RayBits;
-  logic [rc_pkg::LineBits-1:0] line;
-  assign line = fill_i.line;
+  localparam int unsigned NodeW = rc_pkg::NodeW;
+  logic [NodeW-1:0]                      word;     // a node takes the lowest bits of a word
+  logic [rc_pkg::LineBits-NodeW-1:0]     beyond;
+  assign {beyond, word} = fill_i.line;
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(NodeW),
     .Sets(rc_pkg::NodeSets), .Ways(rc_pkg::NodeWays), .Words(rc_pkg::NodeWords),
@@ -30,9 +35,9 @@ module rc_node_cache (
   ) u_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i(line[NodeW-1:0]), .waits_o, .deed_o);
+    .fill_word_i(word), .waits_o, .deed_o);
 
-  logic unused;   // what is beyond a node
-  assign unused = ^(line >> NodeW);
+  logic unused;
+  assign unused = ^beyond;
 endmodule
 `default_nettype wire

@@ -1,5 +1,5 @@
-// Cache of triangles: rc_cache with the triangles' parts of a memory word, of which there are
-// two, and all rays as ids. A request's address is that of half a word.
+// Cache of primitives: rc_cache with the primitives' parts of a memory word, of which there
+// are two, and all rays as ids. A request's address is that of half a word.
 //
 // Latency 3 for a hit, one request per cycle; the rest and the user's duties: rc_cache.sv.
 // Model: model/mem/cache.hpp with prim_cache_shape().
@@ -7,24 +7,29 @@
 module rc_prim_cache (
   input  logic               clk_i,
   input  logic               rst_ni,
+  // From list
   input  logic               req_valid_i,
   output logic               req_ready_o,
   input  rc_pkg::prim_req_t  req_i,
+  // To tri
   output logic               rsp_valid_o,
   input  logic               rsp_ready_i,
   output rc_pkg::prim_rsp_t  rsp_o,
+  // To and from memory
   output logic               miss_valid_o,
   input  logic               miss_ready_i,
   output rc_pkg::prim_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::prim_fill_t fill_i,
+  // What it waits for, and what it did; rc_pkg::deed_e
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  localparam int unsigned HalfW = rc_pkg::LineBits / 2;
-  localparam int unsigned PrimW = rc_pkg::PrimRspW - rc_pkg::RayBits;
-  logic [rc_pkg::LineBits-1:0] line;
-  assign line = fill_i.line;
+  localparam int unsigned PrimW = rc_pkg::PrimitiveW;
+  localparam int unsigned RestW = rc_pkg::LineBits / 2 - PrimW;
+  logic [PrimW-1:0] upper, lower;    // a primitive takes the lowest bits of half a word
+  logic [RestW-1:0] beyond_upper, beyond_lower;
+  assign {beyond_upper, upper, beyond_lower, lower} = fill_i.line;
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(2), .PartW(PrimW),
     .Sets(rc_pkg::PrimSets), .Ways(rc_pkg::PrimWays), .Words(rc_pkg::PrimWords),
@@ -32,9 +37,9 @@ module rc_prim_cache (
   ) u_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i({line[HalfW +: PrimW], line[0 +: PrimW]}), .waits_o, .deed_o);
+    .fill_word_i({upper, lower}), .waits_o, .deed_o);
 
-  logic unused;   // what is beyond a triangle
-  assign unused = ^{line >> (HalfW + PrimW), line[PrimW +: HalfW-PrimW]};
+  logic unused;
+  assign unused = ^{beyond_upper, beyond_lower};
 endmodule
 `default_nettype wire

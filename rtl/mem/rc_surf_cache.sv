@@ -7,23 +7,27 @@
 module rc_surf_cache (
   input  logic               clk_i,
   input  logic               rst_ni,
+  // From and to shade
   input  logic               req_valid_i,
   output logic               req_ready_o,
   input  rc_pkg::surf_req_t  req_i,
   output logic               rsp_valid_o,
   input  logic               rsp_ready_i,
   output rc_pkg::surf_rsp_t  rsp_o,
+  // To and from memory
   output logic               miss_valid_o,
   input  logic               miss_ready_i,
   output rc_pkg::surf_miss_t miss_o,
   input  logic               fill_fires_i,
   input  rc_pkg::surf_fill_t fill_i,
+  // What it waits for, and what it did; rc_pkg::deed_e
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  localparam int unsigned SurfaceW = rc_pkg::SurfRspW - rc_pkg::RayBits;
-  logic [rc_pkg::LineBits-1:0] line;
-  assign line = fill_i.line;
+  localparam int unsigned SurfaceW = rc_pkg::SurfaceW;
+  logic [SurfaceW-1:0]                      word;     // a surface takes the lowest bits of a word
+  logic [rc_pkg::LineBits-SurfaceW-1:0]     beyond;
+  assign {beyond, word} = fill_i.line;
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(SurfaceW),
     .Sets(rc_pkg::SurfSets), .Ways(rc_pkg::SurfWays), .Words(rc_pkg::SurfWords),
@@ -31,9 +35,9 @@ module rc_surf_cache (
   ) u_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
-    .fill_word_i(line[SurfaceW-1:0]), .waits_o, .deed_o);
+    .fill_word_i(word), .waits_o, .deed_o);
 
-  logic unused;   // what is beyond a surface
-  assign unused = ^(line >> SurfaceW);
+  logic unused;
+  assign unused = ^beyond;
 endmodule
 `default_nettype wire

@@ -32,7 +32,9 @@ module rc_reach (
     if (write_i)       written_q[write_ray_i] <= 1'b1;
   end
   if (rc_pkg::Shading != 0) begin : gen_kinds
-    always_ff @(posedge clk_i) if (start_fires_i) shadow_q[start_ray] <= start_i.kind == 2'd2;
+    logic is_shadow;
+    assign is_shadow = start_i.kind == rc_pkg::RayShadow;
+    always_ff @(posedge clk_i) if (start_fires_i) shadow_q[start_ray] <= is_shadow;
   end else begin : gen_camera
     assign shadow_q = '0;
   end

@@ -12,12 +12,15 @@ module rc_raygen (
   input  logic           clk_i,
   input  logic           rst_ni,
   input  rc_pkg::frame_t frame_i,
-  input  logic           spawn_valid_i,   // 0, unless the chip shades
+  // From shade; 0, unless the chip shades
+  input  logic           spawn_valid_i,
   output logic           spawn_ready_o,
   input  rc_pkg::spawn_t spawn_i,
+  // From sched
   input  logic           slot_valid_i,
   output logic           slot_ready_o,
   input  rc_pkg::slot_t  slot_i,
+  // To trav and list
   output logic           ray_valid_o,
   input  logic           ray_ready_i,
   output rc_pkg::ray_t   ray_o
@@ -28,8 +31,6 @@ module rc_raygen (
   localparam int unsigned P       = rc_pkg::PixelBits;
   localparam int unsigned E       = rc_pkg::ExpBits;
   localparam int unsigned I       = rc_pkg::RayBits;
-  localparam int unsigned S       = rc_pkg::SampleBits;
-  localparam int unsigned SpawnW  = rc_pkg::SpawnW;
   localparam int unsigned Latency = rc_pkg::RaygenLatency;
   localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // of rc_sample
   localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
@@ -39,35 +40,34 @@ module rc_raygen (
   localparam int unsigned RecipL  = 1 + (rc_pkg::RecipBits + 1) / 2;   // of rc_recip
 
   // s0: a new pixel is a camera ray through its first sample.
-  logic              req_valid, req_ready, admit;
-  logic [SpawnW-1:0] req, new_pixel;
-  assign new_pixel = {slot_i.ray, rc_pkg::RayCamera, slot_i.x, slot_i.y, {(SpawnW-I-2-2*P){1'b0}}};
+  logic                      req_valid, req_ready, admit;
+  logic [rc_pkg::SpawnW-1:0] req_flat;
+  rc_pkg::spawn_t            req, new_pixel;
+  always_comb begin
+    new_pixel      = '0;
+    new_pixel.ray  = slot_i.ray;
+    new_pixel.kind = rc_pkg::RayCamera;
+    new_pixel.x    = slot_i.x;
+    new_pixel.y    = slot_i.y;
+  end
   if (rc_pkg::Shading != 0) begin : gen_merge
-    rc_merge #(.Width(SpawnW)) u_req (
+    rc_merge #(.Width(rc_pkg::SpawnW)) u_req (
       .clk_i, .rst_ni,
       .first_valid_i(spawn_valid_i), .first_ready_o(spawn_ready_o), .first_i(spawn_i),
       .second_valid_i(slot_valid_i), .second_ready_o(slot_ready_o), .second_i(new_pixel),
-      .valid_o(req_valid), .ready_i(req_ready), .data_o(req));
+      .valid_o(req_valid), .ready_i(req_ready), .data_o(req_flat));
   end else begin : gen_pixels
     logic unused;
     assign unused        = ^{spawn_valid_i, spawn_i};
     assign req_valid     = slot_valid_i;
     assign slot_ready_o  = req_ready;
     assign spawn_ready_o = 1'b0;
-    assign req           = new_pixel;
+    assign req_flat      = new_pixel;
   end
+  assign req   = req_flat;
   assign admit = req_valid && req_ready;
   rc_door #(.Credits(rc_pkg::RaygenQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(req_ready));
-
-  // What a ray that shade asks for brings along: {finite,} {self, inside,} o, d.
-  localparam int unsigned GivenW = SpawnW - I - 2 - 2 * P - S;
-  logic [I-1:0]      req_ray;
-  logic [1:0]        req_kind;
-  logic [P-1:0]      req_x, req_y;
-  logic [S-1:0]      req_sample;
-  logic [GivenW-1:0] req_given;
-  assign {req_ray, req_kind, req_x, req_y, req_sample, req_given} = req;
 
   // valid[i]: stage i takes over a ray.
   logic [Latency-1:0] valid_q;
@@ -79,7 +79,7 @@ module rc_raygen (
     else         valid_q <= valid[Latency-1:0];
   end
   rc_delay #(.Width(I), .Stages(Latency)) u_ray (
-    .clk_i, .valid_i(valid[Latency-1:0]), .data_i(req_ray), .data_o(end_ray));
+    .clk_i, .valid_i(valid[Latency-1:0]), .data_i(req.ray), .data_o(end_ray));
 
   // Place in the picture, in pixels with SubBits of fraction, when stage SampleL begins.
   logic [rc_pkg::FrameW-1:0] frame_flat;
@@ -90,16 +90,16 @@ module rc_raygen (
     logic [P-1:0]      wait_x, wait_y;
     rc_sample u_sample (
       .clk_i, .valid_i(valid[3:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
-      .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req_x), .y_i(req_y),
-      .sample_i(req_sample),
+      .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req.x), .y_i(req.y),
+      .sample_i(req.sample),
       .x_o(offset_x), .y_o(offset_y));
     rc_delay #(.Width(2 * P), .Stages(SampleL)) u_pixel (
-      .clk_i, .valid_i(valid[SampleL-1:0]), .data_i({req_x, req_y}), .data_o({wait_x, wait_y}));
+      .clk_i, .valid_i(valid[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
     assign x = $signed({1'b0, wait_x, 8'd0}) + Q'(offset_x);
     assign y = $signed({1'b0, wait_y, 8'd0}) + Q'(offset_y);
   end else begin : gen_middle
-    assign x = $signed({1'b0, req_x});
-    assign y = $signed({1'b0, req_y});
+    assign x = $signed({1'b0, req.x});
+    assign y = $signed({1'b0, req.y});
   end
 
   logic [3*R1-1:0] recip;
@@ -142,8 +142,8 @@ module rc_raygen (
     .clk_i, .valid_i(valid[SampleL+1]), .sum_i(s1_sum), .dir_o(s2_dir));
 
   // Direction and origin wait beside the reciprocals.
-  localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);  // {shear, kind ...} o
-  logic [HeadW-1:0] end_head;
+  localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);
+  logic [HeadW-1:0] end_head;   // what ray_t has between number and direction
   logic [3*rc_pkg::CoordBits-1:0] eye;
   assign eye = frame_i.eye;
   always_ff @(posedge clk_i) if (valid[SampleL+2]) s3_dir_q <= s2_d;
@@ -152,33 +152,45 @@ module rc_raygen (
   if (rc_pkg::Shading != 0) begin : gen_given
     localparam int unsigned OW = rc_pkg::OriginWidth;
     localparam int unsigned N  = rc_pkg::CoordBits;
-    logic [1:0]        s2_kind;
-    logic [GivenW-1:0] s2_given;
-    logic [HeadW-1:0]  s2_head, s3_head_q;
-    logic [3*OW-1:0]   s2_eye;
-    logic              s2_camera;
-    rc_delay #(.Width(2 + GivenW), .Stages(SampleL + 2)) u_given (
-      .clk_i, .valid_i(valid[SampleL+1:0]), .data_i({req_kind, req_given}),
-      .data_o({s2_kind, s2_given}));
+    logic [1:0]      s2_kind, s3_kind_q, end_kind;
+    logic [3*OW-1:0] s2_given_o, s2_eye, s2_o, s3_o_q, end_o;
+    logic [3*RD-1:0] s2_given_d;
+    logic            s2_camera;
+    rc_delay #(.Width(2 + 3 * (OW + RD)), .Stages(SampleL + 2)) u_given (
+      .clk_i, .valid_i(valid[SampleL+1:0]), .data_i({req.kind, req.o, req.d}),
+      .data_o({s2_kind, s2_given_o, s2_given_d}));
     assign s2_camera = s2_kind == rc_pkg::RayCamera;
     for (genvar k = 0; k < 3; k++) begin : gen_eye
       assign s2_d[k*RD +: RD] = s2_camera ? RD'($signed(s2_dir[k*M +: M]))
-                                          : s2_given[k*RD +: RD];
+                                          : s2_given_d[k*RD +: RD];
       assign s2_eye[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
     end
-    // {finite}, {self, inside} stay as they came.
-    assign s2_head[3*OW-1:0] = s2_camera ? s2_eye : s2_given[3*RD +: 3*OW];
-    assign s2_head[HeadW-1 -: 2] = s2_kind;
-    if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_self
-      assign s2_head[HeadW-3:3*OW] = s2_given[GivenW-1:3*RD+3*OW];
+    assign s2_o = s2_camera ? s2_eye : s2_given_o;
+    always_ff @(posedge clk_i) if (valid[SampleL+2]) {s3_kind_q, s3_o_q} <= {s2_kind, s2_o};
+    rc_delay #(.Width(2 + 3 * OW), .Stages(Latency - 3 - SampleL)) u_head (
+      .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i({s3_kind_q, s3_o_q}),
+      .data_o({end_kind, end_o}));
+    assign s3_short = s3_kind_q != rc_pkg::RayShadow;
+    // What says which primitives the ray asks stays as it came.
+    localparam int unsigned TagW = HeadW - 2 - 3 * OW;
+    if (TagW != 0) begin : gen_tag
+      logic [TagW-1:0] req_tag, end_tag;
+      if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
+        assign req_tag = {req.is_finite, req.self, req.is_inside};
+      end else if (rc_pkg::Planes != 0) begin : gen_planes
+        assign req_tag = req.is_finite;
+      end else begin : gen_spheres
+        assign req_tag = {req.self, req.is_inside};
+      end
+      rc_delay #(.Width(TagW), .Stages(Latency)) u_tag (
+        .clk_i, .valid_i(valid[Latency-1:0]), .data_i(req_tag), .data_o(end_tag));
+      assign end_head = {end_kind, end_tag, end_o};
+    end else begin : gen_no_tag
+      assign end_head = {end_kind, end_o};
     end
-    always_ff @(posedge clk_i) if (valid[SampleL+2]) s3_head_q <= s2_head;
-    rc_delay #(.Width(HeadW), .Stages(Latency - 3 - SampleL)) u_head (
-      .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i(s3_head_q), .data_o(end_head));
-    assign s3_short = s3_head_q[HeadW-1 -: 2] != rc_pkg::RayShadow;
   end else begin : gen_camera
     logic unused;
-    assign unused   = ^{req_kind, req_given, req_sample};
+    assign unused   = ^{req};
     assign s2_d     = s2_dir;
     assign s3_short = 1'b1;
     // The sheared triangle test has slopes as well.
@@ -214,6 +226,6 @@ module rc_raygen (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, frame_flat, req_sample};
+  assign unused = ^{queue_ready, frame_flat, req};
 endmodule
 `default_nettype wire

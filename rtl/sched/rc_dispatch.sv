@@ -7,11 +7,14 @@
 module rc_dispatch (
   input  logic                         clk_i,
   input  logic                         rst_ni,
+  // From the host
   input  logic                         start_i,
   input  rc_pkg::frame_t               frame_i,
+  // To the pipelines' sched
   input  logic [rc_pkg::Pipelines-1:0] want_i,
   output logic [rc_pkg::Pipelines-1:0] tile_fires_o,
   output rc_pkg::tile_t                tile_o,
+  // What it did; rc_pkg::dispatch_cause_e
   output logic [2:0]                   cause_o
 );
   localparam int unsigned P  = rc_pkg::Pipelines;
@@ -21,7 +24,7 @@ module rc_dispatch (
 
   logic [C-1:0]  x_q, y_q;
   logic          more_q;
-  logic [PB-1:0] next_q;  // whose turn it is
+  logic [PB-1:0] next_q;  // the pipeline that is asked first
 
   logic          give;
   logic [PB-1:0] to;

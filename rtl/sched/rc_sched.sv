@@ -1,6 +1,6 @@
-// Gives the pixels of its tiles, in Morton order, to free contexts, and puts its place to
-// a pixel that comes back: when its ray is done, or, if the chip shades, its colour. Holds
-// two tiles. A pixel of a tile that lies outside the picture costs a cycle in which nothing
+// Gives the pixels of its tiles, in Morton order, to free contexts. A pixel comes back when
+// its ray is done or, if the chip shades, its colour; it then gets its place. Holds two tiles.
+// A pixel of a tile that lies outside the picture costs a cycle in which nothing
 // is given. A fresh machine uses contexts 0..Contexts-1 first; after that the one that has
 // been free longest. A new frame drops what is left of the last one's tiles: pixels outside
 // that picture.
@@ -11,20 +11,26 @@
 module rc_sched (
   input  logic             clk_i,
   input  logic             rst_ni,
+  // From the host
   input  logic             start_i,
   input  rc_pkg::frame_t   frame_i,
+  // From dispatch
   output logic             tile_ready_o,
   input  logic             tile_fires_i,
   input  rc_pkg::tile_t    tile_i,
+  // To raygen
   output logic             slot_valid_o,
   input  logic             slot_ready_i,
   output rc_pkg::slot_t    slot_o,
+  // From list, or shade
   input  logic             pixel_valid_i,
   output logic             pixel_ready_o,
   input  rc_pkg::pixel_t   pixel_i,
+  // The picture
   output logic             hit_valid_o,
   input  logic             hit_ready_i,
   output rc_pkg::hit_t     hit_o,
+  // What it did; rc_pkg::sched_cause_e
   output logic [2:0]       cause_o
 );
   localparam int unsigned I  = rc_pkg::RayBits;

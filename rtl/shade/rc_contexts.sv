@@ -13,6 +13,7 @@ module rc_contexts #(
   localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits
 ) (
   input  logic                         clk_i,
+  // Listened to: a context begins a pixel, has a ray, and gets its answer
   input  logic                         slot_fires_i,
   input  rc_pkg::slot_t                slot_i,
   input  logic                         ray_fires_i,
@@ -21,19 +22,21 @@ module rc_contexts #(
   input  logic                         closest_fires_i,
   input  logic [I-1:0]                 closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
+  // To rc_pass
   input  logic [I-1:0]                 read_ray_i,
   output logic [HitW-1:0]              hit_o,
   output logic [3*P-1:0]               o_o,
   output logic [3*M-1:0]               d_o,
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
+  // From rc_pass
   input  logic                         write_i,        // a pass has ended
   input  logic [I-1:0]                 write_ray_i,
   input  rc_pkg::shade_state_t         write_state_i,
   input  logic                         push_i,
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
 );
-  // ---- The ray, but for shadow rays and those away to a light.
+  // ---- The ray, unless it is a shadow ray or one away to a light.
   logic [rc_pkg::RayW-1:0] ray;
   logic [3*D-1:0]          ray_d;
   logic [3*M-1:0]          d;

@@ -20,6 +20,7 @@ module rc_pass #(
   input  logic                         clk_i,
   input  logic                         rst_ni,
   input  rc_pkg::shade_frame_t         frame_i,
+  // From rc_contexts and surf_cache
   input  logic                         valid_i,
   input  logic [I-1:0]                 ray_i,
   input  rc_pkg::shade_state_t         state_i,
@@ -28,14 +29,16 @@ module rc_pass #(
   input  logic [3*M-1:0]               d_i,
   input  rc_pkg::surface_t             surface_i,   // if it arrives now, having hit something
   input  rc_pkg::waiting_t             top_i,       // of the rays that wait
+  // To rc_contexts
   output logic                         end_valid_o,
   output logic [I-1:0]                 end_ray_o,
   output rc_pkg::shade_state_t         end_state_o,
+  output logic                         push_o,      // a ray is to wait
+  output logic [rc_pkg::WaitingW-1:0]  pushed_o,
+  // What leaves
   output logic [1:0]                   leave_o,     // rc_pkg::leave_e
   output logic [rc_pkg::SpawnW-1:0]    spawn_o,
-  output logic [rc_pkg::PixelW-1:0]    pixel_o,
-  output logic                         push_o,      // a ray is to wait
-  output logic [rc_pkg::WaitingW-1:0]  pushed_o
+  output logic [rc_pkg::PixelW-1:0]    pixel_o
 );
   localparam int unsigned L     = rc_pkg::ShadeLatency;
   localparam int unsigned N     = rc_pkg::CoordBits;

@@ -12,13 +12,16 @@ module rc_shade (
   input  logic              clk_i,
   input  logic              rst_ni,
   input  rc_pkg::frame_t    frame_i,
-  input  logic              slot_fires_i,      // sched -> raygen: a context begins a pixel
+  // Listened to: a context begins a pixel (sched to raygen), and has a ray (raygen to trav)
+  input  logic              slot_fires_i,
   input  rc_pkg::slot_t     slot_i,
-  input  logic              ray_fires_i,       // raygen -> trav: it has a ray
+  input  logic              ray_fires_i,
   input  rc_pkg::ray_t      ray_i,
+  // From list
   input  logic              closest_valid_i,
   output logic              closest_ready_o,
   input  rc_pkg::closest_t  closest_i,
+  // To and from surf_cache
   output logic              surf_req_valid_o,
   input  logic              surf_req_ready_i,
   output rc_pkg::surf_req_t surf_req_o,
@@ -26,13 +29,16 @@ module rc_shade (
   output logic              surf_rsp_ready_o,
   input  rc_pkg::surf_rsp_t surf_rsp_i,
   input  logic              surf_waits_i,      // its cache waits for memory
+  // To raygen
   output logic              spawn_valid_o,
   input  logic              spawn_ready_i,
   output rc_pkg::spawn_t    spawn_o,
+  // To sched
   output logic              pixel_valid_o,
   input  logic              pixel_ready_i,
   output rc_pkg::pixel_t    pixel_o,
-  output logic [2:0]        cause_o            // rc_pkg::shade_cause_e
+  // What it did; rc_pkg::shade_cause_e
+  output logic [2:0]        cause_o
 );
   localparam int unsigned I    = rc_pkg::RayBits;
   localparam int unsigned T    = rc_pkg::Contexts;
@@ -94,7 +100,7 @@ module rc_shade (
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
   end
 
-  // ---- A pass.
+  // ---- A pass. In every payload the context's number comes first, so the rest lies lowest.
   logic [HitW-1:0]                   hit;
   logic [3*rc_pkg::OriginWidth-1:0]  o;
   logic [3*rc_pkg::DirBits-1:0]      d;
@@ -110,40 +116,39 @@ module rc_shade (
   rc_contexts u_contexts (
     .clk_i, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_ray),
-    .closest_hit_i(closest[HitW-1:0]), .read_ray_i(ray), .hit_o(hit), .o_o(o),
+    .closest_hit_i(HitW'(closest)), .read_ray_i(ray), .hit_o(hit), .o_o(o),
     .d_o(d), .state_o(state), .top_o(top), .write_i(end_valid), .write_ray_i(end_ray),
     .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(enters), .ray_i(ray), .state_i(state),
-    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surf_rsp[rc_pkg::SurfaceW-1:0]), .top_i(top),
+    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(rc_pkg::SurfaceW'(surf_rsp)), .top_i(top),
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
     .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 
   // ---- What it leads to: again (C), a ray (D), the pixel (E). The rays' and pixels' data
   // wait in memories.
-  logic [I+1:0] out;
   logic [I-1:0] out_ray, spawn_ray, pixel_ray;
+  logic [1:0]   out_leave;
   rc_fifo #(.Width(I + 2), .Depth(rc_pkg::ShadeQueue)) u_out (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(out_ready), .data_i({end_ray, leave}),
-    .valid_o(out_valid), .ready_i(1'b1), .data_o(out));
-  assign out_ray = out[I+1:2];
+    .valid_o(out_valid), .ready_i(1'b1), .data_o({out_ray, out_leave}));
   rc_queue #(.Width(I), .Depth(T)) u_again (
-    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == rc_pkg::LeaveAgain), .data_i(out_ray),
+    .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveAgain), .data_i(out_ray),
     .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
   rc_queue #(.Width(I), .Depth(T)) u_spawn (
-    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == rc_pkg::LeaveSpawn), .data_i(out_ray),
+    .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveSpawn), .data_i(out_ray),
     .valid_o(spawn_valid_o), .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
   rc_queue #(.Width(I), .Depth(T)) u_pixel (
-    .clk_i, .rst_ni, .push_i(out_valid && out[1:0] == rc_pkg::LeavePixel), .data_i(out_ray),
+    .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeavePixel), .data_i(out_ray),
     .valid_o(pixel_valid_o), .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
   logic [SpawnDataW-1:0] spawn_data;
   logic [PixelDataW-1:0] pixel_data;
   rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
     .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveSpawn), .write_addr_i(end_ray),
-    .write_data_i(spawn[SpawnDataW-1:0]), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
+    .write_data_i(SpawnDataW'(spawn)), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
   rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
     .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
-    .write_data_i(pixel[PixelDataW-1:0]), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
+    .write_data_i(PixelDataW'(pixel)), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
   assign spawn_o = {spawn_ray, spawn_data};
   assign pixel_o = {pixel_ray, pixel_data};
 

@@ -12,9 +12,11 @@ module rc_turnout #(
   localparam int unsigned NB = rc_pkg::NormalBits
 ) (
   input  rc_pkg::shade_frame_t        frame_i,
+  // What the context was
   input  logic [I-1:0]                ray_i,
   input  rc_pkg::shade_state_t        was_i,
   input  rc_pkg::waiting_t            top_i,
+  // From rc_surf, rc_angles and the background
   input  logic                        surf_i,         // a surface has arrived
   input  logic [3*PW-1:0]             surf_o_i,
   input  logic [3*NB-1:0]             surf_n_i,
@@ -26,29 +28,34 @@ module rc_turnout #(
   input  logic [38:0]                 surf_albedo_i,
   input  logic [50:0]                 surf_ambient_i,
   input  logic [50:0]                 background_i,
+  // From rc_light
   input  logic                        light_near_i,
   input  logic                        light_clear_i,
   input  logic [3*N-1:0]              light_place_i,
   input  logic [50:0]                 light_share_i,
+  // Of a shadow ray or bounce, from rc_side, rc_angles and rc_approach
   input  logic                        above_i,        // the new ray is on that side of the surface
   input  logic                        below_i,
   input  logic                        positive_i,     // the light's cosine
-  input  logic [3*D-1:0]              d_i,            // of a shadow ray or bounce
+  input  logic [3*D-1:0]              d_i,
   input  logic                        enters_i,       // from beyond the lattice: where it begins
   input  logic [3*P-1:0]              entry_i,
-  input  logic [16:0]                 weight_i,       // of a bounce
+  // From rc_bounce
+  input  logic [16:0]                 weight_i,
   input  logic                        total_i,
+  // From rc_finish
   input  logic                        more_i,         // another sample follows
   input  logic [68:0]                 sum_i,
   input  logic [50:0]                 least_i,
   input  logic [50:0]                 most_i,
   input  logic [50:0]                 mean_i,         // the pixel's colour, if it has several
+  // What the context becomes, and what leaves
   output rc_pkg::shade_state_t        state_o,
-  output logic [1:0]                  leave_o,
-  output logic [rc_pkg::SpawnW-1:0]   spawn_o,
-  output logic [rc_pkg::PixelW-1:0]   pixel_o,
   output logic                        push_o,
-  output logic [rc_pkg::WaitingW-1:0] pushed_o
+  output logic [rc_pkg::WaitingW-1:0] pushed_o,
+  output logic [1:0]                  leave_o,        // rc_pkg::leave_e
+  output logic [rc_pkg::SpawnW-1:0]   spawn_o,
+  output logic [rc_pkg::PixelW-1:0]   pixel_o
 );
   logic [2:0] event_now;
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;

@@ -30,7 +30,10 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     config_options(parser, o.config);
-    parser.option("--unit", o.units, "only these units, with commas; then no page and no speed").by_commas();
+    parser
+        .option("--unit", o.units,
+                "count only these units, separated by commas; then there is no page and no speed")
+        .by_commas();
     parser.option("-o,--output", o.output, "Markdown file to write, with the speed of simulation as well");
     fresh_option(parser, o.fresh);
     threads_option(parser, o.threads);

@@ -25,8 +25,8 @@ struct Options {
 };
 
 void declare(Parser& parser, Options& o) {
-    parser.option("SCENE", o.scenes, "scenes, all with a published count by default");
-    parser.option("--size", o.size, "picture, WIDTHxHEIGHT; the published counts are of 513x513")
+    parser.option("SCENE", o.scenes, "scenes; by default all that have a published count");
+    parser.option("--size", o.size, "size of the picture, WIDTHxHEIGHT; the published counts are of 513x513")
         .with_default();
     parser.option("-o,--output", o.output, "Markdown file to write");
     threads_option(parser, o.threads);

@@ -27,7 +27,7 @@ void declare(Parser& parser, Options& o) {
     finished_options(parser, o.finish);
     size_option(parser, o.size);
     config_options(parser, o.config);
-    parser.option("-o,--output", o.output, "folder to write: a new one, or an empty one").required();
+    parser.option("-o,--output", o.output, "folder to write; it must be new or empty").required();
     json_option(parser, o.json);
 }
 

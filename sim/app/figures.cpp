@@ -51,8 +51,8 @@ struct Options {
 void declare(Parser& parser, Options& o) {
     parser.option("-o,--output", o.output, "folder for figures.md, and for its pictures in figures/")
         .required();
-    parser.option("--size", o.size, "pictures, WIDTHxHEIGHT").with_default();
-    parser.option("--engine", o.engines, "engines, with commas").with_default();
+    parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
+    parser.option("--engine", o.engines, "engines, separated by commas").with_default();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }

@@ -33,12 +33,13 @@ void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
     parser
         .option("--max-error", o.max_error,
-                "most pixels that may hold another primitive than the reference's, in per cent: 0.1%")
+                "percentage of pixels that may hold another primitive than the reference's")
         .with_default();
-    parser.option("--min-psnr", o.min_psnr, "least PSNR of the picture against the reference's, in dB");
+    parser.option("--min-psnr", o.min_psnr, "the least PSNR of the picture against the reference's, in dB");
     parser
-        .option("--max-work", o.max_work,
-                "most nodes and triangles that narrow boxes, reciprocals and distances may cost, in per cent")
+        .option(
+            "--max-work", o.max_work,
+            "percentage of nodes and triangles more that narrow boxes, reciprocals and distances may cost")
         .with_default();
     size_option(parser, o.size);
     config_options(parser, o.config);

@@ -15,19 +15,19 @@ namespace rayclock {
 Declared scene_option(Parser& parser, std::string& scene) {
     return parser.option(
         "SCENE", scene,
-        "built-in name with optional size (gears:8), or file (.obj .ply .stl .glb .gltf .json)");
+        "a built-in name with an optional size (gears:8), or a file (.obj .ply .stl .glb .gltf .json)");
 }
 
 void size_option(Parser& parser, std::string& size) {
-    parser.option("--size", size, "picture, WIDTHxHEIGHT").with_default();
+    parser.option("--size", size, "size of the picture, WIDTHxHEIGHT").with_default();
 }
 
 void clock_option(Parser& parser, std::string& clocks) {
-    parser.option("--clock", clocks, "clock rates in MHz, with commas").with_default();
+    parser.option("--clock", clocks, "clock rates in MHz, separated by commas").with_default();
 }
 
 void threads_option(Parser& parser, int& threads) {
-    parser.option("--threads", threads, "threads, 0 for all cores").within(0, 1024);
+    parser.option("--threads", threads, "number of threads; 0: one for each core").within(0, 1024);
 }
 
 void config_options(Parser& parser, ConfigChoice& config) {
@@ -42,17 +42,18 @@ void finished_options(Parser& parser, Finish& o) {
     constexpr const char* group = "Finished picture (shadows, reflection, refraction, made by the chip)";
     parser
         .option("--depth", o.depth,
-                "bounces of a camera ray, 0..15; 5 if another option of this group is given")
+                "the most bounces of a camera ray, 0..15; 5 if only other options of this group are given")
         .under(group);
     parser
         .option("--threshold", o.threshold,
-                "a reflected or refracted ray of less weight is not traced, 0..1; 0: all are")
+                "a reflected or refracted ray of less weight is not traced, 0..1; 0: all are traced")
         .under(group);
-    parser.option("--aa", o.aa, "N x N samples a pixel, 1..8").under(group);
-    parser.flag("--jittered", o.jittered, "each sample anywhere in its cell (--seed)").under(group);
+    parser.option("--aa", o.aa, "N x N samples in a pixel, 1..8").under(group);
+    parser.flag("--jittered", o.jittered, "each sample lies anywhere in its cell, by the seed").under(group);
     parser
-        .option("--contrast", o.contrast,
-                "after 4 samples take the rest only where a colour differs by more than this, 0..1")
+        .option(
+            "--contrast", o.contrast,
+            "after four samples of a pixel, take the others only if a colour differs by more than this, 0..1")
         .under(group);
     parser
         .flag("--fresnel", o.fresnel,
@@ -61,26 +62,24 @@ void finished_options(Parser& parser, Finish& o) {
 }
 
 void judge_option(Parser& parser, bool& no_judge) {
-    parser.flag(
-        "--no-judge", no_judge,
-        "leave out the exact judge of all rays and colours, and with it the causes of pixels that differ");
+    parser.flag("--no-judge", no_judge,
+                "leave out the exact judge of all rays and colours, and the causes of pixels that differ");
 }
 
 void fresh_option(Parser& parser, bool& fresh) {
-    parser.flag(
-        "--fresh", fresh,
-        "work everything out again; otherwise what an earlier run has finished is taken from the cache");
+    parser.flag("--fresh", fresh,
+                "work everything out again, and take no finished result of an earlier run from the cache");
 }
 
 void netlist_option(Parser& parser, bool& no_netlist) {
     parser.flag("--no-netlist", no_netlist,
-                "do not count multipliers and flip-flops (Yosys takes some ten seconds per configuration)");
+                "do not count multipliers and flip-flops (Yosys needs some ten seconds for a configuration)");
 }
 
 void frames_options(Parser& parser, FramesOptions& o) {
     parser
         .option("--frames", o.frames,
-                "frames on one machine, one after the other: the caches are warm from the second on")
+                "frames drawn one after the other on one machine: the caches are warm from the second on")
         .with_default();
     parser.option("--pan", o.pan, "degrees that the camera turns from frame to frame");
 }
@@ -107,8 +106,8 @@ std::vector<Camera> camera_path(const FramesOptions& o, const Camera& camera) {
 void traffic_options(Parser& parser, TrafficOptions& o) {
     parser.option("--seed", o.seed, "seed of random traffic and of the RTL's registers at start")
         .within(1, 1 << 30);
-    parser.option("--jitter", o.jitter, "random extra memory latency, up to this many cycles");
-    parser.option("--stall", o.stall, "percent of cycles in which memory and output accept nothing");
+    parser.option("--jitter", o.jitter, "random extra latency of the memory, up to this many cycles");
+    parser.option("--stall", o.stall, "percentage of cycles in which memory and output accept nothing");
 }
 
 Traffic traffic_of(const TrafficOptions& o) {

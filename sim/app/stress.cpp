@@ -26,8 +26,9 @@ struct Options {
 };
 
 void declare(Parser& parser, Options& o) {
-    parser.option("--bits", o.bits, "lattices: bits of a coordinate, as 12:20:2 or 16,18").with_default();
-    parser.option("--rays", o.rays, "rays for exact and for sheared; a tenth for baselines and controls")
+    parser.option("--bits", o.bits, "lattices: bits of a coordinate, for example 12:20:2 or 16,18")
+        .with_default();
+    parser.option("--rays", o.rays, "rays for each of exact and sheared; baselines and controls get a tenth")
         .with_default();
     parser.option("--test", o.tests, "primitive test, or all; may be repeated").by_commas();
     parser.option("--family", o.families, "family of hard cases; may be repeated; all by default")
@@ -35,7 +36,8 @@ void declare(Parser& parser, Options& o) {
     parser.option("--seed", o.seed, "seed of the rays").within(1, 1 << 30);
     parser.option("-o,--output", o.output,
                   "page to write (Markdown), with a picture of each family in a folder beside it");
-    parser.option("--state", o.state, "file that keeps what is done: go on from it if it is there");
+    parser.option("--state", o.state,
+                  "file that keeps what is done; if it is there, the run goes on from it");
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }

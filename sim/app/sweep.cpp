@@ -87,7 +87,8 @@ int run(const Options& o) {
 
 Command sweep_command() {
     return command(
-        "sweep", "one scene on many configurations and clocks; what differs in timing only shares one trace",
+        "sweep",
+        "one scene on many configurations and clocks; those that differ only in timing share one trace",
         "rayclock sweep gears:8 --axis node_sets=16,32,64 --axis clock=66,200", declare, run);
 }
 

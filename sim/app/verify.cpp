@@ -43,21 +43,22 @@ void declare(Parser& parser, Options& o) {
     const Declared scene = scene_option(parser, o.scene);
     parser
         .flag("--torture", o.torture,
-              "no scene, but the torture set: small frames on three chips that reach the corners of the "
-              "machine")
+              "instead of a scene, run the torture set: small frames on three chips that reach the corners "
+              "of the machine")
         .excludes(scene);
     finished_options(parser, o.finish);
     size_option(parser, o.size);
-    clock_option(parser, o.clock);
+    parser.option("--clock", o.clock, "clock rate in MHz; of several, the first").with_default();
     config_options(parser, o.config);
     frames_options(parser, o.frames);
     judge_option(parser, o.no_judge);
     parser.option("--max-other", o.max_other,
-                  "fail if more pixels hold another primitive than the reference's, in per cent; otherwise "
-                  "it warns above 1%");
+                  "fail if more than this percentage of pixels holds another primitive than the reference's; "
+                  "without it, more than 1% is a warning");
     parser.option(
         "--min-psnr", o.min_psnr,
-        "fail if the picture is further from the reference's, in decibel; otherwise it warns below 30");
+        "fail if the picture's PSNR against the reference's is below this, in dB; without it, less than 30 "
+        "is a warning");
     parser.option("-o,--output", o.output,
                   "folder for the pictures of the three engines and their difference");
     threads_option(parser, o.threads);

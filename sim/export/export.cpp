@@ -154,9 +154,9 @@ std::string bench(const Job& job, const Frame& frame, int settings, const Accoun
     return text.replace(text.find(mark), mark.size(), constants);
 }
 
-/// Icarus 11 knows no `int unsigned` in a localparam and no type of a package by its full name. Its
-/// always_comb starts anew at whatever a function in it computes, and never ends. It reads no $error that
-/// refuses parameters.
+/// What Icarus 11 does not read: `int unsigned` in a localparam, a type of a package by its full name, and an
+/// $error that refuses parameters. Its always_comb starts anew at whatever a function in it computes, and
+/// never ends.
 constexpr const char* icarus_sed =
     "s/\\bint unsigned\\b/[31:0]/\n"
     "s/rc_pkg::\\([a-z0-9_]*_t\\)\\b/\\1/g\n"
@@ -175,25 +175,28 @@ Made by `{1}`.
 | file | what it is |
 |---|---|
 | `rtl/`, `chip.f` | the chip, top module `rc_chip`, and the list of its files |
-| `registers.hex` | the writes on the bus that set up and start the frame |
-| `memory.hex`, `memory.bin` | the memory image: {2} lines of 64 bytes |
-| `pixels.hex` | the pixels that come out, {3}x{4} |
-| `counters.hex` | what the counters say after the frame of {5} cycles, with a memory that answers after {6} cycles and takes a request every {7} |
+| `registers.hex` | the writes on the bus that set up and start the frame, in order: address and value |
+| `memory.hex`, `memory.bin` | the memory image from address 0 on, {2} lines of 64 bytes: a number of 512 bits each, and bytes |
+| `pixels.hex` | the pixels that come out, {3}x{4}, row by row: the bits of `hit_t` with `ray` 0 |
+| `counters.hex` | what the host reads after the frame of {5} cycles: address of the lower word and value. They hold for the memory of the bench, which answers a request after {6} cycles and takes one every {7} |
 | `rc_bench.sv` | a test bench that checks all of it |
+| `icarus.sed` | what must be changed in the sources for Icarus Verilog 11 |
+
+The `.hex` files are in the format of `$readmemh`. An underscore stands between address and value.
 
 With Verilator (5.006 or newer):
 
     verilator --binary --timing -f chip.f rc_bench.sv --top-module rc_bench
     obj_dir/Vrc_bench
 
-With Icarus Verilog 11, which knows unknown values, and is much slower:
+With Icarus Verilog 11, which knows unknown values and is much slower:
 
     cat $(grep '\.sv$' chip.f) rc_bench.sv | sed -f icarus.sed > icarus.sv
     iverilog -g2012 -DSYNTHESIS -s rc_bench -o icarus.vvp icarus.sv
     vvp icarus.vvp
 
-The bench prints PASS, or what differs and FAIL; then its exit code is not 0. Registers, memory image, ports
-and their protocols are described in docs/chip.md of the project.
+The bench prints PASS. Or it prints what differs and FAIL, and its exit code is not 0. The project's
+docs/chip.md describes the registers, the memory image, the ports and their protocols.
 )",
         title, command, job.image.lines(), job.size.width, job.size.height, cycles, job.config.mem_latency,
         job.config.mem_interval);

@@ -70,6 +70,7 @@ std::string host_constants(const Config& config) {
     for (const HostRegister& r : host_registers())
         if (r.constant) text += constant(std::string("Reg") + r.constant, r.address);
     text += constant("RegParameters", parameter_base) + constant("RegFrame", frame_base);
+    text += constant("RegCounters", counter_base);
     std::vector<std::uint32_t> values, at, bits;
     for (const HostParameter& p : host_parameters(config)) values.push_back(p.value);
     for (const FrameWord& word : frame_words(config)) {
@@ -283,9 +284,12 @@ std::string rc_package(const Config& config) {
     p.record<Children>("children");
     p.record<Done>("done");
     p.record<Pixel>("pixel");
-    p.record<Surface>("surface");
     p.record<ShadeState>("shade_state");
     p.record<Waiting>("waiting");
+    p.say("What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.");
+    p.record<Node>("node");
+    p.record<PrimData>("primitive");
+    p.record<Surface>("surface");
     return std::move(p).end();
 }
 

@@ -10,7 +10,7 @@ namespace rayclock {
 Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& settings, int x, int y,
                       int sample);
 
-/// Equal but for the context and the side.
+/// Equal except for the context and the side.
 bool same_answer(const Closest& a, const Closest& b);
 
 }   // namespace rayclock

@@ -24,7 +24,7 @@ std::int64_t signed_value(std::uint32_t field, int bits) {
     return std::int64_t(field) >= half ? std::int64_t(field) - 2 * half : field;
 }
 
-/// Each component is that of v / |v|, but for what unit_vector() may err.
+/// Each component is that of v / |v|, except for what unit_vector() may err.
 bool is_unit(const Vec3i& unit, const glm::dvec3& v) {
     const glm::dvec3 exact = unit_of(v);
     for (int k = 0; k < 3; ++k)

@@ -84,8 +84,8 @@ std::int32_t signed_part(std::int64_t value, int bits) {
     return std::int32_t(part >> (bits - 1) ? part - (std::int64_t(1) << bits) : part);
 }
 
-/// No plane stands between the eye and the light. Where one of them lies in a plane but for rounding, either
-/// is right.
+/// No plane stands between the eye and the light. Where one of them lies in a plane except for rounding,
+/// either is right.
 bool is_clear_as_stated(const Asked& asked, const glm::dvec3& light, bool stated) {
     if (!asked.scene.camera) return stated;
     bool clear = true;

@@ -204,7 +204,8 @@ std::string page(const Areas& areas, const std::vector<Speed>& speeds, const std
     std::string text = fmt::format(
         "# Area\n\nWhat each unit takes of an ECP5, and what the units cost that are there only if a scene "
         "needs them.\n\nMade by `{}`; every figure is "
-        "counted or measured by that command, none is typed in.\nConditions: configuration `{}` but for its "
+        "counted or measured by that command, none is typed in.\nConditions: configuration `{}` except for "
+        "its "
         "optional units; {}.\n\n"
         "## With and without\n\n`hits` finds what camera rays meet and makes no colours. The other machines "
         "make finished pictures: `shading` has no further "

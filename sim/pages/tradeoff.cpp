@@ -213,7 +213,7 @@ std::string page_text(const Study& study, const std::vector<SceneStudy>& scenes,
     std::string text = "# Speed against error\n\nWhat each bit costs, and what it brings.\n\n";
     text += fmt::format(
         "Made by `{}`; every figure is measured by that command, none is typed in.\nConditions: "
-        "configuration `default` but for what is varied, "
+        "configuration `default` except for what is varied, "
         "{:g} MHz, the first frame of each scene{}.\n",
         command, khz / 1e3,
         page.has_netlists() ? "; " + synth::yosys_version().substr(0, synth::yosys_version().find(" ("))

@@ -132,7 +132,7 @@ Made by `rayclock yardstick -o docs/yardstick.md`; every figure of ours is simul
 **The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about
 the same number of triangles, from its own camera. The published figures include what the papers say
 beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
-chip**, but for the last table. So this page says in which range such a machine lies, not which is
+chip**, except for the last table. So this page says in which range such a machine lies, not which is
 faster. The machines differ as well: both chips walked kd-trees in 24-bit floating point with packets of
 four rays; ours walks a bounding volume hierarchy of two children a node in fixed point, ray by ray.
 What is alike is the class: clock, rays in flight, one node and one triangle a cycle, size of the caches

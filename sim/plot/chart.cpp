@@ -95,7 +95,7 @@ private:
     }
 
     /// A label lies beside its point, where it covers no point and no other label; if there is no such place
-    /// there is none, but for the knee.
+    /// there is none, except for the knee.
     void label(const Mark& m) {
         const Place at = place(m);
         const double size = m.is_knee ? label_size + 1.5 : label_size, wide = text_width(m.label, size),

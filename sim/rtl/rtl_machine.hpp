@@ -57,8 +57,8 @@ public:
     bool moved() const { return moved_; }
     /// Packed payload that a link offers in this cycle; shared ones have pipeline 0.
     const RcPort& link(int pipeline, Link c) const { return *links_[std::size_t(pipeline)][index(c)]; }
-    /// From the chip's own counters, but for the memory, since the last start(). A frame that is under way is
-    /// counted no further; the two cycles that this takes are in its counters, and pass for the memory as
+    /// From the chip's own counters, except for the memory, since the last start(). A frame that is under way
+    /// is counted no further; the two cycles that this takes are in its counters, and pass for the memory as
     /// well.
     const Accounts& accounts();
     /// What the register `cycles` says of the same time.

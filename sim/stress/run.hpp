@@ -19,8 +19,8 @@ struct Cell {
 const NamedTest& named_test(const std::string& name);
 /// All there are; first those of the machine and the baselines, then the controls.
 const std::vector<NamedTest>& named_tests();
-/// Whether the counts of a test's all families, but for those that must leak, are as demanded; and on those
-/// that must, whether they do.
+/// Whether the counts of a test's all families, except for those that must leak, are as demanded; and on
+/// those that must, whether they do.
 bool meets_demand(const NamedTest& test, const std::vector<Cell>& cells);
 
 struct Plan {

@@ -11,7 +11,7 @@ namespace rayclock {
 struct ShadowScene {
     std::string name;
     std::string what;
-    /// For coordinates of N bits. All surfaces are closed but for the floor.
+    /// For coordinates of N bits. All surfaces are closed except for the floor.
     std::function<std::vector<oracle::Corners>(int coord_bits)> make;
 };
 const std::vector<ShadowScene>& shadow_scenes();

@@ -49,7 +49,7 @@ const std::vector<std::vector<std::string>> scene_commands{
     {"render", "FILE", "--size", "8x8", "-o", "new.png", "--engine", "reference"},
     {"verify", "FILE", "--size", "8x8", "-o", "pictures", "--json", "report.json"}};
 
-/// Every parameter of `default` as a file states it, but for the last.
+/// Every parameter of `default` as a file states it, except for the last.
 std::string all_but_one() {
     const rayclock::Config config = rayclock::named_config("default");
     std::string text;

@@ -141,8 +141,8 @@ TEST_CASE("pictures that cannot be written are refused in one sentence, with not
     CHECK(folder.files() == 2);
 }
 
-/// While it lives no file may grow beyond so many bytes: what a full disk is to a program, but for the number
-/// of the error.
+/// While it lives no file may grow beyond so many bytes: what a full disk is to a program, except for the
+/// number of the error.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

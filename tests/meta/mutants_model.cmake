@@ -169,17 +169,30 @@ mutant(model_cache_touch_turned FILE model/mem/cache.cpp TEST unit "a set gives 
   OLD [[if (!(node & 1)) turn_]]
   NEW [[if (node & 1) turn_]])
 mutant(model_cache_waiting_way_given_away FILE model/mem/cache.cpp TEST unit [cache]
-  OLD [[if (of_set[way].mshr == 0) return int(way);]]
-  NEW [[if (of_set[way].mshr == 0 || way > 0) return int(way);]])
-mutant(model_cache_chain_turned FILE model/mem/cache.hpp WITH tests/unit/cache_test.cpp model/mem/cache.cpp TEST unit "misses to one line*"
-  OLD [[        next_[mshrs_[m - 1].tail] = request.id;
-        mshrs_[m - 1].tail = request.id;]]
-  NEW [[        Mshr& chain = mshrs_[m - 1];
-        if (chain.head == chain.tail) chain.tail = request.id;
-        next_[request.id] = next_[chain.head];
-        next_[chain.head] = request.id;]])
+  OLD [[if (set.mshrs[way] == 0) return int(way);]]
+  NEW [[if (set.mshrs[way] == 0 || way > 0) return int(way);]])
+mutant(model_cache_chain_turned FILE model/mem/cache.cpp TEST unit "misses to one line*"
+  OLD [[    next_[m.tail] = request.id;
+    m.tail = request.id;]]
+  NEW [[    if (m.head == m.tail) m.tail = request.id;
+    next_[request.id] = next_[m.head];
+    next_[m.head] = request.id;]])
 
 # ---- The model in time: headers, and the machine around them.
+mutant(model_delay_one_cycle_late FILE model/base/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+  OLD [[Delay(int latency, int depth)
+        : latency_(std::uint64_t(latency) + 1),]]
+  NEW [[Delay(int latency, int depth)
+        : latency_(std::uint64_t(latency) + 2),]])
+mutant(model_delay_never_empties FILE model/base/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+  OLD [[int(admitted.there) - int(answer(now).there)]]
+  NEW [[int(admitted.there)]])
+mutant(model_ring_without_a_spare_place FILE model/base/ring.hpp WITH tests/unit/ring_test.cpp TEST unit [fifo]
+  OLD [[items_.resize(std::size_t(1) << index_bits(capacity + 1))]]
+  NEW [[items_.resize(std::size_t(1) << index_bits(capacity))]])
+mutant(model_cache_answers_at_once FILE model/mem/cache.hpp WITH tests/unit/cache_test.cpp model/mem/cache.cpp TEST unit [cache]
+  OLD [[answers_.size() > std::uint32_t(read_)]]
+  NEW [[answers_.size() > 0]])
 mutant(model_frame_one_row_less FILE model/sched/dispatch.hpp WITH tests/unit/dispatch_test.cpp TEST unit [dispatch]
   OLD [[if (++tile_.y == rows_) more_ = false;]]
   NEW [[if (++tile_.y + 1 == rows_) more_ = false;]])
@@ -193,8 +206,8 @@ mutant(model_trav_leafless_first FILE model/bvh/trav.hpp WITH tests/unit/bvh/tra
   OLD [[return step_link_.second(offered); }]]
   NEW [[return step_link_.second(offered && leafless_.empty()); }]])
 mutant(model_list_queues_mixed FILE model/list/list.hpp WITH tests/unit/list_test.cpp TEST unit [list][lockstep]
-  OLD [[(tri_prim ? next_ : tested_).push(]]
-  NEW [[(tri_prim ? first_ : tested_).push(]])
+  OLD [[next_.push(RayNumber(tri.ray), tri.there & tri_prim);]]
+  NEW [[first_.push(RayNumber(tri.ray), tri.there & tri_prim);]])
 mutant(model_arbiter_changes_its_mind FILE model/mem/arbiter.hpp WITH tests/unit/arbiter_test.cpp TEST unit [arbiter]
   OLD [[if (held_) return chosen_;]]
   NEW [[if (held_ && valid == 0) return chosen_;]])
@@ -206,8 +219,8 @@ mutant(model_sched_keeps_the_last_frames_pixel FILE model/sched/sched.hpp WITH t
         look();]]
   NEW [[        height_ = frame.height;]])
 mutant(model_blames_trav FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
-  OLD [[: node_cache_.waits() ? 1 : 2;]]
-  NEW [[: node_cache_.waits() ? 2 : 1;]])
+  OLD [[progress(Link::box_req) + 3 * node_cache_.waits()]]
+  NEW [[progress(Link::box_req) + 3 * !node_cache_.waits()]])
 mutant(model_sleeps_through_an_answer QUICK FILE model/machine.cpp TEST unit "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])
@@ -219,8 +232,8 @@ mutant(model_where_forgets_trav FILE model/pipeline.cpp TEST unit [stuck]
 ]]
   NEW [[]])
 mutant(model_takes_no_hit FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
-  OLD [[if ((m.hit = trav_.done_valid() && sink_.ready()))]]
-  NEW [[if ((m.hit = trav_.done_valid() && sink_.ready() && trav_.done_ray() != 7))]])
+  OLD [[m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());]]
+  NEW [[m.offer(Link::hit, trav_.done_valid(), sink_.ready() & (trav_.done_ray() != 7), trav_.done_ray());]])
 mutant(model_trace_looks_on_after_a_light_is_blocked QUICK FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
   OLD [[bool stop() const { return hit.stop(); }]]
   NEW [[bool stop() const { return false; }]])

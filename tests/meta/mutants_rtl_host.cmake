@@ -13,8 +13,8 @@ mutant(host_changes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[|| (is_idle && (adr_q == 13'(rc_pkg::RegStart) || frame_word < 13'(F)));]]
   NEW [[|| frame_word < 13'(F) || (is_idle && adr_q == 13'(rc_pkg::RegStart));]])
 mutant(host_swaps_the_words_of_a_counter FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[adr_q[0] ? 32'(counter_i >> 32) : counter_i[31:0];]]
-  NEW [[adr_q[0] ? counter_i[31:0] : 32'(counter_i >> 32);]])
+  OLD [[upper_word ? 32'(counter_i >> 32) : counter_i[31:0];]]
+  NEW [[upper_word ? counter_i[31:0] : 32'(counter_i >> 32);]])
 mutant(host_reads_counters_that_count FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[good = Counters != 0 && still && counter_there_i;]]
   NEW [[good = Counters != 0 && (still || counter_there_i) && counter_there_i;]])

@@ -17,8 +17,8 @@ mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
   OLD [[stop     = any_q[tested_ray] && found_q[tested_ray];]]
   NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_ray[0];]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
-  OLD [[shadow_q[start_ray] <= start_i.kind == 2'd2;]]
-  NEW [[shadow_q[start_ray] <= start_i.kind >= 2'd2;]])
+  OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
+  NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
 mutant(trav_looks_beyond_the_surface FILE rtl/prim/rc_reach.sv TEST unit [trav][shading]
   OLD [[kept : shadow_q[read_ray_i] ? SurfaceT : '1;]]
   NEW [[kept : shadow_q[read_ray_i] && read_ray_i[0] ? SurfaceT : '1;]])
@@ -32,14 +32,14 @@ mutant(stack_visits_a_child_when_stopped FILE rtl/bvh/rc_stack.sv TEST unit [tra
   OLD [[forward      = !stop &&]]
   NEW [[forward      =]])
 mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s3_short = s3_head_q[HeadW-1 -: 2] != rc_pkg::RayShadow;]]
-  NEW [[s3_short = !s3_head_q[HeadW-1];]])
+  OLD [[s3_short = s3_kind_q != rc_pkg::RayShadow;]]
+  NEW [[s3_short = s3_kind_q != rc_pkg::RayShadow && s3_kind_q != rc_pkg::RayAway;]])
 mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
   OLD [[.first_valid_i(spawn_valid_i),]]
   NEW [[.first_valid_i(spawn_valid_i && !slot_valid_i),]])
 mutant(raygen_bounce_from_the_eye FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s2_camera ? s2_eye : s2_given[3*RD +: 3*OW];]]
-  NEW [[s2_camera || s2_kind == 2'd1 ? s2_eye : s2_given[3*RD +: 3*OW];]])
+  OLD [[s2_camera ? s2_eye : s2_given_o;]]
+  NEW [[s2_camera || s2_kind == rc_pkg::RayBounce ? s2_eye : s2_given_o;]])
 mutant(recip_zero_is_long FILE rtl/raygen/rc_recip.sv TEST unit [raygen][lockstep][shading]
   OLD [[short_i && s0_len != '0 ?]]
   NEW [[short_i ?]])
@@ -160,7 +160,8 @@ mutant(approach_passes_by_and_enters FILE rtl/shade/rc_approach.sv TEST unit [pa
 mutant(surf_far_is_lost FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[s5_lost_o <= !sphere[4] && (s4_ends || s4_beyond != '0);]]
   NEW [[s5_lost_o <= !sphere[4] && (s4_ends || s4_outside != '0);]])
-mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
+mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv
+  TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
   OLD [[assign s0_skips = s0_plane && req_i.is_finite;]]
   NEW [[assign s0_skips = 1'b0;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
@@ -262,6 +263,7 @@ mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where 
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
   OLD [[r_far && (r_inexact || r_lost)})]]
   NEW [[r_far && (r_inexact || (r_lost && 1'b0))})]])
-mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv TEST unit "a sphere that is touched where a shadow ray ends* - Rtl*"
+mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv
+  TEST unit "a sphere that is touched where a shadow ray ends is not in its way - Rtl*"
   OLD [[!s2_foot[Foot-1] && s2_foot != '0;]]
   NEW [[!s2_foot[Foot-1];]])

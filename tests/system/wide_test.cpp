@@ -49,7 +49,7 @@ void check_answers(const Scene& scene, const Job& job, const FrameTrace& frame) 
     CHECK(beyond == 0);
 }
 
-/// Boxes behind a hit are left out, but for so large a part of the visits.
+/// Boxes behind a hit are left out, except for so large a part of the visits.
 void check_visits(const Job& job, const FrameTrace& frame, double extra_part) {
     const ExtraVisits extra = extra_visits(job.image, job.frame, job.config);
     CHECK(extra.boxes_lost + extra.t_late + extra.other_hits == 0);

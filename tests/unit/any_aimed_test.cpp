@@ -138,7 +138,7 @@ TEST_CASE("a discriminant that is all but a square is not taken for one", "[tri]
 TEMPLATE_TEST_CASE("a plane's u and v end where their bits do", "[tri][any][aimed]", Model<TriUnit>,
                    Rtl<TriUnit>) {
     const Config c = any_format("default");
-    const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, but for the sign
+    const int whole = c.uv_bits() - 1 - c.bary_bits;   // bits of u and v above the point, except for the sign
     const std::int32_t end = 1 << whole, most = (1 << (c.coord_bits - 1)) - 1;
     std::vector<TriReq> requests;
     std::vector<std::array<std::int64_t, 2>> expected;

@@ -267,7 +267,7 @@ TEST_CASE("a direction that is cut leaves on the side meant", "[origin]") {
         CAPTURE(bits, i, dir_bits);
         REQUIRE(sign(dot(n, oracle::point(d))) == facing);
         REQUIRE(side_of_direction(t, d) == facing);
-        // Some power of two makes it the way but for less than one unit, and the largest component has all
+        // Some power of two makes it the way except for less than one unit, and the largest component has all
         // bits but one, or is whole.
         const std::int64_t most = (std::int64_t(1) << (dir_bits - 1)) - 1;
         bool found = false;

@@ -1,4 +1,6 @@
 // Queues, merges and pipes of the model, each against its plain description.
+#include <algorithm>
+
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
@@ -54,14 +56,39 @@ TEST_CASE("a pipe answers after latency + 1 cycles, in order, and holds as many 
         REQUIRE(pipe.ready() == (int(plain.size()) < depth));
         REQUIRE(pipe.valid(std::uint64_t(cycle)) == valid);
         const bool admits = int(plain.size()) < depth && draw.percent(cycle / 1000 % 2 ? 90 : 30);
-        if (valid && draw.percent(60)) {
+        const bool taken = valid && draw.percent(60);
+        if (taken) {
             REQUIRE(pipe.front() == plain.front().first);
-            pipe.leave();
             plain.pop_front();
         }
-        if (admits) {
-            pipe.admit(std::uint64_t(cycle)) = cycle;
-            plain.emplace_back(cycle, cycle);
-        }
+        pipe.clock(std::uint64_t(cycle), taken, admits, cycle);
+        if (admits) plain.emplace_back(cycle, cycle);
+    }
+}
+
+TEST_CASE("a delay answers in the cycle after its latency, whatever was skipped before", "[fifo]") {
+    const auto [latency, depth] = GENERATE(table<int, int>({{1, 2}, {3, 2}, {6, 16}, {20, 32}, {63, 70}}));
+    Delay delay{latency, depth};
+    std::deque<std::pair<std::uint32_t, std::uint64_t>> plain;   // ray, cycle of its answer
+    Draw draw{unsigned(latency)};
+    for (std::uint64_t cycle = 0; cycle < 5000; ++cycle) {
+        if (draw.percent(5)) cycle = std::min(delay.due(cycle), cycle + 100);   // idle times are passed over
+        const bool due = !plain.empty() && plain.front().second == cycle;
+        REQUIRE(delay.ready() == (int(plain.size()) < depth));
+        REQUIRE(delay.due(cycle) == (plain.empty() ? ~std::uint64_t(0) : plain.front().second));
+        const OnLink answer = delay.answer(cycle);
+        REQUIRE(answer.there == due);
+        REQUIRE(answer.ray < 1024);   // of a context, if nothing is there as well
+        if (due) REQUIRE(answer.ray == plain.front().first);
+        const OnLink in{delay.ready() && draw.percent(cycle / 1000 % 2 ? 90 : 30),
+                        std::uint32_t(draw.below(1024))};
+        delay.clock(cycle, in);
+        if (due) plain.pop_front();
+        if (in.there) plain.emplace_back(in.ray, cycle + std::uint64_t(latency) + 1);
+        const std::uint32_t absent = (in.ray + 1) % 1024;
+        const bool known =
+            std::any_of(plain.begin(), plain.end(), [&](const auto& entry) { return entry.first == absent; });
+        REQUIRE(delay.contains(RayNumber(absent), cycle + 1) == known);
+        if (in.there) REQUIRE(delay.contains(RayNumber(in.ray), cycle + 1));
     }
 }

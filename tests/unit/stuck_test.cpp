@@ -54,7 +54,7 @@ struct Alone {
     std::map<std::string, int> places() const {
         std::map<std::string, int> counts;
         for (std::uint32_t ray = 0; ray < std::uint32_t(job.config.contexts); ++ray)
-            ++counts[pipeline.where(ray)];
+            ++counts[pipeline.where(ray, now)];
         return counts;
     }
 };

@@ -68,7 +68,7 @@ Scene make_spheres(int) {
     return scene;
 }
 
-/// Alike everywhere but for its squares, which become smaller than a pixel towards the horizon.
+/// Alike everywhere except for its squares, which become smaller than a pixel towards the horizon.
 Scene make_plane(int) {
     Scene scene;
     scene.background = {0.45, 0.6, 0.85};

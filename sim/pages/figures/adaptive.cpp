@@ -54,7 +54,7 @@ double cost(const Point& p, int khz) {
     return p.cycles ? double(p.cycles) / khz : double(p.rays.all()) / 1e3;
 }
 
-/// Even samples are dark, adaptive ones pale, but for those that beat the former.
+/// Even samples are dark, adaptive ones pale, except for those that beat the former.
 plot::Drawing drawing(const std::string& title, const std::vector<Point>& points, int khz) {
     plot::Panel even{"the same everywhere",
                      points[0].cycles ? "milliseconds a frame at 66 MHz" : "rays, thousands",

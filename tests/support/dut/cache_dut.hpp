@@ -77,7 +77,7 @@ public:
     void eval() {
         this->req.ready = cache_.ready();
         this->rsp.offer.reset();
-        if (cache_.valid(now_)) this->rsp.offer = K::answer(asked_[cache_.answer()], config_);
+        if (cache_.valid()) this->rsp.offer = K::answer(asked_[cache_.answer()], config_);
         this->miss.offer.reset();
         if (cache_.miss_valid()) this->miss.offer = typename K::Miss{cache_.miss().id, cache_.miss().addr};
     }
@@ -87,7 +87,7 @@ public:
             request = {K::id(*this->req.offer), this->req.offer->addr / K::parts};
             asked_[request.id] = *this->req.offer;
         }
-        this->deed = cache_.clock(now_++, this->req.fires() ? &request : nullptr, this->rsp.fires(),
+        this->deed = cache_.clock(this->req.fires(), request, this->rsp.fires(),
                                   this->fill ? &this->fill->id : nullptr, this->miss.fires());
     }
 
@@ -95,7 +95,6 @@ private:
     Config config_;
     Cache cache_;
     std::vector<typename K::Req> asked_;   // by id: what the cache has been asked last
-    std::uint64_t now_ = 0;
 };
 
 template <class K> class CacheRtl : public CacheLinks<K> {

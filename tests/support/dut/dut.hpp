@@ -20,6 +20,12 @@ template <class P> struct Wire {
     bool fires() const { return offer && ready; }
 };
 
+/// The ray of a payload, if there is one.
+template <class P> OnLink ray_of(const std::optional<P>& payload) {
+    return {payload.has_value(), payload ? payload->ray : 0};
+}
+template <class P> OnLink ray_of(const Wire<P>& link) { return link.fires() ? ray_of(link.offer) : OnLink{}; }
+
 template <class P> bool same(const P& a, const P& b, const Config& config) {
     return pack(a, config) == pack(b, config);
 }
@@ -65,8 +71,9 @@ struct TriUnit {
 template <class U> class Model {
 public:
     using Unit = U;
+    using Rsp = typename U::Rsp;
     Wire<typename U::Req> in;
-    Wire<typename U::Rsp> out;
+    Wire<Rsp> out;
 
     explicit Model(const Config& config, const Frame& frame = {}, int = 1)
         : config_(config), frame_(frame), pipe_(U::latency(config), U::queue(config)) {}
@@ -76,15 +83,14 @@ public:
         if (pipe_.valid(now_)) out.offer = pipe_.front();
     }
     void commit() {
-        if (out.fires()) pipe_.leave();
-        if (in.fires()) pipe_.admit(now_) = U::answer(*in.offer, frame_, config_);
-        ++now_;
+        const bool asked = in.fires();
+        pipe_.clock(now_++, out.fires(), asked, asked ? U::answer(*in.offer, frame_, config_) : Rsp{});
     }
 
 private:
     Config config_;
     Frame frame_;
-    Pipe<typename U::Rsp> pipe_;
+    Pipe<Rsp> pipe_;
     std::uint64_t now_ = 0;
 };
 

@@ -45,7 +45,7 @@ public:
     }
     void commit() {
         const bool answered = tri_rsp.fires();
-        list_.clock(leaves ? &leaves->ray : nullptr, answered ? &tri_rsp.offer->ray : nullptr,
+        list_.clock(ray_of(leaves), ray_of(tri_rsp),
                     answered && tests_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(),
                     tested.fires());
         if (leaves) tests_[leaves->ray].begin(*leaves);

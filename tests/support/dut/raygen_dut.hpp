@@ -24,10 +24,10 @@ public:
     }
     void commit() {
         merge_.clock(spawn.offer || slot.offer, spawn.fires() || slot.fires(), second_);
-        if (ray.fires()) pipe_.leave();
-        if (spawn.fires()) pipe_.admit(now_) = spawn_ray(*spawn.offer, frame_, config_);
-        if (slot.fires()) pipe_.admit(now_) = raygen(*slot.offer, frame_, config_);
-        ++now_;
+        Ray made;
+        if (spawn.fires()) made = spawn_ray(*spawn.offer, frame_, config_);
+        if (slot.fires()) made = raygen(*slot.offer, frame_, config_);
+        pipe_.clock(now_++, ray.fires(), spawn.fires() || slot.fires(), made);
     }
 
 private:

@@ -31,7 +31,7 @@ public:
     }
     void commit() {
         sched_.clock(slot.fires(), tile.fires() ? &*tile.offer : nullptr,
-                     hit.fires() ? &pixel.offer->first.ray : nullptr);
+                     {hit.fires(), pixel.offer ? pixel.offer->first.ray : 0});
     }
 
 private:

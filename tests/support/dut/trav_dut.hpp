@@ -54,15 +54,15 @@ public:
             leaves = leaves_of(*box_rsp.offer);
     }
     void commit() {
-        const auto leafless = box_rsp.offer && !leaves ? &box_rsp.offer->ray : nullptr;
-        trav_.clock({ray.fires() ? &ray.offer->ray : nullptr, leafless,
-                     tested.offer ? &tested.offer->ray : nullptr, node_req.fires(), done.fires()},
-                    [&](std::uint32_t number) {
+        const OnLink leafless = leaves ? OnLink{} : ray_of(box_rsp.offer);
+        trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
+                    [&](std::uint32_t number, bool valid) {
+                        if (!valid) return Turn::Flags{};
                         Context& c = contexts_[number];
                         const Turn turn = c.stack.decide(c.tested, c.children);
                         c.addr = turn.addr;
                         c.children = {};   // in another turn there are no new ones
-                        return turn.kind;
+                        return turn.flags();
                     });
         if (box_rsp.offer) {
             Context& c = contexts_[box_rsp.offer->ray];
