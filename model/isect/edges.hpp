@@ -19,8 +19,8 @@ template <class Number> struct Edges {
     bool on_edge() const { return u == 0 || v == 0 || w() == 0; }
     /// If not: the ray's line crosses the triangle. (For det = 0 the three have not all one sign.)
     bool same_signs() const { return ((u ^ det) | (v ^ det) | (w() ^ det)) >= 0; }
-    /// If so: not behind the origin.
-    bool ahead() const { return (num ^ det) >= 0; }
+    /// And not behind the origin.
+    bool ahead() const { return ((u ^ det) | (v ^ det) | (w() ^ det) | (num ^ det)) >= 0; }
     /// Turns all signs if det < 0. Returns whether it was.
     bool turn() {
         const bool flip = det < 0;

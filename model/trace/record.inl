@@ -14,7 +14,7 @@ RAYCLOCK_INLINE void record_triangle(const RecordJob& job, std::uint32_t half_li
     Edges<std::int64_t> e = test_facet(facet, d);
     if (e.on_edge()) [[unlikely]] {
         if (!takes_on_edge(job, half_line, d)) return;
-    } else if (!(e.same_signs() & e.ahead())) {
+    } else if (!e.ahead()) {
         return;
     }
     e.turn();

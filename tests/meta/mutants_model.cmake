@@ -156,6 +156,9 @@ mutant(model_origin_bits_cut_seen_by_rays FILE model/isect/origin.cpp TEST syste
   OLD [[+ weights.u * e1[k] +
                       weights.v * e2[k];]]
   NEW [[+ ((weights.u * e1[k] + weights.v * e2[k]) & ~1);]])
+mutant(oracle_way_ends_halfway FILE model/oracle/surface.hpp WITH tests/system/shadows_test.cpp TEST system "the search around a way*"
+  OLD [[near > 2 * way.main_size()]]
+  NEW [[near > way.main_size()]])
 mutant(model_lattice_rounds_down FILE model/accel/lattice.cpp TEST accel ~[none]
   OLD [[std::round((point[k] - centre[k]) / pitch[k])]]
   NEW [[std::floor((point[k] - centre[k]) / pitch[k])]])
