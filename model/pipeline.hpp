@@ -101,7 +101,7 @@ private:
         std::uint32_t ray;
         operator OnLink() const { return {fires, ray}; }
     };
-    /// All links inside in a cycle, but those to what the pipelines share, which are in SharedMoves.
+    /// All links inside in a cycle. Those to what the pipelines share are in SharedMoves.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
         bool step = false;              // inside trav, of a ray that was tested or has no leaves
@@ -156,9 +156,10 @@ private:
     CacheDeed node_deed_{}, prim_deed_{}, surf_deed_{CacheDeed::starved};
     bool asleep_ = false;
 
-    // Codes of units.hpp, by how far the thing that the unit waits for has come: nothing there, on offer,
-    // accepted. sched's pixel must be there first; who tests asks whether memory is asked (then 3 more); trav
-    // asks whether a step waits, and (2 more) whether no ray goes round, which is work as well.
+    // Codes of units.hpp, by how far the thing that the unit waits for has come: nothing is there, it is on
+    // offer, it is accepted. Before that, sched's pixel must be there. For box and tri it matters as well
+    // whether memory is asked for something (3 more). For trav it matters whether a step waits, and whether
+    // no ray goes round (2 more), which is work, too.
     static constexpr std::array<std::uint8_t, 4> sched_codes{2, 1, 3, 0}, trav_codes{0, 2, 1, 0};
     static constexpr std::array<std::uint8_t, 3> raygen_codes{1, 2, 0};
     static constexpr std::array<std::uint8_t, 6> test_codes{2, 3, 0, 1, 3, 0};
@@ -170,7 +171,6 @@ private:
     std::array<std::uint64_t, 1 << 5> shades_{};   // surf_cache, shade
 };
 
-// Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
 // Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
 template <bool shades>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
