@@ -58,7 +58,6 @@ private:
 
 /// A number that fits all contexts of a pipeline, and a queue of them.
 using RayNumber = std::uint16_t;
-constexpr std::size_t most_contexts = 1024, most_answers = 256;
 using RayRing = Ring<RayNumber>;
 
 /// What is on a link in a cycle. If nothing is `there`, `ray` is any number that a context has.
