@@ -11,7 +11,7 @@ set(input ${CMAKE_CURRENT_BINARY_DIR}/clang_reads_${name})
 file(WRITE ${input} "${list}\n")
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 execute_process(COMMAND xargs -d "\\n" -n 4 -P ${cores} ${CLANG} -std=c++20 -I ${SOURCE} -fsyntax-only
-  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion ${STRICT}
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wno-bitwise-instead-of-logical ${STRICT}
   INPUT_FILE ${input} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(REMOVE ${input})
 if(NOT result EQUAL 0)
