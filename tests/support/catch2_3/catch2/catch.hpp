@@ -11,5 +11,6 @@ namespace Catch {
 
 inline auto Contains(const std::string& text) { return Matchers::ContainsSubstring(text); }
 inline auto StartsWith(const std::string& text) { return Matchers::StartsWith(text); }
+inline auto EndsWith(const std::string& text) { return Matchers::EndsWith(text); }
 
 }   // namespace Catch
