@@ -19,7 +19,9 @@ module rc_divide #(
   output logic [QuoW-1:0]  quo_o,
   output logic             inexact_o
 );
-  if (Width < 1 || Stages < 1) $error("rc_divide: Width and Stages must be at least 1");
+  if (Width < 1 || Stages < 1) begin : gen_refuse
+    $error("rc_divide: Width and Stages must be at least 1");
+  end
   // Dividend bits leave the shift register at the top as quotient bits enter below.
   for (genvar i = 0; i < Stages; i++) begin : gen_stage
     logic             valid_q, valid_d;

@@ -15,7 +15,9 @@ module rc_sqrt #(
   output logic [RootW-1:0]   root_o,
   output logic               inexact_o
 );
-  if (Stages < 1) $error("rc_sqrt: Stages must be at least 1");
+  if (Stages < 1) begin : gen_refuse
+    $error("rc_sqrt: Stages must be at least 1");
+  end
   // The square leaves its register at the top, two bits for each bit of the root. What is
   // left of it so far, less the root's square, never exceeds twice the root.
   for (genvar i = 0; i < Stages; i++) begin : gen_stage

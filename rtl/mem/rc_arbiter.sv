@@ -19,8 +19,9 @@ module rc_arbiter #(
   output logic [IndexW-1:0]        source_o,
   output logic [Width-1:0]         data_o
 );
-  if (Sources < 2 || Width < 1)
+  if (Sources < 2 || Width < 1) begin : gen_refuse
     $error("rc_arbiter: there must be two Sources, and Width must be at least 1");
+  end
   logic              held_q;
   logic [IndexW-1:0] last_q, held_source_q, turn;
   always_comb begin

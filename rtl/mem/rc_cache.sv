@@ -49,10 +49,18 @@ module rc_cache #(
   output logic                             waits_o,        // lines are on their way
   output logic [2:0]                       deed_o
 );
-  if (Parts < 1 || Parts > 2) $error("rc_cache: Parts must be 1 or 2");
-  if (IdBits < 1 || PartW < 1) $error("rc_cache: IdBits and PartW must be at least 1");
-  if (Queue < 2) $error("rc_cache: Queue must be at least 2");
-  if (AddrBits <= WordB + $clog2(Sets)) $error("rc_cache: AddrBits must leave a tag");
+  if (Parts < 1 || Parts > 2) begin : gen_refuse
+    $error("rc_cache: Parts must be 1 or 2");
+  end
+  if (IdBits < 1 || PartW < 1) begin : gen_refuse_2
+    $error("rc_cache: IdBits and PartW must be at least 1");
+  end
+  if (Queue < 2) begin : gen_refuse_3
+    $error("rc_cache: Queue must be at least 2");
+  end
+  if (AddrBits <= WordB + $clog2(Sets)) begin : gen_refuse_4
+    $error("rc_cache: AddrBits must leave a tag");
+  end
   // Where the address ends in parts of zero bits, they are one bit that is always zero.
   localparam int unsigned SetB  = $clog2(Sets);
   localparam int unsigned WayB  = $clog2(Ways);

@@ -42,8 +42,9 @@ module rc_mshr #(
   output logic [WayW-1:0]   drain_way_o,
   input  logic              drain_i
 );
-  if (Words < 1 || Mshrs < 1 || (Words & (Words - 1)) != 0 || (Mshrs & (Mshrs - 1)) != 0)
+  if (Words < 1 || Mshrs < 1 || (Words & (Words - 1)) != 0 || (Mshrs & (Mshrs - 1)) != 0) begin : gen_refuse
     $error("rc_mshr: Words and Mshrs must be powers of two");
+  end
   logic [MshrW-1:0] drained;   // MSHR at the head of the filled ones
   logic             is_last;   // no other request waits for it
   logic [MshrW-1:0] joined;    // MSHR of way_i

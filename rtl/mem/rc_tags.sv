@@ -25,9 +25,12 @@ module rc_tags #(
   input  logic            touch_i,     // way_o is used
   input  logic            take_i       // way_o gets this line
 );
-  if (TagW < 1) $error("rc_tags: TagW must be at least 1");
-  if (Sets < 1 || Ways < 1 || (Sets & (Sets - 1)) != 0 || (Ways & (Ways - 1)) != 0)
+  if (TagW < 1) begin : gen_refuse
+    $error("rc_tags: TagW must be at least 1");
+  end
+  if (Sets < 1 || Ways < 1 || (Sets & (Sets - 1)) != 0 || (Ways & (Ways - 1)) != 0) begin : gen_refuse_2
     $error("rc_tags: Sets and Ways must be powers of two");
+  end
   localparam int unsigned Levels = $clog2(Ways);
 
   // The set that is cleared. It may start anywhere, but a simulator with unknown values must

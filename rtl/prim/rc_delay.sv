@@ -11,7 +11,9 @@ module rc_delay #(
   input  logic [Width-1:0]  data_i,
   output logic [Width-1:0]  data_o
 );
-  if (Width < 1 || Stages < 1) $error("rc_delay: Width and Stages must be at least 1");
+  if (Width < 1 || Stages < 1) begin : gen_refuse
+    $error("rc_delay: Width and Stages must be at least 1");
+  end
   for (genvar i = 0; i < Stages; i++) begin : gen_stage
     logic [Width-1:0] data_q, data_d;
     if (i == 0) begin : gen_first

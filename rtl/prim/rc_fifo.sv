@@ -18,9 +18,12 @@ module rc_fifo #(
   input  logic             ready_i,
   output logic [Width-1:0] data_o
 );
-  if (Width < 1) $error("rc_fifo: Width must be at least 1");
-  if (Depth < 2 || (Depth & (Depth - 1)) != 0)
+  if (Width < 1) begin : gen_refuse
+    $error("rc_fifo: Width must be at least 1");
+  end
+  if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_refuse_2
     $error("rc_fifo: Depth must be a power of two, at least 2");
+  end
   logic [Width-1:0] mem [Depth];
   logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
 

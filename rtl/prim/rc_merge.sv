@@ -19,7 +19,9 @@ module rc_merge #(
   input  logic             ready_i,
   output logic [Width-1:0] data_o
 );
-  if (Width < 1) $error("rc_merge: Width must be at least 1");
+  if (Width < 1) begin : gen_refuse
+    $error("rc_merge: Width must be at least 1");
+  end
   logic held_q, held_second_q, second;
   assign second         = held_q ? held_second_q : !first_valid_i;
   assign valid_o        = first_valid_i || second_valid_i;

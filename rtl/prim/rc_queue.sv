@@ -16,7 +16,9 @@ module rc_queue #(
   input  logic             pop_i,
   output logic [Width-1:0] data_o
 );
-  if (Width < 1 || Depth < 1) $error("rc_queue: Width and Depth must be at least 1");
+  if (Width < 1 || Depth < 1) begin : gen_refuse
+    $error("rc_queue: Width and Depth must be at least 1");
+  end
   logic ready;
   rc_fifo #(.Width(Width), .Depth(Places)) u_fifo (
     .clk_i, .rst_ni, .valid_i(push_i), .ready_o(ready), .data_i,

@@ -13,7 +13,9 @@ module rc_ram #(
   input  logic [IndexW-1:0] read_addr_i,
   output logic [Width-1:0]  read_data_o
 );
-  if (Width < 1 || Depth < 1) $error("rc_ram: Width and Depth must be at least 1");
+  if (Width < 1 || Depth < 1) begin : gen_refuse
+    $error("rc_ram: Width and Depth must be at least 1");
+  end
   logic [Width-1:0] mem [Depth < 2 ? 2 : Depth];
 
   assign read_data_o = mem[read_addr_i];

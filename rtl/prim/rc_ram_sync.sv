@@ -15,7 +15,9 @@ module rc_ram_sync #(
   input  logic [IndexW-1:0] read_addr_i,
   output logic [Width-1:0]  read_data_o
 );
-  if (Width < 1 || Depth < 1) $error("rc_ram_sync: Width and Depth must be at least 1");
+  if (Width < 1 || Depth < 1) begin : gen_refuse
+    $error("rc_ram_sync: Width and Depth must be at least 1");
+  end
   logic [Width-1:0] mem [Depth < 2 ? 2 : Depth];
   logic [Width-1:0] read_q;
 

@@ -13,7 +13,9 @@ module rc_wait #(
   input  logic [Width-1:0] data_i,
   output logic [Width-1:0] data_o
 );
-  if (Width < 1 || Stages < 1) $error("rc_wait: Width and Stages must be at least 1");
+  if (Width < 1 || Stages < 1) begin : gen_refuse
+    $error("rc_wait: Width and Stages must be at least 1");
+  end
   logic [IndexW-1:0] at_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || at_q == IndexW'(Stages - 1)) at_q <= '0;

@@ -162,8 +162,7 @@ constexpr const char* icarus_sed =
     "s/rc_pkg::\\([a-z0-9_]*_t\\)\\b/\\1/g\n"
     "s/\\balways_comb\\b/always @*/\n"
     "/^endpackage/a import rc_pkg::*;\n"
-    "/^  if (.*) \\$error(\"rc_/d\n"
-    "/^  if (.*)$/{N;/\\$error(\"rc_/d}\n";
+    "/^  if (.*) begin : gen_refuse/,/^  end$/d\n";
 
 std::string readme(const Job& job, const std::string& title, const std::string& command,
                    std::uint64_t cycles) {

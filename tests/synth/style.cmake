@@ -1,6 +1,6 @@
 # cmake -DRTL=folder -P style.cmake
-# Every Verilog file begins with a comment, sets default_nettype none, and has no tab, no trailing blank and no line above
-# 100 columns. The generated package declares no nets and is as wide as it comes.
+# Every Verilog file begins with a comment, sets default_nettype none, and has no tab, no trailing blank, no line above
+# 100 columns and no generate block without a name. The generated package declares no nets and is as wide as it comes.
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(LENGTH sources count)
 if(count LESS 10)
@@ -24,6 +24,7 @@ foreach(source IN LISTS sources)
   file(READ ${source} text)
   refuse(${source} "\t" "a tab")
   refuse(${source} " \n" "a blank at the end of the line")
+  refuse(${source} "\n  if \\([^\n]*\\)[ \n]+\\$error" "a generate block without a name, which Verilator 5.032 refuses")
   if(NOT text MATCHES "^//")
     string(APPEND bad "${source}:1: does not begin with a comment\n")
   endif()
