@@ -42,7 +42,10 @@ module rc_mshr #(
   output logic [WayW-1:0]   drain_way_o,
   input  logic              drain_i
 );
-  if (Words < 1 || Mshrs < 1 || (Words & (Words - 1)) != 0 || (Mshrs & (Mshrs - 1)) != 0) begin : gen_refuse
+  if (Words < 1 || (Words & (Words - 1)) != 0) begin : gen_refuse
+    $error("rc_mshr: Words and Mshrs must be powers of two");
+  end
+  if (Mshrs < 1 || (Mshrs & (Mshrs - 1)) != 0) begin : gen_refuse_mshrs
     $error("rc_mshr: Words and Mshrs must be powers of two");
   end
   logic [MshrW-1:0] drained;   // MSHR at the head of the filled ones

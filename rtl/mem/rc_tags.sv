@@ -28,7 +28,10 @@ module rc_tags #(
   if (TagW < 1) begin : gen_refuse
     $error("rc_tags: TagW must be at least 1");
   end
-  if (Sets < 1 || Ways < 1 || (Sets & (Sets - 1)) != 0 || (Ways & (Ways - 1)) != 0) begin : gen_refuse_2
+  if (Sets < 1 || (Sets & (Sets - 1)) != 0) begin : gen_refuse_2
+    $error("rc_tags: Sets and Ways must be powers of two");
+  end
+  if (Ways < 1 || (Ways & (Ways - 1)) != 0) begin : gen_refuse_3
     $error("rc_tags: Sets and Ways must be powers of two");
   end
   localparam int unsigned Levels = $clog2(Ways);
