@@ -25,18 +25,8 @@ int Config::group_bits() const { return index_bits(node_width + 1); }
 int Config::slot_bits() const { return index_bits(node_width); }
 int Config::stack_bits() const { return index_bits(stack_depth + 1); }
 
-// Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/bvh/rc_box.sv, rtl/isect/rc_tri.sv.
-int Config::raygen_latency() const {
-    return 4 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0);
-}
-int Config::box_latency() const { return 6; }
-int Config::tri_latency() const {
-    const int triangle = (is_sheared() ? 8 : 6) + (std::max(t_bits(), uv_bits() - 1) + 1) / 2;
-    return spheres ? std::max(triangle, 8 + root_bits / 2 + (t_bits() + 1) / 2) : triangle;
-}
 // A direction has 2^(M-2), the lattice reaches 2^(N-1+B): an eighth of it, unless directions are too long.
 int Config::approach_shift() const { return std::max(0, origin_width() - dir_bits - 2); }
-int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 
 namespace {
 int miss_bits(int mshrs, int line) {
@@ -64,6 +54,11 @@ int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_i
 
 const std::vector<std::string>& dram_names() {
     static const std::vector<std::string> names{"ideal", "sdr", "ddr3", "rpu"};
+    return names;
+}
+
+const std::vector<std::string>& timing_names() {
+    static const std::vector<std::string> names{"relaxed", "fast"};
     return names;
 }
 
@@ -116,6 +111,8 @@ const std::vector<Parameter>& parameters() {
         {"l2_line", &Config::l2_line, 64, 256, true, "bytes a line"},
         {"l2_mshrs", &Config::l2_mshrs, 1, 64, true, "lines on their way"},
         {"cache_queue", &Config::cache_queue, 2, 256, true, "answers a cache may hold"},
+        {"timing", &Config::timing, 0, int(timing_names().size()) - 1, false,
+         "how short paths are cut: relaxed (few stages) or fast (many)", &timing_names()},
         {"shading", &Config::shading, 0, 1, false,
          "1: the chip makes finished colours, with shadow rays and bounces"},
         {"spheres", &Config::spheres, 0, 1, false, "1: tri can test spheres"},

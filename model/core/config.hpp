@@ -4,6 +4,9 @@
 
 namespace rayclock {
 
+/// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
+enum class Timing { relaxed, fast };
+
 /// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
@@ -80,6 +83,7 @@ struct Config {
     int l2_line = 64;
     int l2_mshrs = 16;
     int cache_queue = 4;   ///< answers a cache may hold, a power of two
+    int timing = 0;        ///< how short its paths are cut, see timing_names()
 
     // Shape: units that are there only if a scene needs them; all but the first need `shading`.
     int shading = 0;         ///< 1: the chip makes finished colours, with shadow rays and bounces
@@ -174,6 +178,9 @@ const std::vector<Parameter>& parameters();
 
 /// Memories that can lie beside the chip, by the value of Config::dram.
 const std::vector<std::string>& dram_names();
+
+/// How short paths are cut, by the value of Config::timing.
+const std::vector<std::string>& timing_names();
 
 /// Ray-triangle tests, by the value of Config::primitive_test.
 const std::vector<std::string>& primitive_test_names();

@@ -30,113 +30,112 @@ module rc_box (
   localparam int unsigned G  = rc_pkg::GroupBits;
   localparam int unsigned EntryW  = T + O + C;
   localparam int unsigned L  = rc_pkg::BoxLatency;
+  // Stages: a node comes in, its children's intervals are there, those that are hit are put in order.
+  localparam int unsigned In   = rc_pkg::Cut;
+  localparam int unsigned Meet = In + rc_pkg::SlabStages;
+  localparam int unsigned Rank = Meet + rc_pkg::MeetStages;
 
   logic admit;
   assign admit = req_valid_i && req_ready_o;
   rc_door #(.Credits(rc_pkg::BoxQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(req_ready_o));
 
+  // valid[i]: stage i holds a node.
   logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+  assign valid = {valid_q, admit};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else         valid_q <= {valid_q[L-2:0], admit};
+    else         valid_q <= valid[L-1:0];
   end
 
-  // s1..s4: ray, base, kinds and planes wait.
-  logic [I+A-1:0]   s1_whose_q, s2_whose_q, s3_whose_q, s4_whose_q;   // {ray, base}
-  logic [W*C-1:0]   s1_kind_q, s2_kind_q, s3_kind_q, s4_kind_q;
-  logic [3*W*B-1:0] s1_lo_q, s1_hi_q, s2_lo_q, s2_hi_q;
-  always_ff @(posedge clk_i) begin
-    if (admit) begin
-      s1_whose_q <= {req_i.ray, req_i.base};
-      s1_kind_q  <= req_i.kind;
-      s1_lo_q    <= req_i.lo;
-      s1_hi_q    <= req_i.hi;
-    end
-    if (valid_q[0]) begin
-      s2_whose_q <= s1_whose_q;
-      s2_kind_q  <= s1_kind_q;
-      s2_lo_q    <= s1_lo_q;
-      s2_hi_q    <= s1_hi_q;
-    end
-    if (valid_q[1]) {s3_whose_q, s3_kind_q} <= {s2_whose_q, s2_kind_q};
-    if (valid_q[2]) {s4_whose_q, s4_kind_q} <= {s3_whose_q, s3_kind_q};
-  end
+  rc_pkg::box_req_t           in;
+  logic [rc_pkg::BoxReqW-1:0] in_flat;
+  rc_cut #(.Width(rc_pkg::BoxReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+  assign in = in_flat;
 
-  logic [3*OW-1:0] s0_o;
-  logic [3*N-1:0]  s0_org;
-  logic [2:0]      s0_neg;
-  logic [3*R1-1:0] s0_recip;
-  logic [3*E-1:0]  s0_len, s0_exp;
-  assign s0_o     = req_i.o;
-  assign s0_org   = req_i.org;
-  assign s0_neg   = req_i.neg;
-  assign s0_recip = req_i.recip;
-  assign s0_len   = req_i.len;
-  assign s0_exp   = req_i.exp;
-
-  // s4 of each axis and child: interval on that axis.
-  logic [3*W*T-1:0] s3_near, s3_far;
-  logic [3*W-1:0]   s3_miss;
-  for (genvar k = 0; k < 3; k++) begin : gen_axis
-    rc_slab u_slab (
-      .clk_i,
-      .s0_valid_i(admit), .s1_valid_i(valid_q[0]), .s2_valid_i(valid_q[1]), .s3_valid_i(valid_q[2]),
-      .s0_o_i($signed(s0_o[k*OW +: OW])), .s0_org_i($signed(s0_org[k*N +: N])),
-      .s0_neg_i(s0_neg[k]),
-      .s0_recip_i(s0_recip[k*R1 +: R1]), .s0_len_i(s0_len[k*E +: E]), .s0_exp_i(s0_exp[k*E +: E]),
-      .s2_lo_i(s2_axis_lo[k*W*B +: W*B]), .s2_hi_i(s2_axis_hi[k*W*B +: W*B]),
-      .s3_near_o(s3_near[k*W*T +: W*T]), .s3_far_o(s3_far[k*W*T +: W*T]),
-      .s3_miss_o(s3_miss[k*W +: W]));
-  end
+  logic [3*OW-1:0]  in_o;
+  logic [3*N-1:0]   in_org;
+  logic [2:0]       in_neg;
+  logic [3*R1-1:0]  in_recip;
+  logic [3*E-1:0]   in_len, in_exp;
+  logic [3*W*B-1:0] in_lo, in_hi, axis_lo, axis_hi;
+  assign in_o     = in.o;
+  assign in_org   = in.org;
+  assign in_neg   = in.neg;
+  assign in_recip = in.recip;
+  assign in_len   = in.len;
+  assign in_exp   = in.exp;
+  assign in_lo    = in.lo;
+  assign in_hi    = in.hi;
 
   // Memory holds planes child by child; a slab wants those of its axis.
-  logic [3*W*B-1:0] s2_axis_lo, s2_axis_hi;
   for (genvar i = 0; i < W; i++) begin : gen_child_planes
     for (genvar k = 0; k < 3; k++) begin : gen_plane
-      assign s2_axis_lo[(k*W+i)*B +: B] = s2_lo_q[(3*i+k)*B +: B];
-      assign s2_axis_hi[(k*W+i)*B +: B] = s2_hi_q[(3*i+k)*B +: B];
+      assign axis_lo[(k*W+i)*B +: B] = in_lo[(3*i+k)*B +: B];
+      assign axis_hi[(k*W+i)*B +: B] = in_hi[(3*i+k)*B +: B];
     end
   end
 
-  // s4: the intervals' intersection.
-  logic [W-1:0]   s4_hit_q;
-  logic [W*T-1:0] s4_near_q;
+  // Of each axis and child: interval on that axis.
+  logic [3*W*T-1:0] near, far;
+  logic [3*W-1:0]   miss;
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    rc_slab u_slab (
+      .clk_i, .valid_i(valid[Meet:In]),
+      .s0_o_i($signed(in_o[k*OW +: OW])), .s0_org_i($signed(in_org[k*N +: N])),
+      .s0_neg_i(in_neg[k]),
+      .s0_recip_i(in_recip[k*R1 +: R1]), .s0_len_i(in_len[k*E +: E]), .s0_exp_i(in_exp[k*E +: E]),
+      .s0_lo_i(axis_lo[k*W*B +: W*B]), .s0_hi_i(axis_hi[k*W*B +: W*B]),
+      .near_o(near[k*W*T +: W*T]), .far_o(far[k*W*T +: W*T]), .miss_o(miss[k*W +: W]));
+  end
+
+  // Ray and base wait until the end, kinds until the intervals meet and are put in order.
+  logic [I+A-1:0] end_whose;   // {ray, base}
+  logic [W*C-1:0] meet_kind, rank_kind;
+  rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
+    .clk_i, .valid_i(valid[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
+  rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
+    .clk_i, .valid_i(valid[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
+  rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
+    .clk_i, .valid_i(valid[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
+
+  // The intervals' intersection: the farthest of the near ends, the nearest of the far ones.
+  logic [W-1:0]   hit_q;
+  logic [W*T-1:0] near_q;
   for (genvar i = 0; i < W; i++) begin : gen_child
-    logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy;
-    assign {nx, ny, nz} = {s3_near[i*T +: T], s3_near[(W+i)*T +: T], s3_near[(2*W+i)*T +: T]};
-    assign {fx, fy, fz} = {s3_far[i*T +: T], s3_far[(W+i)*T +: T], s3_far[(2*W+i)*T +: T]};
-    assign nxy = nx > ny ? nx : ny;
-    assign fxy = fx < fy ? fx : fy;
-    logic [T-1:0] near, far;
-    assign near = nxy > nz ? nxy : nz;
-    assign far  = fxy < fz ? fxy : fz;
+    logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, nxy_q, fxy_q;
+    logic [T-1:0] nz_q, fz_q, first, last, enter, leave;
+    logic         there, there_q, may_hit;
+    assign {nx, ny, nz} = {near[i*T +: T], near[(W+i)*T +: T], near[(2*W+i)*T +: T]};
+    assign {fx, fy, fz} = {far[i*T +: T], far[(W+i)*T +: T], far[(2*W+i)*T +: T]};
+    assign nxy   = nx > ny ? nx : ny;
+    assign fxy   = fx < fy ? fx : fy;
+    assign there = !miss[i] && !miss[W+i] && !miss[2*W+i];
+    rc_cut #(.Width(4 * T + 1)) u_two (
+      .clk_i, .data_i({nxy, nz, fxy, fz, there}), .data_o({nxy_q, nz_q, fxy_q, fz_q, there_q}));
+    assign first = nxy_q > nz_q ? nxy_q : nz_q;
+    assign last  = fxy_q < fz_q ? fxy_q : fz_q;
+    rc_cut #(.Width(2 * T + 1)) u_three (
+      .clk_i, .data_i({first, last, there_q}), .data_o({enter, leave, may_hit}));
     always_ff @(posedge clk_i) begin
-      if (valid_q[2]) begin
-        s4_hit_q[i] <= near <= far && !s3_miss[i] && !s3_miss[W+i] && !s3_miss[2*W+i]
-                    && s3_kind_q[i*C +: C] != '0;
-        s4_near_q[i*T +: T] <= near;
+      if (valid[Rank-1]) begin
+        hit_q[i] <= enter <= leave && may_hit && meet_kind[i*C +: C] != '0;
+        near_q[i*T +: T] <= enter;
       end
     end
   end
 
-  // s5, s6: order.
+  logic [G-1:0]        end_inner, end_leaves;
+  logic [W*EntryW-1:0] end_entries;
   rc_rank u_rank (
-    .clk_i, .s4_valid_i(valid_q[3]), .s5_valid_i(valid_q[4]),
-    .s4_hit_i(s4_hit_q), .s4_near_i(s4_near_q), .s4_kind_i(s4_kind_q),
-    .s6_inner_o(s6_inner), .s6_leaves_o(s6_leaves), .s6_entries_o(s6_entries));
-
-  logic [I+A-1:0]      s5_whose_q, s6_whose_q;
-  logic [G-1:0]        s6_inner, s6_leaves;
-  logic [W*EntryW-1:0] s6_entries;
-  always_ff @(posedge clk_i) begin
-    if (valid_q[3]) s5_whose_q <= s4_whose_q;
-    if (valid_q[4]) s6_whose_q <= s5_whose_q;
-  end
+    .clk_i, .valid_i(valid[L-1:Rank]),
+    .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
+    .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
   logic                       queue_ready;
   logic [rc_pkg::BoxRspW-1:0] queue_data, rsp_data;
-  assign queue_data = {s6_whose_q, s6_inner, s6_leaves, s6_entries};
+  assign queue_data = {end_whose, end_inner, end_leaves, end_entries};
   rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));

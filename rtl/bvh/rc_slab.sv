@@ -1,6 +1,7 @@
 // One axis of the slab test for all children of a node: where the ray enters and
-// leaves each slab, rounded down and up. Part of rc_box, which has the valid bits:
-// operands in s0, planes in s2, interval from the registers of s3 (zero if s3 holds nothing).
+// leaves each slab, rounded down and up. Part of rc_box, which has the valid bits: operands
+// and planes come with valid_i[0], the interval rc_pkg::SlabStages later (zero in a relaxed
+// chip if nothing is there).
 // If the origin has fraction bits, near planes are measured from the lattice point before
 // or beyond it that lies further along the ray, far planes from the other one: at most a
 // lattice step more (docs/origins.md, Boxes). Model: model/bvh/slab.hpp and slab.inl.
@@ -12,29 +13,36 @@ module rc_slab #(
   localparam int unsigned B  = rc_pkg::BoxBits,
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
   localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned T  = rc_pkg::TBits
+  localparam int unsigned T  = rc_pkg::TBits,
+  localparam int unsigned L  = rc_pkg::SlabStages
 ) (
-  input  logic                clk_i,
-  input  logic                s0_valid_i,
-  input  logic                s1_valid_i,
-  input  logic                s2_valid_i,
-  input  logic                s3_valid_i,
+  input  logic                 clk_i,
+  input  logic [L:0]           valid_i,   // valid_i[i]: stage i holds a node
   input  logic signed [OW-1:0] s0_o_i,
-  input  logic signed [N-1:0] s0_org_i,
-  input  logic                s0_neg_i,
-  input  logic [R1-1:0]       s0_recip_i,
-  input  logic [E-1:0]        s0_len_i,
-  input  logic [E-1:0]        s0_exp_i,
-  input  logic [W*B-1:0]      s2_lo_i,
-  input  logic [W*B-1:0]      s2_hi_i,
-  output logic [W*T-1:0]      s3_near_o,
-  output logic [W*T-1:0]      s3_far_o,
-  output logic [W-1:0]        s3_miss_o
+  input  logic signed [N-1:0]  s0_org_i,
+  input  logic                 s0_neg_i,
+  input  logic [R1-1:0]        s0_recip_i,
+  input  logic [E-1:0]         s0_len_i,
+  input  logic [E-1:0]         s0_exp_i,
+  input  logic [W*B-1:0]       s0_lo_i,
+  input  logic [W*B-1:0]       s0_hi_i,
+  output logic [W*T-1:0]       near_o,
+  output logic [W*T-1:0]       far_o,
+  output logic [W-1:0]         miss_o
 );
-  localparam int unsigned D  = N + 1;       // plane distance, signed
-  localparam int unsigned P  = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
-  localparam int unsigned V  = P + 1;       // plus plane * r, signed
-  localparam int unsigned S  = 8;           // shift, signed: -24..62
+  localparam int unsigned D   = N + 1;       // plane distance, signed
+  localparam int unsigned P   = D + R1 + 1;  // its product with r or r + 1 <= 2^R + 1, signed
+  localparam int unsigned V   = P + 1;       // plus plane * r, signed
+  localparam int unsigned S   = 8;           // shift, signed: -24..62
+  localparam int unsigned A   = 6;           // shift to the right of 2^T times as much
+  localparam int unsigned Cut = rc_pkg::Cut;
+  localparam int unsigned M   = rc_pkg::MulStages;
+  // Stages in which the node's corner has its place, the children's planes are multiplied, their
+  // products are there, and the planes have their places.
+  localparam int unsigned Placed = 2 + M + Cut;
+  localparam int unsigned Planes = rc_pkg::SlabPlanes;
+  localparam int unsigned Ready  = Planes + M;
+  localparam int unsigned Sum    = Ready + 1;
   // shift = x + e = F + M - len - R + e, M as wide as a ray's direction; the constant part:
   localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::RayDirBits)
       - S'(rc_pkg::RecipBits);
@@ -52,13 +60,12 @@ module rc_slab #(
   // s1: distance from the ray's origin to the node's, along the ray; the shorter one, that
   // of near planes. That of far planes is one more if the origin lies between lattice points.
   logic signed [D-1:0] s1_distance_q;
-  logic                s1_between_q;
-  logic [R1-1:0]       s1_r_q, s2_r_q;
-  logic                s1_neg_q, s1_zero_q, s2_neg_q, s2_zero_q;
+  logic                s1_between_q, s1_neg_q, s1_zero_q;
+  logic [R1-1:0]       s1_r_q;
   logic [E-1:0]        s1_exp_q;
-  logic signed [S-1:0] s1_shift_q, s2_shift_q;
+  logic signed [S-1:0] s1_shift_q;
   always_ff @(posedge clk_i) begin
-    if (s0_valid_i) begin
+    if (valid_i[0]) begin
       s1_distance_q <= s0_neg_i
           ? D'(s0_point) - D'(s0_org_i)
           : D'(s0_org_i) - D'(s0_point) - $signed({{(D-1){1'b0}}, s0_between});
@@ -72,88 +79,142 @@ module rc_slab #(
     end
   end
 
-  // s2: D r / 2^e down, D (r + 1) / 2^e up.
-  logic signed [P-1:0] s1_near, s1_far, s2_near_q, s2_far_q;
-  logic [R1-1:0]       s1_r_up, s2_r_up;
+  // D r; D (r + 1), or (D + 1) (r + 1), is the same and `more`. Up by 2^e is down after adding
+  // 2^e - 1, which is in `more` as well.
+  logic signed [D+R1:0] product;
+  logic signed [P-1:0]  s1_more, some, more, sum_near, sum_far, node_near, node_far;
+  logic [R1-1:0]        s1_r_up;
+  logic [E-1:0]         some_exp, node_exp;
+  logic [P-1:0]         some_unit;
+  rc_mul #(.AW(D), .BW(R1 + 1)) u_product (
+    .clk_i, .a_i(s1_distance_q), .b_i($signed({1'b0, s1_r_q})), .p_o(product));
   assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};
-  assign s2_r_up = s2_r_q + {{(R1-1){1'b0}}, !s2_zero_q};
-  assign s1_near = P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_q});
-  if (rc_pkg::OriginBits == 0) begin : gen_far
-    assign s1_far = -(P'(s1_distance_q) * $signed({{(P-R1){1'b0}}, s1_r_up}));
-  end else begin : gen_far_between   // the near product, and what it lacks
-    assign s1_far = -(s1_near + (s1_zero_q ? '0 : P'(s1_distance_q))
-                      + (s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0));
-  end
+  assign s1_more = (s1_zero_q ? '0 : P'(s1_distance_q))
+                 + (s1_between_q ? $signed({{(P-R1){1'b0}}, s1_r_up}) : '0);
+  rc_cut #(.Width(P + E)) u_some (
+    .clk_i, .data_i({s1_more, s1_exp_q}), .data_o({some, some_exp}));
+  assign some_unit = ~({P{1'b1}} << some_exp);
+  rc_cut #(.Width(P), .Stages(M - Cut)) u_more (
+    .clk_i, .data_i(some + $signed(some_unit)), .data_o(more));
+  assign sum_near = P'(product);
+  assign sum_far  = sum_near + more;
+  rc_cut #(.Width(2 * P)) u_node (
+    .clk_i, .data_i({sum_near, sum_far}), .data_o({node_near, node_far}));
+  rc_cut #(.Width(E), .Stages(M)) u_exp (.clk_i, .data_i(some_exp), .data_o(node_exp));
+
+  // Down: the node's corner, in units of 2^-shift.
+  logic signed [P-1:0] placed_near_q, placed_far_q;
   always_ff @(posedge clk_i) begin
-    if (s1_valid_i) begin
-      s2_near_q  <= s1_near >>> s1_exp_q;
-      s2_far_q   <= -(s1_far >>> s1_exp_q);
-      s2_r_q     <= s1_r_q;
-      s2_neg_q   <= s1_neg_q;
-      s2_zero_q  <= s1_zero_q;
-      s2_shift_q <= s1_shift_q;
+    if (valid_i[Placed-1]) begin
+      placed_near_q <= node_near >>> node_exp;
+      placed_far_q  <= node_far >>> node_exp;
     end
   end
 
-  // s3: the children's planes, still in units of 2^-shift.
-  logic                s3_zero_q;
-  logic [4:0]          s3_left_q, s3_right_q;   // one of them is zero
-  logic [R1-1:0]       s3_up_q;                 // 2^right - 1: what rounding up adds
-  logic signed [S-1:0] s2_right;                // a shift by T, and all beyond it, saturates
-  assign s2_right = s2_shift_q[S-1] ? -s2_shift_q : '0;
+  // Meanwhile the shift becomes one to the right, of 2^T times as much; a shift to the left by T,
+  // and all beyond it, saturates. Rounding up adds 2^right - 1 if it goes to the right by itself.
+  logic signed [S-1:0] s1_move;
+  logic [A-1:0]        placed_move, placed_right, ready_move;
+  logic                placed_zero, ready_zero, ready_neg;
+  logic [R1-1:0]       placed_up;
+  logic signed [V-1:0] far_up, ready_near, ready_far, ready_up;
+  assign s1_move = s1_shift_q > $signed(S'(T)) ? '0 : $signed(S'(T)) - s1_shift_q;
+  rc_delay #(.Width(A + 1), .Stages(Placed - 1)) u_move (
+    .clk_i, .valid_i(valid_i[Placed-1:1]), .data_i({s1_move[A-1:0], s1_zero_q}),
+    .data_o({placed_move, placed_zero}));
+  assign placed_right = placed_move > A'(T) ? placed_move - A'(T) : '0;
+  assign placed_up    = ~({R1{1'b1}} << placed_right);
+  assign far_up       = V'(placed_far_q) + $signed({{(V-R1){1'b0}}, placed_up});
+  rc_cut #(.Width(3 * V + A + 1)) u_ready (
+    .clk_i, .data_i({V'(placed_near_q), V'(placed_far_q), far_up, placed_move, placed_zero}),
+    .data_o({ready_near, ready_far, ready_up, ready_move, ready_zero}));
+  rc_delay #(.Width(1), .Stages(Ready - 1)) u_neg (
+    .clk_i, .valid_i(valid_i[Ready-1:1]), .data_i(s1_neg_q), .data_o(ready_neg));
+
+  // The planes, in the order in which the ray meets them, and the way of a step of theirs.
+  logic [W*B-1:0] plane_lo, plane_hi;
+  logic [R1-1:0]  plane_r, plane_r_up;
+  logic           plane_neg, plane_zero;
+  rc_delay #(.Width(2 * W * B), .Stages(Planes)) u_planes (
+    .clk_i, .valid_i(valid_i[Planes-1:0]), .data_i({s0_lo_i, s0_hi_i}),
+    .data_o({plane_lo, plane_hi}));
+  rc_delay #(.Width(R1 + 2), .Stages(Planes - 1)) u_way (
+    .clk_i, .valid_i(valid_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
+    .data_o({plane_r, plane_neg, plane_zero}));
+  assign plane_r_up = plane_r + {{(R1-1){1'b0}}, !plane_zero};
+
+  // What is moved off at the top saturates.
+  logic [V-1:0] over_q;
+  logic [A-1:0] move_q, fine_move;
+  logic         zero_q;
   always_ff @(posedge clk_i) begin
-    if (s2_valid_i) begin
-      s3_zero_q  <= s2_zero_q;
-      s3_left_q  <= s2_shift_q[S-1] ? 5'd0 : s2_shift_q > S'(T) ? 5'(T) : s2_shift_q[4:0];
-      s3_right_q <= s2_right[4:0];
-      s3_up_q    <= ~({R1{1'b1}} << s2_right[4:0]);
+    if (valid_i[Sum-1]) begin
+      over_q <= {V{1'b1}} << ready_move;
+      move_q <= ready_move;
+      zero_q <= ready_zero;
     end
   end
-
-  function automatic logic signed [V-1:0] way(input logic [B-1:0] plane, input logic [R1-1:0] r);
-    way = $signed({{(V-B){1'b0}}, plane} * {{(V-R1){1'b0}}, r});
-  endfunction
-
-  // Distance of a non-negative v, moved to its place and saturated at all ones.
-  function automatic logic [T-1:0] scale(input logic [V-1:0] v, input logic [4:0] left,
-      input logic [4:0] right);
-    logic [V-1:0]   down;
-    logic [2*T-1:0] moved;
-    down  = v >> right;
-    moved = {{T{1'b0}}, down[T-1:0]} << left;
-    scale = |down[V-1:T] || |moved[2*T-1:T] ? '1 : moved[T-1:0];
-  endfunction
+  rc_cut #(.Width(A)) u_fine_move (.clk_i, .data_i(move_q), .data_o(fine_move));
 
   for (genvar i = 0; i < W; i++) begin : gen_child
-    logic signed [V-1:0] s3_near_q, s3_far_q;
+    logic [B-1:0]       first, last;
+    logic signed [B+R1+1:0] near_way, far_way;
+    assign first = plane_neg ? plane_hi[i*B +: B] : plane_lo[i*B +: B];
+    assign last  = plane_neg ? plane_lo[i*B +: B] : plane_hi[i*B +: B];
+    rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_near (
+      .clk_i, .a_i($signed({1'b0, first})), .b_i($signed({1'b0, plane_r})), .p_o(near_way));
+    rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_far (
+      .clk_i, .a_i($signed({1'b0, last})), .b_i($signed({1'b0, plane_r_up})), .p_o(far_way));
+
+    logic signed [V-1:0] near_q, up_q, far;
+    logic                behind_q;
+    assign far = ready_neg ? ready_far - V'(far_way) : ready_far + V'(far_way);
     always_ff @(posedge clk_i) begin
-      if (s2_valid_i) begin
-        s3_near_q <= s2_neg_q ? V'(s2_near_q) - way(s2_hi_i[i*B +: B], s2_r_q)
-                              : V'(s2_near_q) + way(s2_lo_i[i*B +: B], s2_r_q);
-        s3_far_q  <= s2_neg_q ? V'(s2_far_q) - way(s2_lo_i[i*B +: B], s2_r_up)
-                              : V'(s2_far_q) + way(s2_hi_i[i*B +: B], s2_r_up);
+      if (valid_i[Sum-1]) begin
+        near_q   <= ready_neg ? ready_near - V'(near_way) : ready_near + V'(near_way);
+        up_q     <= ready_neg ? ready_up - V'(far_way) : ready_up + V'(far_way);
+        behind_q <= far[V-1];
       end
     end
-    logic [T-1:0] near, far;
-    logic         miss;
+
+    // 2^T times as much, moved to the right by a multiple of eight, then by what is left of that.
+    logic [V+T-1:0] near_moved, far_moved;
+    logic [T+6:0]   near_coarse, far_coarse, near_rest, far_rest, near_fine, far_fine;
+    logic         near_over, far_over, near_zero, miss, near_many, far_many, near_none, miss_late;
     always_comb begin
-      near = '0;
-      far  = '0;
-      miss = 1'b0;
-      if (s3_valid_i) begin
-        if (!s3_zero_q && !s3_near_q[V-1])
-          near = scale($unsigned(s3_near_q), s3_left_q, s3_right_q);
-        far  = s3_zero_q ? '1
-             : scale($unsigned(s3_far_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q, s3_right_q);
-        miss = s3_far_q[V-1] || (s3_zero_q && !s3_near_q[V-1] && s3_near_q != '0);
+      near_moved  = '0;
+      far_moved   = '0;
+      near_over   = 1'b0;
+      far_over    = 1'b0;
+      near_zero   = 1'b1;
+      miss        = 1'b0;
+      if (valid_i[Sum]) begin
+        near_moved  = {$unsigned(near_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0};
+        far_moved   = {$unsigned(up_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0};
+        near_over   = |($unsigned(near_q) & over_q);
+        far_over    = zero_q || |($unsigned(up_q) & over_q);
+        near_zero   = zero_q || near_q[V-1];
+        miss        = behind_q || (zero_q && !near_q[V-1] && near_q != '0);
       end
     end
-    assign s3_near_o[i*T +: T] = near;
-    assign s3_far_o[i*T +: T]  = far;
-    assign s3_miss_o[i]        = miss;
+    assign near_coarse = near_moved[T+6:0];
+    assign far_coarse  = far_moved[T+6:0];
+    rc_cut #(.Width(2 * (T + 7) + 4)) u_coarse (
+      .clk_i, .data_i({near_coarse, far_coarse, near_over, far_over, near_zero, miss}),
+      .data_o({near_rest, far_rest, near_many, far_many, near_none, miss_late}));
+    assign near_fine = near_rest >> fine_move[2:0];
+    assign far_fine  = far_rest >> fine_move[2:0];
+    logic [T-1:0] near_t, far_t;
+    assign near_t = near_none ? '0 : near_fine[T-1:0] | {T{near_many}};
+    assign far_t  = far_fine[T-1:0] | {T{far_many}};
+    rc_cut #(.Width(2 * T + 1)) u_out (
+      .clk_i, .data_i({near_t, far_t, miss_late}),
+      .data_o({near_o[i*T +: T], far_o[i*T +: T], miss_o[i]}));
+    logic unused;
+    assign unused = ^{near_moved[V+T-1:T+7], far_moved[V+T-1:T+7], near_fine[T+6:T], far_fine[T+6:T]};
   end
 
   logic unused;
-  assign unused = ^{s1_between_q, s2_right[S-1:5]};
+  assign unused = ^{valid_i, s1_between_q, s1_move[S-1:A], fine_move[A-1:3]};
 endmodule
 `default_nettype wire

@@ -7,6 +7,7 @@
 
 #include "model/bvh/children.hpp"
 #include "model/core/links.hpp"
+#include "model/core/stages.hpp"
 #include "model/mem/cache.hpp"
 #include "model/shade/state.hpp"
 #include "model/shade/tables.hpp"
@@ -210,6 +211,13 @@ void derived(Package& p, const Config& c) {
     p.constant("ClientBits", c.client_bits());
     p.constant("ClientIdBits", c.client_id_bits());
     p.constant("MemIdBits", c.mem_id_bits());
+    const Stages stages(c);
+    p.constant("Cut", stages.cut);
+    p.constant("MulStages", stages.multiply);
+    p.constant("SlabPlanes", stages.slab_planes);
+    p.constant("SlabStages", stages.slab);
+    p.constant("MeetStages", stages.meet);
+    p.constant("RankStages", stages.rank);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
     p.constant("TriLatency", c.tri_latency());

@@ -180,9 +180,16 @@ private:
 
 /// Formats that the arithmetic units are tried in: the two that ship, a narrow lattice with long directions,
 /// the widest; each also as "sheared:..." with that primitive test, one whose reciprocals are longer than its
-/// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, and as
-/// "samples:..." of one with several samples in a pixel and triangles only.
+/// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, as
+/// "samples:..." of one with several samples in a pixel and triangles only, and as "fast:..." with its paths
+/// cut for a fast clock.
 inline Config format(const std::string& name) {
+    if (name.starts_with("fast:")) {
+        Config config = format(name.substr(5));
+        config.timing = int(Timing::fast);
+        config.box_queue = 32;
+        return config;
+    }
     if (name.starts_with("shading:") || name.starts_with("samples:")) {
         Config config = format(name.substr(8));
         config.shading = 1;

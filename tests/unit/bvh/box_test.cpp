@@ -125,19 +125,23 @@ TEST_CASE("box sees a ray that starts on a face or inside at distance 0", "[box]
 }
 
 TEMPLATE_TEST_CASE("box answers after exactly its latency", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
-    const Config config = format(GENERATE("default", "narrow"));
+    const Config config = format(GENERATE("default", "narrow", "fast:default"));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
 TEMPLATE_TEST_CASE("box takes a node in every cycle", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
-    const Config config = format(GENERATE("default", "wide"));
+    const Config config = format(GENERATE("default", "wide", "fast:default"));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
 TEST_CASE("model and rtl of box make the same moves in every cycle", "[box][lockstep]") {
     same_moves(format(GENERATE("default", "small", "narrow", "wide")));
+}
+
+TEST_CASE("model and rtl of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
+    same_moves(format(GENERATE("fast:default", "fast:small", "fast:shading:narrow")));
 }
 
 TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays",

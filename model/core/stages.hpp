@@ -1,0 +1,21 @@
+#pragma once
+#include "model/core/config.hpp"
+
+namespace rayclock {
+
+/// How many stages each pipeline of the chip has: the one place that says it, for model and RTL. A relaxed
+/// chip has few, a fast one has a register wherever a path would be longer than one addition and a choice
+/// (`rtl/prim/rc_cut.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
+struct Stages {
+    int cut = 0;        ///< of rc_cut
+    int multiply = 0;   ///< of rc_mul
+    // The box test, rtl/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
+    int slab_planes = 0;   ///< before a child's planes are multiplied
+    int slab = 0;          ///< from a node to its children's intervals on an axis
+    int meet = 0;          ///< from these to the intervals' intersection
+    int rank = 0;          ///< from that to the children's order
+
+    explicit Stages(const Config& config);
+};
+
+}   // namespace rayclock
