@@ -30,7 +30,7 @@ module rc_box (
   localparam int unsigned G  = rc_pkg::GroupBits;
   localparam int unsigned EntryW  = T + O + C;
   localparam int unsigned L  = rc_pkg::BoxLatency;
-  // Stages: a node comes in, its children's intervals are there, those that are hit are put in order.
+  // Stages: a node comes in, its children's intervals are there, those hit are put in order.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::SlabStages;
   localparam int unsigned Rank = Meet + rc_pkg::MeetStages;

@@ -211,7 +211,8 @@ module rc_slab #(
       .clk_i, .data_i({near_t, far_t, miss_late}),
       .data_o({near_o[i*T +: T], far_o[i*T +: T], miss_o[i]}));
     logic unused;
-    assign unused = ^{near_moved[V+T-1:T+7], far_moved[V+T-1:T+7], near_fine[T+6:T], far_fine[T+6:T]};
+    assign unused = ^{near_moved[V+T-1:T+7], far_moved[V+T-1:T+7], near_fine[T+6:T],
+                      far_fine[T+6:T]};
   end
 
   logic unused;

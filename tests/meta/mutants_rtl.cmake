@@ -5,26 +5,26 @@
 
 # ---- box: conservative slabs, total order.
 mutant(box_near_below_far QUICK FILE rtl/bvh/rc_box.sv TEST unit [box][lockstep]
-  OLD [[s4_hit_q[i] <= near <= far &&]]
-  NEW [[s4_hit_q[i] <= near < far &&]])
+  OLD [[hit_q[i] <= enter <= leave &&]]
+  NEW [[hit_q[i] <= enter < leave &&]])
 mutant(slab_far_rounded_down QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[s3_up_q    <= ~({R1{1'b1}} << s2_right[4:0]);]]
-  NEW [[s3_up_q    <= '0;]])
+  OLD [[assign placed_up    = ~({R1{1'b1}} << placed_right);]]
+  NEW [[assign placed_up    = placed_right == '1 ? '1 : '0;]])
 mutant(slab_near_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[near = scale($unsigned(s3_near_q), s3_left_q]]
-  NEW [[near = scale($unsigned(s3_near_q) + {{(V-R1){1'b0}}, s3_up_q}, s3_left_q]])
+  OLD [[V'(placed_near_q), V'(placed_far_q), far_up,]]
+  NEW [[V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}), V'(placed_far_q), far_up,]])
 mutant(slab_far_with_r FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[assign s2_r_up = s2_r_q + {{(R1-1){1'b0}}, !s2_zero_q};]]
-  NEW [[assign s2_r_up = s2_r_q;]])
+  OLD [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, !plane_zero};]]
+  NEW [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, plane_zero && !plane_zero};]])
 mutant(slab_zero_direction FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[(s3_zero_q && !s3_near_q[V-1] && s3_near_q != '0)]]
-  NEW [[(s3_zero_q && !s3_near_q[V-1])]])
+  OLD [[(zero_q && !near_q[V-1] && near_q != '0)]]
+  NEW [[(zero_q && !near_q[V-1])]])
 mutant(rank_ignores_offset FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[if ((i ^ 1) > i && s5_key[i] > s5_key[i ^ 1]) begin]]
-  NEW [[if ((i ^ 1) > i && s5_key[i][KeyW-1:O+C] > s5_key[i ^ 1][KeyW-1:O+C]) begin]])
+  OLD [[exchange = (gen_level[l].gen_key[i].key > gen_level[l].gen_key[i ^ J].key)]]
+  NEW [[exchange = (gen_level[l].gen_key[i].key[KeyW-1:O+C] > gen_level[l].gen_key[i ^ J].key[KeyW-1:O+C])]])
 mutant(rank_leaves_first FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[{!s4_hit_i[i], s4_leaf, s4_near_i]]
-  NEW [[{!s4_hit_i[i], !s4_leaf, s4_near_i]])
+  OLD [[{!s0_hit_i[i], leaf, s0_near_i]]
+  NEW [[{!s0_hit_i[i], !leaf, s0_near_i]])
 
 # ---- tri: exact decisions.
 mutant(edges_zero_is_inside FILE rtl/isect/rc_edges.sv TEST unit [tri][lockstep]
@@ -366,14 +366,14 @@ mutant(mshr_highest_is_taken FILE rtl/mem/rc_mshr.sv TEST unit [cache][lockstep]
 
 # ---- What every operand of a small width shows.
 mutant(small_slab_distance_one_bit_short QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
-  OLD [[localparam int unsigned D  = N + 1; ]]
-  NEW [[localparam int unsigned D  = N; ]])
+  OLD [[localparam int unsigned D   = N + 1; ]]
+  NEW [[localparam int unsigned D   = N; ]])
 mutant(small_slab_saturation_wraps FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
-  OLD [[scale = |down[V-1:T] || |moved[2*T-1:T] ? '1 : moved[T-1:0];]]
-  NEW [[scale = |down[V-1:T] || |moved[2*T-1:T+1] || (moved[T] && moved[0]) ? '1 : moved[T-1:0];]])
+  OLD [[over_q <= {V{1'b1}} << ready_move;]]
+  NEW [[over_q <= {V{1'b1}} << 1 << ready_move;]])
 mutant(small_slab_zero_is_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
-  OLD [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, !s1_zero_q};]]
-  NEW [[assign s1_r_up = s1_r_q + {{(R1-1){1'b0}}, 1'b1};]])
+  OLD [[assign s1_more = (s1_zero_q ? '0 : P'(s1_distance_q))]]
+  NEW [[assign s1_more = P'(s1_distance_q)]])
 mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [raygen][small]
   OLD [[assign s0_top = s0_m[M-2:0] == '0;]]
   NEW [[assign s0_top = s0_m[M-2:0] == '0 && !s0_m[M-1];]])
