@@ -20,6 +20,9 @@ Stages::Stages(const Config& config) {
     slab = slab_planes + multiply + 1 + 2 * cut;
     meet = 1 + 2 * cut;
     rank = 2 + exchange_levels(config.node_width) * cut;
+    arrive = 2 * cut;
+    stack = 3 * cut;
+    cache = cut;
 }
 
 // Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/isect/rc_tri.sv.

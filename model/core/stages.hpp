@@ -14,6 +14,10 @@ struct Stages {
     int slab = 0;          ///< from a node to its children's intervals on an axis
     int meet = 0;          ///< from these to the intervals' intersection
     int rank = 0;          ///< from that to the children's order
+    // Units that keep what they know of a ray.
+    int arrive = 0;   ///< more of trav's, from box's answer to its leaves; of list's, from tri's answer on
+    int stack = 0;    ///< more of trav's, from a step to what its stack decides
+    int cache = 0;    ///< more of a cache's, before a look-up, and after the data are read
 
     explicit Stages(const Config& config);
 };

@@ -14,6 +14,7 @@ module rc_mshr #(
   parameter  int unsigned Ways   = 4,
   parameter  int unsigned Words  = 1,   // of a line
   parameter  int unsigned Mshrs  = 8,
+  parameter  int unsigned Cut    = 0,   // 1: sets are compared in the cycle before, as in rc_tags
   localparam int unsigned WayW   = Ways < 2 ? 1 : $clog2(Ways),
   localparam int unsigned WordW  = Words < 2 ? 1 : $clog2(Words),
   localparam int unsigned MshrW  = Mshrs < 2 ? 1 : $clog2(Mshrs)
@@ -23,6 +24,8 @@ module rc_mshr #(
   // The request that is looked up
   input  logic [IdBits-1:0] id_i,
   input  logic [SetW-1:0]   set_i,
+  input  logic              load_i,        // with Cut: the request ahead is the next one
+  input  logic [SetW-1:0]   ahead_set_i,   // without: the same as set_i
   output logic [Ways-1:0]   waiting_o,     // ways of its set that wait for a line
   output logic              full_o,        // no MSHR is free
   output logic              waits_o,       // one is not
@@ -44,6 +47,9 @@ module rc_mshr #(
 );
   if (Words < 1 || (Words & (Words - 1)) != 0) begin : gen_refuse
     $error("rc_mshr: Words and Mshrs must be powers of two");
+  end
+  if (Cut > 1) begin : gen_refuse_cut
+    $error("rc_mshr: Cut must be 0 or 1");
   end
   if (Mshrs < 1 || (Mshrs & (Mshrs - 1)) != 0) begin : gen_refuse_mshrs
     $error("rc_mshr: Words and Mshrs must be powers of two");
@@ -70,7 +76,15 @@ module rc_mshr #(
     logic             here, full, some;
     logic [Ways-1:0]  waiting;
     logic [MshrW-1:0] free, match;
-    assign here = busy_q && set_q == set_i;
+    if (Cut == 0) begin : gen_at_once
+      assign here = busy_q && set_q == set_i;
+    end else begin : gen_ahead
+      logic same_set_q;
+      always_ff @(posedge clk_i)
+        if (load_i)
+          same_set_q <= (take_i && free_o == MshrW'(m) ? set_i : set_q) == ahead_set_i;
+      assign here = busy_q && same_set_q;
+    end
     if (m == 0) begin : gen_first
       assign full    = busy_q;
       assign some    = busy_q;
@@ -130,6 +144,9 @@ module rc_mshr #(
     .clk_i, .rst_ni, .push_i(filled), .data_i({fill_mshr_i, fill_set_o, fill_way_o}),
     .valid_o(drain_valid_o), .pop_i(drain_i && is_last),
     .data_o({drained, drain_set_o, drain_way_o}));
+
+  logic unused;
+  assign unused = ^{load_i, ahead_set_i};
 
 `ifndef SYNTHESIS
   logic [Mshrs-1:0] awaits_q;   // words of its line

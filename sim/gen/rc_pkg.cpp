@@ -218,6 +218,7 @@ void derived(Package& p, const Config& c) {
     p.constant("SlabStages", stages.slab);
     p.constant("MeetStages", stages.meet);
     p.constant("RankStages", stages.rank);
+    p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
     p.constant("TriLatency", c.tri_latency());
