@@ -126,12 +126,12 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
         return "surf_cache: " + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
-    return raygen_.contains(RayNumber(ray))     ? "raygen"
-           : box_.contains(RayNumber(ray), now) ? "box"
-           : tri_.contains(RayNumber(ray), now) ? "tri"
+    return raygen_.contains(RayNumber(ray))                ? "raygen"
+           : box_.contains(RayNumber(ray), now)            ? "box"
+           : tri_.contains(RayNumber(ray), now)            ? "tri"
            : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at box's answer"
            : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
-                                                : "nowhere";
+                                                           : "nowhere";
 }
 
 Accounts Pipeline::accounts() const {

@@ -316,7 +316,8 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const 
     clock_prim_cache(m, shared);
     clock_tri(m, now);
     account_caches();
-    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) &
+    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) & !node_cache_.loaded() &
+              !prim_cache_.loaded() &
               !(turning | m.step | shared.any() |
                 m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
@@ -325,7 +326,7 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const 
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade(m, now);
-        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain);
+        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain) & !surf_cache_.loaded();
     }
 }
 

@@ -11,8 +11,8 @@ namespace rayclock {
 /// Rays without leaves wait in a queue; those that list has tested go first. Two stages. In the first a step
 /// of one of them is accepted and the top of the ray's stack read; in the second the next
 /// node, or the ray's end, is decided. A dropped group costs the ray another turn through both stages
-/// (recirculation, which goes before new steps). New rays start at the root when no step waits. In a fast chip
-/// there are more stages between the two. Mirror of rtl/bvh/rc_trav.sv.
+/// (recirculation, which goes before new steps). New rays start at the root when no step waits. In a fast
+/// chip there are more stages between the two. Mirror of rtl/bvh/rc_trav.sv.
 class Trav {
 public:
     explicit Trav(const Config& config)
@@ -104,7 +104,7 @@ private:
         return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray);
     }
 
-    int late_;                              // stages between the second and the decision
+    int late_;   // stages between the second and the decision
     std::uint32_t between_ = 0;
     std::array<RayNumber, 4> waiting_{};
     Ring<RayNumber, 2> spawn_;

@@ -17,7 +17,7 @@ struct CacheShape {
     int queue = 4;   ///< answers that may wait
     int ids = 64;    ///< requests are told apart by 0..ids-1; one with the same id is made only after the
                      ///< answer
-    int cut = 0;    ///< 1: a register before the look-up, and one after the data
+    int cut = 0;     ///< 1: a register before the look-up, and one after the data
 };
 CacheShape node_cache_shape(const Config& config);
 CacheShape prim_cache_shape(const Config& config);
@@ -92,6 +92,7 @@ public:
     }
 
     bool answers() const { return !answers_.empty(); }   ///< if not now, then in the next cycle
+    bool loaded() const { return loaded_; }              ///< a request came to its look-up just now
     bool waits() const { return busy_ > 0; }             ///< lines are on their way
     /// Where a request is, for people; empty if not here.
     std::string where(std::uint32_t id) const;
@@ -118,9 +119,9 @@ private:
     }
     /// The head of the queue goes on to its look-up, if that is free.
     void load(bool asked, const Request& request) {
-        const bool moves = in_.empty() & !before_.empty();
-        in_.push(before_.front(), moves);
-        before_.pop(moves);
+        loaded_ = in_.empty() & !before_.empty();
+        in_.push(before_.front(), loaded_);
+        before_.pop(loaded_);
         before_.push(request, asked);
     }
     CacheDeed ask(const Request& request, std::uint32_t line, std::uint32_t set);
@@ -146,6 +147,7 @@ private:
     Ring<Request, 2> in_, before_{2};   // with `cut` the queue lies before the one that is looked up
     Ring<std::uint32_t> misses_, filled_;
     std::uint32_t miss_word_ = 0;
+    bool loaded_ = false;
     Ring<std::uint32_t> answers_;
     bool read_ = false, reading_ = false;   // the last answer, and the one before, are still being read
 };

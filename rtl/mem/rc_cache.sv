@@ -135,7 +135,8 @@ module rc_cache #(
 
   rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways), .Cut(Cut)) u_tags (
     .clk_i, .rst_ni, .load_i(load), .ahead_set_i(ahead_set),
-    .ahead_tag_i(ahead_line[LineW-1 -: TagW]), .set_i(set), .tag_i(line[LineW-1 -: TagW]), .waiting_i(waiting),
+    .ahead_tag_i(ahead_line[LineW-1 -: TagW]), .set_i(set),
+    .tag_i(line[LineW-1 -: TagW]), .waiting_i(waiting),
     .hit_o(found), .conflict_o(conflict), .way_o(way), .touch_i(pop), .take_i(miss));
 
   logic [MshrW-1:0]  free;

@@ -105,18 +105,22 @@ module rc_mshr #(
   assign free_o    = gen_mshr[Mshrs-1].free;
   assign joined    = gen_mshr[Mshrs-1].match;
 
-  // Chains.
-  logic [IdBits-1:0] head, tail, next;
+  // Chains. The last of a chain is kept twice, so that whom a request joins does not decide who is
+  // answered: two reads in one cycle.
+  logic [IdBits-1:0] head, tail, last, next;
   rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_head (
     .clk_i, .write_i(take_i || drain_i), .write_addr_i(take_i ? free_o : drained),
     .write_data_i(take_i ? id_i : next), .read_addr_i(drained), .read_data_o(head));
   rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_tail (
     .clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),
-    .write_data_i(id_i), .read_addr_i(drain_valid_o ? drained : joined), .read_data_o(tail));
+    .write_data_i(id_i), .read_addr_i(joined), .read_data_o(tail));
+  rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_last (
+    .clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),
+    .write_data_i(id_i), .read_addr_i(drained), .read_data_o(last));
   rc_ram #(.Width(IdBits), .Depth(1 << IdBits)) u_next (
     .clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),
     .read_addr_i(head), .read_data_o(next));
-  assign is_last    = head == tail;
+  assign is_last    = head == last;
   assign drain_id_o = head;
 
   // Words that have come, modulo Words: zero again when the line is filled.
