@@ -178,7 +178,7 @@ void Machine::sleep(std::uint64_t until) {
     }
     if (has_l2_) {
         if (l2_deed_ <= CacheDeed::drain) return;
-        if (l2_->answers()) return;
+        if (l2_->answers() || l2_->loaded()) return;
     }
     wake = std::min(wake, memory_.quiet_until());
     if (wake <= now_) return;

@@ -11,9 +11,12 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       trav_(config),
       node_cache_(node_cache_shape(config)),
       box_(config.box_latency(), config.box_queue),
+      boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
+      tried_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      late_(Stages(config).arrive > 0),
       surf_cache_(surf_cache_shape(config)),
       shade_(config),
       sink_(traffic, number),
@@ -109,7 +112,8 @@ std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
 
 std::uint64_t Pipeline::wakes(std::uint64_t now) const {
     if (node_cache_.answers() || prim_cache_.answers() || (shading_ && surf_cache_.answers())) return now;
-    const std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
+    std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
+    if (late_) wakes = std::min({wakes, boxed_.due(now), tried_.due(now)});
     return shading_ ? std::min(wakes, shade_.due()) : wakes;
 }
 
@@ -122,10 +126,12 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
         return "surf_cache: " + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
-    return raygen_.contains(RayNumber(ray))     ? "raygen"
-           : box_.contains(RayNumber(ray), now) ? "box"
-           : tri_.contains(RayNumber(ray), now) ? "tri"
-                                                : "nowhere";
+    return raygen_.contains(RayNumber(ray))                ? "raygen"
+           : box_.contains(RayNumber(ray), now)            ? "box"
+           : tri_.contains(RayNumber(ray), now)            ? "tri"
+           : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at box's answer"
+           : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
+                                                           : "nowhere";
 }
 
 Accounts Pipeline::accounts() const {

@@ -104,6 +104,7 @@ private:
     /// All links inside in a cycle. Those to what the pipelines share are in SharedMoves.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
+        OnLink boxed, tried;            // box's and tri's answers as far as trav and list are
         bool step = false;              // inside trav, of a ray that was tested or has no leaves
         std::uint32_t shade_code = 0;   // of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
@@ -142,10 +143,11 @@ private:
     Pipe<RayNumber> raygen_;
     Trav trav_;
     Cache node_cache_;
-    Delay box_;
+    Delay box_, boxed_;   // boxed_, tried_: what trav and list look at in a fast chip
     List list_;
     Cache prim_cache_;
-    Delay tri_;
+    Delay tri_, tried_;
+    bool late_;   // there are boxed_ and tried_
     Cache surf_cache_;
     Shade shade_;
     Merge raygen_link_;
@@ -181,8 +183,10 @@ template <bool shades>
     m.offer(Link::node_req, trav_.node_valid(), node_cache_.ready(), trav_.node_ray());
     m.offer(Link::box_req, node_cache_.valid(), box_.ready(), node_cache_.answer());
     const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
+    m.boxed = late_ ? boxed_.answer(now) : boxed;
+    m.tried = late_ ? tried_.answer(now) : tried;
     m.offer(Link::box_rsp, boxed.there, true, boxed.ray);
-    m.offer(Link::leaves, boxed.there & has_tests(boxed.ray), true, boxed.ray);
+    m.offer(Link::leaves, m.boxed.there & has_tests(m.boxed.ray), true, m.boxed.ray);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
     m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready(), prim_cache_.answer());
     m.offer(Link::tri_rsp, tried.there, true, tried.ray);
@@ -261,9 +265,9 @@ template <bool shades>
 }
 
 template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
-    const LinkInside &answer = m[Link::box_rsp], &tested = m[Link::tested];
+    const LinkInside& tested = m[Link::tested];
     trav_.clock({m[Link::ray],
-                 {bool(answer.fires & !m[Link::leaves].fires), answer.ray},
+                 {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
                  {tested.valid, tested.ray},
                  m[Link::node_req].fires,
                  m[shades ? Link::closest : Link::hit].fires},
@@ -278,12 +282,13 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(c
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
+    if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_list(const Moves& m) {
-    const LinkInside &leaves = m[Link::leaves], &answer = m[Link::tri_rsp];
+    const LinkInside& leaves = m[Link::leaves];
     rays_[leaves.ray].at += leaves.fires;   // to the first triangle
-    list_.clock(leaves, answer, has_more(answer.ray, answer.fires), m[Link::prim_req].fires,
+    list_.clock(leaves, m.tried, has_more(m.tried.ray, m.tried.there), m[Link::prim_req].fires,
                 m[Link::tested].fires);
 }
 
@@ -295,12 +300,13 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(c
 
 [[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     tri_.clock(now, m[Link::tri_req]);
+    if (late_) tried_.clock(now, m[Link::tri_rsp]);
 }
 
 template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                                           const SharedMoves& shared) {
     account_units(m);
-    const bool turning = !trav_.idle() | sched_.passing();
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there;
     clock_sched<shades>(m, shared.tile);
     clock_raygen<shades>(m, now);
     clock_trav<shades>(m);
@@ -310,7 +316,8 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const 
     clock_prim_cache(m, shared);
     clock_tri(m, now);
     account_caches();
-    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) &
+    asleep_ = (node_deed_ > CacheDeed::drain) & (prim_deed_ > CacheDeed::drain) & !node_cache_.loaded() &
+              !prim_cache_.loaded() &
               !(turning | m.step | shared.any() |
                 m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
@@ -319,7 +326,7 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const 
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade(m, now);
-        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain);
+        asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain) & !surf_cache_.loaded();
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "model/base/ring.hpp"
 #include "model/bvh/stack.hpp"
+#include "model/core/stages.hpp"
 
 namespace rayclock {
 
@@ -10,12 +11,16 @@ namespace rayclock {
 /// Rays without leaves wait in a queue; those that list has tested go first. Two stages. In the first a step
 /// of one of them is accepted and the top of the ray's stack read; in the second the next
 /// node, or the ray's end, is decided. A dropped group costs the ray another turn through both stages
-/// (recirculation, which goes before new steps). New rays start at the root when no step waits. Mirror of
-/// rtl/bvh/rc_trav.sv.
+/// (recirculation, which goes before new steps). New rays start at the root when no step waits. In a fast
+/// chip there are more stages between the two. Mirror of rtl/bvh/rc_trav.sv.
 class Trav {
 public:
     explicit Trav(const Config& config)
-        : spawn_(2), leafless_(config.contexts), nodes_(config.contexts), done_(config.contexts) {}
+        : late_(Stages(config).stack),
+          spawn_(2),
+          leafless_(config.contexts),
+          nodes_(config.contexts),
+          done_(config.contexts) {}
 
     bool ray_ready() const { return !spawn_.full(); }
     bool step_ready() const { return !again_; }
@@ -33,15 +38,15 @@ public:
     }
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done_ray() const { return done_.front(); }
-    bool idle() const { return !(again_ | s1_valid_); }   ///< nothing in the two stages
+    bool idle() const { return !(again_ | s1_valid_ | (between_ != 0)); }   ///< nothing in the stages
 
     const char* where(std::uint32_t ray) const {
         return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"
                : nodes_.contains(RayNumber(ray))    ? "trav: waits for the link to node_cache"
                : done_.contains(RayNumber(ray))     ? "trav: done, waits for its hit to be taken"
                : leafless_.contains(RayNumber(ray)) ? "trav: no leaf to be tested, waits for its step"
-               : (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray) ? "trav: being decided"
-                                                                            : nullptr;
+               : is_decided(ray)                    ? "trav: being decided"
+                                                    : nullptr;
     }
 
     /// What came in one cycle: new rays, rays that box has answered and that have no leaf to be tested, rays
@@ -68,11 +73,13 @@ public:
         // Stage 0 looks at the recirculation register before stage 1 may set it again.
         const bool turn = again_;
         const std::uint32_t returned = again_ray_;
-        const Turn::Flags went = decide(s1_, s1_valid_);
-        nodes_.push(RayNumber(s1_), went.visit);
-        done_.push(RayNumber(s1_), went.done);
+        const OnLink last = last_stage();
+        const Turn::Flags went = decide(last.ray, last.there);
+        nodes_.push(RayNumber(last.ray), went.visit);
+        done_.push(RayNumber(last.ray), went.done);
         again_ = went.again;
-        again_ray_ = s1_;
+        again_ray_ = last.ray;
+        if (late_ != 0) pass_on();
         s1_valid_ = turn | step;
         s1_ = select(turn, returned, stepping);
         spawn_.push(RayNumber(moves.ray.ray), moves.ray.there);
@@ -80,6 +87,26 @@ public:
     }
 
 private:
+    /// The ray that is decided in this cycle.
+    OnLink last_stage() const {
+        if (late_ == 0) return {s1_valid_, s1_};
+        return {bool(between_ >> (late_ - 1) & 1), waiting_[std::size_t(late_ - 1)]};
+    }
+    /// The stages between the second and the last: bit i of between_ says whether waiting_[i] is there.
+    void pass_on() {
+        for (int i = late_ - 1; i > 0; --i) waiting_[std::size_t(i)] = waiting_[std::size_t(i - 1)];
+        waiting_[0] = RayNumber(s1_);
+        between_ = (between_ << 1 | std::uint32_t(s1_valid_)) & ((1u << late_) - 1);
+    }
+    bool is_decided(std::uint32_t ray) const {
+        for (int i = 0; i < late_; ++i)
+            if ((between_ >> i & 1) && waiting_[std::size_t(i)] == ray) return true;
+        return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray);
+    }
+
+    int late_;   // stages between the second and the decision
+    std::uint32_t between_ = 0;
+    std::array<RayNumber, 4> waiting_{};
     Ring<RayNumber, 2> spawn_;
     RayRing leafless_, nodes_, done_;
     Merge step_link_, node_link_;

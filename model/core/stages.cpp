@@ -21,6 +21,9 @@ Stages::Stages(const Config& config) {
     slab = slab_planes + multiply + 1 + 2 * cut;
     meet = 1 + 2 * cut;
     rank = 2 + exchange_levels(config.node_width) * cut;
+    arrive = 2 * cut;
+    stack = 3 * cut;
+    cache = cut;
 
     edges = 2 + 2 * (multiply + 1) + cut;
     shear = 6;

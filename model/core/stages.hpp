@@ -26,6 +26,10 @@ struct Stages {
     int direction = 0;
     int recip = 0;
     int slope = 0;
+    // Units that keep what they know of a ray.
+    int arrive = 0;   ///< more of trav's, from box's answer to its leaves; of list's, from tri's answer on
+    int stack = 0;    ///< more of trav's, from a step to what its stack decides
+    int cache = 0;    ///< more of a cache's, before a look-up, and after the data are read
 
     explicit Stages(const Config& config);
     int divide(int bits) const;   ///< that make so many bits of a quotient

@@ -2,26 +2,28 @@
 
 #include <bit>
 
+#include "model/core/stages.hpp"
+
 namespace rayclock {
 
 namespace {
-CacheShape shape(int sets, int ways, int line, int mshrs, int queue, int id_bits) {
-    return {sets, ways, line / line_bytes, mshrs, queue, 1 << id_bits};
+CacheShape shape(const Config& config, int sets, int ways, int line, int mshrs, int id_bits) {
+    return {sets, ways, line / line_bytes, mshrs, config.cache_queue, 1 << id_bits, Stages(config).cache};
 }
 int log2_of(int n) { return std::countr_zero(unsigned(n)); }
 }   // namespace
 
 CacheShape node_cache_shape(const Config& c) {
-    return shape(c.node_sets, c.node_ways, c.node_line, c.node_mshrs, c.cache_queue, c.ray_bits());
+    return shape(c, c.node_sets, c.node_ways, c.node_line, c.node_mshrs, c.ray_bits());
 }
 CacheShape prim_cache_shape(const Config& c) {
-    return shape(c.prim_sets, c.prim_ways, c.prim_line, c.prim_mshrs, c.cache_queue, c.ray_bits());
+    return shape(c, c.prim_sets, c.prim_ways, c.prim_line, c.prim_mshrs, c.ray_bits());
 }
 CacheShape surf_cache_shape(const Config& c) {
-    return shape(c.surf_sets, c.surf_ways, c.surf_line, c.surf_mshrs, c.cache_queue, c.ray_bits());
+    return shape(c, c.surf_sets, c.surf_ways, c.surf_line, c.surf_mshrs, c.ray_bits());
 }
 CacheShape l2_shape(const Config& c) {
-    return shape(c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.cache_queue, c.client_id_bits());
+    return shape(c, c.l2_sets, c.l2_ways, c.l2_line, c.l2_mshrs, c.client_id_bits());
 }
 
 Cache::Cache(const CacheShape& shape)
@@ -31,6 +33,7 @@ Cache::Cache(const CacheShape& shape)
       sets_(std::size_t(shape.sets)),
       mshrs_(std::size_t(shape.mshrs)),
       next_(std::size_t(shape.ids)),
+      in_(shape.cut ? 1 : 2),
       misses_(shape.mshrs),
       filled_(shape.mshrs),
       answers_(shape.queue) {
@@ -108,8 +111,9 @@ int Cache::victim(const Set& set) const {
 }
 
 std::string Cache::where(std::uint32_t id) const {
-    for (std::size_t i = 0; i < in_.size(); ++i)
-        if (in_.at(i).id == id) return "waits to be looked up";
+    for (const auto* queue : {&in_, &before_})
+        for (std::size_t i = 0; i < queue->size(); ++i)
+            if (queue->at(i).id == id) return "waits to be looked up";
     for (const Mshr& m : mshrs_) {
         if (!m.busy) continue;
         for (std::uint32_t waiting = m.head;; waiting = next_[waiting]) {

@@ -17,6 +17,7 @@ struct CacheShape {
     int queue = 4;   ///< answers that may wait
     int ids = 64;    ///< requests are told apart by 0..ids-1; one with the same id is made only after the
                      ///< answer
+    int cut = 0;     ///< 1: a register before the look-up, and one after the data
 };
 CacheShape node_cache_shape(const Config& config);
 CacheShape prim_cache_shape(const Config& config);
@@ -45,7 +46,8 @@ constexpr std::size_t cache_deeds = 8;
 /// pseudo-least-recently-used way (the lowest way that is not waiting for a line, if that one is), and asks
 /// for the line's words one by one. Words come back in any order. When the last is there, those who wait are
 /// answered first, in the order of their requests, one a cycle, from the cycle after; a way is not given away
-/// before. A look-up that cannot go on stays at the head. Mirror of rtl/mem/rc_cache.sv.
+/// before. A look-up that cannot go on stays at the head. With `cut` the head waits for its look-up in a
+/// register, and an answer takes two cycles more. Mirror of rtl/mem/rc_cache.sv.
 class Cache {
 public:
     struct Request {
@@ -57,8 +59,8 @@ public:
 
     explicit Cache(const CacheShape& shape);
 
-    bool ready() const { return !in_.full(); }
-    bool valid() const { return answers_.size() > std::uint32_t(read_); }
+    bool ready() const { return !(shape_.cut ? before_.full() : in_.full()); }
+    bool valid() const { return answers_.size() > std::uint32_t(read_) + std::uint32_t(reading_); }
     std::uint32_t answer() const { return answers_.front(); }   ///< id of the request that is answered
     bool miss_valid() const { return !misses_.empty(); }
     Miss miss() const {
@@ -82,11 +84,15 @@ public:
             next_word();
         if (fill_id) [[unlikely]]
             fill(*fill_id);
-        in_.push(request, asked);
+        if (shape_.cut)
+            load(asked, request);
+        else
+            in_.push(request, asked);
         return deed;
     }
 
     bool answers() const { return !answers_.empty(); }   ///< if not now, then in the next cycle
+    bool loaded() const { return loaded_; }              ///< a request came to its look-up just now
     bool waits() const { return busy_ > 0; }             ///< lines are on their way
     /// Where a request is, for people; empty if not here.
     std::string where(std::uint32_t id) const;
@@ -108,7 +114,15 @@ private:
     void answer(bool taken, bool given, std::uint32_t id) {
         answers_.pop(taken);
         answers_.push(id, given);
+        reading_ = read_ & (shape_.cut != 0);
         read_ = given;
+    }
+    /// The head of the queue goes on to its look-up, if that is free.
+    void load(bool asked, const Request& request) {
+        loaded_ = in_.empty() & !before_.empty();
+        in_.push(before_.front(), loaded_);
+        before_.pop(loaded_);
+        before_.push(request, asked);
     }
     CacheDeed ask(const Request& request, std::uint32_t line, std::uint32_t set);
     CacheDeed wait(const Request& request, Set& set, std::uint32_t way);
@@ -130,11 +144,12 @@ private:
     std::vector<Mshr> mshrs_;
     int busy_ = 0;
     std::vector<std::uint32_t> next_;   ///< [id]: who waits after it
-    Ring<Request, 2> in_{2};
+    Ring<Request, 2> in_, before_{2};   // with `cut` the queue lies before the one that is looked up
     Ring<std::uint32_t> misses_, filled_;
     std::uint32_t miss_word_ = 0;
+    bool loaded_ = false;
     Ring<std::uint32_t> answers_;
-    bool read_ = false;   // the last answer is still read from the data memory
+    bool read_ = false, reading_ = false;   // the last answer, and the one before, are still being read
 };
 
 inline CacheDeed Cache::look_up(bool room, bool answer_taken) {

@@ -77,20 +77,30 @@ module rc_trav (
   assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp_i.org, node_rsp_i.exp, node_rsp_i.base,
                       node_rsp_i.kind, node_rsp_i.lo, node_rsp_i.hi};
 
-  // Box's answer: the leaves, moved to the front, go to list if the nearest can matter.
-  rc_pkg::box_rsp_t in;
-  logic             in_fires, leaf_matters;
-  logic [S-1:0]     in_inner;
-  logic [W*TB-1:0]  leaf_near;
-  logic [W*O-1:0]   in_offset, leaf_offset;
-  logic [W*C-1:0]   leaf_count;
-  logic [W*S-1:0]   in_slot;
-  logic [TB-1:0]    in_t;
-  assign in              = box_rsp_i;
-  assign in_fires        = box_rsp_valid_i;
+  // Box's answer, and the ray's distance to beat.
+  rc_pkg::box_rsp_t           in;
+  logic [rc_pkg::BoxRspW-1:0] came, in_flat;
+  logic                       came_fires, in_fires, leaf_matters;
+  logic [TB-1:0]              came_t, in_t;
+  assign came            = box_rsp_i;
+  assign came_fires      = box_rsp_valid_i;
   assign box_rsp_ready_o = 1'b1;
-  assign in_inner        = in.inner[S-1:0];   // W of them leave no leaves
-  assign in_offset       = in.offset;
+  rc_reach u_reach (
+    .clk_i, .start_fires_i, .start_i,
+    .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
+    .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(came_t));
+  rc_cut #(.Width(rc_pkg::BoxRspW + TB)) u_came (
+    .clk_i, .data_i({came, came_t}), .data_o({in_flat, in_t}));
+  assign in = in_flat;
+
+  // The leaves, moved to the front, go to list if the nearest can matter.
+  logic [S-1:0]    in_inner;
+  logic [W*TB-1:0] leaf_near;
+  logic [W*O-1:0]  in_offset, leaf_offset;
+  logic [W*C-1:0]  leaf_count;
+  logic [W*S-1:0]  in_slot;
+  assign in_inner  = in.inner[S-1:0];   // W of them leave no leaves
+  assign in_offset = in.offset;
   always_comb begin
     leaf_near   = in.t_near;
     leaf_offset = in.offset;
@@ -105,13 +115,30 @@ module rc_trav (
   for (genvar i = 0; i < W; i++) begin : gen_slot   // an inner child is a line, two halves
     assign in_slot[i*S +: S] = in_offset[i*O + 1 +: S];
   end
-  rc_reach u_reach (
-    .clk_i, .start_fires_i, .start_i,
-    .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(in.ray), .read_t_o(in_t));
-  assign leaf_matters   = in.leaves != '0 && leaf_near[TB-1:0] <= in_t;
+  rc_pkg::leaves_t              leaves;
+  logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
+  logic [rc_pkg::ChildrenW-1:0] in_children, children;
+  logic [TB-1:0]                leaves_t;
+  assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
+  assign in_children = {in.base, in.inner, in.t_near, in_slot};
+  rc_cut #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TB)) u_moved (
+    .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_t}));
+  assign leaves = leaves_flat;
+  if (rc_pkg::Cut == 0) begin : gen_in_now
+    assign in_fires = came_fires;
+  end else begin : gen_in_late   // two registers
+    logic came_fires_q, in_fires_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) {came_fires_q, in_fires_q} <= '0;
+      else         {came_fires_q, in_fires_q} <= {came_fires, came_fires_q};
+    end
+    assign in_fires = in_fires_q;
+  end
+  logic [W*TB-1:0] leaves_near;
+  assign leaves_near    = leaves.t_near;
+  assign leaf_matters   = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_t;
   assign leaves_fires_o = in_fires && leaf_matters;
-  assign leaves_o       = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
+  assign leaves_o       = leaves;
 
   // Steps to take: rays whose leaves are tested, and rays without leaves.
   logic            leafless_valid, leafless_ready, step_valid, step_ready;
@@ -119,7 +146,7 @@ module rc_trav (
   logic [TB-1:0]   leafless_t;
   rc_pkg::tested_t leafless;
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({in.ray, in_t}),
+    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_t}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
     .data_o({leafless_ray, leafless_t}));
   always_comb begin
@@ -144,8 +171,7 @@ module rc_trav (
   // Inner children of each ray's node.
   logic [rc_pkg::ChildrenW-1:0] step_children;
   rc_ram #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
-    .clk_i, .write_i(in_fires), .write_addr_i(in.ray),
-    .write_data_i({in.base, in.inner, in.t_near, in_slot}),
+    .clk_i, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .read_addr_i(step.ray), .read_data_o(step_children));
 
   // Stage 0: a returning ray before a new step. It has no new children and is not stopped.
@@ -163,18 +189,21 @@ module rc_trav (
   end
 
   logic                         s1_valid_q;
-  logic [rc_pkg::TestedW-1:0]   s1_tested_q;
+  logic [rc_pkg::TestedW-1:0]   s1_tested_q, end_tested_flat;
   logic [rc_pkg::ChildrenW-1:0] s1_children_q;
-  rc_pkg::tested_t              s1_tested;
+  rc_pkg::tested_t              s1_tested, end_tested;
+  assign s1_tested = s1_tested_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
     else         s1_valid_q <= again_q || step_fires;
     if (again_q)         {s1_tested_q, s1_children_q} <= {again_tested, {rc_pkg::ChildrenW{1'b0}}};
     else if (step_fires) {s1_tested_q, s1_children_q} <= {step, step_children};
   end
-  assign s1_tested = s1_tested_q;
+  rc_cut #(.Width(rc_pkg::TestedW), .Stages(rc_pkg::StackStages)) u_wait (
+    .clk_i, .data_i(s1_tested_q), .data_o(end_tested_flat));
+  assign end_tested = end_tested_flat;
 
-  // Stage 1: the stack decides.
+  // Last stage: the stack decides.
   logic          visit, done, again;
   logic [A-1:0]  visit_base;
   logic [S-1:0]  visit_slot;
@@ -186,7 +215,7 @@ module rc_trav (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) again_q <= 1'b0;
     else         again_q <= again;
-    if (again) {again_ray_q, again_t_q} <= {s1_tested.ray, s1_tested.t_best};
+    if (again) {again_ray_q, again_t_q} <= {end_tested.ray, end_tested.t_best};
   end
 
   // Nodes to fetch; new rays wait for a gap.
@@ -195,7 +224,7 @@ module rc_trav (
   logic [I-1:0]   spawn_ray;
   rc_queue #(.Width(I + A), .Depth(T)) u_visit (
     .clk_i, .rst_ni, .push_i(visit),
-    .data_i({s1_tested.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
+    .data_i({end_tested.ray, visit_base + {{(A-S){1'b0}}, visit_slot}}),
     .valid_o(visit_valid), .pop_i(visit_valid && visit_ready), .data_o(visit_data));
   rc_fifo #(.Width(I), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
@@ -208,7 +237,7 @@ module rc_trav (
     .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
   rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(done), .data_i(s1_tested.ray),
+    .clk_i, .rst_ni, .push_i(done), .data_i(end_tested.ray),
     .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
 
   logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
@@ -216,6 +245,6 @@ module rc_trav (
   logic                      unused;
   assign ray_flat   = ray_i;
   assign frame_flat = frame_i;
-  assign unused     = ^{ray_flat, frame_flat, in_offset};
+  assign unused     = ^{ray_flat, frame_flat, in_offset, end_tested, leaves_near};
 endmodule
 `default_nettype wire

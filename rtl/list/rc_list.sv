@@ -109,47 +109,87 @@ module rc_list (
 
   // ---- Cursors: leaf and triangle under way per ray; 0, 0 until tri has answered once.
   logic [T-1:0] moved_q;
-  logic [S-1:0] cursor_leaf, next_leaf;
-  logic [C-1:0] cursor_triangle, next_triangle;
-  logic [S+C-1:0] cursor;
+  logic [S-1:0]   cursor_leaf, next_leaf;
+  logic [C-1:0]   cursor_triangle, next_triangle;
+  logic [S+C-1:0] cursor, tri_cursor;
+  logic           end_fires;
+  logic [I-1:0]   end_ray;
   rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
-    .clk_i, .write_i(tri_fires), .write_addr_i(tri_rsp_i.ray),
+    .clk_i, .write_i(end_fires), .write_addr_i(end_ray),
     .write_data_i({next_leaf, next_triangle}),
     .read_addr_i(tri_rsp_i.ray), .read_data_o(cursor));
   always_ff @(posedge clk_i) begin
     if (in_fires)  moved_q[in.ray] <= 1'b0;
     if (tri_fires) moved_q[tri_rsp_i.ray] <= 1'b1;
   end
-  assign {cursor_leaf, cursor_triangle} = moved_q[tri_rsp_i.ray] ? cursor : '0;
+  assign tri_cursor = moved_q[tri_rsp_i.ray] ? cursor : '0;
 
-  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested.
-  logic [A-1:0]   group_base;
-  logic [G-1:0]   group_leaves;
+  // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. In a
+  // fast chip what is known of the ray is read, compared and sent on in three cycles.
+  logic [I-1:0]    it_ray;
+  logic            it_blocked, end_blocked;
+  logic [TB-1:0]   it_t, end_t;
+  logic [A-1:0]    group_base, end_base;
+  logic [G-1:0]    group_leaves;
   logic [W*TB-1:0] group_near;
-  logic [W*O-1:0] group_offset;
-  logic [W*C-1:0] group_count;
-  assign {group_base, group_leaves, group_near, group_offset, group_count} = tri_group;
+  logic [W*O-1:0]  group_offset;
+  logic [W*C-1:0]  group_count;
+  rc_cut #(.Width(I + 1 + TB + GroupW + S + C)) u_it (
+    .clk_i, .data_i({tri_rsp_i.ray, blocked, tri_t, tri_group, tri_cursor}),
+    .data_o({it_ray, it_blocked, it_t, group_base, group_leaves, group_near, group_offset,
+             group_count, cursor_leaf, cursor_triangle}));
 
-  logic [S-1:0] at_next, at;
-  logic         more_triangles, more_leaves;
+  logic [S-1:0] at_next, end_leaf;
+  logic [C-1:0] leaf_count, end_triangle;
+  logic         more_triangles, more_leaves, end_more_triangles, end_more_leaves;
+  logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
+  logic [TB-1:0] next_near;
+  always_comb begin
+    leaf_count  = '0;
+    this_offset = '0;
+    next_offset = '0;
+    next_near   = '0;
+    for (int i = 0; i < W; i++) begin
+      if (cursor_leaf == S'(i)) leaf_count  = leaf_count | group_count[i*C +: C];
+      if (cursor_leaf == S'(i)) this_offset = this_offset | group_offset[i*O +: O];
+      if (at_next == S'(i))     next_offset = next_offset | group_offset[i*O +: O];
+      if (at_next == S'(i))     next_near   = next_near | group_near[i*TB +: TB];
+    end
+  end
   assign at_next        = cursor_leaf + S'(1);
-  assign more_triangles = cursor_triangle + C'(1) < group_count[cursor_leaf*C +: C];
+  assign more_triangles = cursor_triangle + C'(1) < leaf_count;
   assign more_leaves    = {{(G-S){1'b0}}, cursor_leaf} + G'(1) < group_leaves
-                       && group_near[at_next*TB +: TB] <= tri_t;
-  assign next_leaf      = at;
-  assign next_triangle  = more_triangles ? cursor_triangle + C'(1) : '0;
-  assign at             = more_triangles ? cursor_leaf : at_next;
-  assign tri_prim       = (more_triangles || more_leaves) && !blocked;
+                       && next_near <= it_t;
+  rc_cut #(.Width(I + 3 + TB + A + S + C + 2 * O)) u_end (
+    .clk_i,
+    .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group_base, cursor_leaf,
+             cursor_triangle, this_offset, next_offset}),
+    .data_o({end_ray, end_blocked, end_more_triangles, end_more_leaves, end_t, end_base, end_leaf,
+             end_triangle, end_this_offset, end_next_offset}));
+  if (rc_pkg::Cut == 0) begin : gen_end_now
+    assign end_fires = tri_fires;
+  end else begin : gen_end_late   // two registers
+    logic it_fires_q, end_fires_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) {it_fires_q, end_fires_q} <= '0;
+      else         {it_fires_q, end_fires_q} <= {tri_fires, it_fires_q};
+    end
+    assign end_fires = end_fires_q;
+  end
+  assign next_leaf     = end_more_triangles ? end_leaf : end_leaf + S'(1);
+  assign next_triangle = end_more_triangles ? end_triangle + C'(1) : '0;
+  assign end_offset    = end_more_triangles ? end_this_offset : end_next_offset;
+  assign tri_prim      = (end_more_triangles || end_more_leaves) && !end_blocked;
 
   // ---- Triangles to fetch.
   logic         next_valid, next_ready, first_valid, first_ready;
   logic [I+A:0] next_data, first_data;
   logic [A:0]   next_addr, first_addr;
-  assign next_addr  = {group_base, 1'b0} + {{(A+1-O){1'b0}}, group_offset[at*O +: O]}
+  assign next_addr  = {end_base, 1'b0} + {{(A+1-O){1'b0}}, end_offset}
       + {{(A+1-C){1'b0}}, next_triangle};
   assign first_addr = {in.base, 1'b0} + {{(A+1-O){1'b0}}, in.offset[O-1:0]};
   rc_queue #(.Width(I + A + 1), .Depth(T)) u_next (
-    .clk_i, .rst_ni, .push_i(tri_fires && tri_prim), .data_i({tri_rsp_i.ray, next_addr}),
+    .clk_i, .rst_ni, .push_i(end_fires && tri_prim), .data_i({end_ray, next_addr}),
     .valid_o(next_valid), .pop_i(next_valid && next_ready), .data_o(next_data));
   rc_queue #(.Width(I + A + 1), .Depth(T)) u_first (
     .clk_i, .rst_ni, .push_i(in_fires), .data_i({in.ray, first_addr}),
@@ -164,7 +204,7 @@ module rc_list (
   logic [I-1:0]  tested_ray;
   logic [TB-1:0] tested_t_best;
   rc_queue #(.Width(I + TB), .Depth(T)) u_tested (
-    .clk_i, .rst_ni, .push_i(tri_fires && !tri_prim), .data_i({tri_rsp_i.ray, tri_t}),
+    .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i({end_ray, end_t}),
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i),
     .data_o({tested_ray, tested_t_best}));
   if (rc_pkg::Shading != 0) begin : gen_stop

@@ -9,6 +9,8 @@
 // the line's last word has come, they are answered before anything is looked up: the first of
 // them 3 cycles after that word, then one per cycle. A look-up that cannot go on stays at the
 // head of the queue. deed_o says what happened in a cycle.
+// With Cut there are two cycles more: the head is compared with the tags in a cycle of its own,
+// and waits for its look-up in a register; and what is read passes through another one.
 // Model: model/mem/cache.hpp.
 //
 // The user holds reset for at least Sets cycles (rc_tags), gives an id again only after its
@@ -24,6 +26,7 @@ module rc_cache #(
   parameter  int unsigned Words    = 1,    // of a line
   parameter  int unsigned Mshrs    = 8,    // lines that may be on their way
   parameter  int unsigned Queue    = 4,    // answers that may wait, 2 or more
+  parameter  int unsigned Cut      = rc_pkg::Cut,
   localparam int unsigned PartB    = $clog2(Parts),
   localparam int unsigned WordB    = $clog2(Words),
   localparam int unsigned MissIdW  = (Mshrs < 2 ? 1 : $clog2(Mshrs)) + WordB
@@ -76,18 +79,37 @@ module rc_cache #(
   localparam int unsigned DataA = DataD < 2 ? 1 : $clog2(DataD);
   localparam int unsigned WordW = Words < 2 ? 1 : WordB;
 
-  // ---- The request at the head.
-  logic              valid, pop;
-  logic [IdBits-1:0] id;
-  logic [ReqAW-1:0]  addr;
+  // ---- The request at the head, and the one that is looked up: the same, unless there is a
+  // register in between.
+  logic              ahead_valid, load, valid, pop;
+  logic [IdBits-1:0] ahead_id, id;
+  logic [ReqAW-1:0]  ahead_addr, addr;
   rc_fifo #(.Width(IdBits + ReqAW), .Depth(2)) u_in (
     .clk_i, .rst_ni, .valid_i(req_valid_i), .ready_o(req_ready_o), .data_i(req_i),
-    .valid_o(valid), .ready_i(pop), .data_o({id, addr}));
-  logic [LineW-1:0] line;
-  logic [SetW-1:0]  set;
+    .valid_o(ahead_valid), .ready_i(load), .data_o({ahead_id, ahead_addr}));
+  if (Cut == 0) begin : gen_at_once
+    assign valid      = ahead_valid;
+    assign load       = pop;
+    assign {id, addr} = {ahead_id, ahead_addr};
+  end else begin : gen_ahead
+    logic                    valid_q;
+    logic [IdBits+ReqAW-1:0] request_q;
+    assign valid      = valid_q;
+    assign load       = !valid_q || pop;
+    assign {id, addr} = request_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) valid_q <= 1'b0;
+      else         valid_q <= ahead_valid || !load;
+      if (load) request_q <= {ahead_id, ahead_addr};
+    end
+  end
+  logic [LineW-1:0] line, ahead_line;
+  logic [SetW-1:0]  set, ahead_set;
   logic [SelW-1:0]  select;
-  assign line   = addr[ReqAW-1 -: LineW];
-  assign set    = line[SetW-1:0] & SetW'(Sets - 1);
+  assign line       = addr[ReqAW-1 -: LineW];
+  assign set        = line[SetW-1:0] & SetW'(Sets - 1);
+  assign ahead_line = ahead_addr[ReqAW-1 -: LineW];
+  assign ahead_set  = ahead_line[SetW-1:0] & SetW'(Sets - 1);
   assign select = addr[SelW-1:0] & SelW'((1 << SelB) - 1);
 
   // ---- What to do in this cycle.
@@ -111,17 +133,20 @@ module rc_cache #(
     else                     deed_o = conflict ? rc_pkg::DeedConflict : rc_pkg::DeedMiss;
   end
 
-  rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways)) u_tags (
-    .clk_i, .rst_ni, .set_i(set), .tag_i(line[LineW-1 -: TagW]), .waiting_i(waiting),
+  rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways), .Cut(Cut)) u_tags (
+    .clk_i, .rst_ni, .load_i(load), .ahead_set_i(ahead_set),
+    .ahead_tag_i(ahead_line[LineW-1 -: TagW]), .set_i(set),
+    .tag_i(line[LineW-1 -: TagW]), .waiting_i(waiting),
     .hit_o(found), .conflict_o(conflict), .way_o(way), .touch_i(pop), .take_i(miss));
 
   logic [MshrW-1:0]  free;
   logic [IdBits-1:0] drain_id;
   logic [SetW-1:0]   fill_set, drain_set;
   logic [WayW-1:0]   fill_way, drain_way;
-  rc_mshr #(.IdBits(IdBits), .SetW(SetW), .Ways(Ways), .Words(Words), .Mshrs(Mshrs)) u_mshr (
+  rc_mshr #(.IdBits(IdBits), .SetW(SetW), .Ways(Ways), .Words(Words), .Mshrs(Mshrs),
+    .Cut(Cut)) u_mshr (
     .clk_i, .rst_ni,
-    .id_i(id), .set_i(set), .waiting_o(waiting), .full_o(full), .waits_o,
+    .id_i(id), .set_i(set), .load_i(load), .ahead_set_i(ahead_set), .waiting_o(waiting), .full_o(full), .waits_o,
     .free_o(free),
     .way_i(way), .take_i(miss), .merge_i(merge),
     .fill_fires_i, .fill_mshr_i(fill_id_i[MissIdW-1 -: MshrW]),
@@ -165,7 +190,7 @@ module rc_cache #(
       input logic [WordW-1:0] word);
     place = DataA'(s) << (WayB + WordB) | DataA'(w) << WordB | DataA'(word);
   endfunction
-  logic              admit, s1_valid_q, rsp_place;
+  logic              admit, s1_valid_q, end_valid, rsp_place;
   logic [DataA-1:0]  read_at, fill_at;
   logic [IdBits-1:0] s1_id_q;
   logic [WordW-1:0]  read_word;
@@ -198,13 +223,26 @@ module rc_cache #(
     always_ff @(posedge clk_i) if (admit) s1_part_q <= read_select[0];
     assign s1_data = s1_part_q ? gen_part[1].data : gen_part[0].data;
   end
+  logic [IdBits+PartW-1:0] end_answer;
+  rc_cut #(.Width(IdBits + PartW), .Stages(Cut)) u_answer (
+    .clk_i, .data_i({s1_id_q, s1_data}), .data_o(end_answer));
+  if (Cut == 0) begin : gen_answer_now
+    assign end_valid = s1_valid_q;
+  end else begin : gen_answer_late
+    logic end_valid_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) end_valid_q <= 1'b0;
+      else         end_valid_q <= s1_valid_q;
+    end
+    assign end_valid = end_valid_q;
+  end
   rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
-    .clk_i, .rst_ni, .valid_i(s1_valid_q), .ready_o(rsp_place), .data_i({s1_id_q, s1_data}),
+    .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(rsp_place), .data_i(end_answer),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
 
 `ifndef SYNTHESIS
   a_answer_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                           s1_valid_q |-> rsp_place)
+                                           end_valid |-> rsp_place)
     else $error("an answer met a full queue");
 
   logic [(1<<IdBits)-1:0] asked_q;   // ids between request and answer

@@ -14,6 +14,7 @@ module rc_mshr #(
   parameter  int unsigned Ways   = 4,
   parameter  int unsigned Words  = 1,   // of a line
   parameter  int unsigned Mshrs  = 8,
+  parameter  int unsigned Cut    = 0,   // 1: sets are compared in the cycle before, as in rc_tags
   localparam int unsigned WayW   = Ways < 2 ? 1 : $clog2(Ways),
   localparam int unsigned WordW  = Words < 2 ? 1 : $clog2(Words),
   localparam int unsigned MshrW  = Mshrs < 2 ? 1 : $clog2(Mshrs)
@@ -23,6 +24,8 @@ module rc_mshr #(
   // The request that is looked up
   input  logic [IdBits-1:0] id_i,
   input  logic [SetW-1:0]   set_i,
+  input  logic              load_i,        // with Cut: the request ahead is the next one
+  input  logic [SetW-1:0]   ahead_set_i,   // without: the same as set_i
   output logic [Ways-1:0]   waiting_o,     // ways of its set that wait for a line
   output logic              full_o,        // no MSHR is free
   output logic              waits_o,       // one is not
@@ -44,6 +47,9 @@ module rc_mshr #(
 );
   if (Words < 1 || (Words & (Words - 1)) != 0) begin : gen_refuse
     $error("rc_mshr: Words and Mshrs must be powers of two");
+  end
+  if (Cut > 1) begin : gen_refuse_cut
+    $error("rc_mshr: Cut must be 0 or 1");
   end
   if (Mshrs < 1 || (Mshrs & (Mshrs - 1)) != 0) begin : gen_refuse_mshrs
     $error("rc_mshr: Words and Mshrs must be powers of two");
@@ -70,7 +76,15 @@ module rc_mshr #(
     logic             here, full, some;
     logic [Ways-1:0]  waiting;
     logic [MshrW-1:0] free, match;
-    assign here = busy_q && set_q == set_i;
+    if (Cut == 0) begin : gen_at_once
+      assign here = busy_q && set_q == set_i;
+    end else begin : gen_ahead
+      logic same_set_q;
+      always_ff @(posedge clk_i)
+        if (load_i)
+          same_set_q <= (take_i && free_o == MshrW'(m) ? set_i : set_q) == ahead_set_i;
+      assign here = busy_q && same_set_q;
+    end
     if (m == 0) begin : gen_first
       assign full    = busy_q;
       assign some    = busy_q;
@@ -91,18 +105,22 @@ module rc_mshr #(
   assign free_o    = gen_mshr[Mshrs-1].free;
   assign joined    = gen_mshr[Mshrs-1].match;
 
-  // Chains.
-  logic [IdBits-1:0] head, tail, next;
+  // Chains. The last of a chain is kept twice, so that whom a request joins does not decide who is
+  // answered: two reads in one cycle.
+  logic [IdBits-1:0] head, tail, last, next;
   rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_head (
     .clk_i, .write_i(take_i || drain_i), .write_addr_i(take_i ? free_o : drained),
     .write_data_i(take_i ? id_i : next), .read_addr_i(drained), .read_data_o(head));
   rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_tail (
     .clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),
-    .write_data_i(id_i), .read_addr_i(drain_valid_o ? drained : joined), .read_data_o(tail));
+    .write_data_i(id_i), .read_addr_i(joined), .read_data_o(tail));
+  rc_ram #(.Width(IdBits), .Depth(Mshrs)) u_last (
+    .clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),
+    .write_data_i(id_i), .read_addr_i(drained), .read_data_o(last));
   rc_ram #(.Width(IdBits), .Depth(1 << IdBits)) u_next (
     .clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),
     .read_addr_i(head), .read_data_o(next));
-  assign is_last    = head == tail;
+  assign is_last    = head == last;
   assign drain_id_o = head;
 
   // Words that have come, modulo Words: zero again when the line is filled.
@@ -130,6 +148,9 @@ module rc_mshr #(
     .clk_i, .rst_ni, .push_i(filled), .data_i({fill_mshr_i, fill_set_o, fill_way_o}),
     .valid_o(drain_valid_o), .pop_i(drain_i && is_last),
     .data_o({drained, drain_set_o, drain_way_o}));
+
+  logic unused;
+  assign unused = ^{load_i, ahead_set_i};
 
 `ifndef SYNTHESIS
   logic [Mshrs-1:0] awaits_q;   // words of its line

@@ -2,7 +2,9 @@
 //
 // Finds a line, or else names the way that it may have: the set's pseudo-least-recently-used
 // one, or the lowest that does not wait for a line, if that one does. All in one cycle; what
-// touch_i and take_i change is seen in the next. Each way's tags are a memory of their own,
+// touch_i and take_i change is seen in the next. With Cut a request is compared with the tags in
+// the cycle before (ahead_*, taken over by load_i), and what the request before it changes in
+// that cycle is seen as well. Each way's tags are a memory of their own,
 // so that a new line writes one of them. Sets are cleared one by one while reset is held: the
 // user must hold it for at least Sets cycles. Model: look_up(), victim() and touch() in
 // model/mem/cache.cpp.
@@ -11,11 +13,15 @@ module rc_tags #(
   parameter  int unsigned TagW = 18,
   parameter  int unsigned Sets = 64,   // powers of two, 1 or more
   parameter  int unsigned Ways = 4,
+  parameter  int unsigned Cut  = 0,    // 1: a register after the comparison
   localparam int unsigned SetW = Sets < 2 ? 1 : $clog2(Sets),
   localparam int unsigned WayW = Ways < 2 ? 1 : $clog2(Ways)
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,
+  input  logic            load_i,      // with Cut: the request ahead is the next one
+  input  logic [SetW-1:0] ahead_set_i, // without: the same as set_i, tag_i
+  input  logic [TagW-1:0] ahead_tag_i,
   input  logic [SetW-1:0] set_i,
   input  logic [TagW-1:0] tag_i,
   input  logic [Ways-1:0] waiting_i,   // ways of the set that wait for a line
@@ -34,6 +40,9 @@ module rc_tags #(
   if (Ways < 1 || (Ways & (Ways - 1)) != 0) begin : gen_refuse_3
     $error("rc_tags: Sets and Ways must be powers of two");
   end
+  if (Cut > 1) begin : gen_refuse_4
+    $error("rc_tags: Cut must be 0 or 1");
+  end
   localparam int unsigned Levels = $clog2(Ways);
 
   // The set that is cleared. It may start anywhere, but a simulator with unknown values must
@@ -43,17 +52,31 @@ module rc_tags #(
   always_ff @(posedge clk_i) if (!rst_ni) clear_q <= clear_q + 1'b1;
   assign write_set = rst_ni ? set_i : clear_q & SetW'(Sets - 1);
 
+  logic same_set;   // of the request and the one ahead
+  assign same_set = set_i == ahead_set_i;
+
   for (genvar w = 0; w < Ways; w++) begin : gen_way
     logic [TagW:0] entry;   // {valid, tag}
     rc_ram #(.Width(TagW + 1), .Depth(Sets)) u_tag (
       .clk_i, .write_i(!rst_ni || (take_i && way_o == WayW'(w))), .write_addr_i(write_set),
-      .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(set_i), .read_data_o(entry));
+      .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),
+      .read_data_o(entry));
 
     // Of this way and those below: one has the line, all wait; the one that has it, the
     // lowest that does not wait.
     logic            mine, hit, full;
     logic [WayW-1:0] found, lowest;
-    assign mine = entry == {1'b1, tag_i};
+    logic same_tag;
+    assign same_tag = entry == {1'b1, ahead_tag_i};
+    if (Cut == 0) begin : gen_at_once
+      assign mine = same_tag;
+    end else begin : gen_ahead
+      logic mine_q;
+      always_ff @(posedge clk_i)
+        if (load_i)
+          mine_q <= take_i && same_set && way_o == WayW'(w) ? tag_i == ahead_tag_i : same_tag;
+      assign mine = mine_q;
+    end
     if (w == 0) begin : gen_first
       assign hit    = mine;
       assign full   = waiting_i[0];
@@ -77,10 +100,18 @@ module rc_tags #(
     logic unused;
     assign unused = touch_i;
   end else begin : gen_tree
-    logic [Ways-1:0] recent, recent_d;
+    logic [Ways-1:0] recent, recent_d, kept;
     rc_ram #(.Width(Ways), .Depth(Sets)) u_recent (
       .clk_i, .write_i(!rst_ni || touch_i), .write_addr_i(write_set),
-      .write_data_i(rst_ni ? recent_d : '0), .read_addr_i(set_i), .read_data_o(recent));
+      .write_data_i(rst_ni ? recent_d : '0), .read_addr_i(ahead_set_i),
+      .read_data_o(kept));
+    if (Cut == 0) begin : gen_at_once
+      assign recent = kept;
+    end else begin : gen_ahead
+      logic [Ways-1:0] recent_q;
+      always_ff @(posedge clk_i) if (load_i) recent_q <= touch_i && same_set ? recent_d : kept;
+      assign recent = recent_q;
+    end
     always_comb begin
       oldest = '0;
       for (int l = 0; l < Levels; l++) oldest = oldest << 1 | WayW'(recent[WayW'(1 << l) | oldest]);
@@ -93,6 +124,9 @@ module rc_tags #(
   end
   assign way_o = hit_o ? gen_way[Ways-1].found
                : waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;
+
+  logic unused;
+  assign unused = ^{load_i, same_set};
 
 `ifndef SYNTHESIS
   a_way_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)

@@ -227,6 +227,7 @@ void derived(Package& p, const Config& c) {
     p.constant("DirectionStages", stages.direction);
     p.constant("RecipStages", stages.recip);
     p.constant("SlopeStages", stages.slope);
+    p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
     p.constant("TriLatency", c.tri_latency());

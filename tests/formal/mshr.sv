@@ -25,7 +25,7 @@ module mshr #(
   logic [1:0] waiting_o, drain_id_o;
   logic       full_o, waits_o, free_o, fill_set_o, fill_way_o, drain_valid_o, drain_set_o, drain_way_o;
   rc_mshr #(.IdBits(IdBits), .SetW(1), .Ways(2), .Words(Words), .Mshrs(Mshrs)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .id_i(id_i), .set_i(set_i), .waiting_o(waiting_o), .full_o(full_o), .waits_o(waits_o),
+    .clk_i(clk_i), .rst_ni(rst_ni), .id_i(id_i), .set_i(set_i), .load_i(1'b0), .ahead_set_i(set_i), .waiting_o(waiting_o), .full_o(full_o), .waits_o(waits_o),
     .free_o(free_o), .way_i(way_i), .take_i(take_i), .merge_i(merge_i), .fill_fires_i(fill_fires_i),
     .fill_mshr_i(fill_mshr_i), .fill_set_o(fill_set_o), .fill_way_o(fill_way_o), .drain_valid_o(drain_valid_o),
     .drain_id_o(drain_id_o), .drain_set_o(drain_set_o), .drain_way_o(drain_way_o), .drain_i(drain_i));
@@ -112,6 +112,7 @@ module mshr #(
   (* hierconn *) wire \u_dut.gen_mshr[0].set_q , \u_dut.gen_mshr[1].set_q ;
   (* hierconn *) wire \u_dut.gen_mshr[0].way_q , \u_dut.gen_mshr[1].way_q ;
   (* hierconn *) wire [1:0] \u_dut.u_head.mem[0] , \u_dut.u_head.mem[1] , \u_dut.u_tail.mem[0] , \u_dut.u_tail.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.u_last.mem[0] , \u_dut.u_last.mem[1] ;
   (* hierconn *) wire [1:0] \u_dut.u_next.mem[0] , \u_dut.u_next.mem[1] , \u_dut.u_next.mem[2] , \u_dut.u_next.mem[3] ;
   (* hierconn *) wire [1:0] \u_dut.u_place.mem[0] , \u_dut.u_place.mem[1] ;
   (* hierconn *) wire [1:0] \u_dut.u_filled.u_fifo.head_q , \u_dut.u_filled.u_fifo.tail_q ;
@@ -148,6 +149,8 @@ module mshr #(
     t_filled: assert ((filled_q & ~busy_q) == '0 && in_count == {1'b0, filled_q[0]} + filled_q[1]);
     t_first:  assert (in_count == '0 || (filled_q[first[2]] && first[1:0] == {set_q[first[2]], way_q[first[2]]}));
     t_second: assert (in_count < 2'd2 || (second[2] != first[2] && second[1:0] == {set_q[second[2]], way_q[second[2]]}));
+    t_last:   assert (!busy_q[0] || \u_dut.u_last.mem[0] == \u_dut.u_tail.mem[0] );
+    t_last_1: assert (!busy_q[1] || \u_dut.u_last.mem[1] == \u_dut.u_tail.mem[1] );
     t_line:   assert (line_ok);
     t_owner:  assert (owner_ok);
     t_ends:   assert (ends_ok);

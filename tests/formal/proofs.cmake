@@ -67,8 +67,10 @@ prove(mutant:formal_mshr_free_too_early TOP mshr RTL ${mshr} CYCLES 8 FILE mem/r
   OLD [[else if (drain_i && is_last && drained == MshrW'(m)) busy_q <= 1'b0;]]
   NEW [[else if (drain_i && drained == MshrW'(m)) busy_q <= 1'b0;]])
 prove(mutant:formal_mshr_forgets_who_joined TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
-  OLD [[.clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),]]
-  NEW [[.clk_i, .write_i(take_i), .write_addr_i(take_i ? free_o : joined),]])
+  OLD [[u_tail (
+    .clk_i, .write_i(take_i || merge_i),]]
+  NEW [[u_tail (
+    .clk_i, .write_i(take_i),]])
 prove(mutant:formal_mshr_links_to_the_first TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
   OLD [[.clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),]]
   NEW [[.clk_i, .write_i(merge_i), .write_addr_i(head), .write_data_i(id_i),]])
@@ -89,7 +91,7 @@ prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/r
 prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
-set(cache rc_pkg.sv mem/rc_cache.sv ${tags} mem/rc_mshr.sv prim/rc_ram_sync.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
+set(cache rc_pkg.sv mem/rc_cache.sv ${tags} mem/rc_mshr.sv prim/rc_cut.sv prim/rc_ram_sync.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)

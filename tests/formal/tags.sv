@@ -19,7 +19,7 @@ module tags #(
   logic       hit_o, conflict_o;
   logic [1:0] way_o;
   rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .set_i(set_i), .tag_i(tag_i), .waiting_i(waiting_i), .hit_o(hit_o),
+    .clk_i(clk_i), .rst_ni(rst_ni), .load_i(1'b0), .ahead_set_i(set_i), .ahead_tag_i(tag_i), .set_i(set_i), .tag_i(tag_i), .waiting_i(waiting_i), .hit_o(hit_o),
     .conflict_o(conflict_o), .way_o(way_o), .touch_i(touch_i), .take_i(take_i));
 
   // Reset is held once, for as many cycles as there are sets.

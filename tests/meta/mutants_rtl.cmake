@@ -92,20 +92,20 @@ mutant(stack_below_of_top_only QUICK FILE rtl/bvh/rc_stack.sv TEST unit [trav][l
   OLD [[below = top_near[T-1:0] < top_below ? top_near[T-1:0] : top_below;]]
   NEW [[below = top_near[T-1:0];]])
 mutant(stack_pop_writes_one_up FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[level    = s1_height_q - H'(1);]]
-  NEW [[level    = s1_height_q;]])
+  OLD [[level    = end_height - H'(1);]]
+  NEW [[level    = end_height;]])
 mutant(stack_equal_does_not_matter FILE rtl/bvh/rc_stack.sv TEST unit [trav]
-  OLD [[assign top_matters  = top_near[T-1:0] <= s1_tested_i.t_best;]]
-  NEW [[assign top_matters  = top_near[T-1:0] < s1_tested_i.t_best;]])
+  OLD [[assign top_matters   = top_near[T-1:0] <= tested.t_best;]]
+  NEW [[assign top_matters   = top_near[T-1:0] < tested.t_best;]])
 mutant(stack_gives_up_early FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
-  OLD [[top_below > s1_tested_i.t_best]]
-  NEW [[top_below >= s1_tested_i.t_best]])
+  OLD [[below_matters = top_below <= tested.t_best;]]
+  NEW [[below_matters = top_below < tested.t_best;]])
 mutant(trav_gives_leaves_that_are_too_far QUICK FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[in.leaves != '0 && leaf_near[TB-1:0] <= in_t;]]
-  NEW [[in.leaves != '0;]])
+  OLD [[leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_t;]]
+  NEW [[leaves.leaves != '0;]])
 mutant(trav_keeps_leaves_exactly_as_far FILE rtl/bvh/rc_trav.sv TEST unit [trav]
-  OLD [[leaf_near[TB-1:0] <= in_t;]]
-  NEW [[leaf_near[TB-1:0] < in_t;]])
+  OLD [[leaves_near[TB-1:0] <= leaves_t;]]
+  NEW [[leaves_near[TB-1:0] < leaves_t;]])
 mutant(trav_gives_the_second_leaf FILE rtl/bvh/rc_trav.sv TEST unit [trav]
   OLD [[leaf_offset = leaf_offset >> (O << b);]]
   NEW [[leaf_offset = leaf_offset >> (O << (b + 1));]])
@@ -116,8 +116,8 @@ mutant(list_skips_last_triangle QUICK FILE rtl/list/rc_list.sv TEST unit [list][
   OLD [[assign more_triangles = cursor_triangle + C'(1) <]]
   NEW [[assign more_triangles = cursor_triangle + C'(2) <]])
 mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[&& group_near[at_next*TB +: TB] <= tri_t;]]
-  NEW [[&& (group_near[at_next*TB +: TB] <= tri_t || tri_t != '0);]])
+  OLD [[&& next_near <= it_t;]]
+  NEW [[&& (next_near <= it_t || it_t != '0);]])
 mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/list/rc_list.sv TEST unit [list]
   OLD [[if (start_fires_i) found_q[start_ray] <= 1'b0;]]
   NEW [[if (start_fires_i || ray_fires_i) found_q[ray_fires_i ? ray_i.ray : start_ray] <= 1'b0;]])
@@ -256,23 +256,23 @@ mutant(tri_one_cycle_late FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
 mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(done), .data_i(s1_tested.ray),]]
+    .clk_i, .rst_ni, .push_i(done), .data_i(end_tested.ray),]]
   NEW [[  logic late_q;
   logic [I-1:0] late_ray_q;
   always_ff @(posedge clk_i) begin
     late_q     <= rst_ni && done;
-    late_ray_q <= s1_tested.ray;
+    late_ray_q <= end_tested.ray;
   end
   rc_queue #(.Width(I), .Depth(T)) u_done (
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_ray_q),]])
 mutant(leafless_ray_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({in.ray, in_t}),]]
+    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_t}),]]
   NEW [[  logic late_q;
   logic [I+TB-1:0] late_data_q;
   always_ff @(posedge clk_i) begin
     late_q      <= rst_ni && in_fires && !leaf_matters;
-    late_data_q <= {in.ray, in_t};
+    late_data_q <= {leaves.ray, leaves_t};
   end
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_data_q),]])
@@ -302,12 +302,12 @@ mutant(arbiter_one_cycle_late FILE rtl/mem/rc_arbiter.sv TEST unit [machine][loc
 # ---- caches: who waits, which line goes, what is read.
 mutant(cache_one_cycle_late FILE rtl/mem/rc_cache.sv TEST unit "a hit is answered exactly*"
   OLD [[  rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
-    .clk_i, .rst_ni, .valid_i(s1_valid_q), .ready_o(rsp_place), .data_i({s1_id_q, s1_data}),]]
+    .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(rsp_place), .data_i(end_answer),]]
   NEW [[  logic late_q;
   logic [IdBits+PartW-1:0] late_data_q;
   always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && s1_valid_q;
-    late_data_q <= {s1_id_q, s1_data};
+    late_q      <= rst_ni && end_valid;
+    late_data_q <= end_answer;
   end
   rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(rsp_place), .data_i(late_data_q),]])
@@ -353,14 +353,29 @@ mutant(tags_tree_not_cleared FILE rtl/mem/rc_tags.sv TEST unit [cache][lockstep]
   OLD [[.clk_i, .write_i(!rst_ni || touch_i), .write_addr_i(write_set),]]
   NEW [[.clk_i, .write_i(touch_i), .write_addr_i(write_set),]])
 mutant(mshr_chain_loses_the_last QUICK FILE rtl/mem/rc_mshr.sv TEST unit "misses to one line*"
-  OLD [[assign is_last    = head == tail;]]
-  NEW [[assign is_last    = head == tail || next == tail;]])
+  OLD [[assign is_last    = head == last;]]
+  NEW [[assign is_last    = head == last || next == last;]])
 mutant(mshr_tail_stays FILE rtl/mem/rc_mshr.sv TEST unit [cache]
-  OLD [[.clk_i, .write_i(take_i || merge_i), .write_addr_i(take_i ? free_o : joined),]]
-  NEW [[.clk_i, .write_i(take_i), .write_addr_i(take_i ? free_o : joined),]])
+  OLD [[u_tail (
+    .clk_i, .write_i(take_i || merge_i),]]
+  NEW [[u_tail (
+    .clk_i, .write_i(take_i),]])
 mutant(mshr_joins_any_of_the_set FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   OLD [[assign match   = here && way_q == way_i ? MshrW'(m)]]
   NEW [[assign match   = here && (way_q == way_i || m > 0) ? MshrW'(m)]])
+# What a fast cache compares a cycle early, and the request before it changes in that cycle.
+mutant(tags_fast_old_line_is_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
+  OLD [[mine_q <= take_i && same_set && way_o == WayW'(w) ? tag_i == ahead_tag_i : same_tag;]]
+  NEW [[mine_q <= same_tag;]])
+mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
+  OLD [[recent_q <= touch_i && same_set ? recent_d : kept;]]
+  NEW [[recent_q <= kept;]])
+mutant(mshr_fast_new_line_is_not_waited_for QUICK FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
+  OLD [[(take_i && free_o == MshrW'(m) ? set_i : set_q) == ahead_set_i;]]
+  NEW [[set_q == ahead_set_i;]])
+mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
+  OLD [[assign load       = !valid_q || pop;]]
+  NEW [[assign load       = !valid_q || pop || full;]])
 mutant(mshr_line_filled_one_word_early FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   OLD [[words == WordW'(Words - 1);]]
   NEW [[words == WordW'(Words - 2);]])

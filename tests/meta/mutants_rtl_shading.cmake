@@ -11,8 +11,8 @@ mutant(slab_far_shift_wraps FILE rtl/bvh/rc_slab.sv TEST unit "model and rtl of 
   OLD [[s1_shift_q > $signed(S'(T)) ? '0 :]]
   NEW [[1'b0 ? '0 :]])
 mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[(more_triangles || more_leaves) && !blocked;]]
-  NEW [[more_triangles || (more_leaves && !blocked);]])
+  OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
+  NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
   OLD [[stop     = any_q[tested_ray] && found_q[tested_ray];]]
   NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_ray[0];]])
@@ -23,14 +23,14 @@ mutant(trav_looks_beyond_the_surface FILE rtl/prim/rc_reach.sv TEST unit [trav][
   OLD [[kept : shadow_q[read_ray_i] ? SurfaceT : '1;]]
   NEW [[kept : shadow_q[read_ray_i] && read_ray_i[0] ? SurfaceT : '1;]])
 mutant(stack_stop_keeps_the_stack FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
-  OLD [[(stop || s1_height_q == '0)) begin
+  OLD [[(end_stop || end_height == '0)) begin
       done_o   = 1'b1;
       height_d = '0;]]
-  NEW [[(stop || s1_height_q == '0)) begin
+  NEW [[(end_stop || end_height == '0)) begin
       done_o   = 1'b1;]])
 mutant(stack_visits_a_child_when_stopped FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
-  OLD [[forward      = !stop &&]]
-  NEW [[forward      =]])
+  OLD [[forward       = !stop &&]]
+  NEW [[forward       =]])
 mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
   OLD [[is_short = dir_kind_q != rc_pkg::RayShadow;]]
   NEW [[is_short = dir_kind_q != rc_pkg::RayShadow && dir_kind_q != rc_pkg::RayAway;]])

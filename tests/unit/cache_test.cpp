@@ -60,6 +60,13 @@ TEMPLATE_TEST_CASE("model and rtl of a cache do the same in every cycle", "[cach
     for (const std::string& name : quick_shapes<TestType>()) lockstep<TestType>(cache_config(name), 3, 2500);
 }
 
+TEMPLATE_TEST_CASE("model and rtl of a fast cache do the same in every cycle", "[cache][lockstep][fast]",
+                   NodeCache, PrimCache, SharedCache) {
+    Config config = cache_config("four");
+    config.timing = int(Timing::fast);
+    lockstep<TestType>(config, 3, 2500);
+}
+
 TEMPLATE_TEST_CASE("caches of other shapes keep their rules", "[cache][slow]", ALL_CACHES) {
     for (const std::string& name : other_shapes<typename TestType::Kind>()) {
         INFO(name);

@@ -2,6 +2,7 @@
 // One face for a unit's two machines, so that one test body runs on both: links with offer and ready, eval()
 // before the clock edge, commit() for the edge.
 #include <cstring>
+#include <deque>
 #include <optional>
 
 #include "model/base/ring.hpp"
@@ -18,6 +19,23 @@ template <class P> struct Wire {
     std::optional<P> offer;
     bool ready = false;
     bool fires() const { return offer && ready; }
+};
+
+/// What came on a link some cycles ago: a fast chip's units look at it that much later.
+template <class P> class Late {
+public:
+    explicit Late(int cycles) : kept_(std::size_t(cycles)) {}
+    const std::optional<P>& out(const std::optional<P>& in) const {
+        return kept_.empty() ? in : kept_.front();
+    }
+    void clock(const std::optional<P>& in) {
+        if (kept_.empty()) return;
+        kept_.pop_front();
+        kept_.push_back(in);
+    }
+
+private:
+    std::deque<std::optional<P>> kept_;
 };
 
 /// The ray of a payload, if there is one.

@@ -1,4 +1,5 @@
 #pragma once
+#include "model/core/stages.hpp"
 #include "model/list/list.hpp"
 #include "model/list/ray_tests.hpp"
 #include "tests/support/dut/dut.hpp"
@@ -24,7 +25,10 @@ struct ListLinks {
 class ListModel : public ListLinks {
 public:
     explicit ListModel(const Config& config, int = 1)
-        : list_(config), rays_(std::size_t(config.contexts)), tests_(rays_.size(), RayTests(config)) {}
+        : list_(config),
+          rays_(std::size_t(config.contexts)),
+          tests_(rays_.size(), RayTests(config)),
+          tried_(Stages(config).arrive) {}
     void eval() {
         tri_rsp.ready = true;
         prim_req.offer.reset();
@@ -44,10 +48,10 @@ public:
         if (done.offer) closest.offer = tests_[done.offer->ray].closest();
     }
     void commit() {
-        const bool answered = tri_rsp.fires();
-        list_.clock(ray_of(leaves), ray_of(tri_rsp),
-                    answered && tests_[tri_rsp.offer->ray].advance(*tri_rsp.offer), prim_req.fires(),
-                    tested.fires());
+        const std::optional<TriRsp> tried = tried_.out(tri_rsp.offer);
+        list_.clock(ray_of(leaves), ray_of(tried), tried && tests_[tried->ray].advance(*tried),
+                    prim_req.fires(), tested.fires());
+        tried_.clock(tri_rsp.offer);
         if (leaves) tests_[leaves->ray].begin(*leaves);
         if (ray) rays_[ray->ray] = *ray;
         if (start) tests_[start->ray].start(*start);
@@ -57,6 +61,7 @@ private:
     List list_;
     std::vector<Ray> rays_;
     std::vector<RayTests> tests_;
+    Late<TriRsp> tried_;
 };
 
 class ListRtl : public ListLinks {

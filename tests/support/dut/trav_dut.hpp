@@ -27,7 +27,8 @@ public:
         : config_(config),
           root_(frame.root),
           trav_(config),
-          contexts_(std::size_t(config.contexts), Context{{}, {}, {}, Stack(config), 0, 0}) {}
+          contexts_(std::size_t(config.contexts), Context{{}, {}, {}, Stack(config), 0, 0}),
+          boxed_(Stages(config).arrive) {}
     void eval() {
         const bool offered = tested.offer.has_value();
         ray.ready = trav_.ray_ready();
@@ -49,12 +50,13 @@ public:
         }
         box_rsp.ready = true;
         leaves.reset();
-        if (box_rsp.offer && box_rsp.offer->leaves > 0 &&
-            box_rsp.offer->t_near[box_rsp.offer->inner] <= contexts_[box_rsp.offer->ray].reach)
-            leaves = leaves_of(*box_rsp.offer);
+        const std::optional<BoxRsp>& boxed = boxed_.out(box_rsp.offer);
+        if (boxed && boxed->leaves > 0 && boxed->t_near[boxed->inner] <= contexts_[boxed->ray].reach)
+            leaves = leaves_of(*boxed);
     }
     void commit() {
-        const OnLink leafless = leaves ? OnLink{} : ray_of(box_rsp.offer);
+        const std::optional<BoxRsp> boxed = boxed_.out(box_rsp.offer);
+        const OnLink leafless = leaves ? OnLink{} : ray_of(boxed);
         trav_.clock({ray_of(ray), leafless, ray_of(tested.offer), node_req.fires(), done.fires()},
                     [&](std::uint32_t number, bool valid) {
                         if (!valid) return Turn::Flags{};
@@ -64,11 +66,12 @@ public:
                         c.children = {};   // in another turn there are no new ones
                         return turn.flags();
                     });
-        if (box_rsp.offer) {
-            Context& c = contexts_[box_rsp.offer->ray];
-            c.children = children_of(*box_rsp.offer);
-            c.tested = {box_rsp.offer->ray, 0, c.reach};   // if it is not told otherwise
+        if (boxed) {
+            Context& c = contexts_[boxed->ray];
+            c.children = children_of(*boxed);
+            c.tested = {boxed->ray, 0, c.reach};   // if it is not told otherwise
         }
+        boxed_.clock(box_rsp.offer);
         if (tested.fires()) {
             Context& c = contexts_[tested.offer->ray];
             c.tested = *tested.offer;
@@ -94,6 +97,7 @@ private:
     std::uint32_t root_;
     Trav trav_;
     std::vector<Context> contexts_;
+    Late<BoxRsp> boxed_;
 };
 
 class TravRtl : public TravLinks {

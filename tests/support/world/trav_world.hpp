@@ -41,6 +41,7 @@ public:
     TravWorld(const Frame& frame, const Config& config, unsigned seed, const Flow& flow, int rays)
         : frame_(frame),
           config_(config),
+          boxed_(Stages(config).arrive),
           flow_(flow),
           draw_(seed),
           left_(rays),
@@ -177,16 +178,20 @@ private:
         boxes_ = boxes;
     }
 
-    /// Leaves go to list in the cycle in which box answers, if the nearest can matter; others never do.
+    /// Leaves go to list in the cycle in which box answers (in a fast chip some cycles later), if the nearest
+    /// can matter; others never do.
     void see_leaves(const TravLinks& dut) {
-        if (!boxes_ || !dut.box_rsp.fires()) {
+        std::optional<BoxRsp> taken;
+        if (boxes_ && dut.box_rsp.fires()) taken.swap(boxes_);
+        const std::optional<BoxRsp> seen = boxed_.out(taken);
+        boxed_.clock(taken);
+        if (!seen) {
             REQUIRE_FALSE(dut.leaves);
             return;
         }
-        CAPTURE(boxes_->ray);
-        Context& c = contexts_[boxes_->ray];
-        c.boxes = *boxes_;
-        boxes_.reset();
+        CAPTURE(seen->ray);
+        Context& c = contexts_[seen->ray];
+        c.boxes = *seen;
         const bool matters = c.boxes.leaves > 0 && c.boxes.t_near[c.boxes.inner] <= c.t_best;
         REQUIRE(dut.leaves.has_value() == matters);
         if (!matters) return go_on({c.boxes.ray, 0, c.t_best});
@@ -241,6 +246,7 @@ private:
 
     Frame frame_;
     Config config_;
+    Late<BoxRsp> boxed_;   // what trav has taken, until it looks at it
     Flow flow_;
     Draw draw_;
     int left_, started_ = 0, ended_ = 0, nodes_ = 0, stopped_ = 0, listings_ = 0;

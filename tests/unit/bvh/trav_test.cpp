@@ -341,7 +341,7 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
 }
 
 TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lockstep]") {
-    const Config config = format(GENERATE("default", "shading:default"));
+    const Config config = format(GENERATE("default", "shading:default", "fast:small"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
