@@ -106,6 +106,7 @@ package rc_pkg;
   localparam int unsigned DirectionStages = 1;
   localparam int unsigned RecipStages = 9;
   localparam int unsigned SlopeStages = 11;
+  localparam int unsigned StackStages = 0;
   localparam int unsigned RaygenLatency = 12;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TriLatency = 18;

@@ -170,21 +170,22 @@ module rc_tri (
   // num / det against best_num / best_det, cross-multiplied; all four are positive. Closer, or
   // as close with a lower number.
   logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
-  logic           wide_before, last_before, last_hit, pre_closer_q;
+  logic           f1_hit, wide_before, last_before, last_hit, pre_closer_q;
   rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_mine (
     .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
   rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
     .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
+  rc_cut #(.Width(1), .Stages(Mul)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
   always_ff @(posedge clk_i) begin
-    if (flat[Wide-1]) begin
+    if (flat[Wide-1] && f1_hit) begin
       f1_mine_q   <= f0_mine;
       f1_theirs_q <= f0_theirs;
     end
   end
   assign wide_before = !wide_found || {f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};
   rc_cut #(.Width(1)) u_before (.clk_i, .data_i(wide_before), .data_o(last_before));
-  rc_delay #(.Width(1), .Stages(Pre - 1 - Front)) u_hit (
-    .clk_i, .valid_i(flat[Pre-2:Front]), .data_i(f0_hit), .data_o(last_hit));
+  rc_delay #(.Width(1), .Stages(Pre - Wide)) u_hit (
+    .clk_i, .valid_i(flat[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
   always_ff @(posedge clk_i) if (flat[Pre-1]) pre_closer_q <= last_hit && last_before;
 
   // The hit itself waits.
