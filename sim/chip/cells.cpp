@@ -1,14 +1,21 @@
 #include "sim/chip/cells.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "model/base/split.hpp"
 #include "sim/area/variants.hpp"
+#include "sim/files/input.hpp"
+#include "sim/files/text.hpp"
 
 namespace rayclock::chip {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -62,6 +69,33 @@ private:
     Cell cell_;
 };
 
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+bool has_word(std::string_view line, const std::string& word) {
+    line = line.substr(0, line.find("//"));
+    for (std::size_t at = line.find(word); at != std::string_view::npos; at = line.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
+            return true;
+    }
+    return false;
+}
+
+std::string_view nth_line(std::string_view text, int line) {
+    std::string_view found;
+    for (int i = 0; i < line && !text.empty(); ++i) found = take_line(text);
+    return found;
+}
+
+/// Yosys places an instance behind its name, "u_queue (", and a process at its word always.
+bool is_instance(const std::string& file, int line, int column) {
+    const std::string text = read_if_there(file);
+    std::string_view before = nth_line(text, line).substr(0, std::size_t(column - 1));
+    std::string_view last;
+    for (std::string_view word = take_word(before); !word.empty(); word = take_word(before)) last = word;
+    return last.starts_with("u_");
+}
+
 }   // namespace
 
 bool read_cells(const std::string& file, const std::function<void(const Cell&)>& take) {
@@ -98,13 +132,32 @@ Use use_of(const std::string& type) {
 }
 
 std::string source_line(const std::string& src, const std::string& sources) {
-    std::string found;
-    for (const std::string& place : split(src, '|')) {
+    std::string around;
+    for (const std::string& place : split(src, '|')) {   // in no order
         if (!place.starts_with(sources + "/")) continue;
-        const std::string name = place.substr(sources.size() + 1);   // bvh/rc_box.sv:120.3-140.6
-        found = "rtl/" + name.substr(0, name.find('.', name.rfind(':')));
+        const std::size_t colon = place.rfind(':');   // bvh/rc_box.sv:120.3-140.6
+        int line = 0, column = 0;
+        if (std::sscanf(place.c_str() + colon, ":%d.%d-", &line, &column) != 2) continue;
+        const std::string name =
+            fmt::format("rtl{}:{}", place.substr(sources.size(), colon - sources.size()), line);
+        if (!is_instance(place.substr(0, colon), line, column)) return name;
+        around = name;
     }
-    return found;
+    return around;
+}
+
+std::string source_of_name(const std::string& unit, const std::string& name, const std::string& sources) {
+    const std::string word = name.substr(0, name.find_first_of(".["));
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(sources, error)) {
+        if (entry.path().filename() != "rc_" + unit + ".sv" || word.empty()) continue;
+        const std::string text = read_if_there(entry.path());
+        int line = 1;
+        for (std::string_view rest = text; !rest.empty(); ++line)
+            if (has_word(take_line(rest), word))
+                return fmt::format("rtl/{}:{}", fs::relative(entry.path(), sources, error).string(), line);
+    }
+    return {};
 }
 
 std::string register_of(std::string_view cell, const std::string& unit) {

@@ -38,8 +38,12 @@ constexpr const char* wiring_unit = "wiring";
 /// What a cell takes, before or after it is placed.
 Use use_of(const std::string& type);
 
-/// "rtl/bvh/rc_box.sv:120" of a src attribute: the innermost place in the folder `sources`; empty if none is.
+/// "rtl/bvh/rc_box.sv:120" of a src attribute: the place in the folder `sources` that is no instance, but
+/// what is in it; an instance if there is nothing else, and empty if no place is in that folder.
 std::string source_line(const std::string& src, const std::string& sources);
+/// The first line of rc_UNIT.sv that has the first word of the name, for cells that Yosys made without a
+/// place.
+std::string source_of_name(const std::string& unit, const std::string& name, const std::string& sources);
 
 /// The register, memory or multiplier that a cell is, or is named after, as a path within the unit and
 /// without numbers of bits: "u_rank.s4_q" of "u_top.u_box.u_rank.s4_q_TRELLIS_FF_Q_5" in box.

@@ -80,9 +80,9 @@ Route read_route(const fs::path& folder, const std::string& top, int seed) {
     const std::string rtl = fs::absolute(rtl_sources()).string();
     for (const Path& path : paths) {
         route.paths.push_back(row_of(path, units));
-        std::string& source = route.paths.back().source;
-        source = source_line(sources[path.to], rtl);
-        if (source.empty()) source = source_line(sources[path.from], rtl);
+        PathRow& row = route.paths.back();
+        row.source = source_line(sources[path.to], rtl);
+        if (row.source.empty()) row.source = source_of_name(row.to_unit, row.to, rtl);
     }
     for (const auto& [place, use] : tiles)
         route.tiles.push_back({std::get<0>(place), std::get<1>(place), std::get<2>(place), use});

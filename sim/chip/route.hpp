@@ -16,7 +16,7 @@ struct PathRow {
     double ns = 0, logic_ns = 0;
     int levels = 0;
     std::string from_unit, from, to_unit, to;
-    std::string source;   ///< "rtl/bvh/rc_box.sv:120" of where it ends, or begins if that is not known
+    std::string source;   ///< "rtl/bvh/rc_box.sv:120" of where it ends
     double mhz() const { return 1000 / ns; }
 };
 

@@ -194,7 +194,7 @@ private:
     }
 
     std::string route_key(int seed) const {
-        return fmt::format("{} nextpnr {} {} seed {}", design_, nextpnr().version,
+        return fmt::format("{} nextpnr {} {} seed {} read 2", design_, nextpnr().version,
                            nextpnr_options(request_.device), seed);
     }
 
@@ -241,15 +241,24 @@ std::vector<std::string> tops(const Config& config) {
     return names;
 }
 
-Result run(const Request& request, jobs::Cache& cache, const Progress& progress) {
+namespace {
+
+void check_tools() {
     if (synth::yosys_version().empty())
         throw UserError("yosys is not installed, and netlists come from it; ./bootstrap chip installs it");
     if (!nextpnr().problem.empty()) throw UserError(nextpnr().problem);
+}
+
+}   // namespace
+
+Result run(const Request& request, jobs::Cache& cache, const Progress& progress) {
+    check_tools();
     if (!cache.trouble().empty()) throw UserError(cache.trouble());
     return Steps(request, cache, progress).run();
 }
 
 std::optional<Result> kept(const Request& request, jobs::Cache& cache) {
+    check_tools();
     return Steps(request, cache, {}).kept();
 }
 

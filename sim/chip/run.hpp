@@ -38,7 +38,8 @@ std::vector<std::string> tops(const Config& config);
 /// the same request goes on after the last step that was finished.
 Result run(const Request& request, jobs::Cache& cache, const Progress& progress);
 
-/// What is kept of a request, without any tool but Yosys for the key; nothing if a seed is missing.
+/// What is kept of a request; nothing if a seed is missing. Throws UserError if a tool is missing: its
+/// version is part of the key.
 std::optional<Result> kept(const Request& request, jobs::Cache& cache);
 
 }   // namespace rayclock::chip
