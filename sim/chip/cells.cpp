@@ -87,13 +87,15 @@ std::string_view nth_line(std::string_view text, int line) {
     return found;
 }
 
-/// Yosys places an instance behind its name, "u_queue (", and a process at its word always.
+/// Yosys places an instance at its name or at the parenthesis behind it, "u_queue (", and a process at its
+/// word always.
 bool is_instance(const std::string& file, int line, int column) {
     const std::string text = read_if_there(file);
-    std::string_view before = nth_line(text, line).substr(0, std::size_t(column - 1));
-    std::string_view last;
-    for (std::string_view word = take_word(before); !word.empty(); word = take_word(before)) last = word;
-    return last.starts_with("u_");
+    const std::string_view whole = nth_line(text, line);
+    std::size_t at = std::min(std::size_t(std::max(column - 1, 0)), whole.size());
+    while (at > 0 && (at == whole.size() || !is_letter(whole[at]))) --at;
+    while (at > 0 && is_letter(whole[at - 1])) --at;
+    return whole.substr(at).starts_with("u_");
 }
 
 }   // namespace
@@ -110,6 +112,7 @@ Units::Units(std::string top) : top_(std::move(top)) {
 }
 
 std::string Units::of(std::string_view cell) const {
+    if (cell.starts_with("$nextpnr_CCU2C_")) return top_ == "chip" ? carry_unit : top_;
     bool inside = false;
     for (const std::string& part : split(std::string(cell), '.')) {
         if (!part.starts_with("u_")) continue;

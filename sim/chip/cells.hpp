@@ -20,7 +20,9 @@ struct Cell {
 bool read_cells(const std::string& file, const std::function<void(const Cell&)>& take);
 
 /// Instances have the names of their modules: u_box is the unit box, whatever lies around it. The outermost
-/// unit counts. What is in none is "wiring" inside the machine and "harness" around it.
+/// unit counts. What is in none is "wiring" inside the machine and "harness" around it. nextpnr adds a cell
+/// where a carry chain begins or ends, and does not say for whom: in a chip these are "carry ends", a unit of
+/// their own. The harness has no carry chain.
 class Units {
 public:
     /// `top` is what the harness holds: "chip", or the name of a unit.
@@ -34,6 +36,7 @@ private:
 };
 constexpr const char* harness_unit = "harness";
 constexpr const char* wiring_unit = "wiring";
+constexpr const char* carry_unit = "carry_ends";
 
 /// What a cell takes, before or after it is placed.
 Use use_of(const std::string& type);

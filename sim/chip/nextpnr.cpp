@@ -109,7 +109,7 @@ RouteStep step_of_log(const std::string& log) {
         if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
             arcs = std::atof(line.c_str() + 14), begun = true;
         const std::vector<std::string> parts = split(line, '|');
-        if (begun && parts.size() == 5) left = std::atof(parts[3].c_str());
+        if (begun && parts.size() >= 5) left = std::atof(parts[3].c_str());
     }
     if (arcs > 0 && left > 0) step.percent += int(50 * (1 - std::min(1.0, left / arcs)));
     return step;

@@ -23,7 +23,7 @@ Colour colour_of(const std::string& unit, std::size_t index) {
                                {148, 103, 189}, {23, 190, 207}, {140, 86, 75}, {227, 119, 194},
                                {188, 189, 34},  {11, 61, 98},   {120, 20, 20}, {20, 90, 20}};
     if (unit == harness_unit) return {190, 190, 190};
-    if (unit == wiring_unit) return {110, 110, 110};
+    if (unit == wiring_unit || unit == carry_unit) return {110, 110, 110};
     return hues[index % std::size(hues)];
 }
 

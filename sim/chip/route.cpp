@@ -40,6 +40,19 @@ PathRow row_of(const Path& path, const Units& units) {
     return row;
 }
 
+std::vector<Path> paths_of(const fs::path& file, const Units& units) {
+    const std::string text = read_if_there(file);
+    if (text.find("\n)") == std::string::npos) not_whole(file);   // its last line
+    try {
+        return slowest_paths(text, most_paths, [&](const Path& path) {
+            const PathRow row = row_of(path, units);
+            return row.from_unit + "." + row.from + " " + row.to_unit + "." + row.to;
+        });
+    } catch (const std::runtime_error&) {
+        not_whole(file);
+    }
+}
+
 /// "X107/Y74/SLICEC.RAMW" -> 107, 74.
 bool place_of(const std::string& bel, int& x, int& y) {
     return std::sscanf(bel.c_str(), "X%d/Y%d/", &x, &y) == 2;
@@ -59,11 +72,7 @@ Route read_route(const fs::path& folder, const std::string& top, int seed) {
     route.seed = seed;
     route.fmax_mhz = fmax_of(folder / "report.json");
     const Units units(top);
-    const std::vector<Path> paths =
-        slowest_paths(read_if_there(folder / "delays.sdf"), most_paths, [&](const Path& path) {
-            const PathRow row = row_of(path, units);
-            return row.from_unit + "." + row.from + " " + row.to_unit + "." + row.to;
-        });
+    const std::vector<Path> paths = paths_of(folder / "delays.sdf", units);
     std::map<std::string, std::string> sources;   // of the cells where these paths begin and end
     for (const Path& path : paths) sources[path.from], sources[path.to];
     std::map<std::tuple<int, int, std::string>, Use> tiles;

@@ -69,7 +69,7 @@ public:
         const auto units = known_units();
         result.units = units ? *units : synthesize();
         result.was_kept = units.has_value();
-        result.misfit = misfit_of(result.units);
+        result.misfit = misfit(request_.config.name, request_.device, result.units);
         for (const int seed : request_.seeds) {
             if (!result.fits()) break;
             const auto known = cache_.find("chip-route", route_key(seed), route_of);
@@ -89,7 +89,7 @@ public:
         const auto units = known_units();
         if (!units) return std::nullopt;
         result.units = *units;
-        result.misfit = misfit_of(result.units);
+        result.misfit = misfit(request_.config.name, request_.device, result.units);
         for (const int seed : request_.seeds) {
             if (!result.fits()) break;
             const auto known = cache_.find("chip-route", route_key(seed), route_of);
@@ -172,29 +172,8 @@ private:
         return units;
     }
 
-    /// By how much it is too large, and for whom.
-    std::string misfit_of(const std::map<std::string, Use>& units) const {
-        Use all;
-        for (const auto& [unit, use] : units) all += use;   // the harness needs its place, too
-        std::vector<std::string> parts;
-        for (const Resource& resource : resources()) {
-            const std::uint64_t has = request_.device.has.*resource.member, needs = all.*resource.member;
-            if (needs <= has) continue;
-            const auto largest =
-                std::max_element(units.begin(), units.end(), [&](const auto& a, const auto& b) {
-                    return a.second.*resource.member < b.second.*resource.member;
-                });
-            parts.push_back(fmt::format("{} {} of {} ({} too many; narrow {}, which takes {})",
-                                        grouped(needs), resource.name, grouped(has), grouped(needs - has),
-                                        largest->first, grouped(largest->second.*resource.member)));
-        }
-        if (parts.empty()) return {};
-        return fmt::format("'{}' does not fit {}: it needs {}", printable(request_.config.name),
-                           request_.device.name, fmt::join(parts, ", "));
-    }
-
     std::string route_key(int seed) const {
-        return fmt::format("{} nextpnr {} {} seed {} read 2", design_, nextpnr().version,
+        return fmt::format("{} nextpnr {} {} seed {} read 5", design_, nextpnr().version,
                            nextpnr_options(request_.device), seed);
     }
 
@@ -228,6 +207,25 @@ private:
 };
 
 }   // namespace
+
+std::string misfit(const std::string& name, const Device& device, const std::map<std::string, Use>& units) {
+    Use all;
+    for (const auto& [unit, use] : units) all += use;   // the harness needs its place, too
+    std::vector<std::string> parts;
+    for (const Resource& resource : resources()) {
+        const std::uint64_t has = device.has.*resource.member, needs = all.*resource.member;
+        if (needs <= has) continue;
+        const auto largest = std::max_element(units.begin(), units.end(), [&](const auto& a, const auto& b) {
+            return a.second.*resource.member < b.second.*resource.member;
+        });
+        parts.push_back(fmt::format("{} {} of {} ({} too many; narrow {}, which takes {})", grouped(needs),
+                                    resource.name, grouped(has), grouped(needs - has), largest->first,
+                                    grouped(largest->second.*resource.member)));
+    }
+    if (parts.empty()) return {};
+    return fmt::format("'{}' does not fit {}: it needs {}", printable(name), device.name,
+                       fmt::join(parts, ", "));
+}
 
 const Route& Result::best() const {
     return *std::max_element(routes.begin(), routes.end(),

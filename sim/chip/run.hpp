@@ -31,6 +31,10 @@ struct Result {
     const Route& best() const;   ///< the fastest
 };
 
+/// A sentence if what these units need is more than the device has: by how much, and which takes most. Empty
+/// if it fits.
+std::string misfit(const std::string& name, const Device& device, const std::map<std::string, Use>& units);
+
 /// Names of what can be placed alone in this configuration.
 std::vector<std::string> tops(const Config& config);
 

@@ -54,7 +54,8 @@ public:
         for (int p = 0; p < int(pins_.size()); ++p) {
             const Pin& pin = pins_[std::size_t(p)];
             const bool held = pin.has_setup || (!pin.goes_on && clocked_.contains(pin.cell));
-            if (held && !pin.is_clock && pin.arrival >= 0) all.push_back(p);
+            const bool is_input = pin.edge >= 0 && !edges_[std::size_t(pin.edge)].in_cell;
+            if (held && is_input && !pin.is_clock) all.push_back(p);
         }
         std::stable_sort(all.begin(), all.end(), [&](int a, int b) { return delay(a) > delay(b); });
         return all;
