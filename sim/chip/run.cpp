@@ -10,6 +10,7 @@
 #include "model/base/quote.hpp"
 #include "sim/area/variants.hpp"
 #include "sim/chip/cells.hpp"
+#include "sim/chip/clock.hpp"
 #include "sim/chip/harness.hpp"
 #include "sim/chip/nextpnr.hpp"
 #include "sim/files/input.hpp"
@@ -252,7 +253,10 @@ void check_tools() {
 Result run(const Request& request, jobs::Cache& cache, const Progress& progress) {
     check_tools();
     if (!cache.trouble().empty()) throw UserError(cache.trouble());
-    return Steps(request, cache, progress).run();
+    const Result result = Steps(request, cache, progress).run();
+    if (request.top == "chip" && !result.routes.empty())
+        keep_clock(request.config, {result.best().fmax_mhz, request.device.name, result.best().seed}, cache);
+    return result;
 }
 
 std::optional<Result> kept(const Request& request, jobs::Cache& cache) {
