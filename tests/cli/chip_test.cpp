@@ -187,6 +187,39 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
     CHECK(fake.routed() == 1);
 }
 
+TEST_CASE("an estimate is the sum of all units and the slowest clock, and is set beside the routed chip") {
+    const FakeNextpnr fake;
+    std::vector<std::string> environment = fake.environment();
+    environment.push_back(fake_yosys(fake, 1));
+    const std::string report = fake.folder().name("a.json");
+    const auto chip = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"chip", "--config", "small", "--json", report});
+        return run_program(more, environment);
+    };
+    check_refused(chip({"--fast"}), {"sched, raygen, trav", "--unit sched,raygen,trav"});
+    const Outcome units = chip({"--unit", "all"});
+    REQUIRE(units.code == 0);
+    const json alone = json::parse(bytes_of(report))["alone"];
+    CHECK(alone.size() == 10);
+    const int routed = fake.routed();
+    CHECK(routed == 10);
+    const Outcome fast = chip({"--fast"});
+    REQUIRE(fast.code == 0);
+    CHECK_THAT(fast.out,
+               Catch::Contains("estimated: 154.7 MHz") && Catch::Contains("the chip itself was not routed"));
+    const json estimate = json::parse(bytes_of(report));
+    CHECK(estimate["estimated"] == true);
+    CHECK(estimate["routed"] == false);
+    CHECK(estimate["fmax_mhz_routed"].is_null());
+    int luts = 0;
+    for (const json& unit : alone) luts += unit["totals"]["lut"].get<int>();
+    CHECK(estimate["totals"]["lut"] == luts);
+    CHECK(fake.routed() == routed);
+    REQUIRE(chip({}).code == 0);
+    CHECK_THAT(chip({"--fast"}).out,
+               Catch::Contains("the chip itself, routed: 154.7 MHz") && Catch::Contains("+0.0 %"));
+}
+
 TEST_CASE(
     "the clock that a chip was routed for is one of simulate and sweep, and reports say which were shown") {
     const FakeNextpnr fake;
