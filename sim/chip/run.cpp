@@ -8,6 +8,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "model/base/split.hpp"
 #include "sim/area/variants.hpp"
 #include "sim/chip/cells.hpp"
 #include "sim/chip/clock.hpp"
@@ -32,25 +33,30 @@ namespace {
     throw UserError("interrupted: finished steps are kept, and the same command goes on after them");
 }
 
+/// The line of a log that begins with ERROR, or its last one.
+std::string complaint_of(const std::string& log) {
+    for (const std::string& line : split(log, '\n'))
+        if (line.find("ERROR") != std::string::npos) return printable(line);
+    return "it ended without an error of its own; is the disk full?";
+}
+
 /// Yosys in a folder of its own; its complaints are not this program's fault, and not the configuration's.
 void run_yosys(const synth::YosysFolder& folder, const Config& config, const std::string& script) {
     try {
         if (!folder.run(config, "-defer ", script)) stopped();
     } catch (const std::runtime_error& error) {
         if (dynamic_cast<const UserError*>(&error)) throw;
-        throw UserError(printable(error.what()));
+        throw UserError("yosys failed: " + complaint_of(error.what()));
     }
 }
 
 /// Units are optimised each by itself and joined in the end, so that each cell has the name of its unit. Over
 /// the borders little is found: of `small` the whole has 23,216 LUT4 so, and 23,298 otherwise.
-std::string synth_script(const std::string& top) {
-    std::string units = fmt::format("*rc_{}*", top);
-    for (const area::UnitRow& row : area::unit_rows()) units += fmt::format(" *rc_{}*", row.name);
+std::string synth_script(const std::string& units) {
     return fmt::format(
         "read_verilog -sv harness.v\n"
         "hierarchy -check -top rc_harness\n"
-        "setattr -mod -set keep_hierarchy 1 {} *rc_host*\n"
+        "setattr -mod -set keep_hierarchy 1 {}\n"
         "synth_ecp5 -nowidelut\n"
         "setattr -mod -unset keep_hierarchy *\n"
         "flatten\n"
@@ -112,10 +118,10 @@ private:
         const std::string key = fmt::format("package {} rtl {} top {} {}", package, synth::rtl_digest(),
                                             request_.top, synth::yosys_version());
         if (const auto known = cache_.find("chip-face", key, [](const ordered_json& json) {
-                return std::pair(json.at("harness").get<std::string>(),
-                                 json.at("modules").get<std::string>());
+                return std::tuple(json.at("harness").get<std::string>(),
+                                  json.at("modules").get<std::string>(), json.at("units").get<std::string>());
             })) {
-            std::tie(harness_, modules_) = *known;
+            std::tie(harness_, modules_, units_) = *known;
         } else {
             const synth::YosysFolder folder(cache_.folder());
             run_yosys(
@@ -130,11 +136,25 @@ private:
                 for (const std::string& module : face.modules)
                     if (file.filename() == "rc_" + module + ".sv") texts += read_if_there(file);
             modules_ = jobs::hash_text(texts);
-            cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}});
+            units_ = units_of(face);
+            cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
         }
         design_ = fmt::format("top {} package {} modules {} harness {} script {} {}", request_.top, package,
-                              modules_, jobs::hash_text(harness_),
-                              jobs::hash_text(synth_script(request_.top)), synth::yosys_version());
+                              modules_, jobs::hash_text(harness_), jobs::hash_text(synth_script(units_)),
+                              synth::yosys_version());
+    }
+
+    /// The modules whose borders stay, as patterns of Yosys: what is placed, and the units in it.
+    std::string units_of(const Face& face) const {
+        std::string patterns = fmt::format("*rc_{}*", request_.top);
+        const auto add = [&](const std::string& unit) {
+            const bool there =
+                std::find(face.modules.begin(), face.modules.end(), unit) != face.modules.end();
+            if (there && unit != request_.top) patterns += fmt::format(" *rc_{}*", unit);
+        };
+        for (const area::UnitRow& row : area::unit_rows()) add(row.name);
+        add("host");
+        return patterns;
     }
 
     std::optional<std::map<std::string, Use>> known_units() const {
@@ -155,8 +175,8 @@ private:
     std::map<std::string, Use> synthesize() {
         tell("synthesis", 0);
         const synth::YosysFolder folder(cache_.folder());
-        std::ofstream(folder.path("harness.v")) << harness_;
-        run_yosys(folder, request_.config, synth_script(request_.top));
+        folder.write("harness.v", harness_);
+        run_yosys(folder, request_.config, synth_script(units_));
         const Units names(request_.top);
         std::map<std::string, Use> units;
         const bool whole = read_cells(folder.path("netlist.json").string(), [&](const Cell& cell) {
@@ -204,7 +224,7 @@ private:
     const Request& request_;
     jobs::Cache& cache_;
     const Progress& progress_;
-    std::string harness_, modules_, design_;
+    std::string harness_, modules_, units_, design_;
 };
 
 }   // namespace

@@ -264,6 +264,21 @@ TEST_CASE(
                   {"was not routed"});
 }
 
+TEST_CASE("a disk that fills up is one sentence, whichever step meets it, and nothing of that step is kept") {
+    const FakeNextpnr fake;
+    const std::string variables = "RAYCLOCK_NEXTPNR='" + fake.folder().name("nextpnr") +
+                                  "' RAYCLOCK_CACHE='" + fake.folder().name("cache") + "' ";
+    for (const char* blocks : {"4", "100", "400"}) {   // of 512 bytes: the package, a netlist
+        INFO("blocks: " << blocks);
+        check_refused(run_in_shell(std::string("ulimit -f ") + blocks + "; " + variables + "exec \"$@\"",
+                                   FakeNextpnr::words({})),
+                      {"is the disk full?"});
+        CHECK(fake.kept("chip-netlist-") == 0);
+        CHECK(fake.kept("yosys-") == 0);
+    }
+    CHECK(fake.run().code == 0);
+}
+
 TEST_CASE("chip refuses what makes no sense") {
     const FakeNextpnr fake;
     const auto chip = [&](std::vector<std::string> words) {
