@@ -97,6 +97,7 @@ package rc_pkg;
   localparam int unsigned SlabStages = 3;
   localparam int unsigned MeetStages = 1;
   localparam int unsigned RankStages = 2;
+  localparam int unsigned StackStages = 0;
   localparam int unsigned RaygenLatency = 12;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TriLatency = 18;

@@ -99,8 +99,8 @@ std::string synth_script() {
     // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests'
     // (tests/synth).
     return fmt::format(
-        "setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -run :check\ntee -q -o stat.json stat "
-        "-json\n",
+        "setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -nowidelut -run :check\n"
+        "tee -q -o stat.json stat -json\n",
         fmt::join(cells(), "* *rc_"));
 }
 

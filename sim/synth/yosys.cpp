@@ -48,9 +48,11 @@ YosysFolder::~YosysFolder() {
 
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
     write("rc_pkg.sv", rc_package(config));
-    std::string commands = "read_verilog -sv rc_pkg.sv\n";
+    // With RC_ECP5 products lie in the device's own blocks: rtl/fixed/rc_mul_limb.sv.
+    std::string commands = "read_verilog -lib +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
     for (const fs::path& file : rtl_files())
-        commands += fmt::format("read_verilog -sv {}\"{}\"\n", read_flags, fs::absolute(file).string());
+        commands +=
+            fmt::format("read_verilog -sv -D RC_ECP5 {}\"{}\"\n", read_flags, fs::absolute(file).string());
     return run(commands + script);
 }
 
