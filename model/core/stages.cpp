@@ -16,6 +16,7 @@ Stages::Stages(const Config& config) {
     const bool fast = Timing(config.timing) == Timing::fast;
     cut = fast ? 1 : 0;
     multiply = fast ? 3 : 0;
+    quotient_bits = fast ? 1 : 2;
     slab_planes = 2 + 2 * cut;
     slab = slab_planes + multiply + 1 + 2 * cut;
     meet = 1 + 2 * cut;
@@ -23,19 +24,34 @@ Stages::Stages(const Config& config) {
     arrive = 2 * cut;
     stack = 3 * cut;
     cache = cut;
-}
 
-// Two quotient bits a stage, see rtl/raygen/rc_raygen.sv, rtl/isect/rc_tri.sv.
+    edges = 2 + 2 * (multiply + 1) + cut;
+    shear = 6;
+    compare = multiply + 2 + cut;
+    sphere = 8 + root_bits / 2 + (config.t_bits() + 1) / 2;
+    hit_divide = divide(std::max(config.t_bits(), config.uv_bits() - 1)) + 2 * cut;
+
+    pixel = 1 + (fast ? multiply - 1 : 0);
+    direction = 1 + 2 * cut;
+    recip = 1 + 3 * cut + divide(config.recip_bits);
+    slope = 1 + config.dir_bits / 2;
+}
+int Stages::divide(int bits) const { return (bits + quotient_bits - 1) / quotient_bits; }
+
 int Config::raygen_latency() const {
-    return 4 + (supersampling ? 4 : 0) + std::max((recip_bits + 1) / 2, is_sheared() ? dir_bits / 2 : 0);
+    const Stages stages(*this);
+    return (supersampling ? 4 : 0) + stages.pixel + stages.direction + 1 +
+           std::max(stages.recip, is_sheared() ? stages.slope : 0);
 }
 int Config::box_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.slab + stages.meet + stages.rank;
 }
 int Config::tri_latency() const {
-    const int triangle = (is_sheared() ? 8 : 6) + (std::max(t_bits(), uv_bits() - 1) + 1) / 2;
-    return spheres ? std::max(triangle, 8 + root_bits / 2 + (t_bits() + 1) / 2) : triangle;
+    const Stages stages(*this);
+    const int test = is_sheared() ? stages.shear : stages.edges;
+    const int triangle = test + stages.compare + stages.hit_divide;
+    return stages.cut + (spheres ? std::max(triangle, stages.sphere) : triangle);
 }
 int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 

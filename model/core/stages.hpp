@@ -7,19 +7,32 @@ namespace rayclock {
 /// chip has few, a fast one has a register wherever a path would be longer than one addition and a choice
 /// (`rtl/prim/rc_cut.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
 struct Stages {
-    int cut = 0;        ///< of rc_cut
-    int multiply = 0;   ///< of rc_mul
+    int cut = 0;             ///< of rc_cut
+    int multiply = 0;        ///< of rc_mul
+    int quotient_bits = 0;   ///< that rc_divide makes in a stage
     // The box test, rtl/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
     int slab_planes = 0;   ///< before a child's planes are multiplied
     int slab = 0;          ///< from a node to its children's intervals on an axis
     int meet = 0;          ///< from these to the intervals' intersection
     int rank = 0;          ///< from that to the children's order
+    // Primitives, rtl/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
+    int edges = 0;
+    int shear = 0;
+    int compare = 0;
+    int hit_divide = 0;
+    int sphere = 0;
+    // Rays, rtl/raygen/rc_raygen.sv: the pixel's steps, rc_direction, rc_recip, rc_slope.
+    int pixel = 0;
+    int direction = 0;
+    int recip = 0;
+    int slope = 0;
     // Units that keep what they know of a ray.
     int arrive = 0;   ///< more of trav's, from box's answer to its leaves; of list's, from tri's answer on
     int stack = 0;    ///< more of trav's, from a step to what its stack decides
     int cache = 0;    ///< more of a cache's, before a look-up, and after the data are read
 
     explicit Stages(const Config& config);
+    int divide(int bits) const;   ///< that make so many bits of a quotient
 };
 
 }   // namespace rayclock

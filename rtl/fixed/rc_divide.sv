@@ -1,15 +1,16 @@
-// Quotient bits of a division by restoring steps, two bits a stage.
+// Quotient bits of a division by restoring steps, one or two bits a stage.
 //
 // The user hands over the partial remainder rem < den that is left after the bits
-// above, and the dividend's lower bits, top first, in low_i (2 * Stages bits, zeros
-// where nothing follows). Answers floor((rem * 2^(2 Stages) + low) / den), and
+// above, and the dividend's lower bits, top first, in low_i (Bits * Stages bits, zeros
+// where nothing follows). Answers floor((rem * 2^(Bits Stages) + low) / den), and
 // whether a remainder is left. Latency Stages, throughput 1 per cycle, no stall; a
 // stage works only if `valid_i` came with its operands.
 `default_nettype none
 module rc_divide #(
   parameter  int unsigned Width  = 8,   // of den and rem
   parameter  int unsigned Stages = 4,
-  localparam int unsigned QuoW   = 2 * Stages
+  parameter  int unsigned Bits   = 2,   // of the quotient, a stage
+  localparam int unsigned QuoW   = Bits * Stages
 ) (
   input  logic             clk_i,
   input  logic             valid_i,
@@ -19,8 +20,8 @@ module rc_divide #(
   output logic [QuoW-1:0]  quo_o,
   output logic             inexact_o
 );
-  if (Width < 1 || Stages < 1) begin : gen_refuse
-    $error("rc_divide: Width and Stages must be at least 1");
+  if (Width < 1 || Stages < 1 || Bits < 1 || Bits > 2) begin : gen_refuse
+    $error("rc_divide: Width and Stages must be at least 1, and Bits 1 or 2");
   end
   // Dividend bits leave the shift register at the top as quotient bits enter below.
   for (genvar i = 0; i < Stages; i++) begin : gen_stage
@@ -38,30 +39,54 @@ module rc_divide #(
       assign den_d   = gen_stage[i-1].den_q;
       assign quo_d   = gen_stage[i-1].quo_q;
     end
-    // Two restoring steps.
-    logic [Width:0]   first, second, first_less, second_less;
+    // A restoring step, or two.
+    logic [Width:0]   first, first_less;
     logic [Width-1:0] between;
     always_comb begin
       first       = '0;
-      second      = '0;
       first_less  = '0;
-      second_less = '0;
       between     = '0;
       if (valid_d) begin
         first       = {rem_d, quo_d[QuoW-1]};
         first_less  = first - {1'b0, den_d};
         between     = first_less[Width] ? first[Width-1:0] : first_less[Width-1:0];
-        second      = {between, quo_d[QuoW-2]};
-        second_less = second - {1'b0, den_d};
       end
     end
     always_ff @(posedge clk_i) begin
       valid_q <= valid_d;
-      if (valid_d) begin
-        rem_q <= second_less[Width] ? second[Width-1:0] : second_less[Width-1:0];
-        den_q <= den_d;
-        quo_q <= {quo_d[QuoW-3:0], !first_less[Width], !second_less[Width]};
+      if (valid_d) den_q <= den_d;
+    end
+    if (Bits == 1) begin : gen_one
+      logic [QuoW:0] quo;
+      assign quo = {quo_d, !first_less[Width]};
+      always_ff @(posedge clk_i) begin
+        if (valid_d) begin
+          rem_q <= between;
+          quo_q <= quo[QuoW-1:0];
+        end
       end
+      logic unused;
+      assign unused = quo[QuoW];
+    end else begin : gen_two
+      logic [Width:0]  second, second_less;
+      logic [QuoW+1:0] quo;
+      assign quo = {quo_d, !first_less[Width], !second_less[Width]};
+      always_comb begin
+        second      = '0;
+        second_less = '0;
+        if (valid_d) begin
+          second      = {between, quo_d[QuoW-2]};
+          second_less = second - {1'b0, den_d};
+        end
+      end
+      always_ff @(posedge clk_i) begin
+        if (valid_d) begin
+          rem_q <= second_less[Width] ? second[Width-1:0] : second_less[Width-1:0];
+          quo_q <= quo[QuoW-1:0];
+        end
+      end
+      logic unused;
+      assign unused = ^quo[QuoW+1:QuoW];
     end
   end
 

@@ -1,13 +1,16 @@
-// Product of two signed numbers, exact. Latency Stages: rc_pkg::MulStages, which is 0 in a relaxed
-// chip, or 3 in a fast one: operands, products of 18-bit limbs, their sum. So a multiplier block's
-// own registers hold operands and products, and no carry chain is as long as the product.
+// Product of two numbers, exact. Latency Stages: 0, or one for the operands, one for the products
+// of 18-bit limbs, and then one for each level of sums. So a multiplier block's own registers hold
+// operands and products. Of two levels of sums the first adds three numbers at most; if Stages is
+// less than 2 + Sums, the last one is before no register.
 //
-// An unsigned number has a zero above it. A limb is 18 bits: all but the highest are unsigned.
+// A limb is 18 bits: all but the highest are unsigned, and the highest as well if not Signed.
 `default_nettype none
 module rc_mul #(
   parameter  int unsigned AW     = 18,
   parameter  int unsigned BW     = 18,
+  parameter  bit          Signed = 1'b1,
   parameter  int unsigned Stages = rc_pkg::MulStages,
+  parameter  int unsigned Sums   = 1,                  // levels of them: 1 or 2
   localparam int unsigned PW     = AW + BW
 ) (
   input  logic                 clk_i,
@@ -18,40 +21,73 @@ module rc_mul #(
   if (AW < 2 || BW < 2) begin : gen_refuse
     $error("rc_mul: AW and BW must be at least 2");
   end
-  if (Stages != 0 && Stages != 3) begin : gen_refuse_2
-    $error("rc_mul: Stages must be 0 or 3");
+  if (Stages == 1 || Sums < 1 || Sums > 2 || Stages > 2 + Sums) begin : gen_refuse_2
+    $error("rc_mul: Stages must be 0 or lie in 2..2 + Sums, and Sums be 1 or 2");
   end
   if (Stages == 0) begin : gen_now
-    assign p_o = PW'(a_i) * PW'(b_i);
+    if (Signed) begin : gen_signed
+      assign p_o = PW'(a_i) * PW'(b_i);
+    end else begin : gen_unsigned
+      assign p_o = {{BW{1'b0}}, a_i} * {{AW{1'b0}}, b_i};
+    end
     logic unused;
     assign unused = clk_i;
   end else begin : gen_stages
     localparam int unsigned L  = 18;
     localparam int unsigned LA = (AW + L - 1) / L;   // limbs
     localparam int unsigned LB = (BW + L - 1) / L;
-    logic signed [PW-1:0] sum, sum_q;
+    // The products of one limb of a with every second limb of b lie side by side, and are one
+    // row; but each is a row of its own if that limb of a has a sign.
+    localparam int unsigned Side    = LB < 2 ? LB : 2;
+    localparam int unsigned Rows    = Signed ? (LA - 1) * Side + LB : LA * Side;
+    localparam int unsigned Group   = Sums == 1 ? Rows : 3;          // rows that the first sums add
+    localparam int unsigned Groups  = (Rows + Group - 1) / Group;
+    logic [Rows*PW-1:0]   row;
+    logic [Groups*PW-1:0] sum, last;
     for (genvar i = 0; i < LA; i++) begin : gen_a
+      localparam bit ASigned = Signed && i == LA - 1;
       for (genvar j = 0; j < LB; j++) begin : gen_b
-        logic signed [PW-1:0] placed, below;
+        logic signed [PW-1:0] placed, side;
         rc_mul_limb #(
           .AW(i == LA - 1 ? AW - i * L : L), .BW(j == LB - 1 ? BW - j * L : L),
-          .ASigned(i == LA - 1), .BSigned(j == LB - 1), .PW(PW), .Place(L * (i + j))) u_limb (
+          .ASigned(ASigned), .BSigned(Signed && j == LB - 1), .PW(PW), .Place(L * (i + j))) u_limb (
           .clk_i, .a_i(a_i[AW-1 < i*L+L-1 ? AW-1 : i*L+L-1 : i*L]),
           .b_i(b_i[BW-1 < j*L+L-1 ? BW-1 : j*L+L-1 : j*L]), .p_o(placed));
-        if (i == 0 && j == 0) begin : gen_first
-          assign below = '0;
-        end else if (j == 0) begin : gen_row
-          assign below = gen_a[i-1].gen_b[LB-1].total;
-        end else begin : gen_next
-          assign below = gen_b[j-1].total;
+        if (ASigned || j < 2) begin : gen_alone
+          assign side = placed;
+        end else begin : gen_side
+          assign side = placed | gen_b[j-2].side;
         end
-        logic signed [PW-1:0] total;
-        assign total = below + placed;
+        if (ASigned) begin : gen_row
+          assign row[((LA-1)*Side+j)*PW +: PW] = side;
+        end else if (j + Side >= LB) begin : gen_row_of_sides
+          assign row[(i*Side+j+Side-LB)*PW +: PW] = side;
+        end
       end
     end
-    assign sum = gen_a[LA-1].gen_b[LB-1].total;
-    always_ff @(posedge clk_i) sum_q <= sum;
-    assign p_o = sum_q;
+    for (genvar i = 0; i < Rows; i++) begin : gen_sum
+      logic [PW-1:0] total;
+      if (i % Group == 0) begin : gen_first
+        assign total = row[i*PW +: PW];
+      end else begin : gen_next
+        assign total = gen_sum[i-1].total + row[i*PW +: PW];
+      end
+      if (i % Group == Group - 1 || i == Rows - 1) begin : gen_last
+        assign sum[i/Group*PW +: PW] = total;
+      end
+    end
+    rc_cut #(.Width(Groups * PW), .Stages(Stages < 3 ? 0 : 1)) u_sum (
+      .clk_i, .data_i(sum), .data_o(last));
+    for (genvar i = 0; i < Groups; i++) begin : gen_total
+      logic [PW-1:0] total;
+      if (i == 0) begin : gen_first
+        assign total = last[PW-1:0];
+      end else begin : gen_next
+        assign total = gen_total[i-1].total + last[i*PW +: PW];
+      end
+    end
+    rc_cut #(.Width(PW), .Stages(Stages < 4 ? 0 : 1)) u_total (
+      .clk_i, .data_i(gen_total[Groups-1].total), .data_o(p_o));
   end
 endmodule
 `default_nettype wire

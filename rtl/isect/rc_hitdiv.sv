@@ -1,18 +1,18 @@
 // Distance and barycentrics of a hit: t = ceil(2^(M-1+F) num / den), saturated at all
 // ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. den, det > 0, num > 0,
 // 0 <= u, v <= det. If there are planes, any u and v, as magnitude and sign; the answer is
-// in two's complement and saturates at both ends. Latency Stages, throughput 1 per cycle; a
-// stage works only if valid_i came with its operands.
+// in two's complement and saturates at both ends. Latency rc_pkg::HitdivStages, throughput 1 per
+// cycle; a stage works only if valid_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
-  parameter  int unsigned Stages = 16,   // at least half of T and of K + B
   parameter  int unsigned E = 8,         // bits of den, at least those of det
   localparam int unsigned D = rc_pkg::EdgeBits,
   localparam int unsigned U = rc_pkg::NumBits,
   localparam int unsigned T = rc_pkg::TBits,
   localparam int unsigned B = rc_pkg::BaryBits,
   localparam int unsigned V = rc_pkg::UvBits,
-  localparam int unsigned K = V - 1 - B  // whole bits of u and v that a plane has
+  localparam int unsigned K = V - 1 - B,  // whole bits of u and v that a plane has
+  localparam int unsigned L = rc_pkg::HitdivStages
 ) (
   input  logic         clk_i,
   input  logic         valid_i,
@@ -27,7 +27,10 @@ module rc_hitdiv #(
   output logic [V-1:0] u_o,
   output logic [V-1:0] v_o
 );
-  localparam int unsigned Q       = 2 * Stages;           // quotient bits made, at least T and B
+  localparam int unsigned Cut     = rc_pkg::Cut;
+  localparam int unsigned Bits    = rc_pkg::QuotientBits; // made in a stage
+  localparam int unsigned Stages  = L - 2 * Cut;          // of the division
+  localparam int unsigned Q       = Bits * Stages;        // quotient bits made, at least T and B
   // num * 2^(M-1+F) * 2^(Q-T) / den in Q bits: the dividend above the quotient's bits is
   // num * 2^(M-1+F-T), that is num moved left by M - N - 3, or right if that is negative.
   localparam int unsigned Left    = rc_pkg::DirBits > rc_pkg::CoordBits + 3
@@ -48,17 +51,27 @@ module rc_hitdiv #(
     assign num_below = '0;
   end
 
-  logic [Q-1:0]  t_quo;
-  logic          t_inexact;
-  rc_divide #(.Width(E), .Stages(Stages)) u_t (
-    .clk_i, .valid_i, .rem_i(beyond ? '0 : num_above[E-1:0]), .low_i(num_below), .den_i,
+  // valid[i]: stage i holds a hit.
+  logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+  assign valid = {valid_q, valid_i};
+  always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+
+  logic [E-1:0] t_rem, t_den;
+  logic [Q-1:0] t_below, t_quo;
+  logic         t_inexact;
+  rc_cut #(.Width(2 * E + Q)) u_t_first (
+    .clk_i, .data_i({beyond ? '0 : num_above[E-1:0], den_i, num_below}),
+    .data_o({t_rem, t_den, t_below}));
+  rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits)) u_t (
+    .clk_i, .valid_i(valid[Cut]), .rem_i(t_rem), .low_i(t_below), .den_i(t_den),
     .quo_o(t_quo), .inexact_o(t_inexact));
 
   // u and v have fewer bits: they are done earlier, and wait for t. Their quotients have K + B
   // bits, and one more is needed: without planes for u = det, with them for all that saturates.
-  localparam int unsigned Short = (K + B + 1) / 2;
+  localparam int unsigned Short = (K + B + Bits - 1) / Bits;
   localparam int unsigned Rest  = Stages - Short;
-  localparam int unsigned R     = 2 * Short;
+  localparam int unsigned R     = Bits * Short;
   logic [D-1:0] u_above, v_above;
   logic [R-1:0] u_below, v_below, u_quo, v_quo;
   logic         u_top, v_top, u_inexact, v_inexact;
@@ -82,38 +95,45 @@ module rc_hitdiv #(
     assign u_top   = u_i == det_i;
     assign v_top   = v_i == det_i;
   end
-  rc_divide #(.Width(D), .Stages(Short)) u_u (
-    .clk_i, .valid_i, .rem_i(u_top ? '0 : u_above), .low_i(u_below), .den_i(det_i),
+  logic [D-1:0] u_rem, v_rem, uv_den;
+  logic [R-1:0] u_low, v_low;
+  rc_cut #(.Width(3 * D + 2 * R)) u_uv_first (
+    .clk_i, .data_i({u_top ? '0 : u_above, v_top ? '0 : v_above, det_i, u_below, v_below}),
+    .data_o({u_rem, v_rem, uv_den, u_low, v_low}));
+  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits)) u_u (
+    .clk_i, .valid_i(valid[Cut]), .rem_i(u_rem), .low_i(u_low), .den_i(uv_den),
     .quo_o(u_quo), .inexact_o(u_inexact));
-  rc_divide #(.Width(D), .Stages(Short)) u_v (
-    .clk_i, .valid_i, .rem_i(v_top ? '0 : v_above), .low_i(v_below), .den_i(det_i),
+  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits)) u_v (
+    .clk_i, .valid_i(valid[Cut]), .rem_i(v_rem), .low_i(v_low), .den_i(uv_den),
     .quo_o(v_quo), .inexact_o(v_inexact));
 
   // A negative one is rounded down as well: -q, or -q - 1 if something is left.
   localparam int unsigned UvW = K + B + (K > 0 ? 1 : 0);
-  logic [Stages-1:0] valid_q;
-  logic [2:0]        end_flags;
-  logic [2*UvW-1:0]  short_uv, end_uv;
-  always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
-  rc_delay #(.Width(3), .Stages(Stages)) u_flags (
-    .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i({beyond, u_top, v_top}),
-    .data_o(end_flags));
+  logic [2:0]       end_flags;
+  logic [2*UvW-1:0] short_uv, end_uv;
+  rc_delay #(.Width(3), .Stages(L)) u_flags (
+    .clk_i, .valid_i(valid[L-1:0]), .data_i({beyond, u_top, v_top}), .data_o(end_flags));
   if (K > 0) begin : gen_signed
-    logic [4*Short-1:0] how_q;   // oldest at the top
-    logic               u_many, u_neg, v_many, v_neg, u_left, v_left;
-    logic [V-1:0]       u_size, v_size, u_end, v_end;
-    always_ff @(posedge clk_i) how_q <= {how_q[4*Short-5:0], u_top, u_neg_i, v_top, v_neg_i};
-    assign {u_many, u_neg, v_many, v_neg} = how_q[4*Short-1 -: 4];
-    assign u_left   = u_inexact || (R > K + B && u_quo[0]);
-    assign v_left   = v_inexact || (R > K + B && v_quo[0]);
-    assign u_size   = {1'b0, u_quo[R-1 -: K+B]};
-    assign v_size   = {1'b0, v_quo[R-1 -: K+B]};
+    logic         u_many, u_neg, v_many, v_neg, u_rest, v_rest, u_left, v_left;
+    logic [V-2:0] u_whole, v_whole;
+    logic [V-1:0] u_size, v_size, u_end, v_end;
+    rc_delay #(.Width(4), .Stages(2 * Cut + Short)) u_how (
+      .clk_i, .valid_i(valid[2*Cut+Short-1:0]), .data_i({u_top, u_neg_i, v_top, v_neg_i}),
+      .data_o({u_many, u_neg, v_many, v_neg}));
+    assign u_rest = u_inexact || (R > K + B && u_quo[0]);
+    assign v_rest = v_inexact || (R > K + B && v_quo[0]);
+    rc_cut #(.Width(2 * V)) u_left_over (
+      .clk_i, .data_i({u_rest, v_rest, u_quo[R-1 -: K+B], v_quo[R-1 -: K+B]}),
+      .data_o({u_left, v_left, u_whole, v_whole}));
+    assign u_size   = {1'b0, u_whole};
+    assign v_size   = {1'b0, v_whole};
     assign u_end    = u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left} : u_size;
     assign v_end    = v_neg ? ~v_size + {{(V-1){1'b0}}, !v_left} : v_size;
     assign short_uv = {u_many ? {u_neg, {(V-1){!u_neg}}} : u_end,
                        v_many ? {v_neg, {(V-1){!v_neg}}} : v_end};
   end else begin : gen_positive
-    assign short_uv = {u_quo[R-1 -: B], v_quo[R-1 -: B]};
+    rc_cut #(.Width(2 * B)) u_whole (
+      .clk_i, .data_i({u_quo[R-1 -: B], v_quo[R-1 -: B]}), .data_o(short_uv));
     logic unused;
     assign unused = ^{u_neg_i, v_neg_i, u_inexact, v_inexact};
   end
@@ -121,18 +141,19 @@ module rc_hitdiv #(
     assign end_uv = short_uv;
   end else begin : gen_wait
     rc_delay #(.Width(2 * UvW), .Stages(Rest)) u_uv (
-      .clk_i, .valid_i(valid_q[Stages-2:Short-1]), .data_i(short_uv), .data_o(end_uv));
+      .clk_i, .valid_i(valid[L-1:L-Rest]), .data_i(short_uv), .data_o(end_uv));
   end
 
-  logic         end_beyond, end_u_top, end_v_top, t_up;
+  logic         end_beyond, end_u_top, end_v_top, t_rest, t_up;
   logic [T-1:0] t_down;
   assign {end_beyond, end_u_top, end_v_top} = end_flags;
-  assign t_down = t_quo[Q-1 -: T];
   if (Q > T) begin : gen_spare_bits
-    assign t_up = t_inexact || t_quo[Q-T-1:0] != '0;
+    assign t_rest = t_inexact || t_quo[Q-T-1:0] != '0;
   end else begin : gen_exact_bits
-    assign t_up = t_inexact;
+    assign t_rest = t_inexact;
   end
+  rc_cut #(.Width(T + 1)) u_t_last (
+    .clk_i, .data_i({t_rest, t_quo[Q-1 -: T]}), .data_o({t_up, t_down}));
   assign t_o = end_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
   if (K > 0) begin : gen_end
     assign {u_o, v_o} = end_uv;
@@ -144,6 +165,6 @@ module rc_hitdiv #(
   end
 
   logic unused;
-  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid_q[Stages-1]};
+  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid[L]};
 endmodule
 `default_nettype wire

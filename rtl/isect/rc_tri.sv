@@ -33,14 +33,18 @@ module rc_tri (
   localparam int unsigned I    = rc_pkg::RayBits;
   localparam int unsigned P    = rc_pkg::PrimBits;
   localparam int unsigned L    = rc_pkg::TriLatency;
-  localparam int unsigned Front = IsSheared ? 6 : 4; // stages before the comparison
-  localparam int unsigned Pre   = Front + 2;         // and before the divisions
-  localparam int unsigned Divide = ((T > V - 1 ? T : V - 1) + 1) / 2;   // stages of these
-  localparam int unsigned Flat   = Pre + Divide;     // what is no sphere is done
-  localparam int unsigned Ball   = 8 + rc_pkg::RootBits / 2 + (T + 1) / 2;   // of rc_sphere
-  localparam int unsigned Core   = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
-  localparam int unsigned Late   = Core - Flat;      // stages of the others meanwhile
-  localparam int unsigned Extra  = L - Core;
+  localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned Mul  = rc_pkg::MulStages;
+  // Stages: a triangle comes in, it is tested, compared, and a hit is divided; what is no sphere
+  // is done, a sphere is done, both are.
+  localparam int unsigned In    = Cut;
+  localparam int unsigned Front = In + (IsSheared ? rc_pkg::ShearStages : rc_pkg::EdgesStages);
+  localparam int unsigned Wide  = Front + Mul + 1;   // products to be compared are there
+  localparam int unsigned Pre   = Wide + Cut + 1;
+  localparam int unsigned Flat  = Pre + rc_pkg::HitdivStages;
+  localparam int unsigned Ball  = In + rc_pkg::SphereStages;
+  localparam int unsigned Core  = rc_pkg::Spheres == 1 && Ball > Flat ? Ball : Flat;
+  localparam int unsigned Extra = L - Core;
   localparam int unsigned BackW  = rc_pkg::Shading;
   localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
   localparam int unsigned HitW   = TailW + T + 2 * V;
@@ -50,237 +54,239 @@ module rc_tri (
   rc_door #(.Credits(rc_pkg::TriQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(req_ready_o));
 
+  // valid[i]: stage i holds a primitive.
   logic [L-1:0] valid_q;
-  logic [I-1:0] end_ray;
+  logic [L:0]   valid;
+  assign valid = {valid_q, admit};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else         valid_q <= {valid_q[L-2:0], admit};
+    else         valid_q <= valid[L-1:0];
   end
-  rc_delay #(.Width(I), .Stages(L)) u_ray (
-    .clk_i, .valid_i({valid_q[L-2:0], admit}), .data_i(req_i.ray), .data_o(end_ray));
+
+  rc_pkg::tri_req_t           in;
+  logic [rc_pkg::TriReqW-1:0] in_flat;
+  rc_cut #(.Width(rc_pkg::TriReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+  assign in = in_flat;
+
+  logic [I-1:0] end_ray;
+  rc_delay #(.Width(I), .Stages(L - In)) u_ray (
+    .clk_i, .valid_i(valid[L-1:In]), .data_i(in.ray), .data_o(end_ray));
 
   // Stages up to Front: the ray and the triangle, and whether they meet. num / den is t,
   // num / det what is compared with other hits of the ray.
-  logic [rc_pkg::TriReqW-1:0] req;
-  logic [3*N-1:0]             s0_a, s0_b, s0_c;
+  logic [3*N-1:0]             in_a, in_b, in_c;
   logic                       f0_hit;
   logic [D-1:0]               f0_det, f0_u, f0_v;
   logic [U-1:0]               f0_num;
-  logic [E-1:0]               f0_den;
   logic                       f0_back, f0_u_neg, f0_v_neg;
-  logic                       s0_any;      // any hit will do: a ray from or to a light
-  logic                       s0_leaves;   // from a surface: a bounce, or away to a light
-  logic                       s0_plane, s0_sphere;
-  logic                       s0_skips;    // the ray asks no planes, and this is one
-  assign req     = req_i;
-  assign s0_a    = req_i.a;
-  assign s0_b    = req_i.b;
-  assign s0_c    = req_i.c;
+  logic                       in_any;      // any hit will do: a ray from or to a light
+  logic                       in_leaves;   // from a surface: a bounce, or away to a light
+  logic                       in_plane, in_sphere;
+  logic                       in_skips;    // the ray asks no planes, and this is one
+  assign in_a    = in.a;
+  assign in_b    = in.b;
+  assign in_c    = in.c;
   if (rc_pkg::Shading == 1) begin : gen_kind
-    assign s0_any    = req_i.kind == rc_pkg::RayShadow || req_i.kind == rc_pkg::RayAway;
-    assign s0_leaves = req_i.kind == rc_pkg::RayBounce || req_i.kind == rc_pkg::RayAway;
+    assign in_any    = in.kind == rc_pkg::RayShadow || in.kind == rc_pkg::RayAway;
+    assign in_leaves = in.kind == rc_pkg::RayBounce || in.kind == rc_pkg::RayAway;
   end else begin : gen_camera
-    assign s0_any    = 1'b0;
-    assign s0_leaves = 1'b0;
+    assign in_any    = 1'b0;
+    assign in_leaves = 1'b0;
   end
   if (rc_pkg::Planes == 1 || rc_pkg::Spheres == 1) begin : gen_prim_kind
-    assign s0_plane  = rc_pkg::Planes == 1 && req_i.prim_kind == rc_pkg::PrimPlane;
-    assign s0_sphere = rc_pkg::Spheres == 1 && req_i.prim_kind == rc_pkg::PrimSphere;
+    assign in_plane  = rc_pkg::Planes == 1 && in.prim_kind == rc_pkg::PrimPlane;
+    assign in_sphere = rc_pkg::Spheres == 1 && in.prim_kind == rc_pkg::PrimSphere;
   end else begin : gen_triangle
-    assign s0_plane  = 1'b0;
-    assign s0_sphere = 1'b0;
+    assign in_plane  = 1'b0;
+    assign in_sphere = 1'b0;
   end
   if (rc_pkg::Planes == 1) begin : gen_finite
-    assign s0_skips = s0_plane && req_i.is_finite;
+    assign in_skips = in_plane && in.is_finite;
   end else begin : gen_no_planes
-    assign s0_skips = 1'b0;
+    assign in_skips = 1'b0;
   end
-  // What is no sphere, up to the divisions.
-  logic           flat;
-  logic [Pre-1:0] flat_q;
+  // flat[i]: stage i, of those up to the divisions, holds what is no sphere.
+  logic [Pre:In] flat;
   if (rc_pkg::Spheres == 1) begin : gen_flat
-    assign flat = admit && !s0_sphere;
+    logic [Pre-In-1:0] flat_q;
+    assign flat = {flat_q, valid[In] && !in_sphere};
     always_ff @(posedge clk_i) begin
       if (!rst_ni) flat_q <= '0;
-      else         flat_q <= {flat_q[Pre-2:0], flat};
+      else         flat_q <= flat[Pre-1:In];
     end
   end else begin : gen_all_flat
-    assign flat   = admit;
-    assign flat_q = valid_q[Pre-1:0];
+    assign flat = valid[Pre:In];
   end
 
+  // t's divisor: of the sheared test it has the direction's size as a factor, whose product is
+  // ready with those to be compared.
+  logic [E-1:0] pre_den;
   if (IsSheared) begin : gen_sheared
-    logic [M-1:0] f0_size;
+    logic [M-1:0]   f0_size;
+    logic [D+M-1:0] f0_den;
+    logic [E-1:0]   wide_den_q;
     rc_shear u_shear (
-      .clk_i, .valid_i({valid_q[4:0], admit}),
-      .s0_shear_i({req_i.axis, req_i.neg, req_i.size, req_i.slope}),
-      .s0_o_i(req_i.o), .s0_a_i(s0_a), .s0_b_i(s0_b), .s0_c_i(s0_c),
+      .clk_i, .valid_i(flat[Front-1:In]),
+      .s0_shear_i({in.axis, in.neg, in.size, in.slope}),
+      .s0_o_i(in.o), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
-    assign f0_den = {{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};
+    rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
+      .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
+    always_ff @(posedge clk_i) if (flat[Wide-1]) wide_den_q <= f0_den[E-1:0];
+    rc_delay #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
+      .clk_i, .valid_i(flat[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
     assign {f0_back, f0_u_neg, f0_v_neg} = '0;
+    logic unused;
+    assign unused = ^f0_den;
   end else begin : gen_exact
     rc_edges u_edges (
-      .clk_i, .s0_valid_i(flat), .s1_valid_i(flat_q[0]), .s2_valid_i(flat_q[1]),
-      .s3_valid_i(flat_q[2]), .s0_leaves_i(s0_leaves), .s0_plane_i(s0_plane),
-      .s0_o_i(req_i.o), .s0_d_i(req_i.d), .s0_a_i(s0_a), .s0_b_i(s0_b),
-      .s0_c_i(s0_c),
-      .s4_hit_o(f0_hit), .s4_det_o(f0_det), .s4_num_o(f0_num), .s4_u_o(f0_u), .s4_v_o(f0_v),
-      .s4_back_o(f0_back), .s4_u_neg_o(f0_u_neg), .s4_v_neg_o(f0_v_neg));
-    assign f0_den = f0_det;
+      .clk_i, .valid_i(flat[Front-1:In]), .s0_leaves_i(in_leaves), .s0_plane_i(in_plane),
+      .s0_o_i(in.o), .s0_d_i(in.d), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
+      .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
+      .back_o(f0_back), .u_neg_o(f0_u_neg), .v_neg_o(f0_v_neg));
+    assign pre_den = pre_det;
   end
 
   // Meanwhile number and hit to beat wait. A ray from a light must be blocked before its end,
-  // t = 2^-B, and equality does not count; one away to a light has no end.
-  localparam int unsigned BestW = P + 1 + U + D + P;
-  logic [BestW-1:0] s0_best, f0_best;
-  logic             f0_any;
+  // t = 2^-B, and equality does not count; one away to a light has no end. One that asks no planes
+  // ends before it meets any.
   localparam logic [D-1:0] ShadowDet = D'(1) << rc_pkg::OriginBits;
-  // One that asks no planes ends before it meets any.
-  assign s0_best = s0_any ? {req_i.prim, !s0_leaves || s0_skips, U'(!s0_skips), ShadowDet,
-                             req_i.best_prim}
-      : {req_i.prim, req_i.found, req_i.best_num, req_i.best_det, req_i.best_prim};
-  rc_delay #(.Width(BestW), .Stages(Front)) u_best (
-    .clk_i, .valid_i({flat_q[Front-2:0], flat}), .data_i(s0_best), .data_o(f0_best));
-  rc_delay #(.Width(1), .Stages(Front)) u_any (
-    .clk_i, .valid_i({flat_q[Front-2:0], flat}), .data_i(s0_any), .data_o(f0_any));
+  logic         in_found, in_first, wide_found, wide_first;
+  logic [U-1:0] in_best_num, f0_best_num;
+  logic [D-1:0] in_best_det, f0_best_det;
+  assign in_found    = in_any ? !in_leaves || in_skips : in.found;
+  assign in_best_num = in_any ? U'(!in_skips) : in.best_num;
+  assign in_best_det = in_any ? ShadowDet : in.best_det;
+  assign in_first    = in.prim <= in.best_prim && !in_any;
+  rc_delay #(.Width(2), .Stages(Wide - In)) u_best (
+    .clk_i, .valid_i(flat[Wide-1:In]), .data_i({in_found, in_first}),
+    .data_o({wide_found, wide_first}));
+  rc_delay #(.Width(U), .Stages(Front - In)) u_best_num (
+    .clk_i, .valid_i(flat[Front-1:In]), .data_i(in_best_num), .data_o(f0_best_num));
+  rc_delay #(.Width(D), .Stages(Front - In)) u_best_det (
+    .clk_i, .valid_i(flat[Front-1:In]), .data_i(in_best_det), .data_o(f0_best_det));
 
-  logic [P-1:0] f0_prim, f0_best_prim;
-  logic         f0_found;
-  logic [U-1:0] f0_best_num;
-  logic [D-1:0] f0_best_det;
-  assign {f0_prim, f0_found, f0_best_num, f0_best_det, f0_best_prim} = f0_best;
-
-  // f1: num / det against best_num / best_det, cross-multiplied; all four are positive.
-  logic           f1_hit_q, f1_found_q, f1_first_q;
-  logic [U+D-1:0] f1_mine_q, f1_theirs_q;
-  logic [U-1:0]   f1_num_q;
-  logic [E-1:0]   f1_den_q;
-  logic [D-1:0]   f1_det_q, f1_u_q, f1_v_q;
-  logic [P-1:0]   f1_prim_q;
-  logic           f1_any_q, f1_back_q, f1_u_neg_q, f1_v_neg_q;
+  // num / det against best_num / best_det, cross-multiplied; all four are positive. Closer, or
+  // as close with a lower number.
+  logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
+  logic           wide_before, last_before, last_hit, pre_closer_q;
+  rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_mine (
+    .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
+  rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
+    .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
   always_ff @(posedge clk_i) begin
-    if (flat_q[Front-1]) f1_hit_q <= f0_hit;
-    if (flat_q[Front-1] && f0_hit) begin
-      f1_found_q <= f0_found;
-      f1_first_q <= f0_prim <= f0_best_prim && !f0_any;
-      if (f0_found) begin
-        f1_mine_q   <= {{D{1'b0}}, f0_num} * {{U{1'b0}}, f0_best_det};
-        f1_theirs_q <= {{D{1'b0}}, f0_best_num} * {{U{1'b0}}, f0_det};
-      end
-      f1_num_q  <= f0_num;
-      f1_den_q  <= f0_den;
-      f1_det_q  <= f0_det;
-      f1_u_q    <= f0_u;
-      f1_v_q    <= f0_v;
-      f1_prim_q <= f0_prim;
-      f1_any_q   <= f0_any;
-      f1_back_q  <= f0_back;
-      f1_u_neg_q <= f0_u_neg;
-      f1_v_neg_q <= f0_v_neg;
+    if (flat[Wide-1]) begin
+      f1_mine_q   <= f0_mine;
+      f1_theirs_q <= f0_theirs;
     end
   end
+  assign wide_before = !wide_found || {f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};
+  rc_cut #(.Width(1)) u_before (.clk_i, .data_i(wide_before), .data_o(last_before));
+  rc_delay #(.Width(1), .Stages(Pre - 1 - Front)) u_hit (
+    .clk_i, .valid_i(flat[Pre-2:Front]), .data_i(f0_hit), .data_o(last_hit));
+  always_ff @(posedge clk_i) if (flat[Pre-1]) pre_closer_q <= last_hit && last_before;
 
-  // f2: closer, or as close with a lower number.
-  logic         f1_closer, f2_closer_q;
-  logic [U-1:0] f2_num_q;
-  logic [E-1:0] f2_den_q;
-  logic [D-1:0] f2_det_q, f2_u_q, f2_v_q;
-  logic [P-1:0] f2_prim_q;
-  logic         f2_any_q, f2_back_q, f2_u_neg_q, f2_v_neg_q;
-  assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q < f1_theirs_q
-                                  || (f1_mine_q == f1_theirs_q && f1_first_q));
-  always_ff @(posedge clk_i) begin
-    if (flat_q[Front]) f2_closer_q <= f1_closer;
-    if (flat_q[Front] && f1_closer) begin
-      f2_num_q  <= f1_num_q;
-      f2_den_q  <= f1_den_q;
-      f2_det_q  <= f1_det_q;
-      f2_u_q    <= f1_u_q;
-      f2_v_q    <= f1_v_q;
-      f2_prim_q <= f1_prim_q;
-      f2_any_q   <= f1_any_q;
-      f2_back_q  <= f1_back_q;
-      f2_u_neg_q <= f1_u_neg_q;
-      f2_v_neg_q <= f1_v_neg_q;
-    end
-  end
+  // The hit itself waits.
+  localparam int unsigned Compare = Pre - Front;
+  logic [U-1:0] pre_num;
+  logic [D-1:0] pre_det, pre_u, pre_v;
+  logic [P-1:0] pre_prim;
+  logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
+  rc_delay #(.Width(U), .Stages(Compare)) u_num (
+    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_num), .data_o(pre_num));
+  rc_delay #(.Width(D), .Stages(Compare)) u_det (
+    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_det), .data_o(pre_det));
+  rc_delay #(.Width(D), .Stages(Compare)) u_u (
+    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_u), .data_o(pre_u));
+  rc_delay #(.Width(D), .Stages(Compare)) u_v (
+    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_v), .data_o(pre_v));
+  rc_delay #(.Width(3), .Stages(Compare)) u_signs (
+    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i({f0_back, f0_u_neg, f0_v_neg}),
+    .data_o({pre_back, pre_u_neg, pre_v_neg}));
+  rc_delay #(.Width(P + 1), .Stages(Pre - In)) u_prim (
+    .clk_i, .valid_i(flat[Pre-1:In]), .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // Divisions; numerator, determinant and number wait.
-  logic         f2_divide, f2_block;
+  localparam int unsigned Divide = rc_pkg::HitdivStages;
+  logic         pre_divide, pre_block;
   logic [T-1:0] t;
   logic [V-1:0] u, v;
-  assign f2_divide = flat_q[Pre-1] && f2_closer_q && !f2_any_q;
-  assign f2_block  = flat_q[Pre-1] && f2_closer_q && f2_any_q;
-  rc_hitdiv #(.Stages(Divide), .E(E)) u_hitdiv (
-    .clk_i, .valid_i(f2_divide), .num_i(f2_num_q), .den_i(f2_den_q), .det_i(f2_det_q),
-    .u_i(f2_u_q), .v_i(f2_v_q), .u_neg_i(f2_u_neg_q), .v_neg_i(f2_v_neg_q),
+  assign pre_divide = flat[Pre] && pre_closer_q && !pre_any;
+  assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
+  rc_hitdiv #(.E(E)) u_hitdiv (
+    .clk_i, .valid_i(pre_divide), .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
+    .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
   logic [Divide-1:0] closer_q, block_q;
-  logic [TailW-2:0]  f2_tail, tail;
+  logic [TailW-2:0]  pre_tail, tail;
   if (rc_pkg::Shading == 1) begin : gen_back
-    assign f2_tail = {f2_back_q, f2_num_q, f2_det_q, f2_prim_q};
+    assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
   end else begin : gen_no_back
-    assign f2_tail = {f2_num_q, f2_det_q, f2_prim_q};
+    assign pre_tail = {pre_num, pre_det, pre_prim};
   end
   always_ff @(posedge clk_i) begin
-    closer_q <= {closer_q[Divide-2:0], f2_divide};
-    block_q  <= {block_q[Divide-2:0], f2_block};
+    closer_q <= {closer_q[Divide-2:0], pre_divide};
+    block_q  <= {block_q[Divide-2:0], pre_block};
   end
   rc_delay #(.Width(TailW - 1), .Stages(Divide)) u_tail (
-    .clk_i, .valid_i({closer_q[Divide-2:0], f2_divide}), .data_i(f2_tail), .data_o(tail));
+    .clk_i, .valid_i({closer_q[Divide-2:0], pre_divide}), .data_i(pre_tail), .data_o(tail));
 
   // hit: closer with all that is told, or blocked with nothing.
   logic            closer, blocked;
   logic [HitW-2:0] hit;
   if (rc_pkg::Spheres == 1) begin : gen_sphere
     localparam int unsigned BallBestW = 2 + U + D;
-    localparam int unsigned BestStage = Core - 2;
+    localparam int unsigned BestStage = rc_pkg::SphereStages - 2;
+    localparam int unsigned FlatLate  = Core - Flat;   // stages that one waits for the other
+    localparam int unsigned BallLate  = Core - Ball;
     localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
-    logic [Late-1:0]      late_closer_q, late_block_q;
+    logic                 flat_closer, flat_block;
     logic [HitW-2:0]      flat_hit;
     logic [BallBestW-1:0] ball_best;
     logic [P-1:0]         ball_prim;
     logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
+    logic                 late_closer, late_blocked, late_far;
     logic [U-1:0]         ball_best_num;
     logic [D-1:0]         ball_best_det;
-    logic [T-1:0]         ball_t;
-    logic                 s0_ball, s0_first, s0_own;
-    logic [P-1:0]         s0_self, s0_prim, s0_best_prim;
-    logic [U+D:0]         s0_found_num_det;
-    always_ff @(posedge clk_i) begin
-      late_closer_q <= {late_closer_q[Late-2:0], closer_q[Divide-1]};
-      late_block_q  <= {late_block_q[Late-2:0], block_q[Divide-1]};
+    logic [T-1:0]         ball_t, late_t;
+    logic                 in_ball, in_ball_first, in_own;
+    rc_cut #(.Width(2), .Stages(FlatLate)) u_flat_late (
+      .clk_i, .data_i({closer_q[Divide-1], block_q[Divide-1]}),
+      .data_o({flat_closer, flat_block}));
+    if (FlatLate == 0) begin : gen_flat_last
+      assign flat_hit = {tail, t, u, v};
+    end else begin : gen_flat_waits
+      rc_wait #(.Width(HitW - 1), .Stages(FlatLate)) u_late (
+        .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}),
+        .data_o(flat_hit));
     end
-    rc_wait #(.Width(HitW - 1), .Stages(Late)) u_late (
-      .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}), .data_o(flat_hit));
 
-    assign s0_ball          = admit && s0_sphere;
-    assign s0_self          = req_i.self;
-    assign s0_best_prim     = req_i.best_prim;
-    assign s0_found_num_det = {req_i.found, req_i.best_num, req_i.best_det};
-    assign s0_prim          = req_i.prim;
-    assign s0_own           = (s0_any || s0_leaves) && s0_self == s0_prim;
-    assign s0_first         = s0_prim <= s0_best_prim;
+    assign in_ball       = valid[In] && in_sphere;
+    assign in_own        = (in_any || in_leaves) && in.self == in.prim;
+    assign in_ball_first = in.prim <= in.best_prim;
     rc_wait #(.Width(BallBestW), .Stages(BestStage)) u_ball_best (
-      .clk_i, .rst_ni, .valid_i(s0_ball), .data_i({s0_first, s0_found_num_det}),
-      .data_o(ball_best));
-    rc_wait #(.Width(P), .Stages(Core)) u_ball_prim (
-      .clk_i, .rst_ni, .valid_i(s0_ball), .data_i(s0_prim), .data_o(ball_prim));
+      .clk_i, .rst_ni, .valid_i(in_ball),
+      .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(ball_best));
+    rc_wait #(.Width(P), .Stages(Core - In)) u_ball_prim (
+      .clk_i, .rst_ni, .valid_i(in_ball), .data_i(in.prim), .data_o(ball_prim));
     assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
     rc_sphere u_sphere (
-      .clk_i, .rst_ni, .s0_valid_i(s0_ball), .s0_any_i(s0_any), .s0_leaves_i(s0_leaves),
-      .s0_own_i(s0_own),
-      .s0_inside_i(req_i.is_inside), .s0_o_i(req_i.o), .s0_d_i(req_i.d),
-      .s0_c_i(s0_a), .s0_rr_i(s0_b[2*N-1:0]), .best_found_i(ball_found),
+      .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
+      .s0_own_i(in_own),
+      .s0_inside_i(in.is_inside), .s0_o_i(in.o), .s0_d_i(in.d),
+      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .best_found_i(ball_found),
       .best_first_i(ball_first), .best_num_i(ball_best_num), .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
+    rc_cut #(.Width(T + 3), .Stages(BallLate)) u_ball_late (
+      .clk_i, .data_i({ball_closer, ball_blocked, ball_far, ball_t}),
+      .data_o({late_closer, late_blocked, late_far, late_t}));
 
-    assign closer  = late_closer_q[Late-1] || ball_closer;
-    assign blocked = late_block_q[Late-1] || ball_blocked;
-    assign hit     = late_closer_q[Late-1] ? flat_hit
-                   : {ball_far, {(U-T){1'b0}}, ball_t, Unit, ball_prim, ball_t, {(2*V){1'b0}}};
+    assign closer  = flat_closer || late_closer;
+    assign blocked = flat_block || late_blocked;
+    assign hit     = flat_closer ? flat_hit
+                   : {late_far, {(U-T){1'b0}}, late_t, Unit, ball_prim, late_t, {(2*V){1'b0}}};
   end else begin : gen_no_sphere
     assign closer  = closer_q[Divide-1];
     assign blocked = block_q[Divide-1];
@@ -293,7 +299,7 @@ module rc_tri (
     assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
   end else begin : gen_later
     rc_delay #(.Width(HitW + 1), .Stages(Extra)) u_end (
-      .clk_i, .valid_i(valid_q[L-2:Core-1]), .data_i({closer, blocked, hit}),
+      .clk_i, .valid_i(valid[L-1:Core]), .data_i({closer, blocked, hit}),
       .data_o({end_closer, end_blocked, end_hit}));
   end
 
@@ -313,6 +319,6 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, req, s0_leaves, s0_plane, s0_sphere, f2_back_q};
+  assign unused = ^{queue_ready, valid[L], in_flat, in_leaves, in_plane, in_sphere, pre_back};
 endmodule
 `default_nettype wire

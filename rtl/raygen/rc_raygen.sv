@@ -37,7 +37,10 @@ module rc_raygen (
   localparam int unsigned Q       = P + 1 + SubBits;                     // place, signed
   localparam int unsigned GD      = rc_pkg::GuardDirBits;
   localparam int unsigned G       = GD + SubBits;
-  localparam int unsigned RecipL  = 1 + (rc_pkg::RecipBits + 1) / 2;   // of rc_recip
+  localparam int unsigned RecipL  = rc_pkg::RecipStages;
+  // Stages that hold the pixel's steps, the ray's direction.
+  localparam int unsigned Step    = SampleL + rc_pkg::PixelStages;
+  localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
 
   // s0: a new pixel is a camera ray through its first sample.
   logic                      req_valid, req_ready, admit;
@@ -109,68 +112,75 @@ module rc_raygen (
   assign right  = frame_i.right;
   assign down   = frame_i.down;
 
-  logic [3*G-1:0]  s1_sum;
-  logic [3*M-1:0]  s2_dir;
-  logic [3*RD-1:0] s2_d, s3_dir_q, end_dir;
-  logic            s3_short;
+  logic [3*G-1:0]  sum;
+  logic [3*M-1:0]  made_dir;
+  logic [3*RD-1:0] new_dir, dir_q, end_dir;
+  logic            is_short;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
-    // s1: pixel steps; modulo 2^G, since only the sum is sure to fit.
-    logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;
+    // Pixel steps; modulo 2^G, since only the sum is sure to fit. The last sum of limbs is in the
+    // register that a relaxed chip has as well.
+    logic signed [GD+Q-1:0] right_wide, down_wide;
+    logic signed [G-1:0]    s1_right_q, s1_down_q, s1_corner;
+    rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_right (
+      .clk_i, .a_i($signed(right[k*GD +: GD])), .b_i(x), .p_o(right_wide));
+    rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_down (
+      .clk_i, .a_i($signed(down[k*GD +: GD])), .b_i(y), .p_o(down_wide));
     always_ff @(posedge clk_i) begin
-      if (valid[SampleL]) begin
-        s1_right_q <= G'($signed(right[k*GD +: GD])) * G'(x);
-        s1_down_q  <= G'($signed(down[k*GD +: GD])) * G'(y);
+      if (valid[Step-1]) begin
+        s1_right_q <= right_wide[G-1:0];
+        s1_down_q  <= down_wide[G-1:0];
       end
     end
-    // s2: their sum with the corner. s3: the direction of the three.
+    // Their sum with the corner, and the direction of the three.
     assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
-    assign s1_sum[k*G +: G] = s1_corner + s1_right_q + s1_down_q;
+    assign sum[k*G +: G] = s1_corner + s1_right_q + s1_down_q;
     logic [R1+E-1:0] made;
     rc_recip u_recip (
-      .clk_i, .valid_i(valid[SampleL+3]), .short_i(s3_short),
-      .d_i($signed(s3_dir_q[k*RD +: RD])),
+      .clk_i, .valid_i(valid[Dir]), .short_i(is_short), .d_i($signed(dir_q[k*RD +: RD])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
-    if (Latency - 3 - SampleL == RecipL) begin : gen_last
+    if (Latency - Dir == RecipL) begin : gen_last
       assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
-      rc_delay #(.Width(R1 + E), .Stages(Latency - 3 - SampleL - RecipL)) u_made (
-        .clk_i, .valid_i(valid[Latency-1:SampleL+RecipL+3]), .data_i(made),
+      rc_delay #(.Width(R1 + E), .Stages(Latency - Dir - RecipL)) u_made (
+        .clk_i, .valid_i(valid[Latency-1:Dir+RecipL]), .data_i(made),
         .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
     end
+    logic unused;
+    assign unused = ^{right_wide, down_wide};
   end
   rc_direction #(.G(G)) u_direction (
-    .clk_i, .valid_i(valid[SampleL+1]), .sum_i(s1_sum), .dir_o(s2_dir));
+    .clk_i, .valid_i(valid[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
   // Direction and origin wait beside the reciprocals.
   localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);
   logic [HeadW-1:0] end_head;   // what ray_t has between number and direction
   logic [3*rc_pkg::CoordBits-1:0] eye;
   assign eye = frame_i.eye;
-  always_ff @(posedge clk_i) if (valid[SampleL+2]) s3_dir_q <= s2_d;
-  rc_delay #(.Width(3 * RD), .Stages(Latency - 3 - SampleL)) u_dir (
-    .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i(s3_dir_q), .data_o(end_dir));
+  always_ff @(posedge clk_i) if (valid[Dir-1]) dir_q <= new_dir;
+  rc_delay #(.Width(3 * RD), .Stages(Latency - Dir)) u_dir (
+    .clk_i, .valid_i(valid[Latency-1:Dir]), .data_i(dir_q), .data_o(end_dir));
   if (rc_pkg::Shading != 0) begin : gen_given
     localparam int unsigned OW = rc_pkg::OriginWidth;
     localparam int unsigned N  = rc_pkg::CoordBits;
-    logic [1:0]      s2_kind, s3_kind_q, end_kind;
-    logic [3*OW-1:0] s2_given_o, s2_eye, s2_o, s3_o_q, end_o;
-    logic [3*RD-1:0] s2_given_d;
-    logic            s2_camera;
-    rc_delay #(.Width(2 + 3 * (OW + RD)), .Stages(SampleL + 2)) u_given (
-      .clk_i, .valid_i(valid[SampleL+1:0]), .data_i({req.kind, req.o, req.d}),
-      .data_o({s2_kind, s2_given_o, s2_given_d}));
-    assign s2_camera = s2_kind == rc_pkg::RayCamera;
+    logic [1:0]      kind, dir_kind_q, end_kind;
+    logic [3*OW-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
+    logic [3*RD-1:0] given_d;
+    logic            is_camera;
+    rc_delay #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1)) u_given (
+      .clk_i, .valid_i(valid[Dir-2:0]), .data_i({req.kind, req.o, req.d}),
+      .data_o({kind, given_o, given_d}));
+    assign is_camera = kind == rc_pkg::RayCamera;
     for (genvar k = 0; k < 3; k++) begin : gen_eye
-      assign s2_d[k*RD +: RD] = s2_camera ? RD'($signed(s2_dir[k*M +: M]))
-                                          : s2_given_d[k*RD +: RD];
-      assign s2_eye[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
+      assign new_dir[k*RD +: RD] = is_camera ? RD'($signed(made_dir[k*M +: M]))
+                                             : given_d[k*RD +: RD];
+      assign camera_o[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
     end
-    assign s2_o = s2_camera ? s2_eye : s2_given_o;
-    always_ff @(posedge clk_i) if (valid[SampleL+2]) {s3_kind_q, s3_o_q} <= {s2_kind, s2_o};
-    rc_delay #(.Width(2 + 3 * OW), .Stages(Latency - 3 - SampleL)) u_head (
-      .clk_i, .valid_i(valid[Latency-1:SampleL+3]), .data_i({s3_kind_q, s3_o_q}),
+    assign new_o = is_camera ? camera_o : given_o;
+    always_ff @(posedge clk_i) if (valid[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
+    rc_delay #(.Width(2 + 3 * OW), .Stages(Latency - Dir)) u_head (
+      .clk_i, .valid_i(valid[Latency-1:Dir]), .data_i({dir_kind_q, dir_o_q}),
       .data_o({end_kind, end_o}));
-    assign s3_short = s3_kind_q != rc_pkg::RayShadow;
+    assign is_short = dir_kind_q != rc_pkg::RayShadow;
     // What says which primitives the ray asks stays as it came.
     localparam int unsigned TagW = HeadW - 2 - 3 * OW;
     if (TagW != 0) begin : gen_tag
@@ -191,19 +201,19 @@ module rc_raygen (
   end else begin : gen_camera
     logic unused;
     assign unused   = ^{req};
-    assign s2_d     = s2_dir;
-    assign s3_short = 1'b1;
+    assign new_dir  = made_dir;
+    assign is_short = 1'b1;
     // The sheared triangle test has slopes as well.
     if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_sheared
       localparam int unsigned ShearW = 3 * M + 3;
-      localparam int unsigned SlopeL = 1 + M / 2;   // of rc_slope
+      localparam int unsigned SlopeL = rc_pkg::SlopeStages;
       logic [ShearW-1:0] made, shear;
-      rc_slope u_slope (.clk_i, .valid_i(valid[3]), .d_i(s3_dir_q), .shear_o(made));
-      if (Latency - 3 == SlopeL) begin : gen_last
+      rc_slope u_slope (.clk_i, .valid_i(valid[Dir]), .d_i(dir_q), .shear_o(made));
+      if (Latency - Dir == SlopeL) begin : gen_last
         assign shear = made;
       end else begin : gen_wait
-        rc_delay #(.Width(ShearW), .Stages(Latency - 3 - SlopeL)) u_made (
-          .clk_i, .valid_i(valid[Latency-1:SlopeL+3]), .data_i(made), .data_o(shear));
+        rc_delay #(.Width(ShearW), .Stages(Latency - Dir - SlopeL)) u_made (
+          .clk_i, .valid_i(valid[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
       end
       assign end_head = {shear, eye};
     end else begin : gen_plain

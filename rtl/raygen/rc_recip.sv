@@ -3,8 +3,7 @@
 // For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m), an
 // R + 1 bit number between 2^(R-1) and 2^R. d = 0 gives len 0, recip 1. M is the width of
 // a ray's direction; len of one that has only DirBits counts as if it were as long.
-// Latency 1 + ceil(R / 2), throughput 1 per cycle. Model: model/raygen/raygen.hpp
-// (reciprocal).
+// Latency rc_pkg::RecipStages, throughput 1 per cycle. Model: model/raygen/raygen.hpp (reciprocal).
 `default_nettype none
 module rc_recip (
   input  logic                                 clk_i,
@@ -17,56 +16,85 @@ module rc_recip (
   localparam int unsigned M      = rc_pkg::RayDirBits;
   localparam int unsigned R      = rc_pkg::RecipBits;
   localparam int unsigned E      = rc_pkg::ExpBits;
-  localparam int unsigned Stages = (R + 1) / 2;
+  localparam int unsigned L      = rc_pkg::RecipStages;
+  localparam int unsigned Bits   = rc_pkg::QuotientBits;
+  localparam int unsigned Moved  = 1 + 3 * rc_pkg::Cut;   // stage in which the division begins
+  localparam int unsigned Stages = L - Moved;             // of the division
 
-  // s0: magnitude, bit length, and the magnitude moved up until its top bit is set.
-  logic [M-1:0] s0_mag, s0_m;
-  logic [E-1:0] s0_len;
+  // valid[i]: stage i holds a component.
+  logic [L-1:0] valid_q;
+  logic [L:0]   valid;
+  assign valid = {valid_q, valid_i};
+  always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+
+  // Magnitude.
+  logic [M-1:0] s0_mag, mag;
+  logic         mag_short;
+  assign s0_mag = d_i[M-1] ? $unsigned(-d_i) : $unsigned(d_i);
+  rc_cut #(.Width(M + 1)) u_mag (
+    .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
+
+  // Its bit length; and by how much to move it up until its top bit is set.
+  logic [E-1:0] mag_len, mag_told, mag_up, len_told, len_up;
+  logic [M-1:0] len_mag;
+  logic         mag_power, len_power;   // of two, or zero
   always_comb begin
-    s0_mag = '0;
-    s0_len = '0;
-    s0_m   = '0;
-    if (valid_i) begin
-      s0_mag = d_i[M-1] ? $unsigned(-d_i) : $unsigned(d_i);
-      for (int i = 0; i < M; i++) if (s0_mag[i]) s0_len = E'(i + 1);
-      s0_m = s0_mag << (E'(M) - s0_len);
+    mag_len = '0;
+    mag_up  = E'(M);
+    if (valid[rc_pkg::Cut]) begin
+      for (int i = 0; i < M; i++) begin
+        if (mag[i]) begin
+          mag_len = E'(i + 1);
+          mag_up  = E'(M - 1 - i);
+        end
+      end
     end
   end
+  assign mag_told  = mag_short && mag_len != '0 ? mag_len + E'(M - rc_pkg::DirBits) : mag_len;
+  assign mag_power = (mag & (mag - 1'b1)) == '0;
+  rc_cut #(.Width(M + 2 * E + 1)) u_len (
+    .clk_i, .data_i({mag, mag_told, mag_up, mag_power}),
+    .data_o({len_mag, len_told, len_up, len_power}));
 
-  // s1: the quotient's top bit is one only for a power of two, which divides exactly.
-  logic         s1_valid_q, s1_top_q;
-  logic [M-1:0] s1_m_q, s1_rem_q;
-  logic [E-1:0] s1_len_q;
-  logic         s0_top;
-  assign s0_top = s0_m[M-2:0] == '0;
+  // Moved by fours and more, then by less.
+  logic [M-1:0] coarse_mag, coarse, fine_m;
+  logic [E-1:0] coarse_told;
+  logic [1:0]   coarse_up;
+  logic         coarse_power;
+  assign coarse_mag = len_mag << {len_up[E-1:2], 2'b00};
+  rc_cut #(.Width(M + E + 3)) u_coarse (
+    .clk_i, .data_i({coarse_mag, len_told, len_up[1:0], len_power}),
+    .data_o({coarse, coarse_told, coarse_up, coarse_power}));
+  assign fine_m = coarse << coarse_up;
+
+  // The quotient's top bit is one only for a power of two, which divides exactly.
+  logic         top_q;
+  logic [M-1:0] m_q, rem_q;
+  logic [E-1:0] len_q;
   always_ff @(posedge clk_i) begin
-    s1_valid_q <= valid_i;
-    if (valid_i) begin
-      s1_m_q   <= s0_m;
-      s1_len_q <= short_i && s0_len != '0 ? s0_len + E'(M - rc_pkg::DirBits) : s0_len;
-      s1_top_q <= s0_top;
-      s1_rem_q <= s0_top ? '0 : {1'b1, {(M-1){1'b0}}};
+    if (valid[Moved-1]) begin
+      m_q   <= fine_m;
+      len_q <= coarse_told;
+      top_q <= coarse_power;
+      rem_q <= coarse_power ? '0 : {1'b1, {(M-1){1'b0}}};
     end
   end
 
-  // The other R bits, two a stage; for an odd R one bit too many, dropped below.
-  logic [2*Stages-1:0] quo;
-  logic                inexact;
-  rc_divide #(.Width(M), .Stages(Stages)) u_divide (
-    .clk_i, .valid_i(s1_valid_q), .rem_i(s1_rem_q), .low_i('0), .den_i(s1_m_q),
+  // The other R bits; if two are made in a stage, for an odd R one bit too many, dropped below.
+  logic [Bits*Stages-1:0] quo;
+  logic                   inexact;
+  rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits)) u_divide (
+    .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i('0), .den_i(m_q),
     .quo_o(quo), .inexact_o(inexact));
 
   // Bit length and top bit wait beside the divider.
-  logic [Stages-1:0] wait_valid_q;
-  logic              top;
-  always_ff @(posedge clk_i) wait_valid_q <= {wait_valid_q[Stages-2:0], s1_valid_q};
+  logic top;
   rc_delay #(.Width(E + 1), .Stages(Stages)) u_wait (
-    .clk_i, .valid_i({wait_valid_q[Stages-2:0], s1_valid_q}), .data_i({s1_top_q, s1_len_q}),
-    .data_o({top, len_o}));
+    .clk_i, .valid_i(valid[L-1:Moved]), .data_i({top_q, len_q}), .data_o({top, len_o}));
 
-  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[2*Stages-1 -: R]};
+  assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*Stages-1 -: R]};
 
   logic unused;
-  assign unused = ^{inexact, quo[0], wait_valid_q[Stages-1]};
+  assign unused = ^{inexact, quo[0], valid[L]};
 endmodule
 `default_nettype wire

@@ -1,5 +1,5 @@
 // Tri's signals: rtl/isect/rc_edges.sv, rc_tri.sv and rc_hitdiv.sv, which have the widths; and those of list
-// and trav.
+// and trav. s1 to s4 are a relaxed chip's stages.
 #include "sim/fit/ranges.hpp"
 
 namespace rayclock::fit {
@@ -35,8 +35,8 @@ void tri_ranges(const Extremes& e, const Config& c, std::vector<Signal>& out) {
     add("terms of num", e.num_term, true, num, Excess::wraps);
     add("s3_det", e.det, true, edge);
     add("s3_u", e.u, true, edge);
-    add("s3_v", hull(e.v, -e.v), true, edge);   // the sum, and its negative
-    add("s3_w", e.w, true, edge);
+    add("s3_v", hull(e.v, -e.v), true, edge);             // the sum, and its negative
+    add("s3_w", hull(e.w, e.w - point(1)), true, edge);   // one less if a zero counts as negative
     add("s3_num", e.num, true, num);
     // Turned so that det > 0, of hits.
     const Interval size{1, std::max(Wide(1), magnitude(e.det).hi)},

@@ -218,6 +218,15 @@ void derived(Package& p, const Config& c) {
     p.constant("SlabStages", stages.slab);
     p.constant("MeetStages", stages.meet);
     p.constant("RankStages", stages.rank);
+    p.constant("QuotientBits", stages.quotient_bits);
+    p.constant("EdgesStages", stages.edges);
+    p.constant("ShearStages", stages.shear);
+    p.constant("HitdivStages", stages.hit_divide);
+    p.constant("SphereStages", stages.sphere);
+    p.constant("PixelStages", stages.pixel);
+    p.constant("DirectionStages", stages.direction);
+    p.constant("RecipStages", stages.recip);
+    p.constant("SlopeStages", stages.slope);
     p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());

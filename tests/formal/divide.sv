@@ -3,7 +3,8 @@
 module divide #(
   parameter  int unsigned Width  = 5,
   parameter  int unsigned Stages = 2,
-  localparam int unsigned QuoW   = 2 * Stages,
+  parameter  int unsigned Bits   = 2,
+  localparam int unsigned QuoW   = Bits * Stages,
   localparam int unsigned AllW   = Width + QuoW
 ) (
   input logic             clk_i,
@@ -14,7 +15,7 @@ module divide #(
 );
   logic [QuoW-1:0] quo_o;
   logic            inexact_o;
-  rc_divide #(.Width(Width), .Stages(Stages)) u_dut (
+  rc_divide #(.Width(Width), .Stages(Stages), .Bits(Bits)) u_dut (
     .clk_i(clk_i), .valid_i(valid_i), .rem_i(rem_i), .low_i(low_i), .den_i(den_i), .quo_o(quo_o),
     .inexact_o(inexact_o));
 

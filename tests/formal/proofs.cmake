@@ -115,6 +115,7 @@ prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 
 foreach(stages IN ITEMS 2 3)
   prove(formal:divide_of_5_bits_in_${stages}_stages TOP divide RTL fixed/rc_divide.sv WITH Stages=${stages} INDUCTION 6)
 endforeach()
+prove(formal:divide_of_5_bits_one_a_stage TOP divide RTL fixed/rc_divide.sv WITH Bits=1 Stages=3 INDUCTION 6)
 prove(mutant:formal_divide_keeps_a_rest_too_large TOP divide RTL fixed/rc_divide.sv CYCLES 5 FILE fixed/rc_divide.sv
   OLD [[rem_q <= second_less[Width] ?]]
   NEW [[rem_q <= second_less[Width] || second_less == '0 ?]])

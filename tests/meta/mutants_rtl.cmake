@@ -28,11 +28,11 @@ mutant(rank_leaves_first FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
 
 # ---- tri: exact decisions.
 mutant(edges_zero_is_inside FILE rtl/isect/rc_edges.sv TEST unit [tri][lockstep]
-  OLD [[s3_u_neg == s3_flip && s3_v_neg]]
-  NEW [[(s3_u_q == '0 || s3_u_neg == s3_flip) && s3_v_neg]])
+  OLD [[end_u_neg == end_flip && end_v_neg]]
+  NEW [[(end_u == '0 || end_u_neg == end_flip) && end_v_neg]])
 mutant(edges_tie_turned FILE rtl/isect/rc_edges.sv TEST unit [tri]
-  OLD [[s3_p1x_q != s3_p2x_q ? s3_p1x_q < s3_p2x_q :]]
-  NEW [[s3_p1x_q != s3_p2x_q ? s3_p1x_q > s3_p2x_q :]])
+  OLD [[assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;]]
+  NEW [[assign w_sign[k]  = (k == 0) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(edges_normal_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned X = 2 * D + 1;]]
   NEW [[localparam int unsigned X = 2 * D - 2;]])
@@ -40,20 +40,20 @@ mutant(edges_product_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is 
   OLD [[localparam int unsigned C = M + D + 1;]]
   NEW [[localparam int unsigned C = M + D - 1;]])
 mutant(edges_origin_counts FILE rtl/isect/rc_edges.sv TEST unit [tri]
-  OLD [[&& s3_num_q != '0 && s3_num_q[U-1] == s3_flip]]
-  NEW [[&& (s3_num_q == '0 || s3_num_q[U-1] == s3_flip)]])
+  OLD [[&& !end_here && end_num[U-1] == end_flip]]
+  NEW [[&& (end_here || end_num[U-1] == end_flip)]])
 mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
-  OLD [[f1_first_q <= f0_prim <= f0_best_prim &&]]
-  NEW [[f1_first_q <= f0_prim >= f0_best_prim &&]])
+  OLD [[in_first    = in.prim <= in.best_prim &&]]
+  NEW [[in_first    = in.prim >= in.best_prim &&]])
 mutant(tri_equal_is_not_closer FILE rtl/isect/rc_tri.sv TEST unit [tri]
-  OLD [[(f1_mine_q == f1_theirs_q && f1_first_q)]]
-  NEW [[(f1_mine_q == f1_theirs_q && f1_first_q && f1_mine_q == '0)]])
+  OLD [[{f1_theirs_q, wide_first}]]
+  NEW [[{f1_theirs_q, wide_first && f1_mine_q == '0}]])
 mutant(hitdiv_t_rounded_down FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][lockstep]
   OLD [[t_down + {{(T-1){1'b0}}, t_up}]]
   NEW [[t_down + {{(T-1){1'b0}}, t_up && 1'b0}]])
 mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
-  OLD [[.u_i(f2_u_q), .v_i(f2_v_q),]]
-  NEW [[.u_i(f2_v_q), .v_i(f2_u_q),]])
+  OLD [[.u_i(pre_u), .v_i(pre_v),]]
+  NEW [[.u_i(pre_v), .v_i(pre_u),]])
 
 # ---- tri, sheared, and the slopes that raygen makes for it.
 mutant(shear_half_forgotten FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
@@ -75,8 +75,8 @@ mutant(shear_axes_swapped FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
   OLD [[{p[2*N-1:0], p[3*N-1:2*N]} : p;]]
   NEW [[{p[2*N-1:N], p[3*N-1:2*N], p[N-1:0]} : p;]])
 mutant(tri_sheared_den_forgets_direction FILE rtl/isect/rc_tri.sv TEST unit [tri][sheared]
-  OLD [[{{(E-D){1'b0}}, f0_det} * {{(E-M){1'b0}}, f0_size};]]
-  NEW [[{f0_det, {(E-D){1'b0}}} | {{(E-M){1'b0}}, f0_size};]])
+  OLD [[.b_i(f0_size), .p_o(f0_den));]]
+  NEW [[.b_i({M{|f0_size}}), .p_o(f0_den));]])
 mutant(slope_rounded_down FILE rtl/raygen/rc_slope.sv TEST unit [raygen][sheared]
   OLD [[({x_one, x_quo[2*Stages-1 -: M-1]} + M'(1)) >> 1;]]
   NEW [[{x_one, x_quo[2*Stages-1 -: M-1]} >> 1;]])
@@ -194,11 +194,11 @@ mutant(merge_changes_its_mind FILE rtl/prim/rc_merge.sv TEST unit [list][lockste
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = held_q && first_valid_i && held_second_q ? 1'b0 : !first_valid_i;]])
 mutant(raygen_direction_rounded_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[assign dir_o[k*M +: M] = s1_whole + {{(M-1){1'b0}}, s1_up};]]
-  NEW [[assign dir_o[k*M +: M] = s1_whole + {{(M-1){1'b0}}, s1_up && 1'b0};]])
+  OLD [[assign rounded = whole + {{(M-1){1'b0}}, half};]]
+  NEW [[assign rounded = whole + {{(M-1){1'b0}}, half && 1'b0};]])
 mutant(raygen_direction_wraps FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[s1_moved[G-M-1] && s1_whole != {1'b0, {(M-1){1'b1}}};]]
-  NEW [[s1_moved[G-M-1];]])
+  OLD [[= !whole[M-1] && rounded[M-1] ? whole : rounded;]]
+  NEW [[= rounded;]])
 mutant(raygen_shift_off_by_one QUICK FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
   OLD [[if (s0_used[G-2-i]) s0_shift = S'(i);]]
   NEW [[if (s0_used[G-2-i]) s0_shift = i > 0 ? S'(i - 1) : '0;]])
@@ -206,11 +206,19 @@ mutant(raygen_shift_one_bit_short FILE rtl/raygen/rc_direction.sv TEST unit [ray
   OLD [[s0_shift = S'(Most);]]
   NEW [[s0_shift = S'(Most - 1);]])
 mutant(raygen_shift_of_the_last_axis FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[s0_used = s0_used | (sum_i]]
-  NEW [[s0_used = (sum_i]])
+  OLD [[s0_used = s0_used | (s0_sum]]
+  NEW [[s0_used = (s0_sum]])
 mutant(raygen_shift_by_the_sums_sign FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[^ {(G-1){sum_i[k*G+G-1]}});]]
-  NEW [[^ {(G-1){sum_i[G-1]}});]])
+  OLD [[^ {(G-1){s0_sum[k*G+G-1]}});]]
+  NEW [[^ {(G-1){s0_sum[G-1]}});]])
+
+# ---- a register that only a fast chip has is taken away.
+mutant(fast_hitdiv_loses_a_stage QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
+  OLD [[rc_cut #(.Width(T + 1)) u_t_last]]
+  NEW [[rc_cut #(.Width(T + 1), .Stages(0)) u_t_last]])
+mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][fast]
+  OLD [[rc_cut #(.Width(M + E + 3)) u_coarse]]
+  NEW [[rc_cut #(.Width(M + E + 3), .Stages(0)) u_coarse]])
 
 # ---- one cycle late, each unit.
 mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep]
@@ -390,14 +398,14 @@ mutant(small_slab_zero_is_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][sma
   OLD [[assign s1_more = (s1_zero_q ? '0 : P'(s1_distance_q))]]
   NEW [[assign s1_more = P'(s1_distance_q)]])
 mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [raygen][small]
-  OLD [[assign s0_top = s0_m[M-2:0] == '0;]]
-  NEW [[assign s0_top = s0_m[M-2:0] == '0 && !s0_m[M-1];]])
+  OLD [[assign mag_power = (mag & (mag - 1'b1)) == '0;]]
+  NEW [[assign mag_power = (mag & (mag - 1'b1)) == '0 && mag == '0;]])
 mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen][small]
-  OLD [[s1_moved[G-M-1] && s1_whole]]
-  NEW [[s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0 && s1_whole]])
+  OLD [[.data_i({s1_whole, s1_moved[G-M-1]})]]
+  NEW [[.data_i({s1_whole, s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0})]])
 mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
-  OLD [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q < s3_p2z_q;]]
-  NEW [[s3_p1y_q != s3_p2y_q ? s3_p1y_q < s3_p2y_q : s3_p1z_q > s3_p2z_q;]])
+  OLD [[assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;]]
+  NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(small_tri_compares_the_cut_product FILE rtl/isect/rc_tri.sv TEST unit [tri][small]
-  OLD [[assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q < f1_theirs_q]]
-  NEW [[assign f1_closer = f1_hit_q && (!f1_found_q || f1_mine_q >> 1 < f1_theirs_q >> 1]])
+  OLD [[{f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};]]
+  NEW [[{f1_mine_q >> 1, 1'b0} < {f1_theirs_q >> 1, wide_first};]])

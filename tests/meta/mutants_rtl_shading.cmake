@@ -32,17 +32,17 @@ mutant(stack_visits_a_child_when_stopped FILE rtl/bvh/rc_stack.sv TEST unit [tra
   OLD [[forward       = !stop &&]]
   NEW [[forward       =]])
 mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s3_short = s3_kind_q != rc_pkg::RayShadow;]]
-  NEW [[s3_short = s3_kind_q != rc_pkg::RayShadow && s3_kind_q != rc_pkg::RayAway;]])
+  OLD [[is_short = dir_kind_q != rc_pkg::RayShadow;]]
+  NEW [[is_short = dir_kind_q != rc_pkg::RayShadow && dir_kind_q != rc_pkg::RayAway;]])
 mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
   OLD [[.first_valid_i(spawn_valid_i),]]
   NEW [[.first_valid_i(spawn_valid_i && !slot_valid_i),]])
 mutant(raygen_bounce_from_the_eye FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
-  OLD [[s2_camera ? s2_eye : s2_given_o;]]
-  NEW [[s2_camera || s2_kind == rc_pkg::RayBounce ? s2_eye : s2_given_o;]])
+  OLD [[is_camera ? camera_o : given_o;]]
+  NEW [[is_camera || kind == rc_pkg::RayBounce ? camera_o : given_o;]])
 mutant(recip_zero_is_long FILE rtl/raygen/rc_recip.sv TEST unit [raygen][lockstep][shading]
-  OLD [[short_i && s0_len != '0 ?]]
-  NEW [[short_i ?]])
+  OLD [[mag_short && mag_len != '0 ?]]
+  NEW [[mag_short ?]])
 mutant(sample_share_rounded_down FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
   OLD [[15'((16383 + i) / i)]]
   NEW [[15'(16384 / i)]])
@@ -58,14 +58,14 @@ mutant(sched_loses_a_colour FILE rtl/sched/rc_sched.sv TEST unit [sched][shading
 
 # ---- tri of a chip that shades: rays that leave surfaces, rays from and to lights, planes, spheres.
 mutant(edges_fraction_forgotten FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
-  OLD [[s3_det_q <= s2_leaves_q ? s2_det <<< B : s2_det;]]
-  NEW [[s3_det_q <= s2_leaves_q && 1'b0 ? s2_det <<< B : s2_det;]])
+  OLD [[det_q <= dot_leaves ? det_sum <<< B : det_sum;]]
+  NEW [[det_q <= dot_leaves && 1'b0 ? det_sum <<< B : det_sum;]])
 mutant(edges_plane_has_edges FILE rtl/isect/rc_edges.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
-  OLD [[&& (s3_plane_q || (s3_u_neg]]
-  NEW [[&& ((s3_plane_q && 1'b0) || (s3_u_neg]])
+  OLD [[&& (end_plane || (end_u_neg]]
+  NEW [[&& ((end_plane && 1'b0) || (end_u_neg]])
 mutant(tri_end_of_the_way_blocks FILE rtl/isect/rc_tri.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
-  OLD [[f1_first_q <= f0_prim <= f0_best_prim && !f0_any;]]
-  NEW [[f1_first_q <= f0_prim <= f0_best_prim || f0_any;]])
+  OLD [[in_first    = in.prim <= in.best_prim && !in_any;]]
+  NEW [[in_first    = in.prim <= in.best_prim || in_any;]])
 mutant(hitdiv_negative_rounded_up FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left} : u_size;]]
   NEW [[u_neg ? ~u_size + {{(V-1){1'b0}}, !u_left || 1'b1} : u_size;]])
@@ -162,8 +162,8 @@ mutant(surf_far_is_lost FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   NEW [[s5_lost_o <= !sphere[4] && (s4_ends || s4_outside != '0);]])
 mutant(tri_finite_ray_meets_planes FILE rtl/isect/rc_tri.sv
   TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
-  OLD [[assign s0_skips = s0_plane && req_i.is_finite;]]
-  NEW [[assign s0_skips = 1'b0;]])
+  OLD [[assign in_skips = in_plane && in.is_finite;]]
+  NEW [[assign in_skips = 1'b0;]])
 mutant(turnout_one_bounce_more FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[was_i.depth >= frame_i.depth]]
   NEW [[was_i.depth > frame_i.depth]])

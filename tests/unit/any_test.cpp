@@ -55,6 +55,14 @@ Config any_part(int which) {
     return which < 5 ? any_format(names[which]) : any_format(parts[which - 5].first, parts[which - 5].second);
 }
 
+/// The same with paths cut for a fast clock.
+Config fast_part(int which) {
+    Config config = any_part(which);
+    config.timing = int(Timing::fast);
+    config.tri_queue = 64;
+    return config;
+}
+
 /// Corners of the lattice and of what else there is: bit k of `which` chooses the largest or smallest value
 /// on axis k.
 Vec3i extreme(int which, int bits) {
@@ -356,6 +364,18 @@ TEMPLATE_TEST_CASE("tri of a chip that shades takes a primitive in every cycle",
 TEST_CASE("model and rtl of tri of a chip that shades make the same moves in every cycle",
           "[tri][any][lockstep]") {
     same_moves(any_part(GENERATE(from_range(quick_parts))));
+}
+
+TEMPLATE_TEST_CASE("fast tri of a chip that shades answers after exactly its latency", "[tri][any][fast]",
+                   Model<TriUnit>, Rtl<TriUnit>) {
+    const Config config = fast_part(GENERATE(0, 2));
+    TestType dut{config};
+    check_latency(dut, config, [&](Draw& draw) { return random_any_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of a fast tri of a chip that shades make the same moves in every cycle",
+          "[tri][any][lockstep][fast]") {
+    same_moves(fast_part(GENERATE(0, 2, 8)));
 }
 
 TEST_CASE("model and rtl of tri of a chip that shades make the same moves with every format",

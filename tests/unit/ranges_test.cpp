@@ -282,10 +282,10 @@ TEST_CASE("the widths in the table of ranges are the RTL's", "[fit]") {
           "logic [4:0]          s3_left_q, s3_right_q;", "logic [R1-1:0]       s3_up_q;",
           "logic [2*T-1:0] moved;"}},
         {"raygen/rc_raygen.sv",
-         {"logic signed [G-1:0] s1_right_q, s1_down_q, s1_corner;",
+         {"logic signed [G-1:0]    s1_right_q, s1_down_q, s1_corner;",
           "localparam int unsigned GD      = rc_pkg::GuardDirBits;",
           "localparam int unsigned G       = GD + SubBits;"}},
-        {"raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, s0_m;"}}};
+        {"raygen/rc_recip.sv", {"logic [M-1:0] s0_mag, mag;"}}};
     for (const auto& [name, lines] : texts) {
         std::ifstream file(rtl_sources() / name);
         std::ostringstream text;

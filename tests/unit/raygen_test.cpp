@@ -142,13 +142,14 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
 
 TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>,
                    Rtl<RaygenUnit>) {
-    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default"));
+    const Config config =
+        format(GENERATE("default", "narrow", "wide", "sheared:default", "fast:default", "fast:narrow"));
     TestType dut{config, camera(5, config)};
     check_latency(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
 
 TEMPLATE_TEST_CASE("raygen makes a ray in every cycle", "[raygen]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
-    const Config config = format(GENERATE("default", "wide", "sheared:default"));
+    const Config config = format(GENERATE("default", "wide", "sheared:default", "fast:default"));
     TestType dut{config, camera(5, config)};
     check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
@@ -157,6 +158,15 @@ TEST_CASE("model and rtl of raygen make the same moves in every cycle", "[raygen
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 15; ++seed)
+            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+                                       [&](Draw& draw) { return random_slot(draw, config); });
+}
+
+TEST_CASE("model and rtl of a fast raygen make the same moves in every cycle", "[raygen][lockstep][fast]") {
+    const Config config = format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide",
+                                          "fast:sheared:default", "fast:sheared:precise"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }

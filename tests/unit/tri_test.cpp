@@ -42,7 +42,7 @@ TEMPLATE_TEST_CASE("tri decides and measures exactly, many draws", "[tri][slow]"
 }
 
 TEMPLATE_TEST_CASE("tri is exact at the corners of the lattice", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config = format(GENERATE("default", "wide"));
+    const Config config = format(GENERATE("default", "wide", "fast:default"));
     std::vector<TriReq> requests;
     for (int a = 0; a < 8; ++a)
         for (int b = 0; b < 8; ++b)
@@ -136,19 +136,30 @@ TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]
 }
 
 TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default", "sheared:wide"));
+    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default", "sheared:wide",
+                                          "fast:default", "fast:narrow", "fast:sheared:default"));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
 TEMPLATE_TEST_CASE("tri takes a triangle in every cycle", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config = format(GENERATE("default", "wide", "sheared:default", "sheared:wide"));
+    const Config config =
+        format(GENERATE("default", "wide", "sheared:default", "sheared:wide", "fast:default"));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
 TEST_CASE("model and rtl of tri make the same moves in every cycle", "[tri][lockstep]") {
     const Config config = format(GENERATE("default", "small", "narrow", "wide"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed)
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+                                    [&](Draw& draw) { return random_tri_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of a fast tri make the same moves in every cycle", "[tri][lockstep][fast]") {
+    const Config config =
+        format(GENERATE("fast:default", "fast:small", "fast:narrow", "fast:wide", "fast:sheared:default"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<TriUnit>(config, {}, flow, seed, 1500,

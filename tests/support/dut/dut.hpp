@@ -205,7 +205,8 @@ inline Config format(const std::string& name) {
     if (name.starts_with("fast:")) {
         Config config = format(name.substr(5));
         config.timing = int(Timing::fast);
-        config.box_queue = 32;
+        config.raygen_queue = config.box_queue = 32;
+        config.tri_queue = 64;
         return config;
     }
     if (name.starts_with("shading:") || name.starts_with("samples:")) {

@@ -160,6 +160,7 @@ private:
         see("tri.s3_u", u);
         see("tri.s3_v", v);
         see("tri.s3_w", det - u - v);
+        see("tri.s3_w", det - u - v - 1);
         see("tri.s3_num", num);
         see("tri.s4_det", det < 0 ? -det : det);
         see("tri.s4_num", det < 0 ? -num : num);
