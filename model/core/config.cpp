@@ -53,7 +53,7 @@ int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }
 
 const std::vector<std::string>& dram_names() {
-    static const std::vector<std::string> names{"ideal", "sdr", "ddr3", "rpu"};
+    static const std::vector<std::string> names{"ideal", "sdr", "ddr3", "rpu", "sdr_half"};
     return names;
 }
 
@@ -127,8 +127,8 @@ const std::vector<Parameter>& parameters() {
         {"surf_ways", &Config::surf_ways, 1, 8, true, "ways"},
         {"surf_line", &Config::surf_line, 64, 256, true, "bytes a line"},
         {"surf_mshrs", &Config::surf_mshrs, 1, 64, true, "lines on their way"},
-        {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false, "memory: ideal, sdr, ddr3 or rpu",
-         &dram_names()},
+        {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false,
+         "memory: ideal, sdr, ddr3, rpu or sdr_half", &dram_names()},
         {"mem_latency", &Config::mem_latency, 1, 10000, false, "ideal memory: cycles from request to answer"},
         {"mem_interval", &Config::mem_interval, 1, 1000, false, "ideal memory: cycles between requests"},
         {"addr_bits", &Config::addr_bits, 8, max_addr_bits, false,
@@ -141,12 +141,21 @@ const std::vector<Parameter>& parameters() {
 
 namespace {
 
-enum Memory { ideal, sdr, ddr3, rpu };   // in the order of dram_names()
+enum Memory { ideal, sdr, ddr3, rpu, sdr_half };   // in the order of dram_names()
 
 void set_cache(int& sets, int& ways, int& mshrs, int new_sets, int new_ways, int new_mshrs) {
     sets = new_sets;
     ways = new_ways;
     mshrs = new_mshrs;
+}
+
+/// Narrow formats and nodes of four children.
+void make_small(Config& c) {
+    c.coord_bits = 16;
+    c.dir_bits = 18;
+    c.recip_bits = 14;
+    c.node_width = 4;
+    c.stack_depth = 32;
 }
 
 /// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats
@@ -159,7 +168,7 @@ void make_binary(Config& c) {
 }   // namespace
 
 const std::vector<std::string>& config_names() {
-    static const std::vector<std::string> names{"default", "small", "wide", "saarcor", "rpu"};
+    static const std::vector<std::string> names{"default", "small", "wide", "saarcor", "rpu", "ulx3s"};
     return names;
 }
 
@@ -169,15 +178,21 @@ Config named_config(const std::string& name) {
     c.name = name;
     if (name == "default") return c;
     if (name == "small") {
-        c.coord_bits = 16;
-        c.dir_bits = 18;
-        c.recip_bits = 14;
-        c.node_width = 4;
+        make_small(c);
         c.contexts = 16;
-        c.stack_depth = 32;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 32, 2, 4);
         set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 32, 2, 4);
         c.dram = sdr;
+        return c;
+    }
+    if (name == "ulx3s") {
+        make_small(c);
+        c.timing = int(Timing::fast);
+        c.raygen_queue = c.box_queue = 32;
+        c.tri_queue = 64;
+        set_cache(c.node_sets, c.node_ways, c.node_mshrs, 256, 2, 8);
+        set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 256, 2, 8);
+        c.dram = sdr_half;
         return c;
     }
     if (name == "wide") {

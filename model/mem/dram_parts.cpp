@@ -46,6 +46,20 @@ DramPart sdr() {
     return p;
 }
 
+// The same chip behind a controller that a small FPGA can hold: its logic runs at half the memory's clock.
+// The times of lone reads of LiteDRAM 2024.12 at half rate (71/143 MHz), simulated: 378 ns from a closed
+// bank, 392 with another row open, that is 56 more than `sdr` at both; docs/silicon.md, Memory.
+DramPart sdr_half() {
+    DramPart p = sdr();
+    p.name = "sdr_half";
+    p.description =
+        "SDR SDRAM of the ULX3S board, behind a controller at half its clock: 16 bits at 142.9 MHz";
+    p.source += ", measured: LiteDRAM 2024.12 at half rate under Verilator, docs/silicon.md";
+    p.request_ps = 3 * 14'000;   // three clocks of the controller
+    p.answer_ps = 3 * 14'000;
+    return p;
+}
+
 // Chip: Micron MT41K128M16JT-125, as Digilent's controller project for the Arty sets it: TimePeriod 3000, CAS
 // latency 5, and the gates of its <TimingParameters>. The project states a slower grade (-15E) than the chip
 // on the board.
@@ -139,10 +153,10 @@ std::int64_t capacity_bytes(const DramPart& part) {
 }
 
 const DramPart& dram_part(const std::string& name) {
-    static const DramPart all[]{sdr(), ddr3(), rpu()};
+    static const DramPart all[]{sdr(), ddr3(), rpu(), sdr_half()};
     for (const DramPart& part : all)
         if (part.name == name) return part;
-    throw UserError("there is no memory part `" + name + "`: sdr, ddr3 or rpu");
+    throw UserError("there is no memory part `" + name + "`: sdr, ddr3, rpu or sdr_half");
 }
 
 }   // namespace rayclock

@@ -6,7 +6,8 @@
 // which does not fit, is one less. model/core/frame.hpp has the rule.
 //
 // Latency rc_pkg::DirectionStages, throughput 1 per cycle. Model: direction_of() in
-// model/raygen/raygen.cpp. The host sees to it that the sums fit and that none of them is too short.
+// model/raygen/raygen.cpp. The host sees to it that the sums fit and that none of them is too
+// short.
 `default_nettype none
 module rc_direction #(
   parameter  int unsigned G = rc_pkg::GuardDirBits,   // of a sum, with G - DirBits fraction bits

@@ -17,6 +17,7 @@ Command yardstick_command();
 Command figures_command();
 Command counts_command();
 Command area_command();
+Command chip_command();
 Command bench_command();
 Command export_command();
 Command config_command();

@@ -9,6 +9,7 @@
 #include "model/base/error.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/chip/nextpnr.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
@@ -91,6 +92,8 @@ std::vector<std::string> remarks() {
     add(untried("verilator", rtl_tools().verilator));
     add(untried("c++", rtl_tools().compiler));
     add(untried("yosys", synth::yosys_version()));
+    const chip::Nextpnr& router = chip::nextpnr();
+    add(router.problem.empty() ? router.remark : router.problem + "; only chip needs it");
     try {
         add(cache_place().warning);
     } catch (const UserError&) {}   // said of the cache
@@ -116,7 +119,13 @@ int run(const Options& o) {
         missing[part.key] = part.problem;
         cures.push_back(part.cure);
     }
-    for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE"}) {
+    // Nobody needs it but one command, so it is never missing.
+    const chip::Nextpnr& router = chip::nextpnr();
+    const bool routes = router.problem.empty();
+    table.add(
+        {"nextpnr-ecp5", routes ? fmt::format("{}, {}", router.version, router.program.string()) : "none"});
+    json["nextpnr"] = routes ? nlohmann::ordered_json(router.version) : nlohmann::ordered_json(nullptr);
+    for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_NEXTPNR"}) {
         const char* value = std::getenv(name);
         table.add({name, value && *value ? value : "not set"});
     }

@@ -26,7 +26,7 @@ std::vector<Added> add_commands(CLI::App& app) {
     for (Command (*make)() :
          {scenes_command, render_command, simulate_command, verify_command, stress_command, sweep_command,
           fit_command, tradeoff_command, yardstick_command, figures_command, counts_command, area_command,
-          bench_command, export_command, config_command, rtl_command, doctor_command}) {
+          chip_command, bench_command, export_command, config_command, rtl_command, doctor_command}) {
         Command command = make();
         CLI::App* const sub = app.add_subcommand(command.name, command.what);
         sub->footer(std::string("Example: ") + command.example);
@@ -45,6 +45,7 @@ constexpr const char* help_footer =
     "Environment:\n"
     "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock "
     "or ~/.cache/rayclock\n"
+    "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
     "Start with: rayclock verify gears:4 -o out";
 

@@ -23,7 +23,8 @@ void size_option(Parser& parser, std::string& size) {
 }
 
 void clock_option(Parser& parser, std::string& clocks) {
-    parser.option("--clock", clocks, "clock rates in MHz, separated by commas").with_default();
+    parser.option("--clock", clocks, "clock rates in MHz, separated by commas; fmax: what chip has routed")
+        .with_default();
 }
 
 void threads_option(Parser& parser, int& threads) {

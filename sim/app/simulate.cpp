@@ -10,6 +10,7 @@
 #include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
+#include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/cause/finished.hpp"
@@ -180,8 +181,9 @@ Totals totals_of(const Simulated& s) {
 
 void print(const Work& work, const Simulated& s, const Totals& t, double seconds) {
     const Config& config = work.request.config;
-    fmt::print("{}\n{}\n{}\n{}", heading(work.request.scene, work.size, work.job),
-               clock_table(config, s.runs), work_table(config, s.runs[0]), unit_table(config, s.runs));
+    fmt::print("{}\n{}{}\n{}\n{}", heading(work.request.scene, work.size, work.job),
+               clock_table(config, s.runs), clock_line(config, work.clocks), work_table(config, s.runs[0]),
+               unit_table(config, s.runs));
     if (s.error)
         fmt::print("\n{}{}", error_line("against the reference", *s.error),
                    s.judgement ? cause_lines(*s.judgement) : "");
@@ -195,7 +197,10 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
     const Config& config = work.request.config;
     const FrameRun& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
-    for (const ClockRun& run : s.runs) clocks.push_back(clock_json(config, run));
+    for (const ClockRun& run : s.runs) {
+        clocks.push_back(clock_json(config, run));
+        mark_clock(clocks.back(), config, run.khz);
+    }
     return {{"scene", scene_json(work.request.scene)},
             {"config", config_json_object(config)},
             {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
@@ -225,7 +230,8 @@ int run(const Options& o) {
     const Stopwatch watch;
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
-    const std::vector<int> clocks = parse_clocks(o.clock);
+    if (o.clock.find("fmax") == std::string::npos)
+        parse_clocks(o.clock);   // refused before the scene is loaded
     if (o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);
@@ -234,7 +240,7 @@ int run(const Options& o) {
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
     if (o.engine == "rtl") check_rtl(request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Work work{request, size, clocks, path,
+    const Work work{request, size, clocks_of(o.clock, request.config), path,
                     make_job(request.scene, path[0], size, request.config, progress, request.settings)};
     Simulated simulated = run_engine(o, work, traffic, progress);
     if (!o.no_reference && !simulated.partial) compare(simulated, o, work, progress);

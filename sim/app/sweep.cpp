@@ -2,6 +2,7 @@
 // trace.
 #include <fmt/format.h>
 
+#include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/image/image.hpp"
@@ -49,15 +50,21 @@ int run(const Options& o) {
     std::vector<sweep::Axis> axes;
     for (const std::string& text : o.axes) axes.push_back(sweep::parse_axis(text));
     const Config config = load_config(o.config);
-    std::vector<sweep::Point> points = sweep::make_points(axes, config, parse_clocks(o.clock)[0], one_clock);
+    const bool at_fmax = o.clock == "fmax";
+    std::vector<sweep::Point> points =
+        sweep::make_points(axes, config, at_fmax ? 0 : parse_clocks(o.clock)[0], one_clock);
+    for (sweep::Point& point : points)   // each at its own clock; an axis over clocks comes first
+        if (at_fmax && point.khz == 0) point.khz = clocks_of(o.clock, point.config)[0];
     o.json.check();
     if (!o.output.empty()) check_writable(o.output);
     if (!o.plot.empty()) plot::check_plot_path(o.plot);
     const Progress progress = terminal_progress();
     const Scene scene = ready_scene(o.scene, size, progress);
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
-    const sweep::Outcome outcome =
+    sweep::Outcome outcome =
         sweep::run({scene, size, std::move(points), o.threads, !o.no_netlist}, cache, progress);
+    for (sweep::Result& result : outcome.results)
+        if (!result.clock.is_null()) mark_clock(result.clock, result.point.config, result.point.khz);
     const sweep::Front front = sweep::front_of(outcome.results);
 
     if (!o.json.is_alone()) {

@@ -39,7 +39,15 @@ struct Text {
     Anchor anchor = Anchor::start;
     bool upright = false;   ///< reads from below to above
 };
-using Shape = std::variant<Line, Disc, Ring, Text>;
+/// Filled rectangles of one colour: thousands take little more place in a file than one.
+struct Boxes {
+    struct Box {
+        double x = 0, y = 0, width = 0, height = 0;   ///< from the top left corner
+    };
+    std::vector<Box> boxes;
+    Colour colour{};
+};
+using Shape = std::variant<Line, Disc, Ring, Text, Boxes>;
 
 struct Drawing {
     double width = 0, height = 0;

@@ -67,6 +67,13 @@ struct Element {
             t.base.x, t.base.y, t.size, text_width(t.text, t.size), anchors[int(t.anchor)], hex(t.colour),
             turn, escaped(t.text));
     }
+    std::string operator()(const Boxes& b) const {
+        std::string path;
+        for (const Boxes::Box& box : b.boxes)
+            path +=
+                fmt::format("M{:g} {:g}h{:g}v{:g}h-{:g}z", box.x, box.y, box.width, box.height, box.width);
+        return fmt::format(R"(<path d="{}" fill="{}"/>)", path, hex(b.colour));
+    }
 };
 
 }   // namespace

@@ -14,14 +14,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// rc_divide from "$paramod/rc_divide/Width=s32'...", "divide" from that; empty for a cell of the ECP5.
-std::string module_name(const std::string& type) {
-    const std::size_t at = type.find("rc_");
-    if (at == std::string::npos) return {};
-    const std::size_t end = type.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_", at);
-    return type.substr(at + 3, end == std::string::npos ? end : end - at - 3);
-}
-
 void add_cells(Count& count, const std::string& type, std::uint64_t n) {
     if (type == "LUT4") count.lut4 += n;
     if (type == "CCU2C") count.carry += n;
@@ -70,17 +62,16 @@ Part part_of_module(const ordered_json& modules, const std::string& type) {
     return part;
 }
 
-/// The unit as the chip has it; only the arbiter's parameters do not come from the package.
-std::string elaborate(const Config& c, const std::string& unit) {
-    const std::string command = "hierarchy -check -top rc_" + unit;
-    if (unit != "arbiter") return command + "\n";
-    return fmt::format("{} -chparam Sources {} -chparam Width {}\n", command, c.clients() * c.pipelines,
-                       c.client_id_bits() - c.client_bits() + c.addr_bits);
-}
-
 constexpr const char* read_flags = "-defer ";   // only what the top module needs is elaborated
 
 }   // namespace
+
+std::string module_name(const std::string& type) {
+    const std::size_t at = type.find("rc_");
+    if (at == std::string::npos) return {};
+    const std::size_t end = type.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_", at);
+    return type.substr(at + 3, end == std::string::npos ? end : end - at - 3);
+}
 
 const std::vector<std::string>& cells() {
     static const std::vector<std::string> names{
@@ -90,12 +81,26 @@ const std::vector<std::string>& cells() {
     return names;
 }
 
+std::vector<std::pair<std::string, int>> parameters_of(const Config& c, const std::string& unit) {
+    if (unit == "chip") return {{"Counters", 0}};
+    if (unit != "arbiter") return {};
+    return {{"Sources", c.clients() * c.pipelines},
+            {"Width", c.client_id_bits() - c.client_bits() + c.addr_bits}};
+}
+
+std::string elaborate(const Config& c, const std::string& unit) {
+    std::string command = "hierarchy -check -top rc_" + unit;
+    for (const auto& [name, value] : parameters_of(c, unit))
+        command += fmt::format(" -chparam {} {}", name, value);
+    return command + "\n";
+}
+
 std::string synth_script() {
     // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests'
     // (tests/synth).
     return fmt::format(
-        "setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -run :check\ntee -q -o stat.json stat "
-        "-json\n",
+        "setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -nowidelut -run :check\n"
+        "tee -q -o stat.json stat -json\n",
         fmt::join(cells(), "* *rc_"));
 }
 

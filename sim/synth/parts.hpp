@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -48,6 +49,16 @@ nlohmann::ordered_json count_json(const Count& count);
 /// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate.
 /// Names without rc_.
 const std::vector<std::string>& cells();
+
+/// rc_divide from "$paramod/rc_divide/Width=s32'...", "divide" from that; empty for a cell of the ECP5.
+std::string module_name(const std::string& type);
+
+/// The command that makes rc_UNIT the top, as the chip has it.
+std::string elaborate(const Config& config, const std::string& unit);
+
+/// Parameters that do not come from the package: the arbiter's, which the chip sets, and the chip's own,
+/// which goes without counters of what units do.
+std::vector<std::pair<std::string, int>> parameters_of(const Config& config, const std::string& unit);
 
 /// What is done with a module once its hierarchy stands.
 std::string synth_script();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
 #include "sim/files/input.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/jobs/cache.hpp"
@@ -46,20 +47,27 @@ YosysFolder::~YosysFolder() {
 }
 
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
-    std::ofstream(path_ / "rc_pkg.sv") << rc_package(config);
-    std::string commands = "read_verilog -sv rc_pkg.sv\n";
+    write("rc_pkg.sv", rc_package(config));
+    // With RC_ECP5 products lie in the device's own blocks: rtl/fixed/rc_mul_limb.sv.
+    std::string commands = "read_verilog -lib +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
     for (const fs::path& file : rtl_files())
-        commands += fmt::format("read_verilog -sv {}\"{}\"\n", read_flags, fs::absolute(file).string());
+        commands +=
+            fmt::format("read_verilog -sv -D RC_ECP5 {}\"{}\"\n", read_flags, fs::absolute(file).string());
     return run(commands + script);
 }
 
 bool YosysFolder::run(const std::string& script) const {
-    std::ofstream(path_ / "run.ys") << script;
+    write("run.ys", script);
     Process yosys({{"yosys", "-q", "run.ys"}, path_, path_ / "log", path_});
     while (!interrupted() && !yosys.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     if (interrupted()) return false;
     if (yosys.code() != 0) throw std::runtime_error("yosys failed:\n" + text("log").substr(0, 2000));
     return true;
+}
+
+void YosysFolder::write(const char* file, const std::string& text) const {
+    if (!(std::ofstream(path_ / file) << text).flush())
+        throw UserError((path_ / file).string() + ": cannot be written; is the disk full?");
 }
 
 std::string YosysFolder::text(const char* file) const { return read_if_there(path_ / file); }

@@ -28,6 +28,8 @@ public:
     bool run(const std::string& script) const;
 
     std::string text(const char* file) const;
+    /// Throws UserError if it cannot be written.
+    void write(const char* file, const std::string& text) const;
     std::filesystem::path path(const char* file) const { return path_ / file; }
 
 private:

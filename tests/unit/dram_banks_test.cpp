@@ -64,7 +64,7 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
         {"tRFC", &DramPart::trfc, {{ref, 0}}, 0, {act, 2}},
         {"tRFC, refresh", &DramPart::trfc, {{ref, 0}}, 0, {ref, 0}},
     };
-    const DramPart sheet = dram_part(GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu"));
+    const DramPart sheet = dram_part(GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu"));
     for (const Gate& gate : gates)
         for (const int extra : {0, 1}) {   // a whole number of clocks, and one picosecond more
             // Long enough that no other gate binds: the sheet's own figures are judged with the traffic of

@@ -6,7 +6,7 @@ using namespace rayclock;
 using namespace rayclock::test;
 
 TEST_CASE("all commands under mixed traffic keep the data sheet, and give each request its reads", "[dram]") {
-    const std::string name = GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu", "odd");
+    const std::string name = GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu", "odd");
     const DramPart part = name == "odd" ? odd_part() : dram_part(name);
     const auto [most, pause] = GENERATE(table<std::size_t, int>({{64, 0}, {5, 0}, {64, 40}, {1, 0}}));
     const Log log = run(part, 100'000, mixed(3000, most), most, pause);

@@ -150,7 +150,7 @@ inline void check_commands(const DramPart& part, const std::vector<Issued>& all)
     }
 }
 
-inline std::string any_part() { return GENERATE(as<std::string>{}, "sdr", "ddr3", "rpu"); }
+inline std::string any_part() { return GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu"); }
 
 /// Gates that no real part has in this order: a row may close before the next read, short bursts, few banks,
 /// a small queue.

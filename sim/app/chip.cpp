@@ -1,0 +1,208 @@
+// rayclock chip: a configuration, or a unit of it alone, placed and routed on an ECP5.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "model/base/error.hpp"
+#include "model/base/nearest.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/chip/estimate.hpp"
+#include "sim/chip/picture.hpp"
+#include "sim/chip/report.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/report/accounts.hpp"
+#include "sim/report/json.hpp"
+#include "sim/report/text.hpp"
+#include "sim/rtl/builder.hpp"
+
+namespace rayclock {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    ConfigChoice config;
+    std::vector<std::string> units;
+    std::string device = "lfe5u-85", seeds = "1", output, scene, size = default_size;
+    bool fast = false, fresh = false;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    config_options(parser, o.config);
+    parser.option("--unit", o.units, "route each of these units alone, separated by commas; all: every one")
+        .by_commas();
+    parser.option("--device", o.device, "lfe5u-25, lfe5u-45 or lfe5u-85").with_default();
+    parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the fastest counts")
+        .with_default();
+    parser.flag("--fast", o.fast,
+                "do not route, but estimate the chip from its units, which were routed before with --unit");
+    parser.option(
+        "--scene", o.scene,
+        "build the optional units that this scene needs and no others, and tell its frames per second");
+    size_option(parser, o.size);
+    parser.option("-o,--output", o.output, "folder for the report and pictures of the placement");
+    fresh_option(parser, o.fresh);
+    json_option(parser, o.json);
+}
+
+std::vector<std::string> tops_of(const Options& o, const Config& config) {
+    if (o.units.empty()) return {"chip"};
+    std::vector<std::string> names = chip::tops(config);
+    names.erase(names.begin());   // the chip itself
+    if (o.units == std::vector<std::string>{"all"}) return names;
+    for (const std::string& unit : o.units)
+        if (std::find(names.begin(), names.end(), unit) == names.end())
+            throw UserError(fmt::format("--unit: no unit of '{}' is called {}{}; there are {}", config.name,
+                                        shown(unit), did_you_mean(unit, names), fmt::join(names, ", ")));
+    return o.units;
+}
+
+std::vector<int> seeds_of(const std::string& typed) {
+    std::vector<int> seeds = parse_values("--seeds", typed);
+    for (const int seed : seeds)
+        if (seed < 1) throw UserError(fmt::format("--seeds: {} is not above 0, in {}", seed, shown(typed)));
+    if (seeds.size() > 100) throw UserError(fmt::format("--seeds: {} seeds are more than 100", seeds.size()));
+    return seeds;
+}
+
+/// A folder that is there or can be made.
+void make_folder(const std::string& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) throw UserError(fmt::format("{}: {}", printable(path), error.message()));
+    check_writable((fs::path(path) / "report.txt").string());
+}
+
+std::string text_of(const std::vector<chip::Result>& all) {
+    std::string text;
+    for (const chip::Result& result : all) text += chip::text(result) + "\n";
+    return all.size() > 1 ? text + chip::table(all) : text;
+}
+
+nlohmann::ordered_json json_of(const Config& config, const std::vector<chip::Result>& all) {
+    nlohmann::ordered_json json;
+    if (all.size() == 1) {
+        json = chip::json(all[0]);
+    } else {
+        json["alone"] = nlohmann::ordered_json::array();
+        for (const chip::Result& result : all) json["alone"].push_back(chip::json(result));
+    }
+    json["config"] = config_json_object(config);
+    return json;
+}
+
+void write_files(const Options& o, const std::vector<chip::Result>& all, const std::string& text,
+                 const nlohmann::ordered_json& json) {
+    const fs::path folder = o.output;
+    write_file((folder / "report.txt").string(), text);
+    write_file((folder / "report.json").string(), json.dump(2) + "\n");
+    for (const chip::Result& r : all) {
+        if (r.routes.empty()) continue;
+        const std::string title =
+            fmt::format("{} of '{}' on {}, {:.1f} MHz with seed {}", r.request.top, r.request.config.name,
+                        r.request.device.name, r.best().fmax_mhz, r.best().seed);
+        plot::write_plot((folder / (r.request.top + "-placement")).string(),
+                         chip::placement(r.best(), r.request.device, title));
+    }
+}
+
+/// The machine that is asked for, and what it is to draw, if a scene was given.
+struct Asked {
+    Config config;
+    std::optional<Request> scene;
+    FrameSize size;
+};
+Asked asked_of(const Options& o, const Progress& progress) {
+    Asked asked{{}, {}, parse_size(o.size)};
+    if (o.scene.empty()) {
+        asked.config = load_config(o.config);
+    } else {
+        asked.scene = request_of(o.scene, o.config, {}, default_seed, asked.size, progress);
+        Config& config = asked.scene->config;
+        if (config.shading)
+            config = with_settings(fitted_config(asked.scene->scene, asked.scene->settings, config),
+                                   o.config.set, config.name);
+        asked.config = config;
+    }
+    check_rtl(asked.config);
+    return asked;
+}
+
+/// The scene's frame at a clock, by the model.
+double frames_per_second(const Asked& asked, double mhz, const Progress& progress) {
+    const Request& request = *asked.scene;
+    const Job job = make_job(request.scene, *request.scene.camera, asked.size, request.config, progress,
+                             request.settings);
+    const int khz = int(1000 * mhz);   // not above what was shown
+    std::vector<FrameTrace> traces;
+    const std::vector<FrameTiming> timings = record_and_replay(job, khz, traces, {}, 0, progress);
+    if (interrupted())
+        throw UserError("interrupted: the chip is kept, and the same command goes on after it");
+    return per_second(timings[0], khz);
+}
+
+/// The report of what was routed, and of the scene at its clock.
+int tell(const Options& o, const Asked& asked, const std::vector<chip::Result>& all,
+         const Progress& progress) {
+    nlohmann::ordered_json json = json_of(asked.config, all);
+    std::string text = text_of(all);
+    if (asked.scene && o.units.empty() && all[0].fits()) {
+        const double mhz = all[0].best().fmax_mhz, fps = frames_per_second(asked, mhz, progress);
+        text += fmt::format("  {}, {}: {:.2f} frames per second at the routed {:.1f} MHz\n",
+                            asked.scene->scene.name, o.size, fps, mhz);
+        json["scene"] = scene_json(asked.scene->scene);
+        json["frame"] = {{"width", asked.size.width}, {"height", asked.size.height}};
+        json["fps"] = fps;
+    }
+    if (!o.json.is_alone()) fmt::print("{}", text);
+    if (!o.output.empty()) write_files(o, all, text, json);
+    o.json.write(json);
+    return std::all_of(all.begin(), all.end(), [](const chip::Result& r) { return r.fits(); }) ? 0 : 1;
+}
+
+int tell_estimate(const Options& o, const chip::Request& request, jobs::Cache& cache,
+                  const Progress& progress) {
+    const chip::Estimate estimate = chip::estimate(request, cache, progress);
+    if (!o.json.is_alone()) fmt::print("{}", chip::text(estimate, request));
+    o.json.write(chip::json(estimate, request));
+    return 0;
+}
+
+int run(const Options& o) {
+    catch_interrupts();
+    const chip::Device& device = chip::device_of(o.device);
+    const std::vector<int> seeds = seeds_of(o.seeds);
+    if (o.fast && !o.units.empty())
+        throw UserError("--fast: an estimate is of the whole chip; leave out --unit");
+    if (o.fast && !o.output.empty())
+        throw UserError("--fast: an estimate has no pictures; leave out --output");
+    o.json.check();
+    const Progress progress = terminal_progress();
+    const Asked asked = asked_of(o, progress);
+    const std::vector<std::string> tops = tops_of(o, asked.config);
+    if (!o.output.empty()) make_folder(o.output);
+    jobs::Cache cache(rtl_cache() / "chip", o.fresh);
+    if (o.fast) return tell_estimate(o, {asked.config, "chip", device, seeds}, cache, progress);
+    std::vector<chip::Result> all;
+    for (const std::string& top : tops)
+        all.push_back(chip::run({asked.config, top, device, seeds}, cache, progress));
+    const int code = tell(o, asked, all, progress);
+    if (!cache.trouble().empty())
+        fmt::print(stderr, "rayclock: warning: nothing is kept for the next run: {}\n", cache.trouble());
+    return code;
+}
+
+}   // namespace
+
+Command chip_command() {
+    return command(
+        "chip", "place and route a configuration, or its units alone, on an ECP5: area, clock, slowest paths",
+        "rayclock chip --config small --device lfe5u-85 -o chip", declare, run);
+}
+
+}   // namespace rayclock

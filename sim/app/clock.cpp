@@ -1,0 +1,62 @@
+#include "sim/app/clock.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/split.hpp"
+#include "sim/app/options.hpp"
+#include "sim/chip/clock.hpp"
+
+namespace rayclock {
+
+namespace {
+
+bool is_routed(const std::optional<chip::RoutedClock>& routed, int khz) {
+    return routed && khz <= routed->khz();
+}
+
+}   // namespace
+
+std::vector<int> clocks_of(const std::string& typed, const Config& config) {
+    std::vector<std::string> items = split(typed, ',');
+    for (std::string& item : items) {
+        if (item != "fmax") continue;
+        const std::optional<chip::RoutedClock> routed = chip::routed_clock(config);
+        if (!routed)
+            throw UserError(fmt::format(
+                "--clock fmax: '{0}' was not routed as it is; rayclock chip --config {0} does it, "
+                "with the same --set",
+                printable(config.name)));
+        item = fmt::format("{:.3f}", routed->khz() / 1e3);
+    }
+    return parse_clocks(fmt::format("{}", fmt::join(items, ",")));
+}
+
+std::string clock_is(const Config& config, int khz) {
+    return is_routed(chip::routed_clock(config), khz) ? "routed" : "assumed";
+}
+
+void mark_clock(nlohmann::ordered_json& clock, const Config& config, int khz) {
+    const std::optional<chip::RoutedClock> routed = chip::routed_clock(config);
+    clock["clock_is"] = is_routed(routed, khz) ? "routed" : "assumed";
+    clock["clock_mhz_routed"] =
+        routed ? nlohmann::ordered_json(routed->mhz) : nlohmann::ordered_json(nullptr);
+}
+
+std::string clock_line(const Config& config, const std::vector<int>& khz) {
+    const std::optional<chip::RoutedClock> routed = chip::routed_clock(config);
+    if (!routed)
+        return fmt::format("  no clock of '{}' was shown by routing it; these are assumed\n",
+                           printable(config.name));
+    std::vector<std::string> assumed;
+    for (const int clock : khz)
+        if (!is_routed(routed, clock)) assumed.push_back(fmt::format("{:g} MHz", clock / 1e3));
+    return fmt::format("  routed on {}: {:.1f} MHz{}\n", routed->device, routed->mhz,
+                       assumed.empty() ? "" : fmt::format("; {} assumed", fmt::join(assumed, ", ")));
+}
+
+}   // namespace rayclock

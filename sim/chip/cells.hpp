@@ -1,0 +1,55 @@
+#pragma once
+// The cells of a netlist as Yosys and nextpnr write it, and to which unit of the machine each belongs.
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/chip/device.hpp"
+
+namespace rayclock::chip {
+
+struct Cell {
+    std::string name, type;
+    std::string source;   ///< attribute src: places in sources, from the outermost instance inwards
+    std::string bel;      ///< "X107/Y74/SLICEC.RAMW", once it is placed
+};
+
+/// Calls `take` for each cell of the netlist, which is read piece by piece: as a whole it would fill a
+/// gigabyte. False if the text is no whole JSON.
+bool read_cells(const std::string& file, const std::function<void(const Cell&)>& take);
+
+/// Instances have the names of their modules: u_box is the unit box, whatever lies around it. The outermost
+/// unit counts. What is in none is "wiring" inside the machine and "harness" around it. nextpnr adds a cell
+/// where a carry chain begins or ends, and does not say for whom: in a chip these are "carry ends", a unit of
+/// their own. The harness has no carry chain.
+class Units {
+public:
+    /// `top` is what the harness holds: "chip", or the name of a unit.
+    explicit Units(std::string top);
+
+    std::string of(std::string_view cell) const;
+
+private:
+    std::vector<std::string> names_;
+    std::string top_;
+};
+constexpr const char* harness_unit = "harness";
+constexpr const char* wiring_unit = "wiring";
+constexpr const char* carry_unit = "carry_ends";
+
+/// What a cell takes, before or after it is placed.
+Use use_of(const std::string& type);
+
+/// "rtl/bvh/rc_box.sv:120" of a src attribute: the place in the folder `sources` that is no instance, but
+/// what is in it; an instance if there is nothing else, and empty if no place is in that folder.
+std::string source_line(const std::string& src, const std::string& sources);
+/// The first line of rc_UNIT.sv that has the first word of the name, for cells that Yosys made without a
+/// place.
+std::string source_of_name(const std::string& unit, const std::string& name, const std::string& sources);
+
+/// The register, memory or multiplier that a cell is, or is named after, as a path within the unit and
+/// without numbers of bits: "u_rank.s4_q" of "u_top.u_box.u_rank.s4_q_TRELLIS_FF_Q_5" in box.
+std::string register_of(std::string_view cell, const std::string& unit);
+
+}   // namespace rayclock::chip

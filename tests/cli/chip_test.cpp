@@ -1,0 +1,352 @@
+// rayclock chip around a nextpnr that copies the files of a real run at once: what is kept, what goes on,
+// what is refused. Yosys is real, on a unit that takes it two seconds.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+class FakeNextpnr {
+public:
+    FakeNextpnr() { replace("true"); }
+
+    /// What it does before it copies the files; `version` is its own.
+    void replace(const std::string& script, const std::string& version = "nextpnr-0.11.1") const {
+        const std::string real = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/chip/real";
+        folder_.write("nextpnr", "#!/bin/sh\n[ \"$1\" = --version ] && echo 'fake (Version " + version +
+                                     ")' && exit\necho \"$@\" >> '" + calls() + "'\n" + script +
+                                     " || exit 1\ncp '" + real + "'/report.json '" + real +
+                                     "'/placed.json '" + real + "'/delays.sdf .\n");
+        fs::permissions(folder_.name("nextpnr"), fs::perms::owner_all);
+    }
+    std::vector<std::string> environment() const {
+        return {"RAYCLOCK_NEXTPNR=" + folder_.name("nextpnr"), "RAYCLOCK_CACHE=" + folder_.name("cache")};
+    }
+    Outcome run(std::vector<std::string> more = {}) const {
+        return run_program(words(std::move(more)), environment());
+    }
+    static std::vector<std::string> words(std::vector<std::string> more) {
+        more.insert(more.begin(), {"chip", "--config", "small", "--unit", "dispatch"});
+        return more;
+    }
+    /// How often it was called to route.
+    int routed() const {
+        const std::string lines = bytes_of(calls());
+        return int(std::count(lines.begin(), lines.end(), '\n'));
+    }
+    std::string calls() const { return folder_.name("calls"); }
+    /// Names in the cache that begin so.
+    int kept(const std::string& begin) const {
+        int n = 0;
+        for (const auto& entry : fs::directory_iterator(folder_.name("cache/chip")))
+            n += entry.path().filename().string().starts_with(begin);
+        return n;
+    }
+    const Folder& folder() const { return folder_; }
+
+private:
+    Folder folder_;
+};
+
+}   // namespace
+
+TEST_CASE("chip routes each seed once, reports the fastest, and answers from what is kept") {
+    const FakeNextpnr fake;
+    const std::string out = fake.folder().name("out"), report = fake.folder().name("a.json");
+    const Outcome first = fake.run({"--seeds", "1,2", "-o", out, "--json", report});
+    INFO(first.err);
+    REQUIRE(first.code == 0);
+    CHECK(first.err.empty());
+    CHECK(fake.routed() == 2);
+    const std::string calls = bytes_of(fake.calls());
+    for (const char* words :
+         {"--85k --package CABGA381 --speed 6", "--json netlist.json", "--seed 1", "--seed 2"})
+        CHECK_THAT(calls, Catch::Contains(words));
+    CHECK_THAT(first.out, Catch::Contains("routed: 154.7 MHz with seed 1 (by seed 1: 154.7, 2: 154.7)") &&
+                              Catch::Contains("harness.in_q -> dispatch.s0_q"));
+    const json figures = json::parse(bytes_of(report));
+    CHECK(figures["device"] == "lfe5u-85");
+    CHECK(figures["fits"] == true);
+    CHECK(figures["routed"] == true);
+    CHECK(figures["fmax_mhz"].get<double>() == Approx(154.727).margin(0.001));
+    CHECK(figures["seeds"].size() == 2);
+    CHECK(figures["totals"] == json{{"lut", 10}, {"ff", 13}, {"dsp", 0}, {"bram", 0}});
+    CHECK(figures["units"]["dispatch"] == figures["totals"]);
+    for (const char* key : {"mhz", "from_unit", "to_unit", "stage", "source"})
+        CHECK(figures["paths"][0].contains(key));
+    CHECK(bytes_of(out + "/report.txt") == first.out);
+    CHECK(json::parse(bytes_of(out + "/report.json")) == figures);
+    CHECK_THAT(bytes_of(out + "/dispatch-placement.svg"),
+               Catch::StartsWith("<svg") && Catch::EndsWith("</svg>\n"));
+
+    const Outcome second = fake.run({"--seeds", "1,2"});
+    CHECK(second.out == first.out);
+    CHECK(fake.routed() == 2);
+    CHECK(fake.run({"--seeds", "1:3"}).code == 0);
+    CHECK(fake.routed() == 3);
+    CHECK(fake.run({"--device", "lfe5u-45"}).code == 0);   // another device is another chip
+    CHECK(fake.routed() == 4);
+    CHECK(fake.run({"--fresh"}).code == 0);
+    CHECK(fake.routed() == 5);
+    fake.replace("true", "nextpnr-0.12");   // and another router another clock
+    CHECK(fake.run().code == 0);
+    CHECK(fake.routed() == 6);
+}
+
+TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them") {
+    const FakeNextpnr fake;
+    fake.replace("case \"$*\" in *'--seed 2') sleep 100;; esac");
+    const Outcome stopped =
+        run_and_stop(FakeNextpnr::words({"--seeds", "1,2", "-o", fake.folder().name("out")}),
+                     fake.environment(), SIGINT, [&] { return fake.routed() == 2; });
+    check_refused(stopped, {"interrupted", "goes on after"});
+    CHECK(fake.kept("chip-route-") == 1);
+    CHECK(fake.kept("yosys-") == 0);   // folders of work
+    CHECK_FALSE(fs::exists(fake.folder().name("out/report.txt")));
+    fake.replace("true");
+    CHECK(fake.run({"--seeds", "1,2"}).code == 0);
+    CHECK(fake.routed() == 3);
+
+    // A netlist that somebody removed is made again when a seed needs it, and not before.
+    for (const auto& entry : fs::directory_iterator(fake.folder().name("cache/chip")))
+        if (entry.path().extension() == ".netlist") fs::remove(entry.path());
+    CHECK(fake.run({"--seeds", "1,2"}).code == 0);
+    CHECK(fake.kept("chip-netlist-") == 1);
+    CHECK(fake.run({"--seeds", "3"}).code == 0);
+    CHECK(fake.kept("chip-netlist-") == 2);
+    CHECK(fake.routed() == 4);
+}
+
+TEST_CASE("a router that fails is one sentence, and nothing of it is kept") {
+    const FakeNextpnr fake;
+    fake.replace("echo 'ERROR: Module is broken.'; false");
+    check_refused(fake.run(), {"nextpnr-ecp5 failed: Module is broken."});
+    fake.replace("cp() { echo '{\"fmax\":' > report.json; }");
+    check_refused(fake.run(), {"report.json", "not whole"});
+    fake.replace(
+        "echo \"ERROR: Unable to place cell 'x', no BELs remaining to implement cell type 'MULT18X18D'\"; "
+        "false");
+    const Outcome large = fake.run();
+    CHECK(large.code == 1);
+    CHECK_THAT(large.out, Catch::Contains("'small' does not fit lfe5u-85"));
+    CHECK(fake.kept("chip-route-") == 0);
+    CHECK(fake.kept("yosys-") == 0);
+}
+
+namespace {
+
+/// A Yosys that has a chip of so many multipliers ready, in tri.
+std::string fake_yosys(const FakeNextpnr& fake, int multipliers) {
+    std::string cells;
+    for (int i = 0; i < multipliers; ++i)
+        cells += (i ? ", " : "") + ("\"u_chip.u_top.u_pipeline.u_tri.m" + std::to_string(i)) +
+                 "\": {\"type\": \"MULT18X18D\"}";
+    fake.folder().write("netlist", R"({"modules": {"rc_harness": {"cells": {)" + cells + "}}}}");
+    fake.folder().write(
+        "face", R"({"modules": {"rc_chip": {"ports": {"wb_i": {"direction": "input", "bits": [2, 3]}}}}})");
+    fs::create_directories(fake.folder().name("bin"));
+    fake.folder().write(
+        "bin/yosys", "#!/bin/sh\n[ \"$1\" = -V ] && echo 'Yosys 0.23 fake" + std::to_string(multipliers) +
+                         "' && exit\nif grep -q face.json run.ys; then cp '" + fake.folder().name("face") +
+                         "' face.json; else cp '" + fake.folder().name("netlist") + "' netlist.json; fi\n");
+    fs::permissions(fake.folder().name("bin/yosys"), fs::perms::owner_all);
+    return "PATH=" + fake.folder().name("bin") + ":/usr/bin:/bin";
+}
+
+}   // namespace
+
+TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
+    const FakeNextpnr fake;
+    std::vector<std::string> environment = fake.environment();
+    environment.push_back(fake_yosys(fake, 30));
+    const std::string report = fake.folder().name("a.json");
+    const auto chip = [&](const char* device) {
+        return run_program({"chip", "--config", "small", "--device", device, "--json", report}, environment);
+    };
+    const Outcome large = chip("lfe5u-25");
+    CHECK(large.code == 1);
+    CHECK_THAT(large.out,
+               Catch::Contains("'small' does not fit lfe5u-25: it needs 30 multipliers of 28 (2 too many; "
+                               "narrow tri, which takes 30)"));
+    const json figures = json::parse(bytes_of(report));
+    CHECK(figures["fits"] == false);
+    CHECK(figures["routed"] == false);
+    CHECK(figures["fmax_mhz"].is_null());
+    CHECK(figures["totals"]["dsp"] == 30);
+    CHECK(fake.routed() == 0);
+    CHECK(chip("lfe5u-45").code == 0);
+    CHECK(fake.routed() == 1);
+}
+
+TEST_CASE("an estimate is the sum of all units and the slowest clock, and is set beside the routed chip") {
+    const FakeNextpnr fake;
+    std::vector<std::string> environment = fake.environment();
+    environment.push_back(fake_yosys(fake, 1));
+    const std::string report = fake.folder().name("a.json");
+    const auto chip = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"chip", "--config", "small", "--json", report});
+        return run_program(more, environment);
+    };
+    check_refused(chip({"--fast"}), {"sched, raygen, trav", "--unit sched,raygen,trav"});
+    const Outcome units = chip({"--unit", "all"});
+    REQUIRE(units.code == 0);
+    const json alone = json::parse(bytes_of(report))["alone"];
+    CHECK(alone.size() == 10);
+    const int routed = fake.routed();
+    CHECK(routed == 10);
+    const Outcome fast = chip({"--fast"});
+    REQUIRE(fast.code == 0);
+    CHECK_THAT(fast.out,
+               Catch::Contains("estimated: 154.7 MHz") && Catch::Contains("the chip itself was not routed"));
+    const json estimate = json::parse(bytes_of(report));
+    CHECK(estimate["estimated"] == true);
+    CHECK(estimate["routed"] == false);
+    CHECK(estimate["fmax_mhz_routed"].is_null());
+    int luts = 0;
+    for (const json& unit : alone) luts += unit["totals"]["lut"].get<int>();
+    CHECK(estimate["totals"]["lut"] == luts);
+    CHECK(fake.routed() == routed);
+    REQUIRE(chip({}).code == 0);
+    CHECK_THAT(chip({"--fast"}).out,
+               Catch::Contains("the chip itself, routed: 154.7 MHz") && Catch::Contains("+0.0 %"));
+}
+
+TEST_CASE(
+    "the clock that a chip was routed for is one of simulate and sweep, and reports say which were shown") {
+    const FakeNextpnr fake;
+    std::vector<std::string> environment = fake.environment();
+    environment.push_back(fake_yosys(fake, 1));
+    const std::string report = fake.folder().name("a.json");
+    const auto run = [&](const char* command, std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {command, "tetra:1", "--size", "16x12", "--config", "small", "--json", report});
+        return run_program(more, environment);
+    };
+    check_refused(run("simulate", {"--clock", "fmax"}),
+                  {"--clock fmax", "'small' was not routed", "rayclock chip --config small"});
+    check_refused(run("sweep", {"--clock", "fmax", "--axis", "pipelines=1"}),
+                  {"--clock fmax", "was not routed"});
+    const Outcome before = run("simulate", {"--clock", "66"});
+    REQUIRE(before.code == 0);
+    CHECK_THAT(before.out, Catch::Contains("no clock of 'small' was shown"));
+    const json assumed = json::parse(bytes_of(report))["clocks"][0];
+    CHECK(assumed["clock_is"] == "assumed");
+    CHECK(assumed["clock_mhz_routed"].is_null());
+
+    const Outcome chip =
+        run_program({"chip", "--config", "small", "--scene", "tetra:1", "--size", "16x12"}, environment);
+    REQUIRE(chip.code == 0);
+    CHECK_THAT(chip.out,
+               Catch::Contains("tetra:1, 16x12: ") && Catch::Contains("per second at the routed 154.7 MHz"));
+
+    const Outcome after = run("simulate", {"--clock", "fmax,66,200"});
+    REQUIRE(after.code == 0);
+    CHECK_THAT(after.out, Catch::Contains("routed on lfe5u-85: 154.7 MHz; 200 MHz assumed"));
+    const json clocks = json::parse(bytes_of(report))["clocks"];
+    REQUIRE(clocks.size() == 3);
+    CHECK(clocks[0]["mhz"] == 154.726);   // not above what was shown
+    CHECK(clocks[0]["clock_is"] == "routed");
+    CHECK(clocks[0]["clock_mhz_routed"].get<double>() == Approx(154.727).margin(0.001));
+    CHECK(clocks[1]["clock_is"] == "routed");
+    CHECK(clocks[2]["clock_is"] == "assumed");
+    REQUIRE(run("sweep", {"--clock", "fmax", "--axis", "node_sets=32", "--no-netlist"}).code == 0);
+    CHECK(json::parse(bytes_of(report))["points"][0]["clock"]["mhz"] == 154.726);
+    check_refused(run("sweep", {"--clock", "fmax", "--axis", "node_sets=16", "--no-netlist"}),
+                  {"was not routed"});
+}
+
+TEST_CASE("a disk that fills up is one sentence, whichever step meets it, and nothing of that step is kept") {
+    const FakeNextpnr fake;
+    const std::string variables = "RAYCLOCK_NEXTPNR='" + fake.folder().name("nextpnr") +
+                                  "' RAYCLOCK_CACHE='" + fake.folder().name("cache") + "' ";
+    for (const char* blocks : {"4", "100", "400"}) {   // of 512 bytes: the package, a netlist
+        INFO("blocks: " << blocks);
+        check_refused(run_in_shell(std::string("ulimit -f ") + blocks + "; " + variables + "exec \"$@\"",
+                                   FakeNextpnr::words({})),
+                      {"is the disk full?"});
+        CHECK(fake.kept("chip-netlist-") == 0);
+        CHECK(fake.kept("yosys-") == 0);
+    }
+    CHECK(fake.run().code == 0);
+}
+
+TEST_CASE("chip refuses what makes no sense") {
+    const FakeNextpnr fake;
+    const auto chip = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"chip", "--config", "small"});
+        return run_program(words, fake.environment());
+    };
+    check_refused(chip({"--device", "lfe5u-84"}), {"'lfe5u-84'", "did you mean 'lfe5u-85'"});
+    check_refused(chip({"--unit", "bx"}), {"'bx'", "did you mean 'box'", "raygen"});
+    check_refused(chip({"--unit", "shade"}), {"'shade'", "small"});   // there is none in it
+    check_refused(chip({"--seeds", "0"}), {"--seeds", "above 0"});
+    check_refused(chip({"--seeds", "1:200"}), {"--seeds", "more than 100"});
+    check_refused(chip({"--seeds", "one"}), {"'one'"});
+    check_refused(chip({"--fast", "--unit", "box"}), {"--fast", "--unit"});
+    check_refused(chip({"--fast"}), {"sched, raygen", "--unit sched,raygen"});
+    check_refused(chip({"--scene", "tetr:2"}), {"'tetr'"});
+    check_refused(chip({"--set", "primitive_test=woop"}), {"primitive_test=woop", "software only"});
+    check_refused(chip({"--json", fake.folder().name("none/a.json")}), {"none/a.json"});
+    fake.folder().write("file", "x");
+    check_refused(chip({"--unit", "dispatch", "-o", fake.folder().name("file")}), {"file"});
+    CHECK(fake.routed() == 0);
+}
+
+TEST_CASE("a router that is missing, too old or something else is one sentence, and the doctor knows it") {
+    const FakeNextpnr fake;
+    const auto with = [&](const std::string& nextpnr, std::vector<std::string> words) {
+        return run_program(words,
+                           {"RAYCLOCK_NEXTPNR=" + nextpnr, "RAYCLOCK_CACHE=" + fake.folder().name("cache")});
+    };
+    const std::string own = fake.folder().name("nextpnr");
+    check_refused(with("/nonexistent", {"chip"}), {"RAYCLOCK_NEXTPNR=/nonexistent", "no program"});
+    check_refused(with("/bin/true", {"chip"}), {"/bin/true", "./bootstrap chip"});
+    fake.replace("true", "0.4-1");
+    check_refused(with(own, {"chip"}), {"nextpnr-ecp5 0.4 is too old", "./bootstrap chip"});
+    CHECK_THAT(with(own, {"doctor"}).out,
+               Catch::Contains("nextpnr-ecp5 0.4 is too old") && Catch::Contains("only chip"));
+    fake.replace("true", "nextpnr-0.99");
+    CHECK_THAT(with(own, {"doctor"}).out, Catch::Contains("nextpnr-ecp5 0.99 was not tried"));
+    fake.replace("true");
+    CHECK_THAT(with(own, {"doctor"}).out, Catch::Contains("0.11.1, " + own));
+    check_refused(run_program({"chip"}, {"PATH=/nonexistent", "RAYCLOCK_NEXTPNR=" + own,
+                                         "RAYCLOCK_CACHE=" + fake.folder().name("cache")}),
+                  {"yosys is not installed", "./bootstrap chip"});
+}
+
+TEST_CASE("dispatch is really placed and routed, and has the registers that Yosys has counted", "[slow]") {
+    const Folder folder;
+    const std::vector<std::string> environment{"RAYCLOCK_CACHE=" + folder.name("cache")};
+    const std::string doctor = run_program({"doctor", "--json", "-"}, environment).out;
+    if (json::parse(doctor)["nextpnr"].is_null()) {
+        WARN("nextpnr-ecp5 is not installed, so nothing was routed; ./bootstrap chip installs it");
+        return;
+    }
+    const auto chip = [&](const char* report, const std::string& seed) {
+        const Outcome outcome = run_program({"chip", "--config", "small", "--unit", "dispatch", "--seeds",
+                                             seed, "--json", folder.name(report)},
+                                            environment);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return json::parse(bytes_of(folder.name(report)));
+    };
+    const json routed = chip("a.json", "1"), area = [&] {
+        run_program({"area", "--config", "small", "--unit", "dispatch", "--json", folder.name("area.json")},
+                    environment);
+        return json::parse(bytes_of(folder.name("area.json")))["variants"][0]["units"][0]["count"];
+    }();
+    CHECK(routed["totals"]["ff"] == area["ff"]);
+    CHECK(routed["fmax_mhz"].get<double>() > 60);
+    const json slowest = routed["paths"][0];
+    CHECK(slowest["mhz"].get<double>() == Approx(routed["fmax_mhz"].get<double>()).epsilon(0.001));
+    CHECK_THAT(slowest["source"].get<std::string>(), Catch::StartsWith("rtl/"));
+}

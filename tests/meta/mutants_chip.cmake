@@ -1,0 +1,22 @@
+# Faults in what is read of a placed and routed chip. A row is as in mutants_model.cmake.
+mutant(chip_way_from_a_pad_counts FILE sim/chip/timing.cpp TEST chip "delays of a file by hand*"
+  OLD [[if (begin >= 0 &&]]
+  NEW [[if (begin >= -1 &&]])
+mutant(chip_setup_is_forgotten FILE sim/chip/timing.cpp TEST chip "delays of a file by hand*"
+  OLD [[return pins_[std::size_t(p)].arrival + pins_[std::size_t(p)].setup;]]
+  NEW [[return pins_[std::size_t(p)].arrival;]])
+mutant(chip_harness_is_the_chip FILE sim/chip/route.cpp TEST chip "cells are counted*"
+  OLD [[if (unit != harness_unit)]]
+  NEW [[if (!unit.empty())]])
+mutant(chip_carry_ends_are_lost FILE sim/chip/cells.cpp TEST chip "a cell belongs*"
+  OLD [[if (cell.starts_with("$nextpnr_CCU2C_"))]]
+  NEW [[if (cell.starts_with("$nextpnr_CARRY_"))]])
+mutant(chip_source_is_an_instance FILE sim/chip/cells.cpp TEST chip "the source of a cell*"
+  OLD [[if (!is_instance(]]
+  NEW [[if (column > 0 || !is_instance(]])
+mutant(chip_full_device_is_too_small FILE sim/chip/run.cpp TEST chip "what does not fit*"
+  OLD [[if (needs <= has) continue;]]
+  NEW [[if (needs < has) continue;]])
+mutant(chip_route_loses_its_seed FILE sim/chip/route.cpp TEST chip "a route that was kept*"
+  OLD [[route.seed = json.at("seed").get<int>();]]
+  NEW [[]])
