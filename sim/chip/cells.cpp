@@ -87,6 +87,15 @@ std::string_view nth_line(std::string_view text, int line) {
     return found;
 }
 
+/// The file of this name in the folder `sources`, from there; empty if there is none. A netlist may have been
+/// made of an equal copy somewhere else.
+std::string same_source(const fs::path& path, const fs::path& sources) {
+    std::error_code error;
+    for (const fs::path& name : {path.parent_path().filename() / path.filename(), path.filename()})
+        if (!path.empty() && fs::is_regular_file(sources / name, error)) return name.string();
+    return {};
+}
+
 /// Yosys places an instance at its name or at the parenthesis behind it, "u_queue (", and a process at its
 /// word always.
 bool is_instance(const std::string& file, int line, int column) {
@@ -137,13 +146,14 @@ Use use_of(const std::string& type) {
 std::string source_line(const std::string& src, const std::string& sources) {
     std::string around;
     for (const std::string& place : split(src, '|')) {   // in no order
-        if (!place.starts_with(sources + "/")) continue;
-        const std::size_t colon = place.rfind(':');   // bvh/rc_box.sv:120.3-140.6
+        const std::size_t colon = place.rfind(':');      // /some/rtl/bvh/rc_box.sv:120.3-140.6
         int line = 0, column = 0;
-        if (std::sscanf(place.c_str() + colon, ":%d.%d-", &line, &column) != 2) continue;
-        const std::string name =
-            fmt::format("rtl{}:{}", place.substr(sources.size(), colon - sources.size()), line);
-        if (!is_instance(place.substr(0, colon), line, column)) return name;
+        if (colon == std::string::npos || std::sscanf(place.c_str() + colon, ":%d.%d-", &line, &column) != 2)
+            continue;
+        const std::string file = same_source(place.substr(0, colon), sources);
+        if (file.empty()) continue;
+        const std::string name = fmt::format("rtl/{}:{}", file, line);
+        if (!is_instance((fs::path(sources) / file).string(), line, column)) return name;
         around = name;
     }
     return around;
