@@ -196,6 +196,9 @@ module rc_stack (
   a_one_stage: assert property (@(posedge clk_i) disable iff (!rst_ni)
                                 s0_valid_i |-> !inside_q[s0_ray_i])
     else $error("a ray is in two stages of trav");
+  a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                            write && read |-> end_ray != read_ray)
+    else $error("a ray's group is written while it is read");
 `endif
 endmodule
 `default_nettype wire

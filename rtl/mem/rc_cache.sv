@@ -245,6 +245,10 @@ module rc_cache #(
                                            end_valid |-> rsp_place)
     else $error("an answer met a full queue");
 
+  a_word_is_there: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                    admit && fill_fires_i |-> read_at != fill_at)
+    else $error("a word is read while it comes");
+
   logic [(1<<IdBits)-1:0] asked_q;   // ids between request and answer
   always_ff @(posedge clk_i) begin
     if (!rst_ni) asked_q <= '0;

@@ -1,6 +1,7 @@
 // Memory of one write port and one read port with a registered answer (block RAM):
 // the address of a cycle with read_i gives its data in the next. Reading and writing
-// one address in the same cycle is the user's error.
+// one address in the same cycle is the user's error: without that promise (no_rw_check) Yosys
+// adds registers and multiplexers that keep what was there before.
 `default_nettype none
 module rc_ram_sync #(
   parameter  int unsigned Width  = 1,
@@ -18,7 +19,7 @@ module rc_ram_sync #(
   if (Width < 1 || Depth < 1) begin : gen_refuse
     $error("rc_ram_sync: Width and Depth must be at least 1");
   end
-  logic [Width-1:0] mem [Depth < 2 ? 2 : Depth];
+  (* no_rw_check *) logic [Width-1:0] mem [Depth < 2 ? 2 : Depth];
   logic [Width-1:0] read_q;
 
   assign read_data_o = read_q;
