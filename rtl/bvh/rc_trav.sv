@@ -118,11 +118,11 @@ module rc_trav (
   rc_pkg::leaves_t              leaves;
   logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
   logic [rc_pkg::ChildrenW-1:0] in_children, children;
-  logic [TB-1:0]                leaves_t;
+  logic [TB-1:0]                leaves_beat;
   assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
   assign in_children = {in.base, in.inner, in.t_near, in_slot};
   rc_cut #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TB)) u_moved (
-    .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_t}));
+    .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
   assign leaves = leaves_flat;
   if (rc_pkg::Cut == 0) begin : gen_in_now
     assign in_fires = came_fires;
@@ -136,7 +136,7 @@ module rc_trav (
   end
   logic [W*TB-1:0] leaves_near;
   assign leaves_near    = leaves.t_near;
-  assign leaf_matters   = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_t;
+  assign leaf_matters   = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;
   assign leaves_fires_o = in_fires && leaf_matters;
   assign leaves_o       = leaves;
 
@@ -146,7 +146,7 @@ module rc_trav (
   logic [TB-1:0]   leafless_t;
   rc_pkg::tested_t leafless;
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_t}),
+    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_beat}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
     .data_o({leafless_ray, leafless_t}));
   always_comb begin

@@ -41,8 +41,8 @@ constexpr std::array timing_only{"contexts",    "raygen_queue", "box_queue", "tr
                                  "pipelines",   "tile_bits",    "node_sets", "node_ways", "node_line",
                                  "node_mshrs",  "prim_sets",    "prim_ways", "prim_line", "prim_mshrs",
                                  "l2_sets",     "l2_ways",      "l2_line",   "l2_mshrs",  "dram",
-                                 "mem_latency", "mem_interval", "lights",    "bounces",   "shade_queue",
-                                 "surf_sets",   "surf_ways",    "surf_line", "surf_mshrs"};
+                                 "mem_latency", "mem_interval", "timing",    "lights",    "bounces",
+                                 "shade_queue", "surf_sets",    "surf_ways", "surf_line", "surf_mshrs"};
 
 }   // namespace
 

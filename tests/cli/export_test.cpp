@@ -84,6 +84,7 @@ TEST_CASE("an export's test bench passes under Icarus, where no value that matte
     for (const Words& what :
          {Words{"tetra:2", "--size", "16x12", "--config", "small"},
           Words{"tetra:2", "--size", "8x6", "--set", "prim_line=128", "--set", "l2_sets=4"},
+          Words{"tetra:2", "--size", "8x8", "--config", "ulx3s"},
           Words{"balls:1", "--size", "4x3", "--config", "small", "--depth", "1"}}) {
         const std::string place = folder.name(what[0] + what[2]);
         Words all{"export"};

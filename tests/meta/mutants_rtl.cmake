@@ -101,11 +101,11 @@ mutant(stack_gives_up_early FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[below_matters = top_below <= tested.t_best;]]
   NEW [[below_matters = top_below < tested.t_best;]])
 mutant(trav_gives_leaves_that_are_too_far QUICK FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_t;]]
+  OLD [[leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;]]
   NEW [[leaves.leaves != '0;]])
 mutant(trav_keeps_leaves_exactly_as_far FILE rtl/bvh/rc_trav.sv TEST unit [trav]
-  OLD [[leaves_near[TB-1:0] <= leaves_t;]]
-  NEW [[leaves_near[TB-1:0] < leaves_t;]])
+  OLD [[leaves_near[TB-1:0] <= leaves_beat;]]
+  NEW [[leaves_near[TB-1:0] < leaves_beat;]])
 mutant(trav_gives_the_second_leaf FILE rtl/bvh/rc_trav.sv TEST unit [trav]
   OLD [[leaf_offset = leaf_offset >> (O << b);]]
   NEW [[leaf_offset = leaf_offset >> (O << (b + 1));]])
@@ -267,12 +267,12 @@ mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_ray_q),]])
 mutant(leafless_ray_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_t}),]]
+    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_beat}),]]
   NEW [[  logic late_q;
   logic [I+TB-1:0] late_data_q;
   always_ff @(posedge clk_i) begin
     late_q      <= rst_ni && in_fires && !leaf_matters;
-    late_data_q <= {leaves.ray, leaves_t};
+    late_data_q <= {leaves.ray, leaves_beat};
   end
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_data_q),]])
