@@ -146,8 +146,8 @@ module rc_cache #(
   rc_mshr #(.IdBits(IdBits), .SetW(SetW), .Ways(Ways), .Words(Words), .Mshrs(Mshrs),
     .Cut(Cut)) u_mshr (
     .clk_i, .rst_ni,
-    .id_i(id), .set_i(set), .load_i(load), .ahead_set_i(ahead_set), .waiting_o(waiting), .full_o(full), .waits_o,
-    .free_o(free),
+    .id_i(id), .set_i(set), .load_i(load), .ahead_set_i(ahead_set), .waiting_o(waiting),
+    .full_o(full), .waits_o, .free_o(free),
     .way_i(way), .take_i(miss), .merge_i(merge),
     .fill_fires_i, .fill_mshr_i(fill_id_i[MissIdW-1 -: MshrW]),
     .fill_set_o(fill_set), .fill_way_o(fill_way),
