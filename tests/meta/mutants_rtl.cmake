@@ -212,14 +212,6 @@ mutant(raygen_shift_by_the_sums_sign FILE rtl/raygen/rc_direction.sv TEST unit [
   OLD [[^ {(G-1){s0_sum[k*G+G-1]}});]]
   NEW [[^ {(G-1){s0_sum[G-1]}});]])
 
-# ---- a register that only a fast chip has is taken away.
-mutant(fast_hitdiv_loses_a_stage QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
-  OLD [[rc_cut #(.Width(T + 1)) u_t_last]]
-  NEW [[rc_cut #(.Width(T + 1), .Stages(0)) u_t_last]])
-mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][fast]
-  OLD [[rc_cut #(.Width(M + E + 3)) u_coarse]]
-  NEW [[rc_cut #(.Width(M + E + 3), .Stages(0)) u_coarse]])
-
 # ---- one cycle late, each unit.
 mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep]
   OLD [[  rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
@@ -363,19 +355,6 @@ mutant(mshr_tail_stays FILE rtl/mem/rc_mshr.sv TEST unit [cache]
 mutant(mshr_joins_any_of_the_set FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   OLD [[assign match   = here && way_q == way_i ? MshrW'(m)]]
   NEW [[assign match   = here && (way_q == way_i || m > 0) ? MshrW'(m)]])
-# What a fast cache compares a cycle early, and the request before it changes in that cycle.
-mutant(tags_fast_old_line_is_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
-  OLD [[mine_q <= take_i && same_set && way_o == WayW'(w) ? tag_i == ahead_tag_i : same_tag;]]
-  NEW [[mine_q <= same_tag;]])
-mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
-  OLD [[recent_q <= touch_i && same_set ? recent_d : kept;]]
-  NEW [[recent_q <= kept;]])
-mutant(mshr_fast_new_line_is_not_waited_for QUICK FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
-  OLD [[(take_i && free_o == MshrW'(m) ? set_i : set_q) == ahead_set_i;]]
-  NEW [[set_q == ahead_set_i;]])
-mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
-  OLD [[assign load       = !valid_q || pop;]]
-  NEW [[assign load       = !valid_q || pop || full;]])
 mutant(mshr_line_filled_one_word_early FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   OLD [[words == WordW'(Words - 1);]]
   NEW [[words == WordW'(Words - 2);]])
