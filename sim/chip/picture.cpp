@@ -49,8 +49,8 @@ plot::Drawing placement(const Route& route, const Device& device, const std::str
     plot::Drawing drawing;
     const double width = device.columns * scale, height = device.rows * scale;
     drawing.width = left + width + legend_width, drawing.height = top + height + 20;
-    drawing.shapes.push_back(plot::Text{{left, 30}, title, 16, {}, plot::Anchor::start, false});
-    drawing.shapes.push_back(Boxes{{{left, top, width, height}}, {242, 242, 242}});
+    drawing.shapes.emplace_back(plot::Text{{left, 30}, title, 16, {}, plot::Anchor::start, false});
+    drawing.shapes.emplace_back(Boxes{{{left, top, width, height}}, {242, 242, 242}});
     const std::vector<std::string> units = largest_first(route.units);
     std::map<std::pair<int, int>, double> filled;
     std::map<std::string, Boxes> boxes;
@@ -65,10 +65,10 @@ plot::Drawing placement(const Route& route, const Device& device, const std::str
         const Colour colour = colour_of(units[i], i);
         Boxes& of = boxes[units[i]];
         of.colour = colour;
-        drawing.shapes.push_back(of);
+        drawing.shapes.emplace_back(of);
         const double y = top + line * double(i + 1), x = left + width + 15;
-        drawing.shapes.push_back(Boxes{{{x, y - 11, 12, 12}}, colour});
-        drawing.shapes.push_back(
+        drawing.shapes.emplace_back(Boxes{{{x, y - 11, 12, 12}}, colour});
+        drawing.shapes.emplace_back(
             plot::Text{{x + 18, y},
                        fmt::format("{}, {} LUTs", units[i], grouped(route.units.at(units[i]).lut)),
                        12,
