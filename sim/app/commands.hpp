@@ -10,6 +10,7 @@ Command render_command();
 Command simulate_command();
 Command verify_command();
 Command stress_command();
+Command explain_command();
 Command sweep_command();
 Command fit_command();
 Command tradeoff_command();

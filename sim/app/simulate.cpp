@@ -12,6 +12,7 @@
 #include "model/reference/reference.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/compared.hpp"
 #include "sim/app/options.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/report/accounts.hpp"
@@ -100,11 +101,17 @@ struct Work {
 struct Simulated {
     bool is_model = true;
     std::vector<FrameTrace> traces;
-    std::vector<ClockRun> runs;        ///< [clock]
-    std::optional<FrameError> error;   ///< of the last frame
-    std::optional<Judgement> judgement;
+    std::vector<ClockRun> runs;         ///< [clock]
+    std::optional<Compared> compared;   ///< the last frame with the reference's
     bool partial = false;
 
+    std::optional<FrameError> error() const {
+        return compared ? std::optional(compared->error) : std::nullopt;
+    }
+    const std::optional<Judgement>& judgement() const {
+        static const std::optional<Judgement> none;
+        return compared ? compared->judgement : none;
+    }
     const std::vector<Closest>& answers() const {
         return is_model ? traces.back().trace.hits : runs.back().last().answers;
     }
@@ -135,27 +142,10 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
 
 /// Sets the last frame beside the reference's, and judges it.
 void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
-    const Scene& scene = work.request.scene;
-    const Frame& shown = s.traces.back().frame;
-    const Camera& camera = work.path.back();
-    const HitFrame hits = scaled(work.job, shown, s.answers());
-    const Reference tracer(scene);
-    const Asked asked{scene, camera, shown, work.job.image.lattice, work.request.config};
-    if (work.request.finished) {
-        const WhittedFrame reference =
-            tracer.whitted(camera, work.size, work.request.settings, o.threads, progress);
-        const Picture picture = picture_of(work.size, s.colours());
-        s.error = frame_error(hits, picture, reference.hits, picture_of(reference));
-        const Given given{s.answers(), s.colours(), s.traces.back().trace.signatures};
-        if (!o.no_judge)
-            s.judgement = judge_finished(asked, work.job.image, work.request.settings,
-                                         {reference, picture, given}, hits, o.threads, progress);
-    } else {
-        const HitFrame reference = tracer.frame(camera, work.size, o.threads, progress);
-        s.error = frame_error(scene, hits, reference);
-        if (!o.no_judge)
-            s.judgement = judge(asked, {reference, s.answers(), shade(scene, hits)}, o.threads, progress);
-    }
+    s.compared = rayclock::compare(
+        work.request, work.job,
+        {s.traces.back().frame, work.path.back(), s.answers(), s.colours(), s.traces.back().trace.signatures},
+        !o.no_judge, o.threads, progress);
 }
 
 /// All frames at all clocks together.
@@ -184,9 +174,9 @@ void print(const Work& work, const Simulated& s, const Totals& t, double seconds
     fmt::print("{}\n{}{}\n{}\n{}", heading(work.request.scene, work.size, work.job),
                clock_table(config, s.runs), clock_line(config, work.clocks), work_table(config, s.runs[0]),
                unit_table(config, s.runs));
-    if (s.error)
-        fmt::print("\n{}{}", error_line("against the reference", *s.error),
-                   s.judgement ? cause_lines(*s.judgement) : "");
+    if (s.compared)
+        fmt::print("\n{}{}", error_line("against the reference", s.compared->error),
+                   s.judgement() ? cause_lines(*s.judgement()) : "");
     fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n",
                seconds, t.record_seconds, grouped(t.cycles), t.machine_seconds,
                double(t.cycles) / t.machine_seconds / 1e6);
@@ -214,12 +204,12 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"clocks", clocks},
             {"units", units_json(config, frame)},
             {"memory", memory_json(config, s.runs[0].khz, frame)},
-            {"error", error_json(s.error, s.judgement)},
-            {"judge", judge_json(s.judgement)},
+            {"error", error_json(s.error(), s.judgement())},
+            {"judge", judge_json(s.judgement())},
             {"host",
              {{"seconds", t.engine_seconds},
               {"record_seconds", s.is_model ? t.record_seconds : 0},
-              {"judge_seconds", s.judgement ? s.judgement->seconds : 0},
+              {"judge_seconds", s.judgement() ? s.judgement()->seconds : 0},
               {"cycles_per_second", double(t.cycles) / t.engine_seconds},
               {"rays_per_second",
                rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
@@ -249,7 +239,8 @@ int run(const Options& o) {
     const Totals totals = totals_of(simulated);
     if (!o.json.is_alone()) print(work, simulated, totals, seconds);
     o.json.write(json_of(o, work, simulated, totals));
-    return simulated.partial || (simulated.judgement && simulated.judgement->wrong_for(request.config) > 0)
+    return simulated.partial ||
+                   (simulated.judgement() && simulated.judgement()->wrong_for(request.config) > 0)
                ? 1
                : 0;
 }
