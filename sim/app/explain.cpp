@@ -20,6 +20,7 @@ struct Options {
     ConfigChoice config;
     Finish finish;
     FramesOptions frames;
+    TrafficOptions traffic;
     bool steps = false, no_reference = false, no_judge = false;
     int threads = 0;
     JsonOutput json;
@@ -38,6 +39,7 @@ void declare(Parser& parser, Options& o) {
     parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
     judge_option(parser, o.no_judge);
     threads_option(parser, o.threads);
+    traffic_options(parser, o.traffic);
     json_option(parser, o.json);
 }
 
@@ -75,9 +77,10 @@ int run(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const std::size_t pixel = parse_pixel(o.pixel, size);
+    const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
     const int khz = one_clock_of(o.clock, request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
@@ -86,7 +89,7 @@ int run(const Options& o) {
         traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
 
     PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
-    const FrameCosts costs = observe(request.config, khz, traces, {}, 0, &in_frame, progress);
+    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &in_frame, progress);
     if (costs.partial) throw std::runtime_error("interrupted");
     observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
     Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};

@@ -7,6 +7,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
+#include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"
@@ -121,5 +122,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     guard_streams();
+    keep_command_line(argc, argv);
     return finish(run(argc, argv));
 }

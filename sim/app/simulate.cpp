@@ -11,13 +11,17 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/clock.hpp"
+#include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/compared.hpp"
 #include "sim/app/options.hpp"
 #include "sim/cause/finished.hpp"
+#include "sim/files/output.hpp"
+#include "sim/observe/replay.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/report_page/page.hpp"
 #include "sim/jobs/threads.hpp"
 
 namespace rayclock {
@@ -32,6 +36,7 @@ struct Options {
     TrafficOptions traffic;
     bool no_reference = false, no_judge = false;
     int threads = 0;
+    std::string report;
     JsonOutput json;
 };
 
@@ -47,6 +52,8 @@ void declare(Parser& parser, Options& o) {
     judge_option(parser, o.no_judge);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
+    parser.option("--report", o.report,
+                  "the run as one HTML file: pictures, heat maps, charts, tables, all figures as data");
     json_option(parser, o.json);
 }
 
@@ -201,6 +208,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"compile", compile_json(work.job.image.report)},
             {"rays", rays_json(frame)},
             {"work", work_json(frame)},
+            {"work_by_kind", nullptr},
             {"clocks", clocks},
             {"units", units_json(config, frame)},
             {"memory", memory_json(config, s.runs[0].khz, frame)},
@@ -216,6 +224,34 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"digest", digest_text(t.digest.value())}};
 }
 
+/// The last frame at the first clock again, watched.
+FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, const Progress& progress) {
+    constexpr std::uint64_t windows = 100;
+    const ClockRun& run = s.runs[0];
+    const std::uint64_t window = (run.last().cycles + windows - 1) / windows;
+    FrameCosts costs = observe(work.request.config, run.khz, s.traces, traffic,
+                               std::max<std::uint64_t>(1, window), nullptr, progress);
+    if (!costs.partial && (costs.cycles != run.last().cycles || costs.accounts != run.last().accounts))
+        throw std::runtime_error("the watched frame is not the frame that was simulated");
+    return costs;
+}
+
+void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
+                  const nlohmann::ordered_json& json) {
+    const Request& request = work.request;
+    const Picture picture = s.compared ? s.compared->picture
+                            : request.finished
+                                ? picture_of(work.size, s.colours())
+                                : shade(request.scene, scaled(work.job, s.traces.back().frame, s.answers()));
+    const Picture* reference = s.compared ? &s.compared->reference : nullptr;
+    const Judgement* judgement = s.judgement() ? &*s.judgement() : nullptr;
+    std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
+    for (auto& version : versions()) origin.push_back(std::move(version));
+    origin.emplace_back("digest of pixels and cycles", json.at("digest").get<std::string>());
+    write_bytes(o.report, report_page({json, request.config, s.runs[0].khz, s.runs[0].last(), costs, picture,
+                                       reference, judgement, explain_line(s.runs[0].khz), origin}));
+}
+
 int run(const Options& o) {
     const Stopwatch watch;
     catch_interrupts();
@@ -226,6 +262,10 @@ int run(const Options& o) {
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
+    if (!o.report.empty()) {
+        check_writable(o.report);
+        check_page_library();
+    }
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
     if (o.engine == "rtl") check_rtl(request.config);
@@ -238,7 +278,14 @@ int run(const Options& o) {
 
     const Totals totals = totals_of(simulated);
     if (!o.json.is_alone()) print(work, simulated, totals, seconds);
-    o.json.write(json_of(o, work, simulated, totals));
+    nlohmann::ordered_json json = json_of(o, work, simulated, totals);
+    if (!o.report.empty() && !simulated.partial) {
+        const FrameCosts costs = watch_frame(work, simulated, traffic, progress);
+        json["work_by_kind"] = work_by_kind_json(costs);
+        write_report(o, work, simulated, costs, json);
+        if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
+    }
+    o.json.write(json);
     return simulated.partial ||
                    (simulated.judgement() && simulated.judgement()->wrong_for(request.config) > 0)
                ? 1
