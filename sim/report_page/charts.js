@@ -117,8 +117,8 @@ function rooflineSpec() {
   };
 }
 
-const unitColours = { raygen: "#56b4e9", trav: "#0072b2", node_cache: "#9ad0f5", box: "#009e73", list: "#cc79a7",
-  prim_cache: "#e8b8d3", tri: "#e69f00", surf_cache: "#f5dfa0", shade: "#f0e442", memory: "#d55e00" };
+const unitColours = { raygen: "#9ad0f5", trav: "#0072b2", node_cache: "#4a9fd6", box: "#009e73", list: "#e3a8c6",
+  prim_cache: "#b3538a", tri: "#e69f00", surf_cache: "#a8902a", shade: "#f0e442", memory: "#d55e00" };
 function kindsSpec() {
   const rows = [];
   for (const [kind, k] of Object.entries(data.kinds)) {
@@ -167,19 +167,23 @@ function linesSpec(title, axis, rows, format, top) {
 const windowRows = values => data.windows.flatMap(w => Object.entries(values(w)).map(([name, value]) =>
   ({ at: w.first + w.cycles / 2, name, value })));
 
+// Each tile where it lies in the picture, as dark as it took long.
 function tilesSpec() {
-  const rows = data.tiles.map(([x, y, pipeline, first, last], i) => ({ pipeline, i, first, last,
-    tooltip: `tile ${x}, ${y}: pipeline ${pipeline}, cycles ${grouped(first)} to ${grouped(last)}` }));
+  const side = 1 << data.tile_bits, columns = Math.ceil(data.width / side), lines = Math.ceil(data.height / side);
+  const rows = data.tiles.map(([x, y, pipeline, first, last], i) => ({ x, y, cycles: last - first,
+    tooltip: `tile ${x}, ${y}: ${grouped(last - first)} cycles, ${grouped(first)} to ${grouped(last)}, pipeline ${pipeline}; ` +
+      `the ${grouped(i + 1)}th to be given out` }));
+  const size = Math.max(6, Math.min(40, Math.floor(760 / columns)));
   return {
-    title: "Tiles as they were worked on, from the first pixel's start to the last pixel's end", width: 900,
-    height: Math.min(420, Math.max(80, rows.length * 2)), data: [{ name: "rows", values: rows }],
-    scales: [{ name: "x", domain: [0, data.cycles], range: "width" },
-      { name: "y", domain: [0, rows.length], range: "height", reverse: true },
-      { name: "colour", domain: [0, Math.max(1, data.pipelines - 1)], range: { scheme: "viridis" } , type: "linear" }],
-    axes: [{ orient: "bottom", scale: "x", title: "cycle of the frame" }, { orient: "left", scale: "y", title: "tile" }],
+    title: "Tiles: cycles from the first pixel's start to the last pixel's end", width: size * columns, height: size * lines,
+    data: [{ name: "rows", values: rows }],
+    scales: [{ name: "x", domain: [0, columns], range: "width" }, { name: "y", domain: [0, lines], range: [0, size * lines] },
+      { name: "colour", type: "linear", domain: { data: "rows", field: "cycles" }, zero: true, range: { scheme: "blues" } }],
+    axes: [{ orient: "bottom", scale: "x", title: "tile, from the left" }, { orient: "left", scale: "y", title: "tile, from the top" }],
+    legends: [{ fill: "colour", title: "cycles", type: "gradient", orient: "right" }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {
-      x: { scale: "x", field: "first" }, x2: { scale: "x", field: "last" }, y: { scale: "y", field: "i" },
-      y2: { scale: "y", signal: "datum.i + 1" }, fill: { scale: "colour", field: "pipeline" },
+      x: { scale: "x", field: "x" }, width: { value: size }, y: { scale: "y", field: "y" }, height: { value: size },
+      fill: { scale: "colour", field: "cycles" }, stroke: { value: "#fff" }, strokeWidth: { value: 0.5 },
       tooltip: { field: "tooltip" } } } }]
   };
 }
