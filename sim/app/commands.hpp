@@ -11,6 +11,7 @@ Command simulate_command();
 Command verify_command();
 Command stress_command();
 Command explain_command();
+Command trace_command();
 Command sweep_command();
 Command fit_command();
 Command tradeoff_command();

@@ -15,6 +15,8 @@ namespace rayclock {
 struct WaitCounts {
     std::array<std::uint32_t, pipeline_links> refused{};
     std::array<std::array<std::uint32_t, cause_count>, ray_caches> deeds{};
+    std::array<std::uint32_t, pipeline_links> run{};   ///< cycles just before this one in which it was
+                                                       ///< refused
 };
 
 /// A ray moved on a link, or a cache has looked up its request.
@@ -58,9 +60,13 @@ constexpr std::size_t place_after(Link link) {
 class EventSink {
 public:
     virtual ~EventSink() = default;
+    /// The frame begins.
+    virtual void begins(const class Machine& machine) { (void)machine; }
     /// Asked once for every pixel when it begins.
     virtual bool wants(std::uint32_t pixel) = 0;
     virtual void event(const RayEvent& event) = 0;
+    /// Nothing that comes later is wanted. Asked in every cycle.
+    virtual bool done() const { return false; }
     /// After every cycle's events; `accounts()` of the machine are those up to the next cycle.
     virtual void cycle_done(std::uint64_t cycle, const class Machine& machine) { (void)cycle, (void)machine; }
 };

@@ -60,9 +60,18 @@ void Observer::step(Machine& machine) {
         for (const RayEvent& event : pending_) sink_->event(event);
         pending_.clear();
         sink_->cycle_done(now_, machine);
+        count_runs(machine);
     }
     ++now_;
     if (window_ != 0 && now_ % window_ == 0) close_window(machine);
+}
+
+void Observer::count_runs(const Machine& machine) {
+    for (std::size_t p = 0; p < pipelines_.size(); ++p) {
+        const std::uint32_t refused = machine.valid_mask(int(p)) & ~machine.fire_mask(int(p));
+        std::uint32_t link = 0;
+        for (std::uint32_t& run : pipelines_[p].waits.run) run = refused >> link++ & 1 ? run + 1 : 0;
+    }
 }
 
 void Observer::shared(const Machine& machine) {

@@ -46,6 +46,7 @@ private:
     void looked_up(int pipeline, std::size_t cache, CacheDeed deed);
     void asked_memory(PipelineState& p, std::size_t cache);
     void shared(const Machine& machine);
+    void count_runs(const Machine& machine);
     void close_window(const Machine& machine);
     void show(int pipeline, std::uint32_t context, RayEvent::What what, Link link, CacheDeed deed,
               std::uint32_t addr);

@@ -21,8 +21,10 @@ FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trac
                          std::uint64_t window, EventSink* sink, const Progress& progress) {
     machine.start(frame, trace);
     Observer observer(machine, frame, sink, window);
+    if (sink) sink->begins(machine);
     while (!machine.done() && !interrupted()) {
         observer.step(machine);
+        if (sink && sink->done()) break;
         if (machine.cycle() % cycles_between_reports != 0) continue;
         check_moving(machine, limit);
         if (progress) progress("watching", machine.hits(), std::uint64_t(frame.width) * frame.height);

@@ -6,7 +6,8 @@
 namespace rayclock {
 
 /// Replays frames on one machine as replay() does, and watches the last one: its cycles are the same.
-/// `window` cycles are a window, 0: none are wanted; `sink` may be null. Partial when interrupted().
+/// `window` cycles are a window, 0: none are wanted; `sink` may be null. Partial when interrupted(), or
+/// when the sink is done before the frame.
 FrameCosts observe(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic,
                    std::uint64_t window, EventSink* sink, const Progress& progress = {});
 
