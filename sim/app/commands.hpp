@@ -12,6 +12,7 @@ Command verify_command();
 Command stress_command();
 Command explain_command();
 Command trace_command();
+Command compare_command();
 Command sweep_command();
 Command fit_command();
 Command tradeoff_command();
