@@ -11,8 +11,8 @@ mutant(slab_far_rounded_down QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][locks
   OLD [[assign placed_up    = ~({R1{1'b1}} << placed_right);]]
   NEW [[assign placed_up    = placed_right == '1 ? '1 : '0;]])
 mutant(slab_near_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[V'(placed_near_q), V'(placed_far_q), far_up,]]
-  NEW [[V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}), V'(placed_far_q), far_up,]])
+  OLD [[.data_i(V'(placed_near_q))]]
+  NEW [[.data_i(V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}))]])
 mutant(slab_far_with_r FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, !plane_zero};]]
   NEW [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, plane_zero && !plane_zero};]])
@@ -20,18 +20,18 @@ mutant(slab_zero_direction FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[(zero_q && !near_q[V-1] && near_q != '0)]]
   NEW [[(zero_q && !near_q[V-1])]])
 mutant(rank_ignores_offset FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[exchange = (gen_level[l].gen_key[i].key > gen_level[l].gen_key[i ^ J].key)]]
-  NEW [[exchange = (gen_level[l].gen_key[i].key[KeyW-1:O+C] > gen_level[l].gen_key[i ^ J].key[KeyW-1:O+C])]])
+  OLD [[if (holds && (key > other) ==]]
+  NEW [[if (holds && (key[KeyW-1:O+C] > other[KeyW-1:O+C]) ==]])
 mutant(rank_leaves_first FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[{!s0_hit_i[i], leaf, s0_near_i]]
-  NEW [[{!s0_hit_i[i], !leaf, s0_near_i]])
+  OLD [[{!s0_hit_i[i], s0_leaf[i], s0_near_i]]
+  NEW [[{!s0_hit_i[i], !s0_leaf[i], s0_near_i]])
 
 # ---- tri: exact decisions.
 mutant(edges_zero_is_inside FILE rtl/isect/rc_edges.sv TEST unit [tri][lockstep]
   OLD [[end_u_neg == end_flip && end_v_neg]]
   NEW [[(end_u == '0 || end_u_neg == end_flip) && end_v_neg]])
 mutant(edges_tie_turned FILE rtl/isect/rc_edges.sv TEST unit [tri]
-  OLD [[assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;]]
+  OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 0) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(edges_normal_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned X = 2 * D + 1;]]
@@ -383,7 +383,7 @@ mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_direction.sv TEST unit [ra
   OLD [[.data_i({s1_whole, s1_moved[G-M-1]})]]
   NEW [[.data_i({s1_whole, s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0})]])
 mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
-  OLD [[assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;]]
+  OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(small_tri_compares_the_cut_product FILE rtl/isect/rc_tri.sv TEST unit [tri][small]
   OLD [[{f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};]]
