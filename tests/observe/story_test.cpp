@@ -1,4 +1,6 @@
 // A pixel's story is exact to the cycle.
+#include <map>
+
 #include "tests/observe/watched.hpp"
 
 using namespace rayclock;
@@ -70,6 +72,22 @@ TEST_CASE("a pixel that is alone on the chip waits for nobody but the memory") {
             INFO(w.scene << ": " << cause.cause);
             CHECK((cause.cause == "work" || cause.cause == "the memory"));
         }
+    }
+}
+
+TEST_CASE("a pixel that waits says for what") {
+    const Watched narrow{"mount:4",
+                         {{"node_sets", "1"}, {"node_ways", "2"}, {"node_mshrs", "1"}, {"prim_sets", "1"}}};
+    const Watching made = watching(narrow, {16, 12});
+    std::map<std::string, std::uint64_t> causes;
+    for (std::uint32_t pixel = 0; pixel < 192; pixel += 11)
+        for (const Stay::Wait& cause : story_of(made, narrow, pixel).causes())
+            causes[cause.cause] += cause.cycles;
+    for (const char* cause : {"the memory", "node_cache: too many lines are on their way",
+                              "node_cache: rays that waited for a line are answered",
+                              "node_cache accepts nothing", "node_cache: other rays are looked up first"}) {
+        INFO(cause);
+        CHECK(causes[cause] > 0);
     }
 }
 
