@@ -129,13 +129,13 @@ function kindsSpec() {
     }
   }
   const kinds = Object.keys(data.kinds).filter(kind => data.kinds[kind].rays > 0);
-  const units = Object.keys(unitColours).filter(unit => rows.some(r => r.unit === unit));
+  const units = [...new Set([...Object.keys(unitColours), ...rows.map(r => r.unit)])].filter(unit => rows.some(r => r.unit === unit));
   return {
     title: "Where a ray spends its cycles, in the mean, by what it is for", width: 800, height: 34 * kinds.length,
     data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: { data: "rows", field: "to" }, range: "width", zero: true, nice: true },
       { name: "y", type: "band", domain: kinds, range: "height", paddingInner: 0.25 },
-      { name: "colour", type: "ordinal", domain: units, range: units.map(unit => unitColours[unit]) }],
+      { name: "colour", type: "ordinal", domain: units, range: units.map(unit => unitColours[unit] || "#888888") }],
     axes: [{ orient: "bottom", scale: "x", title: "cycles" }, { orient: "left", scale: "y" }],
     legends: [{ fill: "colour", orient: "top", direction: "horizontal", symbolType: "square" }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {

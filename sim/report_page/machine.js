@@ -7,8 +7,9 @@ const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 
 
 function machineSpec() {
   const wide = 104, high = 58, columns = 138, rows = 92, units = [], bars = [];
+  let strangers = 0;   // units that have no place yet
   for (const [name, account] of Object.entries(report.units)) {
-    const [column, row] = unitPlaces[name];
+    const [column, row] = unitPlaces[name] || [strangers++, 5];
     const stalled = Object.values(account.stalled).reduce((a, b) => a + b, 0);
     const all = account.busy + account.starved + stalled;
     const unit = { name, x: column * columns, y: row * rows, shares: { busy: account.busy / all, starved: account.starved / all,
@@ -44,7 +45,7 @@ function machineSpec() {
   const encode = more => ({ enter: { tooltip: { field: "tooltip" }, ...more } });
   const field = name => ({ field: name });
   return {
-    width: 7 * columns + wide, height: 4 * rows + high, 
+    width: 7 * columns + wide, height: (strangers ? 5 : 4) * rows + high, 
     data: [{ name: "units", values: units }, { name: "bars", values: bars }, { name: "links", values: links }],
     scales: [{ name: "kind", type: "ordinal", domain: Object.keys(kindColours), range: Object.values(kindColours) },
       { name: "heat", domain: [0, 1], range: ["#98a3b0", "#c00000"] }],
