@@ -204,8 +204,8 @@ mutant(snell_ratio_not_rounded FILE rtl/shade/rc_snell.sv TEST unit [pass][all]
   OLD [[s1_long_q + 33'h800;]]
   NEW [[s1_long_q + 33'h0;]])
 mutant(schlick_fourth_power FILE rtl/shade/rc_schlick.sv TEST unit [pass][all]
-  OLD [[<= {17'd0, s2_q4} * {17'd0, s2_q};]]
-  NEW [[<= {17'd0, s2_q4} * {17'd0, s2_q | 17'h10000};]])
+  OLD [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q};]]
+  NEW [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q | 17'h10000};]])
 mutant(bounce_component_above_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][all]
   OLD [[s14_unit > 26'sh10000 ? 18'sh10000]]
   NEW [[s14_unit > 26'sh18000 ? 18'sh10000]])
