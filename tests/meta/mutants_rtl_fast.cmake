@@ -9,8 +9,8 @@ mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][f
   NEW [[rc_cut #(.Width(M + E + 3), .Stages(0)) u_coarse]])
 
 mutant(list_fast_loses_a_stage FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[.Stages(2 * rc_pkg::Cut)) u_it]]
-  NEW [[.Stages(rc_pkg::Cut)) u_it]])
+  OLD [[.Stages(2 * rc_pkg::Cut)) u_it_group]]
+  NEW [[.Stages(rc_pkg::Cut)) u_it_group]])
 mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[.write_addr_i(late_addr), .write_data_i(late_group),]]
   NEW [[.write_addr_i(write_addr), .write_data_i(late_group),]])
