@@ -51,7 +51,7 @@ module rc_box (
   // A stage takes over what comes to it if that is a node. In a fast chip it always does: an
   // enable of hundreds of registers is a long path, and what is nothing's does not matter.
   logic [L:0] moves;
-  assign moves = rc_pkg::Cut != 0 ? '1 : valid;
+  assign moves = valid | {(L+1){rc_pkg::Cut != 0}};
 
   rc_pkg::box_req_t           in;
   logic [rc_pkg::BoxReqW-1:0] in_flat;

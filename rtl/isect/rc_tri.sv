@@ -65,7 +65,7 @@ module rc_tri (
   // A stage takes over what comes to it if that is a primitive. In a fast chip it always does: an
   // enable of hundreds of registers is a long path, and what is nothing's does not matter.
   logic [L:0] moves;
-  assign moves = Cut != 0 ? '1 : valid;
+  assign moves = valid | {(L+1){Cut != 0}};
 
   rc_pkg::tri_req_t           in;
   logic [rc_pkg::TriReqW-1:0] in_flat;
@@ -122,7 +122,7 @@ module rc_tri (
     assign flat = valid[Pre:In];
   end
   logic [Pre:In] goes;   // moves, of what is no sphere
-  assign goes = Cut != 0 ? '1 : flat;
+  assign goes = flat | {(Pre-In+1){Cut != 0}};
 
   // t's divisor: of the sheared test it has the direction's size as a factor, whose product is
   // ready with those to be compared.
@@ -227,7 +227,7 @@ module rc_tri (
     .t_o(t), .u_o(u), .v_o(v));
 
   logic [Divide-1:0] closer_q, block_q, tail_moves;
-  assign tail_moves = Cut != 0 ? '1 : {closer_q[Divide-2:0], pre_divide};
+  assign tail_moves = {closer_q[Divide-2:0], pre_divide} | {Divide{Cut != 0}};
   logic [TailW-2:0]  pre_tail, tail;
   if (rc_pkg::Shading == 1) begin : gen_back
     assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};

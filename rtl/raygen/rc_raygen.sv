@@ -84,7 +84,7 @@ module rc_raygen (
   // A stage takes over what comes to it if that is a ray's. In a fast chip it always does: an
   // enable of hundreds of registers is a long path, and what is nothing's does not matter.
   logic [Latency:0] moves;
-  assign moves = rc_pkg::Cut != 0 ? '1 : valid;
+  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
   rc_delay #(.Width(I), .Stages(Latency)) u_ray (
     .clk_i, .valid_i(moves[Latency-1:0]), .data_i(req.ray), .data_o(end_ray));
 
