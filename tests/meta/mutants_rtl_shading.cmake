@@ -14,8 +14,8 @@ mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [l
   OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
   NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[stop     = any_q[tested_ray] && found_q[tested_ray];]]
-  NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_ray[0];]])
+  OLD [[stop     = any_q[tested_ray] && found[tested_ray];]]
+  NEW [[stop     = any_q[tested_ray] && found[tested_ray] && !tested_ray[0];]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
   OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
   NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
