@@ -1,6 +1,6 @@
-// The common part of three spans of a ray: the latest beginning, the earliest end, and whether all of
-// them are there. Part of rc_treelet. Latency 1, in a fast chip 2: the first of two is a stage of its
-// own. valid_i: the last stage holds something.
+// The common part of three spans of a ray: the latest beginning, the earliest end, and whether
+// all of them are there. Part of rc_treelet. Latency 1, in a fast chip 2: the first of two is a
+// stage of its own. valid_i: the last stage holds something.
 `default_nettype none
 module rc_span #(
   localparam int unsigned T = rc_pkg::TBits

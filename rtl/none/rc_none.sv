@@ -37,6 +37,14 @@ module rc_none (
   localparam int unsigned Leaf = 4;          // primitives of a leaf: page_leaf
   localparam int unsigned Page = Leaf * W;   // of a page
 
+  // How many primitives there are; no other chip has that register.
+  logic [A:0] listed;
+  if (rc_pkg::Structure == rc_pkg::StructureNone) begin : gen_listed
+    assign listed = frame_i.listed;
+  end else begin : gen_no_list
+    assign listed = '0;
+  end
+
   // A page was tested: is there another? Primitives are counted from the list's first on.
   logic         s1_valid_q, s1_stop_q, more;
   logic [I-1:0] s1_ray_q;
@@ -55,7 +63,7 @@ module rc_none (
     assign s1_stop_q = 1'b0;
   end
   assign next = {1'b0, kept} + (A+2)'(Page);
-  assign more = next < {1'b0, frame_i.listed} && !s1_stop_q;
+  assign more = next < {1'b0, listed} && !s1_stop_q;
 
   // Pages to give; new rays wait for a gap.
   logic           page_valid, page_ready, spawn_valid, spawn_ready, ready;
@@ -85,7 +93,7 @@ module rc_none (
   logic [A-1:0]   base;
   logic [W*O-1:0] offset;
   logic [W*C-1:0] count;
-  assign left = frame_i.listed - first;
+  assign left = listed - first;
   assign base = frame_i.root + first[A:1];
   always_comb begin
     leaves = '0;

@@ -45,8 +45,8 @@ mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "ray
 
 # ---- none: every page, and no more than the light asks for.
 mutant(none_page_beyond_the_last FILE rtl/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"
-  OLD [[assign more = next < {1'b0, frame_i.listed}]]
-  NEW [[assign more = next <= {1'b0, frame_i.listed}]])
+  OLD [[assign more = next < {1'b0, listed}]]
+  NEW [[assign more = next <= {1'b0, listed}]])
 mutant(none_last_leaf_is_full FILE rtl/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"
   OLD [[: {{(C-2){1'b0}}, left[1:0]};]]
   NEW [[: C'(Leaf);]])

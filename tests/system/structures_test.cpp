@@ -2,6 +2,8 @@
 // walks as its model does.
 #include <catch2/catch.hpp>
 
+#include <tuple>
+
 #include "model/raygen/raygen.hpp"
 #include "model/trace/walk.hpp"
 #include "sim/load/load.hpp"
@@ -39,6 +41,15 @@ Config shaded(Config config, Structure structure) {
     return config;
 }
 
+bool same(const Closest& a, const Closest& b) {
+    const auto fields = [](const Closest& c) { return std::tie(c.found, c.prim, c.t, c.u, c.v, c.back); };
+    return fields(a) == fields(b);
+}
+bool same(const Trace& a, const Trace& b) {
+    return std::equal(a.hits.begin(), a.hits.end(), b.hits.begin(), b.hits.end(),
+                      [](const Closest& x, const Closest& y) { return same(x, y); });
+}
+
 /// One ray after the other through one image.
 class Walker {
 public:
@@ -46,7 +57,7 @@ public:
         : config_(config),
           image_(compile_triangles(prims, config, "the case")),
           decoder_(image_, config),
-          walk_(frame_, config, decoder_) {}
+          walk_(frame_, config_, decoder_) {}
     Closest closest(const stress::Shot& shot) {
         walk_.start_at(make_ray(shot.o, shot.d, config_));
         walk_.run(Nothing{});
@@ -81,8 +92,8 @@ void same_hits(const stress::Family& family, Config config, std::uint64_t seed, 
         const stress::Shot shot = subject.shoot(rng);
         const Closest hit = list.closest(shot);
         CAPTURE(i, shot.o[0], shot.o[1], shot.o[2], shot.d[0], shot.d[1], shot.d[2]);
-        REQUIRE(boxes.closest(shot) == hit);
-        REQUIRE(planes.closest(shot) == hit);
+        REQUIRE(same(boxes.closest(shot), hit));
+        REQUIRE(same(planes.closest(shot), hit));
     }
 }
 
@@ -141,8 +152,8 @@ TEST_CASE("pictures do not depend on the structure", "[structures]") {
         const Job job = make_shot(scene, size, config).job;
         traces.push_back(record_trace(job.image, job.frame, job.config));
     }
-    CHECK(traces[1].hits == traces[0].hits);
-    CHECK(traces[2].hits == traces[0].hits);
+    CHECK(same(traces[1], traces[0]));
+    CHECK(same(traces[2], traces[0]));
     CHECK(traces[1].triangle_tests < traces[2].triangle_tests);
 }
 
@@ -155,7 +166,7 @@ TEST_CASE("finished pictures do not depend on the structure", "[structures]") {
         traces.push_back(record_trace(job.image, job.frame, job.config));
     }
     for (std::size_t i = 1; i < traces.size(); ++i) {
-        CHECK(traces[i].hits == traces[0].hits);
+        CHECK(same(traces[i], traces[0]));
         CHECK(traces[i].colours == traces[0].colours);
         CHECK(traces[i].signatures == traces[0].signatures);
     }
