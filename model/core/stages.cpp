@@ -23,7 +23,9 @@ Stages::Stages(const Config& config) {
     rank = 2 + exchange_levels(config.node_width) * cut;
     arrive = 2 * cut;
     tried = 3 * cut;
-    stack = 3 * cut;
+    stack = config.is_list() ? 0 : 3 * cut;
+    plane = 3 + multiply + 3 * cut;
+    exits = 2 + 2 * cut;
     cache = cut;
 
     edges = 2 + 2 * (multiply + 1) + cut;
@@ -47,6 +49,10 @@ int Config::raygen_latency() const {
 int Config::box_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.slab + stages.meet + stages.rank;
+}
+int Config::treelet_latency() const {
+    const Stages stages(*this);
+    return stages.cut + stages.plane + stages.exits + stages.rank;
 }
 int Config::tri_latency() const {
     const Stages stages(*this);

@@ -15,6 +15,9 @@ struct Stages {
     int slab = 0;          ///< from a node to its children's intervals on an axis
     int meet = 0;          ///< from these to the intervals' intersection
     int rank = 0;          ///< from that to the children's order
+    // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
+    int plane = 0;   ///< from a treelet to the times of its planes
+    int exits = 0;   ///< from these to the exits' intervals
     // Primitives, rtl/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;
