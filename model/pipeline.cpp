@@ -6,16 +6,18 @@ namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : shading_(config.shading != 0),
+      kd_(config.is_kd()),
+      lists_(config.is_list()),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),
       trav_(config),
       node_cache_(node_cache_shape(config)),
-      box_(config.box_latency(), config.box_queue),
+      box_(config.node_latency(), config.box_queue),
       boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
-      tried_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      tried_(std::max(0, Stages(config).tried - 1), config.contexts),
       late_(Stages(config).arrive > 0),
       surf_cache_(surf_cache_shape(config)),
       shade_(config),
@@ -97,7 +99,7 @@ std::uint32_t Pipeline::valid_mask(const SharedMoves& shared) const {
                          at(prim_cache_.miss_valid(), Link::prim_miss) |
                          at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
                          at(shared.surf_fill, Link::surf_fill);
-    for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, Link(i));
+    for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
 
@@ -106,7 +108,7 @@ std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
                          at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
                          at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
                          at(shared.surf_fill, Link::surf_fill);
-    for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, Link(i));
+    for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }
 
@@ -127,9 +129,9 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
     return raygen_.contains(RayNumber(ray))                ? "raygen"
-           : box_.contains(RayNumber(ray), now)            ? "box"
+           : box_.contains(RayNumber(ray), now)            ? (kd_ ? "treelet" : "box")
            : tri_.contains(RayNumber(ray), now)            ? "tri"
-           : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at box's answer"
+           : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at a node's answer"
            : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
                                                            : "nowhere";
 }
@@ -144,12 +146,12 @@ Accounts Pipeline::accounts() const {
         add(Unit::sched, i & 3, units_[i]);
         add(Unit::raygen, i >> 2 & 3, units_[i]);
         add(Unit::trav, i >> 4 & 3, units_[i]);
-        add(Unit::box, i >> 6 & 3, units_[i]);
+        if (!lists_) add(kd_ ? Unit::treelet : Unit::box, i >> 6 & 3, units_[i]);
         add(Unit::list, i >> 8 & 1, units_[i]);
         add(Unit::tri, i >> 9 & 3, units_[i]);
     }
     for (std::uint32_t i = 0; i < caches_.size(); ++i) {
-        add(Unit::node_cache, i & 7, caches_[i]);
+        if (!lists_) add(Unit::node_cache, i & 7, caches_[i]);
         add(Unit::prim_cache, i >> 3, caches_[i]);
     }
     for (std::uint32_t i = 0; i < shades_.size(); ++i) {

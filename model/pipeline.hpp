@@ -58,7 +58,7 @@ public:
     bool surf_miss_valid() const { return shading_ & surf_cache_.miss_valid(); }
     Cache::Miss surf_miss() const { return surf_cache_.miss(); }
     /// Of links that carry one and move.
-    std::uint32_t ray_on(Link link) const { return moves_[link].ray; }
+    std::uint32_t ray_on(Link link) const { return moves_[inside(link)].ray; }
     /// Something is to be moved between it and what all share; `more`: there are tiles left.
     bool asks(bool more) const {
         return node_cache_.miss_valid() | prim_cache_.miss_valid() | surf_miss_valid() |
@@ -125,6 +125,15 @@ private:
         /// Whether one of them moves.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
+    /// box's links are those of the unit that decides nodes, whichever it is.
+    static constexpr Link inside(Link link) {
+        return link == Link::treelet_req ? Link::box_req : link == Link::treelet_rsp ? Link::box_rsp : link;
+    }
+    /// And as they are called outside.
+    Link outside(Link link) const {
+        if (!kd_) return link;
+        return link == Link::box_req ? Link::treelet_req : link == Link::box_rsp ? Link::treelet_rsp : link;
+    }
     template <bool shades> void settle(Moves& m, std::uint64_t now) const;
     template <bool shades> void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
     template <bool shades> bool step(std::uint64_t now, const SharedMoves& shared);
@@ -148,7 +157,7 @@ private:
     void clock_surf_cache(const Moves& m, const SharedMoves& shared);
     void clock_shade(const Moves& m, std::uint64_t now);
 
-    bool shading_;
+    bool shading_, kd_, lists_;   // lists_: there are no nodes
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -191,10 +200,11 @@ template <bool shades>
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     m.offer(Link::slot, sched_.slot_valid(), raygen_.ready() & camera, sched_.slot().ray);
     m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
-    m.offer(Link::node_req, trav_.node_valid(), node_cache_.ready(), trav_.node_ray());
+    m.offer(Link::node_req, trav_.node_valid() & !lists_, node_cache_.ready(), trav_.node_ray());
     m.offer(Link::box_req, node_cache_.valid(), box_.ready(), node_cache_.answer());
     const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
     m.boxed = late_ ? boxed_.answer(now) : boxed;
+    if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
     m.tried = late_ ? tried_.answer(now) : tried;
     m.offer(Link::box_rsp, boxed.there, true, boxed.ray);
     m.offer(Link::leaves, m.boxed.there & has_tests(m.boxed.ray), true, m.boxed.ray);
@@ -280,7 +290,7 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(c
     trav_.clock({m[Link::ray],
                  {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
                  {tested.valid, tested.ray},
-                 m[Link::node_req].fires,
+                 lists_ ? m.boxed.there : m[Link::node_req].fires,
                  m[shades ? Link::closest : Link::hit].fires},
                 [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }

@@ -73,7 +73,7 @@ module rc_pipeline (
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, box_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause;
+  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, treelet_cause;
 
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -95,24 +95,56 @@ module rc_pipeline (
     assign start = ray.ray;
   end
 
-  rc_bvh u_bvh (
-    .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
-    .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
-    .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
-    .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
-    .node_waits_i(node_waits),
-    .leaves_fires_o(leaves_fires), .leaves_o(leaves),
-    .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
-    .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-    .trav_cause_o(trav_cause), .box_cause_o(box_cause));
+  // The engine: one of them is built.
+  if (rc_pkg::Structure == rc_pkg::StructureNone) begin : gen_none
+    rc_none u_none (
+      .clk_i, .rst_ni, .frame_i,
+      .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
+      .leaves_fires_o(leaves_fires), .leaves_o(leaves),
+      .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
+      .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
+      .trav_cause_o(trav_cause));
+    assign {node_req_valid, node_req_ready, node_req} = '0;
+    assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
+    assign {node_miss_valid_o, node_miss_o, node_cause, box_cause, treelet_cause} = '0;
+    logic unused;
+    assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
+        node_rsp, node_waits, node_miss_ready_i, node_fill_fires_i, node_fill_i};
+  end else if (rc_pkg::Structure == rc_pkg::StructureKd) begin : gen_kd
+    rc_kd u_kd (
+      .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
+      .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
+      .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
+      .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
+      .node_waits_i(node_waits),
+      .leaves_fires_o(leaves_fires), .leaves_o(leaves),
+      .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
+      .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
+      .trav_cause_o(trav_cause), .treelet_cause_o(treelet_cause));
+    assign box_cause = '0;
+  end else begin : gen_bvh
+    rc_bvh u_bvh (
+      .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
+      .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
+      .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
+      .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
+      .node_waits_i(node_waits),
+      .leaves_fires_o(leaves_fires), .leaves_o(leaves),
+      .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
+      .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
+      .trav_cause_o(trav_cause), .box_cause_o(box_cause));
+    assign treelet_cause = '0;
+  end
 
-  rc_node_cache u_node_cache (
-    .clk_i, .rst_ni,
-    .req_valid_i(node_req_valid), .req_ready_o(node_req_ready), .req_i(node_req),
-    .rsp_valid_o(node_rsp_valid), .rsp_ready_i(node_rsp_ready), .rsp_o(node_rsp),
-    .miss_valid_o(node_miss_valid_o), .miss_ready_i(node_miss_ready_i), .miss_o(node_miss_o),
-    .fill_fires_i(node_fill_fires_i), .fill_i(node_fill_i),
-    .waits_o(node_waits), .deed_o(node_cause));
+  if (rc_pkg::Structure != rc_pkg::StructureNone) begin : gen_nodes
+    rc_node_cache u_node_cache (
+      .clk_i, .rst_ni,
+      .req_valid_i(node_req_valid), .req_ready_o(node_req_ready), .req_i(node_req),
+      .rsp_valid_o(node_rsp_valid), .rsp_ready_i(node_rsp_ready), .rsp_o(node_rsp),
+      .miss_valid_o(node_miss_valid_o), .miss_ready_i(node_miss_ready_i), .miss_o(node_miss_o),
+      .fill_fires_i(node_fill_fires_i), .fill_i(node_fill_i),
+      .waits_o(node_waits), .deed_o(node_cause));
+  end
 
   rc_list u_list (
     .clk_i, .rst_ni, .start_fires_i(start_fires), .start_i(start),
@@ -179,7 +211,7 @@ module rc_pipeline (
     if (tri_req_valid) tri_cause = tri_req_ready ? rc_pkg::TriBusyWork : rc_pkg::TriStalledList;
     else               tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
   end
-  assign causes_o     = {shade_cause, surf_cause, tri_cause, prim_cause, list_cause, box_cause,
-                         node_cause, trav_cause, raygen_cause, sched_cause};
+  assign causes_o     = {treelet_cause, shade_cause, surf_cause, tri_cause, prim_cause, list_cause,
+                         box_cause, node_cause, trav_cause, raygen_cause, sched_cause};
 endmodule
 `default_nettype wire

@@ -9,6 +9,7 @@ package rc_pkg;
   localparam int unsigned BoxBits = 8;
   localparam int unsigned BaryBits = 16;
   localparam int unsigned PrimitiveTest = 0;
+  localparam int unsigned Structure = 0;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned Contexts = 64;
   localparam int unsigned StackDepth = 16;
@@ -63,6 +64,8 @@ package rc_pkg;
   localparam int unsigned LightBits = 26;
   localparam int unsigned NormalBits = 39;
   localparam int unsigned UnitBits = 16;
+  localparam int unsigned ValueBits = 17;
+  localparam int unsigned AxisBits = 18;
   localparam int unsigned ShareBits = 12;
   localparam int unsigned CornerBits = 11;
   localparam int unsigned ShineFrac = 4;
@@ -86,6 +89,9 @@ package rc_pkg;
   localparam int unsigned ExpBits = 5;
   localparam int unsigned OffsetBits = 6;
   localparam int unsigned CountBits = 3;
+  localparam int unsigned NodeBits = 501;
+  localparam int unsigned NodeReqBits = 630;
+  localparam int unsigned NodePlanes = 7;
   localparam int unsigned LineBits = 512;
   localparam int unsigned TileCoordBits = 10;
   localparam int unsigned ClientBits = 1;
@@ -97,6 +103,8 @@ package rc_pkg;
   localparam int unsigned SlabStages = 3;
   localparam int unsigned MeetStages = 1;
   localparam int unsigned RankStages = 2;
+  localparam int unsigned PlaneStages = 3;
+  localparam int unsigned ExitStages = 2;
   localparam int unsigned QuotientBits = 2;
   localparam int unsigned EdgesStages = 4;
   localparam int unsigned ShearStages = 6;
@@ -109,10 +117,18 @@ package rc_pkg;
   localparam int unsigned StackStages = 0;
   localparam int unsigned RaygenLatency = 12;
   localparam int unsigned BoxLatency = 6;
+  localparam int unsigned TreeletLatency = 7;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
   localparam int unsigned PowerStages = 7;
+
+  // What holds the scene.
+  typedef enum logic [31:0] {
+    StructureBvh = 32'd0,
+    StructureKd = 32'd1,
+    StructureNone = 32'd2
+  } structure_e;
 
   // What a ray is for, what a primitive is, which test tri makes.
   typedef enum logic [1:0] {
@@ -199,6 +215,12 @@ package rc_pkg;
     ShadeStarvedList = 3'd2,
     ShadeStalledQueue = 3'd3
   } shade_cause_e;
+  typedef enum logic [2:0] {
+    TreeletBusyWork = 3'd0,
+    TreeletStarvedMemory = 3'd1,
+    TreeletStarvedTrav = 3'd2,
+    TreeletStalledTrav = 3'd3
+  } treelet_cause_e;
   typedef enum logic [2:0] {
     DispatchBusyWork = 3'd0,
     DispatchStarvedFrame = 3'd1,
@@ -308,12 +330,12 @@ package rc_pkg;
   localparam int unsigned RegParameters = 32;
   localparam int unsigned RegFrame = 1024;
   localparam int unsigned RegCounters = 4096;
-  localparam int unsigned Parameters = 25;
-  localparam logic [799:0] ParameterValues = {
+  localparam int unsigned Parameters = 26;
+  localparam logic [831:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
-    32'd0, 32'd24, 32'd125, 32'd4, 32'd14, 32'd32, 32'd24, 32'd1,
-    32'd64, 32'd16, 32'd8, 32'd8, 32'd0, 32'd16, 32'd4, 32'd20,
-    32'd18};
+    32'd0, 32'd0, 32'd24, 32'd125, 32'd4, 32'd14, 32'd32, 32'd24,
+    32'd1, 32'd64, 32'd16, 32'd8, 32'd8, 32'd0, 32'd16, 32'd4,
+    32'd20, 32'd18};
   localparam int unsigned FrameWords = 24;
   localparam logic [383:0] FrameAt = {
     16'd100, 16'd68, 16'd66, 16'd34, 16'd32, 16'd0, 16'd202, 16'd170,
@@ -324,11 +346,11 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 10;
+  localparam int unsigned PipelineUnits = 11;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [9:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1,
-    1'd1, 1'd1};
+  localparam logic [10:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1,
+    1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -399,6 +421,33 @@ package rc_pkg;
     logic [23:0] count;
   } box_rsp_t;
   localparam int unsigned BoxRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [2:0] neg;
+    logic [50:0] recip;
+    logic [14:0] len;
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [13:0] axis;
+    logic [125:0] at;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } treelet_req_t;
+  localparam int unsigned TreeletReqW = 426;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } treelet_rsp_t;
+  localparam int unsigned TreeletRspW = 302;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -705,6 +754,17 @@ package rc_pkg;
     logic [191:0] hi;
   } node_t;
   localparam int unsigned NodeW = 501;
+
+  typedef struct packed {
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [13:0] axis;
+    logic [125:0] at;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } treelet_t;
+  localparam int unsigned TreeletW = 297;
 
   typedef struct packed {
     logic [53:0] a;

@@ -108,11 +108,16 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     };
     MemoryImage image;
     tell(1);
-    BinaryTree tree = build_tree(boxes_of(triangles, config));
-    tell(2);
-    optimise_tree(tree);
-    tell(3);
-    emit_image(tree, triangles, config, name, image);
+    if (config.is_bvh()) {
+        BinaryTree tree = build_tree(boxes_of(triangles, config));
+        tell(2);
+        optimise_tree(tree);
+        tell(3);
+        emit_image(tree, triangles, config, name, image);
+        image.report.references = triangles.size();
+    } else {
+        (config.is_kd() ? emit_kd : emit_list)(triangles, config, name, image);
+    }
     for (const PrimData& t : triangles) image.primitives = std::max(image.primitives, t.prim + 1);
     check_stack(image.report.stack_need, config, name);
     tell(4);

@@ -15,6 +15,12 @@ namespace rayclock {
 void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
 
+/// The same for a kd-tree (kd/build.hpp), and for a mere list of all primitives, from line 0 on.
+void emit_kd(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+             MemoryImage& image);
+void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+               MemoryImage& image);
+
 /// Throws UserError if `lines` memory lines cannot be addressed.
 void check_lines(std::uint64_t lines, const Config& config, const std::string& name);
 

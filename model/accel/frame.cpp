@@ -85,4 +85,10 @@ Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, c
     return frame;
 }
 
+Frame make_frame(const Camera& camera, FrameSize size, const MemoryImage& image, const Config& config) {
+    Frame frame = make_frame(camera, size, image.lattice, config);
+    frame.listed = image.listed;
+    return frame;
+}
+
 }   // namespace rayclock

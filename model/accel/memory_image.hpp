@@ -38,8 +38,9 @@ struct CompileReport {
     std::uint64_t triangles = 0;   ///< of the scene
     std::uint64_t collapsed = 0;   ///< of these, without area on the lattice: left out
     std::uint64_t nodes = 0, leaves = 0;
-    int depth = 0;        ///< nodes on the longest path from the root
-    int stack_need = 0;   ///< sibling groups that a ray may have to keep
+    std::uint64_t references = 0;   ///< to primitives, in leaves; more than there are, if leaves share them
+    int depth = 0;                  ///< nodes on the longest path from the root
+    int stack_need = 0;             ///< sibling groups that a ray may have to keep
     std::uint64_t bytes = 0;
     glm::dvec3 pitch{0};
     double seconds = 0;
@@ -51,6 +52,7 @@ struct MemoryImage {
     Lattice lattice;
     std::uint32_t surfaces = 0;     ///< line of primitive 0's surface, if the chip shades
     std::uint32_t primitives = 0;   ///< the numbers of all lie below
+    std::uint32_t listed = 0;       ///< primitives of a list; 0 if there is a tree
     CompileReport report;
 
     /// Beyond the end memory holds zeros: a cache's long line may reach there, and faulty hardware asks for
@@ -90,5 +92,7 @@ Config fitted_config(const Scene& scene, const Whitted& settings, Config config)
 /// than pixel_bits can tell, or so wide that a direction in its middle would be too short (beyond 175
 /// degrees, or 800 times as wide as high).
 Frame make_frame(const Camera& camera, FrameSize size, const Lattice& lattice, const Config& config);
+/// The same, with what the chip must know of its memory.
+Frame make_frame(const Camera& camera, FrameSize size, const MemoryImage& image, const Config& config);
 
 }   // namespace rayclock

@@ -13,6 +13,8 @@
 ///   - `const WideNode& boxes(line, Time* t_near, uint32_t& hits)`: bit i of `hits` says that child i is met,
 ///     and t_near[i] where;
 ///   - `void test(half_line)`, of a primitive;
+///   - if there may be no nodes, but a list of all primitives, `bool is_list()`, and `uint32_t
+///     next_page(line)`, 0 after the last: boxes() then gives a page of it;
 ///   - `Time t()`, the distance to beat, and `bool stop()`: the light is blocked.
 /// Way, stack and arrays are the caller's, so that the rest can stay in registers.
 template <class Way> class TreeWalk {
@@ -52,6 +54,12 @@ public:
     /// To the next node, or the ray's end. Returns how many groups were dropped on the way.
     RAYCLOCK_INLINE std::uint32_t decide(bool& done) {
         const bool stop = way_.stop();
+        if constexpr (requires { way_.next_page(line_); })
+            if (way_.is_list()) {
+                line_ = way_.next_page(line_);
+                done = stop || line_ == 0;
+                return 0;
+            }
         const std::uint32_t inner =
             stop ? 0 : Order::sort(hits_ & node_->inner_mask, room_.t_near.data(), stack_.place());
         Turn turn = stack_.decide(way_.t(), stop, node_->base, inner);

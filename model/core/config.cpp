@@ -57,6 +57,11 @@ const std::vector<std::string>& dram_names() {
     return names;
 }
 
+const std::vector<std::string>& structure_names() {
+    static const std::vector<std::string> names{"bvh", "kd", "none"};
+    return names;
+}
+
 const std::vector<std::string>& timing_names() {
     static const std::vector<std::string> names{"relaxed", "fast"};
     return names;
@@ -89,6 +94,8 @@ const std::vector<Parameter>& parameters() {
          "ray-triangle test: exact, sheared; in software only: unit24, moller, woop, truncated",
          &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
+        {"structure", &Config::structure, 0, int(structure_names().size()) - 1, false,
+         "what holds the scene: bvh, kd, or none (a list of all primitives)", &structure_names()},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most triangles in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
@@ -273,6 +280,11 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
+    if (c.is_kd() && c.test() != PrimitiveTest::exact && !c.is_sheared())
+        refuse(
+            "structure=kd needs primitive_test=exact or sheared: only of these it is known how far a hit may "
+            "lie "
+            "from its primitive");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},
                                                  {"smooth", c.smooth},

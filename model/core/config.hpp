@@ -7,6 +7,10 @@ namespace rayclock {
 /// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
 enum class Timing { relaxed, fast };
 
+/// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/bvh), space cut
+/// by planes (model/kd), or nothing but a list of all primitives (model/none).
+enum class Structure { bvh, kd, none };
+
 /// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
 
@@ -58,6 +62,8 @@ struct Config {
     int primitive_test = 0;   ///< how a ray meets a triangle, see primitive_test_names()
     int origin_bits = 12;     ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with
                               ///< `shading` only
+
+    int structure = 0;   ///< what holds the scene in memory, see structure_names()
 
     // Shape: counts, depths, latencies.
     int node_width = 8;      ///< W: children of a node, 2, 4 or 8
@@ -113,6 +119,9 @@ struct Config {
     // Derived.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }   ///< distance, saturating, all ones: beyond
     PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
+    bool is_bvh() const { return Structure(structure) == Structure::bvh; }
+    bool is_kd() const { return Structure(structure) == Structure::kd; }
+    bool is_list() const { return Structure(structure) == Structure::none; }
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
     int edge_bits() const;   ///< signed edge function and determinant of a hit
     int num_bits() const {
@@ -148,6 +157,11 @@ struct Config {
     int stack_bits() const;       ///< count 0..stack_depth
     int raygen_latency() const;
     int box_latency() const;
+    int treelet_latency() const;
+    int node_latency() const {
+        return is_kd() ? treelet_latency() : box_latency();
+    }                                                       ///< of the unit that decides a node
+    int planes_of_node() const { return node_width - 1; }   ///< of a treelet
     int tri_latency() const;
     int shade_latency() const;
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way,
@@ -178,6 +192,9 @@ const std::vector<Parameter>& parameters();
 
 /// Memories that can lie beside the chip, by the value of Config::dram.
 const std::vector<std::string>& dram_names();
+
+/// What holds the scene in memory, by the value of Config::structure.
+const std::vector<std::string>& structure_names();
 
 /// How short paths are cut, by the value of Config::timing.
 const std::vector<std::string>& timing_names();

@@ -79,7 +79,8 @@ struct ShadeFrame {
 /// (2^N - 1) / 2^(M-2)) < 2^(N+1+F), half of what t holds.
 struct Frame {
     std::uint32_t width = 0, height = 0;
-    std::uint32_t root = 0;            ///< line of the root node
+    std::uint32_t root = 0;            ///< line of the root node, or in which the list of primitives begins
+    std::uint32_t listed = 0;          ///< primitives of the list, if there is nothing else
     Vec3i eye{};                       ///< lattice point
     Vec3l corner{}, right{}, down{};   ///< M + guard_bits bits, signed
     ShadeFrame shade;
@@ -87,6 +88,7 @@ struct Frame {
         v("width", width, c.pixel_bits + 1);
         v("height", height, c.pixel_bits + 1);
         v("root", root, c.addr_bits);
+        if (c.is_list()) v("listed", listed, c.addr_bits + 1);
         v("eye", eye, c.coord_bits, 3);
         v("corner", corner, c.guard_dir_bits(), 3);
         v("right", right, c.guard_dir_bits(), 3);

@@ -34,6 +34,32 @@ struct Node {
     }
 };
 
+/// A node of a kd-tree as it lies in a memory line of 64 bytes (right-aligned): a treelet of log2 W levels of
+/// planes, and the closed box `lo`..`hi` of all that its cell holds; if it is open, the box is not looked at.
+/// Planes are in the order of a heap: plane 0 cuts the treelet's cell, planes 1 and 2 its lower and upper
+/// half, and so on. Plane i lies at `at`[i] on axis `axis`[i]; axis 3 is no plane, and both its sides are the
+/// whole cell. Exit 0 is on the lower side of all planes on its way, exit W - 1 on the upper one. kind: 0
+/// empty, 1 a treelet, 1 + n a leaf of n primitives. Block at line `base`: one line for each exit to a
+/// treelet, in their order, then the leaves' primitives, 32 bytes each.
+struct Treelet {
+    std::uint32_t open = 0;
+    Vec3i lo{}, hi{};
+    std::array<std::uint32_t, max_width - 1> axis{};
+    std::array<std::int32_t, max_width - 1> at{};
+    std::uint32_t base = 0;
+    std::array<std::uint32_t, max_width> kind{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("open", open, 1);
+        v("lo", lo, c.coord_bits, 3);
+        v("hi", hi, c.coord_bits, 3);
+        v("axis", axis, 2, c.planes_of_node());
+        v("at", at, c.coord_bits, c.planes_of_node());
+        v("base", base, c.addr_bits);
+        v("kind", kind, count_bits, c.node_width);
+    }
+};
+constexpr std::uint32_t no_axis = 3;   ///< of a treelet's plane
+
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
 /// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,

@@ -15,32 +15,34 @@ namespace rayclock {
 // name, payload, unit that offers, unit that accepts, whether it may refuse (handshake: valid and ready) or
 // must not (fires), when the link exists. Those of a pipeline first, shading ones last of these: lockstep's
 // masks are by this order.
-#define RAYCLOCK_LINKS(LINK)                                           \
-    LINK(tile, Tile, dispatch, sched, fires, always)                   \
-    LINK(slot, Slot, sched, raygen, handshake, always)                 \
-    LINK(ray, Ray, raygen, trav, handshake, always)                    \
-    LINK(node_req, NodeReq, trav, node_cache, handshake, always)       \
-    LINK(node_miss, NodeMiss, node_cache, memport, handshake, always)  \
-    LINK(node_fill, NodeFill, memport, node_cache, fires, always)      \
-    LINK(box_req, BoxReq, node_cache, box, handshake, always)          \
-    LINK(box_rsp, BoxRsp, box, trav, handshake, always)                \
-    LINK(leaves, Leaves, trav, list, fires, always)                    \
-    LINK(prim_req, PrimReq, list, prim_cache, handshake, always)       \
-    LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)  \
-    LINK(prim_fill, PrimFill, memport, prim_cache, fires, always)      \
-    LINK(tri_req, TriReq, prim_cache, tri, handshake, always)          \
-    LINK(tri_rsp, TriRsp, tri, list, handshake, always)                \
-    LINK(tested, Tested, list, trav, handshake, always)                \
-    LINK(hit, HitOut, sched, sink, handshake, always)                  \
-    LINK(closest, Closest, list, shade, handshake, shading)            \
-    LINK(surf_req, SurfReq, shade, surf_cache, handshake, shading)     \
-    LINK(surf_miss, SurfMiss, surf_cache, memport, handshake, shading) \
-    LINK(surf_fill, SurfFill, memport, surf_cache, fires, shading)     \
-    LINK(surf_rsp, SurfRsp, surf_cache, shade, handshake, shading)     \
-    LINK(spawn, Spawn, shade, raygen, handshake, shading)              \
-    LINK(l2_req, L2Req, memport, l2, handshake, shared_cache)          \
-    LINK(l2_rsp, L2Rsp, l2, memport, fires, shared_cache)              \
-    LINK(mem_req, MemReq, memport, memory, handshake, always)          \
+#define RAYCLOCK_LINKS(LINK)                                                \
+    LINK(tile, Tile, dispatch, sched, fires, always)                        \
+    LINK(slot, Slot, sched, raygen, handshake, always)                      \
+    LINK(ray, Ray, raygen, trav, handshake, always)                         \
+    LINK(node_req, NodeReq, trav, node_cache, handshake, nodes)             \
+    LINK(node_miss, NodeMiss, node_cache, memport, handshake, nodes)        \
+    LINK(node_fill, NodeFill, memport, node_cache, fires, nodes)            \
+    LINK(box_req, BoxReq, node_cache, box, handshake, boxes)                \
+    LINK(box_rsp, BoxRsp, box, trav, handshake, boxes)                      \
+    LINK(treelet_req, TreeletReq, node_cache, treelet, handshake, treelets) \
+    LINK(treelet_rsp, BoxRsp, treelet, trav, handshake, treelets)           \
+    LINK(leaves, Leaves, trav, list, fires, always)                         \
+    LINK(prim_req, PrimReq, list, prim_cache, handshake, always)            \
+    LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)       \
+    LINK(prim_fill, PrimFill, memport, prim_cache, fires, always)           \
+    LINK(tri_req, TriReq, prim_cache, tri, handshake, always)               \
+    LINK(tri_rsp, TriRsp, tri, list, handshake, always)                     \
+    LINK(tested, Tested, list, trav, handshake, always)                     \
+    LINK(hit, HitOut, sched, sink, handshake, always)                       \
+    LINK(closest, Closest, list, shade, handshake, shading)                 \
+    LINK(surf_req, SurfReq, shade, surf_cache, handshake, shading)          \
+    LINK(surf_miss, SurfMiss, surf_cache, memport, handshake, shading)      \
+    LINK(surf_fill, SurfFill, memport, surf_cache, fires, shading)          \
+    LINK(surf_rsp, SurfRsp, surf_cache, shade, handshake, shading)          \
+    LINK(spawn, Spawn, shade, raygen, handshake, shading)                   \
+    LINK(l2_req, L2Req, memport, l2, handshake, shared_cache)               \
+    LINK(l2_rsp, L2Rsp, l2, memport, fires, shared_cache)                   \
+    LINK(mem_req, MemReq, memport, memory, handshake, always)               \
     LINK(mem_rsp, MemRsp, memory, memport, fires, always)
 
 #define RAYCLOCK_NAME(name, ...) name,

@@ -136,9 +136,13 @@ struct PrimReq {
 struct NodeRsp {
     std::uint32_t ray = 0;
     Node node;
+    Treelet treelet;   ///< takes the place of node in a kd-tree
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        node.fields(v, c);
+        if (c.is_kd())
+            treelet.fields(v, c);
+        else
+            node.fields(v, c);
     }
 };
 
@@ -216,8 +220,24 @@ struct BoxReq {
     }
 };
 
-/// box -> trav: the children that the ray's line meets in front of its origin. Inner children first, then
-/// leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner children.
+/// trav -> treelet: the same of a kd-tree.
+struct TreeletReq {
+    std::uint32_t ray = 0;
+    Vec3i o{};
+    std::array<std::uint32_t, 3> neg{}, recip{}, len{};
+    Treelet treelet;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("neg", neg, 1, 3);
+        v("recip", recip, c.recip_bits + 1, 3);
+        v("len", len, exp_bits, 3);
+        treelet.fields(v, c);
+    }
+};
+
+/// box, treelet -> trav: the children that the ray's line meets in front of its origin. Inner children first,
+/// then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner children.
 struct BoxRsp {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;

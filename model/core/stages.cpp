@@ -22,7 +22,10 @@ Stages::Stages(const Config& config) {
     meet = 1 + 2 * cut;
     rank = 2 + exchange_levels(config.node_width) * cut;
     arrive = 2 * cut;
-    stack = 3 * cut;
+    tried = 3 * cut;
+    stack = config.is_list() ? 0 : 3 * cut;
+    plane = 3 + multiply + 3 * cut;
+    exits = 2 + 2 * cut;
     cache = cut;
 
     edges = 2 + 2 * (multiply + 1) + cut;
@@ -46,6 +49,10 @@ int Config::raygen_latency() const {
 int Config::box_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.slab + stages.meet + stages.rank;
+}
+int Config::treelet_latency() const {
+    const Stages stages(*this);
+    return stages.cut + stages.plane + stages.exits + stages.rank;
 }
 int Config::tri_latency() const {
     const Stages stages(*this);

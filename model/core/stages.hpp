@@ -15,6 +15,9 @@ struct Stages {
     int slab = 0;          ///< from a node to its children's intervals on an axis
     int meet = 0;          ///< from these to the intervals' intersection
     int rank = 0;          ///< from that to the children's order
+    // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
+    int plane = 0;   ///< from a treelet to the times of its planes
+    int exits = 0;   ///< from these to the exits' intervals
     // Primitives, rtl/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;
@@ -27,7 +30,8 @@ struct Stages {
     int recip = 0;
     int slope = 0;
     // Units that keep what they know of a ray.
-    int arrive = 0;   ///< more of trav's, from box's answer to its leaves; of list's, from tri's answer on
+    int arrive = 0;   ///< more of trav's, from box's answer to its leaves
+    int tried = 0;    ///< more of list's, from tri's answer on
     int stack = 0;    ///< more of trav's, from a step to what its stack decides
     int cache = 0;    ///< more of a cache's, before a look-up, and after the data are read
 

@@ -26,9 +26,16 @@ constexpr Cause starved(const char* by) { return {Kind::starved, by}; }
 constexpr Cause stalled(const char* by) { return {Kind::stalled, by}; }
 
 /// When a part of the machine exists.
-enum class When : std::uint8_t { always, shading, shared_cache };
+enum class When : std::uint8_t { always, shading, shared_cache, nodes, boxes, treelets };
 constexpr bool is_there(When when, const Config& config) {
-    return when == When::always || (when == When::shading ? config.shading != 0 : config.l2_sets > 0);
+    switch (when) {
+        case When::shading: return config.shading != 0;
+        case When::shared_cache: return config.l2_sets > 0;
+        case When::nodes: return !config.is_list();
+        case When::boxes: return config.is_bvh();
+        case When::treelets: return config.is_kd();
+        default: return true;
+    }
 }
 
 /// Where a unit lies: in a pipeline, there within the engine that walks a ray, once in the chip, beside it.
@@ -43,13 +50,14 @@ enum class Place : std::uint8_t { pipeline, engine, shared, beside };
     UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen")) \
     UNIT(raygen, pipeline, always, busy(), starved("sched"), stalled("trav"))                          \
     UNIT(trav, pipeline, always, busy(), starved("list"), stalled("recirculation"))                    \
-    UNIT(node_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("trav", "box"))                           \
-    UNIT(box, engine, always, busy(), starved("memory"), starved("trav"), stalled("trav"))             \
+    UNIT(node_cache, pipeline, nodes, RAYCLOCK_CACHE_CAUSES("trav", "box"))                            \
+    UNIT(box, engine, boxes, busy(), starved("memory"), starved("trav"), stalled("trav"))              \
     UNIT(list, pipeline, always, busy(), starved("trav"))                                              \
     UNIT(prim_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("list", "tri"))                           \
     UNIT(tri, pipeline, always, busy(), starved("memory"), starved("list"), stalled("list"))           \
     UNIT(surf_cache, pipeline, shading, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                       \
     UNIT(shade, pipeline, shading, busy(), starved("memory"), starved("list"), stalled("queue"))       \
+    UNIT(treelet, engine, treelets, busy(), starved("memory"), starved("trav"), stalled("trav"))       \
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
     UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
     UNIT(l2, shared, shared_cache, RAYCLOCK_CACHE_CAUSES("memport", "memport"))                        \

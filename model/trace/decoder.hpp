@@ -2,6 +2,8 @@
 #include "model/accel/memory_image.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/bvh/box.hpp"
+#include "model/kd/treelet.hpp"
+#include "model/none/page.hpp"
 
 namespace rayclock {
 
@@ -13,12 +15,28 @@ public:
         : image_(image),
           config_(config),
           read_node_(config),
-          nodes_(image.lines()),
+          nodes_(config.is_bvh() ? image.lines() : 0),
+          treelets_(config.is_kd() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
           surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
     const WideNode& node(std::uint32_t line) const {
         return nodes_.get(line, [&] { return read_node_(image_.line(line)); });
+    }
+    /// Of a kd-tree.
+    const WideTreelet& treelet(std::uint32_t line) const {
+        return treelets_.get(
+            line, [&] { return widen(unpack<Treelet>(image_.line(line), config_), config_.node_width); });
+    }
+    /// How many children or exits the node in a line has.
+    std::uint32_t children(std::uint32_t line) const {
+        return config_.is_kd() ? treelet(line).exits.children : node(line).children;
+    }
+    /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
+    WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
+    std::uint32_t next_page(std::uint32_t line) const {
+        const std::uint32_t next = line + page_lines(config_.node_width);
+        return 2 * next < image_.listed ? next : 0;
     }
     const PrimData& prim(std::uint32_t half_line) const {
         return prims_.get(half_line, [&] { return unpack<PrimData>(image_.half_line(half_line), config_); });
@@ -33,6 +51,7 @@ private:
     Config config_;
     NodeReader read_node_;
     LineCache<WideNode> nodes_;
+    LineCache<WideTreelet> treelets_;
     LineCache<PrimData> prims_;
     LineCache<Surface> surfaces_;
 };

@@ -6,6 +6,7 @@
 #include "model/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
 #include "model/trace/line_cache.hpp"
+#include "model/trace/walk.hpp"
 #include "model/bvh/box.hpp"
 #include "model/bvh/stack.hpp"
 
@@ -27,10 +28,12 @@ public:
           test_(tri_test_of(config)),
           read_node_(config),
           nodes_(image.lines()),
-          facets_(std::size_t(image.lines()) * 2) {}
+          facets_(std::size_t(image.lines()) * 2),
+          decoder_(image, config) {}
 
     const Frame& frame() const { return frame_; }
     const Config& config() const { return config_; }
+    const Decoder& decoder() const { return decoder_; }   ///< of structures without eye's tables
     const SeenNode& node(std::uint32_t line) const {
         return nodes_.get(line, [this, line] { return see(line); });
     }
@@ -60,6 +63,7 @@ private:
     NodeReader read_node_;
     LineCache<SeenNode> nodes_;
     LineCache<Facet> facets_;
+    Decoder decoder_;
 };
 
 struct RecordTotals {

@@ -112,6 +112,15 @@ struct FromAnywhere {
     RAYCLOCK_INLINE Closest closest() const { return hit.closest(); }
 };
 
+/// How any ray does in a structure that has no faster way than the units' own.
+struct FromUnits : UnitWay {
+    FromUnits(const Decoder& decoder_, const Config& config_, const Ray& from_)
+        : UnitWay{config_, decoder_, tri_test_of(config_)} {
+        start(from_);
+    }
+    Closest closest() const { return hit.closest(); }
+};
+
 /// Writes the words of the rays that it watches.
 struct WordWriter {
     static constexpr std::size_t most = 1 + max_width * ((1u << count_bits) - 1);   // words of a visit
@@ -163,8 +172,9 @@ RAYCLOCK_INLINE std::size_t record_ray(std::uint32_t root, std::size_t at, Recor
     return writer.end();
 }
 
-template <class Way> static void record_rays(const RecordJob& job, const RecordBlock& block,
-                                             RecordScratch& scratch, Closest* hits, RecordTotals& totals) {
+template <class Way, class... Parts>
+static void record_rays(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch,
+                        Closest* hits, RecordTotals& totals, const Parts&... parts) {
     const std::uint32_t columns = block.x1 - block.x0, rows = block.y1 - block.y0;
     scratch.starts.resize(std::size_t(columns) * rows);
     std::size_t at = 0;
@@ -176,21 +186,25 @@ template <class Way> static void record_rays(const RecordJob& job, const RecordB
         const Ray ray = raygen({0, x, y}, job.frame(), job.config());
         scratch.starts[std::size_t(row) * columns + column] = at;
         at = record_ray<Way>(job.frame().root, at, scratch, totals,
-                             hits[std::size_t(y) * job.frame().width + x], job, ray);
+                             hits[std::size_t(y) * job.frame().width + x], parts..., ray);
     }
     scratch.used = at;
 }
 
 static void record(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
                    RecordTotals& totals) {
-    if (job.config().test() == PrimitiveTest::exact)
-        record_rays<ExactFromEye>(job, block, scratch, hits, totals);
+    if (!job.config().is_bvh())
+        record_rays<FromUnits>(job, block, scratch, hits, totals, job.decoder(), job.config());
+    else if (job.config().test() == PrimitiveTest::exact)
+        record_rays<ExactFromEye>(job, block, scratch, hits, totals, job);
     else
-        record_rays<AnyFromEye>(job, block, scratch, hits, totals);
+        record_rays<AnyFromEye>(job, block, scratch, hits, totals, job);
 }
 
 static std::size_t record_any(const Decoder& decoder, const Config& config, std::uint32_t root,
                               const Ray& ray, std::size_t at, RecordScratch& scratch, RecordTotals& totals,
                               Closest& hit) {
+    if (!config.is_bvh())
+        return record_ray<FromUnits>(root, at, scratch, totals, hit, decoder, config, ray);
     return record_ray<FromAnywhere>(root, at, scratch, totals, hit, decoder, config, ray);
 }

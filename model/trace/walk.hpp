@@ -6,7 +6,7 @@
 
 namespace rayclock {
 
-/// How any ray meets boxes and primitives: by the units' pure functions.
+/// How any ray meets nodes and primitives, of any structure: by the units' pure functions.
 struct UnitWay {
     using Order = ByDistance;
     const Config& config;
@@ -16,17 +16,31 @@ struct UnitWay {
     BoxRay from{};
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
+    WideNode page{};
 
     void start(const Ray& ray_) {
         ray = ray_;
         from = box_ray(ray);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
-    const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) const {
+    const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
+        if (config.is_list()) {
+            page = decoder.page(line);
+            std::fill_n(t_near, max_width, 0u);
+            hits = page.children_mask;
+            return page;
+        }
+        if (config.is_kd()) {
+            const WideTreelet& treelet = decoder.treelet(line);
+            hits = treelet_exits(from, treelet, config, t_near);
+            return treelet.exits;
+        }
         const WideNode& node = decoder.node(line);
         hits = box_children(from, node, config, t_near);
         return node;
     }
+    bool is_list() const { return config.is_list(); }
+    std::uint32_t next_page(std::uint32_t line) const { return decoder.next_page(line); }
     void test(std::uint32_t half_line) {
         const PrimData& prim = decoder.prim(half_line);
         tri.ray = ray.ray;
@@ -57,7 +71,8 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
 
-    /// box, on the next node, and trav on its answer. True if list has a triangle to be tested.
+    /// box (treelet), on the next node, and trav on its answer; of a list, trav on the next page. True if
+    /// list has a triangle to be tested.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< what it returned
     std::uint32_t met() const {

@@ -70,13 +70,24 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_node();
             return;
         }
+        case Link::treelet_req: {
+            Walk& w = walk(m);
+            const BoxRay& r = w.box_ray();
+            tell(TreeletReq{m.id, r.o, r.neg, r.recip, r.len,
+                            unpack<Treelet>(image_.line(w.node()), config_)});
+            w.test_node();
+            return;
+        }
+        case Link::treelet_rsp:
         case Link::box_rsp: {
             tell(walk(m).boxes());
             bool done = false;
             if (!walk(m).has_leaves()) walk(m).decide(done);   // trav does not ask list
             return;
         }
-        case Link::leaves: return tell(walk(m).leaves());
+        case Link::leaves:
+            if (config_.is_list()) walk(m).test_node();
+            return tell(walk(m).leaves());
         case Link::prim_req: return tell(PrimReq{m.id, walk(m).prim()});
         case Link::tri_req: {
             Walk& w = walk(m);

@@ -49,6 +49,10 @@ module rc_box (
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
+  // A stage takes over what comes to it if that is a node. In a fast chip it always does: an
+  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+  logic [L:0] moves;
+  assign moves = valid | {(L+1){rc_pkg::Cut != 0}};
 
   rc_pkg::box_req_t           in;
   logic [rc_pkg::BoxReqW-1:0] in_flat;
@@ -71,7 +75,7 @@ module rc_box (
   // Planes wait until the ray and the node's corner have met. Memory holds them child by child; a
   // slab wants those of its axis.
   rc_delay #(.Width(6 * W * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
-    .clk_i, .valid_i(valid[In+rc_pkg::SlabPlanes-1:In]), .data_i({in.lo, in.hi}),
+    .clk_i, .valid_i(moves[In+rc_pkg::SlabPlanes-1:In]), .data_i({in.lo, in.hi}),
     .data_o({plane_lo, plane_hi}));
   for (genvar i = 0; i < W; i++) begin : gen_child_planes
     for (genvar k = 0; k < 3; k++) begin : gen_plane
@@ -85,7 +89,7 @@ module rc_box (
   logic [3*W-1:0]   miss;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_slab u_slab (
-      .clk_i, .valid_i(valid[Meet:In]),
+      .clk_i, .valid_i(moves[Meet:In]),
       .s0_o_i($signed(in_o[k*OW +: OW])), .s0_org_i($signed(in_org[k*N +: N])),
       .s0_neg_i(in_neg[k]),
       .s0_recip_i(in_recip[k*R1 +: R1]), .s0_len_i(in_len[k*E +: E]), .s0_exp_i(in_exp[k*E +: E]),
@@ -97,11 +101,11 @@ module rc_box (
   logic [I+A-1:0] end_whose;   // {ray, base}
   logic [W*C-1:0] meet_kind, rank_kind;
   rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
-    .clk_i, .valid_i(valid[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
+    .clk_i, .valid_i(moves[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
   rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
-    .clk_i, .valid_i(valid[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
+    .clk_i, .valid_i(moves[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
   rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
-    .clk_i, .valid_i(valid[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
+    .clk_i, .valid_i(moves[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
 
   // The intervals' intersection: the farthest of the near ends, the nearest of the far ones.
   logic [W-1:0]   hit_q;
@@ -130,7 +134,7 @@ module rc_box (
     rc_cut #(.Width(T)) u_leave (.clk_i, .data_i(last), .data_o(leave));
     rc_cut u_may_hit (.clk_i, .data_i(there_q), .data_o(may_hit));
     always_ff @(posedge clk_i) begin
-      if (valid[Rank-1]) begin
+      if (moves[Rank-1]) begin
         hit_q[i] <= enter <= leave && may_hit && meet_kind[i*C +: C] != '0;
         near_q[i*T +: T] <= enter;
       end
@@ -140,7 +144,7 @@ module rc_box (
   logic [G-1:0]        end_inner, end_leaves;
   logic [W*EntryW-1:0] end_entries;
   rc_rank u_rank (
-    .clk_i, .valid_i(valid[L-1:Rank]),
+    .clk_i, .valid_i(moves[L-1:Rank]),
     .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
@@ -159,6 +163,6 @@ module rc_box (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, near, far};
+  assign unused = ^{queue_ready, near, far, valid[L], moves[L]};
 endmodule
 `default_nettype wire

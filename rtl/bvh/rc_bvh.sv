@@ -37,15 +37,18 @@ module rc_bvh (
   output logic [2:0]        box_cause_o
 );
   logic             box_req_valid, box_req_ready;
+  logic [rc_pkg::NodeReqBits-1:0] box_req_flat;
   rc_pkg::box_req_t box_req;
   logic             box_rsp_valid, box_rsp_ready;
   rc_pkg::box_rsp_t box_rsp;
+
+  assign box_req = box_req_flat;
 
   rc_trav u_trav (
     .clk_i, .rst_ni, .frame_i, .start_fires_i, .start_i, .ray_valid_i, .ray_ready_o, .ray_i,
     .node_req_valid_o, .node_req_ready_i, .node_req_o,
     .node_rsp_valid_i, .node_rsp_ready_o, .node_rsp_i,
-    .box_req_valid_o(box_req_valid), .box_req_ready_i(box_req_ready), .box_req_o(box_req),
+    .box_req_valid_o(box_req_valid), .box_req_ready_i(box_req_ready), .box_req_o(box_req_flat),
     .box_rsp_valid_i(box_rsp_valid), .box_rsp_ready_o(box_rsp_ready), .box_rsp_i(box_rsp),
     .leaves_fires_o, .leaves_o, .tested_valid_i, .tested_ready_o, .tested_i,
     .done_valid_o, .done_ready_i, .done_o, .cause_o(trav_cause_o));

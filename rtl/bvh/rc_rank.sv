@@ -1,6 +1,7 @@
 // Puts the children that were hit in order: inner children first, then leaves, each by
-// (t_near, offset); entries beyond are zero. Part of rc_box: hits and distances come with
-// valid_i[0], ordered entries rc_pkg::RankStages later. Offsets differ, so the order is total.
+// (t_near, offset); entries beyond are zero. Part of rc_box, where inner children come first,
+// and of rc_treelet, where exits come in any order: hits and distances come with valid_i[0],
+// ordered entries rc_pkg::RankStages later. Offsets differ, so the order is total.
 //
 // A bitonic network (Batcher 1968) of six levels for eight children: in a relaxed chip three in
 // a stage, in a fast one a level in each. Model: the end of box_children() in model/bvh/box.cpp.
@@ -29,7 +30,7 @@ module rc_rank #(
 
   // Where each child lies in the block, and how many of each kind are hit.
   logic [W*O-1:0] s0_offset;
-  logic [O-1:0]   s0_inner, s0_triangles;
+  logic [O-1:0]   s0_inner, s0_triangles, s0_lines;
   logic [W*C-1:0] s0_counts;
   logic [C-1:0]   s0_count;
   logic [W-1:0]   s0_leaf;
@@ -37,6 +38,7 @@ module rc_rank #(
   always_comb begin
     s0_inner     = '0;
     s0_triangles = '0;
+    s0_lines     = '0;
     s0_inners    = '0;
     s0_leaves    = '0;
     s0_count     = '0;
@@ -49,7 +51,9 @@ module rc_rank #(
         s0_leaf[i] = s0_kind_i[i*C +: C] > C'(1);
         s0_count = s0_leaf[i] ? s0_kind_i[i*C +: C] - C'(1) : '0;
         s0_counts[i*C +: C] = s0_count;
-        s0_offset[i*O +: O] = s0_leaf[i] ? s0_inner + s0_triangles : O'(2 * i);
+        s0_offset[i*O +: O] = s0_leaf[i] ? s0_inner + s0_triangles
+                            : rc_pkg::Structure == rc_pkg::StructureKd ? s0_lines : O'(2 * i);
+        if (s0_kind_i[i*C +: C] == C'(1)) s0_lines = s0_lines + O'(2);
         s0_triangles = s0_triangles + {{(O-C){1'b0}}, s0_count};
         s0_leaves    = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf[i]};
         s0_inners    = s0_inners + {{(G-1){1'b0}}, s0_hit_i[i] && !s0_leaf[i]};

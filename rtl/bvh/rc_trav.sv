@@ -31,10 +31,10 @@ module rc_trav (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
-  // To and from box
+  // To and from box, or what decides a node in its place
   output logic              box_req_valid_o,
   input  logic              box_req_ready_i,
-  output rc_pkg::box_req_t  box_req_o,
+  output logic [rc_pkg::NodeReqBits-1:0] box_req_o,
   input  logic              box_rsp_valid_i,
   output logic              box_rsp_ready_o,
   input  rc_pkg::box_rsp_t  box_rsp_i,
@@ -74,8 +74,9 @@ module rc_trav (
     .read_addr_i(node_rsp_i.ray), .read_data_o(box_ray));
   assign box_req_valid_o  = node_rsp_valid_i;
   assign node_rsp_ready_o = box_req_ready_i;
-  assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp_i.org, node_rsp_i.exp, node_rsp_i.base,
-                      node_rsp_i.kind, node_rsp_i.lo, node_rsp_i.hi};
+  logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
+  assign node_rsp  = node_rsp_i;
+  assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
 
   // Box's answer, and the ray's distance to beat.
   rc_pkg::box_rsp_t           in;
@@ -86,7 +87,7 @@ module rc_trav (
   assign came_fires      = box_rsp_valid_i;
   assign box_rsp_ready_o = 1'b1;
   rc_reach u_reach (
-    .clk_i, .start_fires_i, .start_i,
+    .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
     .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(came_t));
   rc_cut #(.Width(rc_pkg::BoxRspW + TB)) u_came (
@@ -245,6 +246,6 @@ module rc_trav (
   logic                      unused;
   assign ray_flat   = ray_i;
   assign frame_flat = frame_i;
-  assign unused     = ^{ray_flat, frame_flat, in_offset, end_tested, leaves_near};
+  assign unused     = ^{node_rsp, ray_flat, frame_flat, in_offset, end_tested, leaves_near};
 endmodule
 `default_nettype wire

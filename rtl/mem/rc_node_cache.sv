@@ -24,7 +24,7 @@ module rc_node_cache (
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  localparam int unsigned NodeW = rc_pkg::NodeW;
+  localparam int unsigned NodeW = rc_pkg::NodeBits;
   logic [NodeW-1:0]                      word;     // a node takes the lowest bits of a word
   logic [rc_pkg::LineBits-NodeW-1:0]     beyond;
   assign {beyond, word} = fill_i.line;

@@ -179,6 +179,9 @@ int run(const Options& o) {
         throw UserError("fit: primitive_test must be exact, not " +
                         primitive_test_names()[std::size_t(base.primitive_test)] +
                         ": only exact decisions make the primitives depend on N and M alone");
+    if (!base.is_bvh())
+        throw UserError("fit: structure must be bvh, not " + structure_names()[std::size_t(base.structure)] +
+                        ": the widths that it looks for are those of boxes");
     o.json.check();
     if (o.output != "-")
         check_writable(o.output);

@@ -20,6 +20,10 @@ const char* key_of(int Config::*member) {
 bool always(const Config&) { return true; }
 bool shades(const Config& c) { return c.shading != 0; }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
+bool has_nodes(const Config& c) { return !c.is_list(); }
+bool lists(const Config& c) { return c.is_list(); }
+bool has_boxes(const Config& c) { return c.is_bvh(); }
+bool has_treelets(const Config& c) { return c.is_kd(); }
 
 }   // namespace
 
@@ -56,11 +60,11 @@ std::vector<Variant> variants_of(const Config& base) {
 
 const std::vector<UnitRow>& unit_rows() {
     static const std::vector<UnitRow> rows{
-        {"sched", true, always},      {"raygen", true, always},    {"trav", true, always},
-        {"node_cache", true, always}, {"box", true, always},       {"list", true, always},
-        {"prim_cache", true, always}, {"tri", true, always},       {"surf_cache", true, shades},
-        {"shade", true, shades},      {"dispatch", false, always}, {"arbiter", false, always},
-        {"l2", false, has_l2}};
+        {"sched", true, always},         {"raygen", true, always},     {"trav", true, has_nodes},
+        {"node_cache", true, has_nodes}, {"box", true, has_boxes},     {"treelet", true, has_treelets},
+        {"none", true, lists},           {"list", true, always},       {"prim_cache", true, always},
+        {"tri", true, always},           {"surf_cache", true, shades}, {"shade", true, shades},
+        {"dispatch", false, always},     {"arbiter", false, always},   {"l2", false, has_l2}};
     return rows;
 }
 

@@ -47,7 +47,7 @@ Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Con
 }
 
 Frame job_frame(const Job& job, const Camera& camera) {
-    Frame frame = make_frame(camera, job.size, job.image.lattice, job.config);
+    Frame frame = make_frame(camera, job.size, job.image, job.config);
     frame.shade = job.frame.shade;
     return frame;
 }

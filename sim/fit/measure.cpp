@@ -64,7 +64,7 @@ Outcome Measure::measure(const Config& config) {
     outcome.pixels = reference_.hits.size();
     try {
         const MemoryImage& image = this->image(config);
-        const Frame frame = make_frame(*scene_.camera, size_, image.lattice, config);
+        const Frame frame = make_frame(*scene_.camera, size_, image, config);
         const Trace trace = record_trace(image, frame, config, threads_);
         outcome.work = trace.visits + trace.triangle_tests;
         outcome.compile = image.report;

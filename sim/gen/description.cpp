@@ -10,7 +10,14 @@ namespace rayclock {
 namespace {
 
 const char* when_text(When when) {
-    return when == When::always ? "always" : when == When::shading ? "`shading`" : "`l2_sets` above 0";
+    switch (when) {
+        case When::shading: return "`shading`";
+        case When::shared_cache: return "`l2_sets` above 0";
+        case When::nodes: return "`structure` is not none";
+        case When::boxes: return "`structure` is bvh";
+        case When::treelets: return "`structure` is kd";
+        default: return "always";
+    }
 }
 
 const char* place_text(Place place) {

@@ -183,6 +183,8 @@ void derived(Package& p, const Config& c) {
     p.constant("LightBits", c.light_bits());
     p.constant("NormalBits", c.normal_bits());
     p.constant("UnitBits", unit_bits);
+    p.constant("ValueBits", unit_bits + 1);   // 0 to 1, both included: a weight, cosine, colour
+    p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("CornerBits", corner_bits);
     p.constant("ShineFrac", shine_frac);
@@ -206,6 +208,9 @@ void derived(Package& p, const Config& c) {
     p.constant("ExpBits", exp_bits);
     p.constant("OffsetBits", offset_bits);
     p.constant("CountBits", count_bits);
+    p.constant("NodeBits", c.is_kd() ? bits_of<Treelet>(c) : bits_of<Node>(c));
+    p.constant("NodeReqBits", c.is_kd() ? bits_of<TreeletReq>(c) : bits_of<BoxReq>(c));
+    p.constant("NodePlanes", c.planes_of_node());
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
     p.constant("ClientBits", c.client_bits());
@@ -218,6 +223,8 @@ void derived(Package& p, const Config& c) {
     p.constant("SlabStages", stages.slab);
     p.constant("MeetStages", stages.meet);
     p.constant("RankStages", stages.rank);
+    p.constant("PlaneStages", stages.plane);
+    p.constant("ExitStages", stages.exits);
     p.constant("QuotientBits", stages.quotient_bits);
     p.constant("EdgesStages", stages.edges);
     p.constant("ShearStages", stages.shear);
@@ -230,6 +237,7 @@ void derived(Package& p, const Config& c) {
     p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
+    p.constant("TreeletLatency", c.treelet_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
@@ -237,6 +245,9 @@ void derived(Package& p, const Config& c) {
 }
 
 void enumerations(Package& p) {
+    p.say("What holds the scene.");
+    p.enumeration<Structure>("structure_e", "Structure", 32,
+                             {{"Bvh", Structure::bvh}, {"Kd", Structure::kd}, {"None", Structure::none}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
     p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
                            {{"Camera", RayKind::camera},
@@ -302,6 +313,7 @@ std::string rc_package(const Config& config) {
     p.record<Waiting>("waiting");
     p.say("What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.");
     p.record<Node>("node");
+    p.record<Treelet>("treelet");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
     return std::move(p).end();

@@ -84,7 +84,8 @@ std::vector<HostParameter> host_parameters(const Config& c) {
             {"refraction", u(c.refraction)},
             {"supersampling", u(c.supersampling)},
             {"lights", u(c.shading ? c.lights : 0)},
-            {"bounces", u(c.shading ? c.bounces : 0)}};
+            {"bounces", u(c.shading ? c.bounces : 0)},
+            {"structure", u(c.structure)}};
 }
 
 std::vector<FrameWord> frame_words(const Config& config) {

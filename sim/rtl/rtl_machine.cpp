@@ -195,7 +195,7 @@ void RtlMachine::count_boxes(int pipeline) {
     const std::uint32_t line =
         get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Link::node_req)], config_).addr;
     if (line < image_.lines())
-        box_tests_ += std::uint64_t(decoder_.node(line).children);
+        box_tests_ += decoder_.children(line);
     else
         complain(pipeline, Link::node_req,
                  fmt::format("line {}, and the memory image has {}", line, image_.lines()));

@@ -204,7 +204,7 @@ private:
             return;
         }
         Job& job = traced.job;
-        job.frame = make_frame(*plan_.scene.camera, plan_.size, job.image.lattice, config);
+        job.frame = make_frame(*plan_.scene.camera, plan_.size, job.image, config);
         traced.frames.push_back(record_frame(job, job.frame, inner_threads_));
         if (!group.picture_known) {
             const PictureFigures picture = compare_picture(traced);

@@ -75,9 +75,9 @@ std::string module_name(const std::string& type) {
 
 const std::vector<std::string>& cells() {
     static const std::vector<std::string> names{
-        "divide", "sqrt",   "unit",  "power",  "sample", "recip",    "slope",  "stack",  "slab",
-        "rank",   "edges",  "shear", "hitdiv", "sphere", "contexts", "pass",   "surf",   "corners",
-        "ball",   "angles", "light", "bounce", "snell",  "schlick",  "finish", "turnout"};
+        "divide", "sqrt",   "unit",  "power",  "sample", "recip",   "slope",    "stack",  "slab", "rank",
+        "plane",  "span",   "edges", "shear",  "hitdiv", "sphere",  "contexts", "pass",   "surf", "corners",
+        "ball",   "angles", "light", "bounce", "snell",  "schlick", "finish",   "turnout"};
     return names;
 }
 

@@ -50,6 +50,7 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
             CHECK(p.bytes == p.misses[0] * words[0] + p.misses[1] * words[1] + p.misses[2] * words[2]);
     }
     CHECK(costs.moved[index(Link::box_req)] == account(Unit::box, 0));
+    CHECK(costs.moved[index(Link::treelet_req)] == account(Unit::treelet, 0));
     CHECK(costs.moved[index(Link::tri_req)] == account(Unit::tri, 0));
     CHECK(costs.moved[index(Link::ray)] == account(Unit::raygen, 0));
     CHECK(costs.refused[index(Link::ray)] == account(Unit::raygen, 2));

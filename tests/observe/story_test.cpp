@@ -15,6 +15,13 @@ PixelStory story_of(const Watching& made, const Watched& w, std::uint32_t pixel)
     return tell(made.job, made.traces.back(), costs, in_frame, alone);
 }
 
+/// A list's pages are visited without a request.
+bool is_list(const RayStory& ray) {
+    for (const Stay& stay : ray.stays)
+        if (stay.by == Link::node_req) return false;
+    return true;
+}
+
 void check_story(const PixelStory& story) {
     std::uint64_t cycles = 0, visits = 0, tests = 0, misses = 0, at = story.cost.first;
     for (const RayStory& ray : story.rays) {
@@ -26,6 +33,7 @@ void check_story(const PixelStory& story) {
             std::uint64_t sum = stay.work;
             for (const Stay::Wait& wait : stay.waits) sum += wait.cycles;
             CHECK(sum == stay.cycles);
+            seen_visits += stay.by == Link::leaves && is_list(ray);
             if (stay.by == Link::node_req) CHECK(stay.addr == ray.values.visits.at(seen_visits++).line);
             seen_tests += stay.by == Link::prim_req;
         }

@@ -29,12 +29,16 @@ TEST_CASE("every link has two ends that exist whenever it does", "[description]"
             if (info.name == name) return &info;
         return nullptr;
     };
+    std::vector<Config> configs(6);
+    for (std::size_t i = 0; i < configs.size(); ++i) configs[i].structure = int(i % 3);
+    for (std::size_t i = 3; i < configs.size(); ++i) configs[i].shading = 1, configs[i].l2_sets = 8;
     for (const LinkInfo& link : link_infos) {
         INFO(link.name);
         REQUIRE(unit(link.from));
         CHECK((unit(link.to) || std::string_view(link.to) == "sink"));
         for (const char* name : {link.from, link.to})
             if (const UnitInfo* end = unit(name))
-                CHECK((end->when == When::always || end->when == link.when));
+                for (const Config& config : configs)
+                    CHECK((is_there(end->when, config) || !is_there(link.when, config)));
     }
 }

@@ -9,6 +9,7 @@
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/bvh/box.hpp"
+#include "model/kd/treelet.hpp"
 #include "sim/rtl/rtl_module.hpp"
 
 namespace rayclock::test {
@@ -54,7 +55,7 @@ template <class P> bool same(const Wire<P>& a, const Wire<P>& b, const Config& c
     return a.ready == b.ready && same(a.offer, b.offer, config);
 }
 
-// ---- The three units that are a pure function behind a door.
+// ---- The units that are a pure function behind a door.
 
 struct RaygenUnit {
     using Req = Slot;
@@ -75,6 +76,15 @@ struct BoxUnit {
     static int latency(const Config& c) { return c.box_latency(); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
+};
+struct TreeletUnit {
+    using Req = TreeletReq;
+    using Rsp = BoxRsp;
+    static constexpr const char *name = "rc_treelet", *in = "req", *out = "rsp";
+    static constexpr bool has_frame = false;
+    static int latency(const Config& c) { return c.treelet_latency(); }
+    static int queue(const Config& c) { return c.box_queue; }
+    static BoxRsp answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
 };
 struct TriUnit {
     using Req = TriReq;

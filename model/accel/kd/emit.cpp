@@ -1,0 +1,146 @@
+// Layout: the kd-tree as memory lines, treelet by treelet.
+#include "model/accel/emit.hpp"
+#include "model/accel/encode.hpp"
+#include "model/accel/kd/build.hpp"
+
+namespace rayclock {
+
+namespace {
+
+using kd::Cell;
+
+constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
+
+/// A cell, or some of a leaf's primitives: a leaf that is too large for an exit is walked in parts.
+struct Place {
+    const Cell* cell = nullptr;
+    std::size_t first = 0, count = 0;   ///< of a leaf
+    explicit Place(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
+    Place(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
+    bool is_empty() const { return !cell || (cell->is_leaf() && count == 0); }
+    bool is_leaf() const { return is_empty() || (cell->is_leaf() && count <= leaf_most); }
+    Place lower() const { return cell->is_leaf() ? Place(cell, first, count / 2) : Place(cell->lower.get()); }
+    Place upper() const {
+        return cell->is_leaf() ? Place(cell, first + count / 2, count - count / 2) : Place(cell->upper.get());
+    }
+};
+
+class Emitter {
+public:
+    Emitter(const Cell& root, const std::vector<PrimData>& prims, const Config& config,
+            const std::string& name, MemoryImage& image)
+        : root_(root), prims_(prims), config_(config), name_(name), image_(image) {}
+
+    void run() {
+        image_.words.assign(words_per_line, 0);
+        pending_.push_back({Place(&root_), 0, 0});
+        while (!pending_.empty()) {   // depth first, as of the box tree
+            const Pending next = pending_.back();
+            pending_.pop_back();
+            emit(next);
+        }
+        account();
+    }
+
+private:
+    struct Pending {
+        Place place;
+        std::uint32_t line = 0, parent = 0;
+    };
+    struct Written {
+        std::uint32_t parent = 0, inner = 0;
+        int depth = 1, need = 0;
+    };
+
+    /// The part of a treelet under plane `plane`, which has the exits from `exit` on.
+    void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Treelet& treelet) {
+        if (exits == 1) {
+            exits_[exit] = place;
+            return;
+        }
+        const bool cut = !place.is_leaf();
+        treelet.axis[plane] = cut && !place.cell->is_leaf() ? place.cell->axis : no_axis;
+        if (treelet.axis[plane] != no_axis) treelet.at[plane] = place.cell->at;
+        fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, treelet);
+        fill(cut ? place.upper() : Place(), 2 * plane + 2, exit + exits / 2, exits / 2, treelet);
+    }
+
+    void emit(const Pending& at) {
+        const auto width = std::size_t(config_.node_width);
+        Treelet treelet;
+        const LatticeBox& bounds = at.place.cell->bounds;
+        treelet.open = bounds.lo[0] > bounds.hi[0];
+        if (!treelet.open) treelet.lo = bounds.lo, treelet.hi = bounds.hi;
+        fill(at.place, 0, 0, width, treelet);
+        const std::array<Place, max_width> exits = exits_;
+        std::uint32_t inner = 0;
+        std::size_t primitives = 0;
+        for (std::size_t i = 0; i < width; ++i) {
+            const bool leaf = exits[i].is_leaf();
+            treelet.kind[i] = exits[i].is_empty() ? 0 : leaf ? 1 + std::uint32_t(exits[i].count) : 1;
+            inner += !leaf;
+            if (leaf && !exits[i].is_empty()) primitives += exits[i].count, ++image_.report.leaves;
+        }
+        const std::size_t base = image_.words.size() / words_per_line;
+        const std::size_t lines = base + inner + (primitives + 1) / 2;
+        check_lines(lines, config_, name_);
+        image_.words.resize(lines * words_per_line, 0);
+        treelet.base = std::uint32_t(base);
+        write_payload(treelet, config_, &image_.words[at.line * words_per_line], scratch_);
+        std::size_t half_line = 2 * (base + inner);
+        for (std::size_t i = 0; i < width; ++i)
+            for (std::size_t p = 0; treelet.kind[i] > 1 && p < exits[i].count; ++p)
+                write_payload(prims_[exits[i].cell->prims[exits[i].first + p]], config_,
+                              &image_.words[half_line++ * words_per_half], scratch_);
+        image_.report.references += primitives;
+        const auto id = std::uint32_t(written_.size());
+        written_.push_back({at.parent, inner, id == 0 ? 1 : written_[at.parent].depth + 1});
+        for (std::size_t i = width, line = base + inner; i-- > 0;)
+            if (treelet.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
+    }
+
+    void account() {
+        for (std::size_t i = written_.size(); i-- > 0;) {
+            Written& node = written_[i];
+            node.need += node.inner >= 2;   // the other exits wait while one is walked
+            image_.report.depth = std::max(image_.report.depth, node.depth);
+            if (i > 0) written_[node.parent].need = std::max(written_[node.parent].need, node.need);
+        }
+        image_.report.stack_need = written_[0].need;
+        image_.report.nodes = written_.size();
+        image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
+    }
+
+    const Cell& root_;
+    const std::vector<PrimData>& prims_;
+    const Config& config_;
+    const std::string& name_;
+    MemoryImage& image_;
+    std::array<Place, max_width> exits_;   // of the treelet under way
+    std::vector<Pending> pending_;
+    std::vector<Written> written_;
+    Words scratch_;
+};
+
+}   // namespace
+
+void emit_kd(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+             MemoryImage& image) {
+    const std::unique_ptr<Cell> root = kd::build(prims, config);
+    Emitter{*root, prims, config, name, image}.run();
+}
+
+void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+               MemoryImage& image) {
+    const std::size_t lines = (prims.size() + 1) / 2;
+    check_lines(lines, config, name);
+    image.words.assign(lines * words_per_line, 0);
+    Words scratch;
+    for (std::size_t i = 0; i < prims.size(); ++i)
+        write_payload(prims[i], config, &image.words[i * words_per_half], scratch);
+    image.listed = std::uint32_t(prims.size());
+    image.report.references = prims.size();
+    image.report.bytes = image.words.size() * sizeof(std::uint32_t);
+}
+
+}   // namespace rayclock

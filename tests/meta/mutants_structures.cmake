@@ -1,0 +1,55 @@
+# Faults of the structures other than the box tree: mutants_rtl.cmake says what a row is.
+
+# ---- kd: planes are rounded outward, exits keep their places.
+mutant(plane_far_side_from_rounded_up QUICK FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
+  OLD [[(product_between ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]]
+  NEW [[(product_between && product_neg ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]])
+mutant(plane_near_side_to_rounded_down FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
+  OLD [[assign to_d   = V'(product) + V'(product_way);]]
+  NEW [[assign to_d   = V'(product) + V'(product_way >>> D);]])
+mutant(plane_with_the_origin_on_it_is_ahead FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
+  OLD [[assign ahead       = way_q > $signed(D'(0));]]
+  NEW [[assign ahead       = way_q >= $signed(D'(0));]])
+mutant(treelet_exits_in_another_order FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+  OLD [[localparam int unsigned Upper = (i >> (Levels - 1 - l)) & 1;]]
+  NEW [[localparam int unsigned Upper = (i >> l) & 1;]])
+mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+  OLD [[hit_q[i] <= enter <= leave &&]]
+  NEW [[hit_q[i] <= enter < leave &&]])
+mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+  OLD [[assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;]]
+  NEW [[assign box_there[k]       = k == 1 || (turned_lo ? near_lo && far_hi : far_lo && near_hi);]])
+mutant(rank_exit_off_by_one FILE rtl/bvh/rc_rank.sv TEST unit [treelet][lockstep]
+  OLD [[rc_pkg::StructureKd ? s0_lines : O'(2 * i)]]
+  NEW [[rc_pkg::StructureKd ? s0_lines + O'(2) : O'(2 * i)]])
+mutant(model_plane_from_rounded_up FILE model/kd/treelet.cpp TEST unit [treelet]
+  OLD [[std::floor(std::ldexp(r * w_lo, shift))]]
+  NEW [[std::ceil(std::ldexp(r * w_lo, shift))]])
+mutant(model_treelet_children_in_wrong_order FILE model/kd/treelet.cpp TEST unit [treelet]
+  OLD [[const bool upper = treelet.exit[child] & half;]]
+  NEW [[const bool upper = !(treelet.exit[child] & half);]])
+mutant(model_treelet_early_end_too_early FILE model/kd/treelet.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[hits |= std::uint32_t(span.met && span.from <= span.to) << child;]]
+  NEW [[hits |= std::uint32_t(span.met && span.from + 4 <= span.to) << child;]])
+
+# ---- The compiler of kd: nothing is lost.
+mutant(kd_clips_inward FILE model/accel/kd/clip.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);]]
+  NEW [[constexpr double slack = 1.0 / 1024, outward = -3.0;]])
+mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/build.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[if (hi > split.plane || (flat && split.flat_above)) take(item, above, upper);]]
+  NEW [[if (hi > split.plane) take(item, above, upper);]])
+mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
+  NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
+
+# ---- none: every page, and no more than the light asks for.
+mutant(none_page_beyond_the_last FILE rtl/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"
+  OLD [[assign more = next < {1'b0, listed}]]
+  NEW [[assign more = next <= {1'b0, listed}]])
+mutant(none_last_leaf_is_full FILE rtl/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"
+  OLD [[: {{(C-2){1'b0}}, left[1:0]};]]
+  NEW [[: C'(Leaf);]])
+mutant(none_goes_on_when_told_to_stop FILE rtl/none/rc_none.sv TEST system "model and RTL agree on finished pictures of every structure"
+  OLD [[&& !s1_stop_q;]]
+  NEW [[&& (!s1_stop_q || kept[A]);]])

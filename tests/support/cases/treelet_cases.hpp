@@ -1,0 +1,151 @@
+#pragma once
+// Requests for treelet, and the verdict of exact geometry on its answers.
+#include "model/oracle/exact.hpp"
+#include "tests/support/world/traffic.hpp"
+
+namespace rayclock::test {
+
+/// A request, and the direction that its reciprocals were made of.
+struct TreeletCase {
+    TreeletReq req;
+    Vec3i d{};
+    bool is_long = false;   ///< d fills ray_dir_bits, as a shadow ray's, and not only dir_bits
+};
+
+/// Half of the rays are aimed at planes, their edges and corners.
+inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
+    TreeletCase c;
+    const int frac = config.origin_frac(), n = config.coord_bits;
+    const auto kind = RayKind(config.shading ? draw.below(3) : 0);
+    c.is_long = kind == RayKind::shadow;
+    const int bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
+    c.req.ray = std::uint32_t(draw.natural(config.ray_bits()));
+    const Vec3i near = draw.vector(n);
+    Treelet& t = c.req.treelet;
+    t.base = std::uint32_t(draw.natural(max_addr_bits));
+    const int reach = 1 << draw.below(n);
+    for (std::size_t i = 0; i + 1 < std::size_t(config.node_width); ++i) {
+        t.axis[i] = draw.below(8) == 0 ? no_axis : std::uint32_t(draw.below(3));
+        t.at[i] = (draw.coin() ? draw.vector(n) : draw.near(near, reach, n))[t.axis[i] % 3];
+    }
+    for (std::size_t i = 0; i < std::size_t(config.node_width); ++i) t.kind[i] = std::uint32_t(draw.below(8));
+    t.open = draw.below(4) == 0;
+    t.lo = draw.near(near, reach, n);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t up = std::int64_t(t.lo[k]) + (draw.below(4) == 0 ? 0 : draw.below(2 * reach));
+        t.hi[k] = std::int32_t(std::min<std::int64_t>(up, (std::int64_t(1) << (n - 1)) - 1));
+    }
+    Vec3i d = draw.vector(bits);
+    for (std::size_t k = 0; k < 3; ++k) {
+        c.req.o[k] = near[k] * (1 << frac);
+        if (kind != RayKind::bounce) continue;
+        c.req.o[k] += int(draw.natural(frac));
+        const auto i = std::size_t(draw.below(config.node_width - 1));
+        if (draw.below(4) == 0 && t.axis[i] == k)   // on a plane
+            c.req.o[k] = t.at[i] * (1 << frac);
+    }
+    if (draw.percent(60)) {
+        const int factor = 1 << draw.below(4);
+        const std::int64_t most = (std::int64_t(1) << (bits - 1)) - 1;
+        for (std::size_t i = 0; i + 1 < std::size_t(config.node_width); ++i) {
+            const std::size_t k = t.axis[i] % 3;
+            const std::int64_t way = std::int64_t(t.at[i]) - near[k];
+            d[k] = std::int32_t(std::clamp(way * factor, -most - 1, most));
+        }
+    }
+    if (draw.below(3) == 0) d[std::size_t(draw.below(3))] = 0;
+    c.d = d;
+    for (std::size_t k = 0; k < 3; ++k) {
+        c.req.neg[k] = d[k] < 0;
+        c.req.len[k] = std::uint32_t(oracle::digits(d[k]));
+        if (d[k] != 0 && !c.is_long) c.req.len[k] += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
+        c.req.recip[k] =
+            d[k] == 0 ? 1 : std::uint32_t(oracle::floor(oracle::scaled_reciprocal(d[k], config.recip_bits)));
+    }
+    return c;
+}
+
+/// Where a ray is in an exit's closed cell: times of t's unit. `grown` as much as rounding may grow it.
+struct ExitTimes {
+    bool there = true;
+    oracle::Rational enter = 0, leave = -1, grown_enter = 0, grown_leave = -1;   ///< -1: never
+    bool is_met() const { return there && leave != 0 && (leave < 0 || enter <= leave); }
+    /// Beyond the largest time all are the same.
+    bool may_be_met(const oracle::Int& beyond) const {
+        return there && (grown_leave < 0 || grown_enter <= grown_leave || grown_leave >= beyond);
+    }
+};
+
+inline ExitTimes exit_times(const TreeletCase& c, std::size_t exit, const Config& config) {
+    using oracle::Rational;
+    ExitTimes times;
+    const int frac = config.origin_frac(), bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
+    const auto side = [&](std::uint32_t k, std::int32_t at, bool upper) {
+        const Rational way =
+            Rational(oracle::Int(at)) - Rational(oracle::Int(c.req.o[k]), oracle::Int(1) << frac);
+        const int d = c.d[k];
+        if (d == 0) {
+            times.there = times.there && (upper ? way <= 0 : way >= 0);
+            return;
+        }
+        const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits), time = way / d * unit;
+        // A step more or less of the way, and 1 of a reciprocal of R bits; and rounding to whole units.
+        const Rational step = unit / abs(oracle::Int(d));
+        const Rational loose = (abs(time) + step) * oracle::power_of_two(1 - config.recip_bits) +
+                               (frac > 0 ? step : Rational(0)) + 1;
+        if (upper == (d < 0)) {   // the side that the ray is on first
+            if (time <= 0) times.there = false;
+            if (times.leave < 0 || time < times.leave) times.leave = time;
+            if (times.grown_leave < 0 || time + loose < times.grown_leave) times.grown_leave = time + loose;
+        } else {
+            times.enter = std::max(times.enter, time);
+            times.grown_enter = std::max(times.grown_enter, Rational(time - loose));
+        }
+    };
+    const Treelet& t = c.req.treelet;
+    for (std::uint32_t k = 0; k < 3 && !t.open; ++k) side(k, t.lo[k], true), side(k, t.hi[k], false);
+    std::size_t plane = 0;
+    for (std::size_t half = std::size_t(config.node_width) / 2; half > 0; half /= 2) {
+        const bool upper = exit & half;
+        if (t.axis[plane] != no_axis) side(t.axis[plane], t.at[plane], upper);
+        plane = 2 * plane + 1 + upper;
+    }
+    return times;
+}
+
+/// No exit that the ray meets is missing, t_near is never beyond the entry, and no exit is there that exact
+/// planes, moved by what rounding may move them, would not meet. Inner exits come first, each part by
+/// (t_near, offset); what is beyond is zero.
+inline void judge(const TreeletCase& c, const BoxRsp& rsp, const Config& config) {
+    const Treelet& t = c.req.treelet;
+    const oracle::Int beyond = (oracle::Int(1) << config.t_bits()) - 1;
+    const auto width = std::size_t(config.node_width);
+    std::uint32_t lines = 0, primitives = 0, before = 0, found = 0;
+    for (std::size_t i = 0; i < width; ++i) lines += t.kind[i] == 1;
+    for (std::size_t i = 0; i < width; ++i) {
+        if (t.kind[i] == 0) continue;
+        const bool inner = t.kind[i] == 1;
+        const std::uint32_t offset = inner ? 2 * before++ : 2 * lines + primitives, count = t.kind[i] - 1;
+        if (!inner) primitives += count;
+        const ExitTimes exact = exit_times(c, i, config);
+        std::optional<std::uint32_t> said;
+        for (std::size_t n = inner ? 0 : rsp.inner; n < (inner ? rsp.inner : rsp.inner + rsp.leaves); ++n)
+            if (rsp.offset[n] == offset && rsp.count[n] == count) said = rsp.t_near[n];
+        CAPTURE(i, offset, c.d[0], c.d[1], c.d[2]);
+        if (exact.is_met()) REQUIRE(said);
+        if (exact.is_met()) REQUIRE(*said <= std::min(oracle::floor(exact.enter), beyond));
+        if (said) REQUIRE(exact.may_be_met(beyond));
+        if (said) REQUIRE(*said >= std::min(oracle::floor(exact.grown_enter), beyond));
+        found += said.has_value();
+    }
+    REQUIRE(found == rsp.inner + rsp.leaves);
+    REQUIRE(rsp.ray == c.req.ray);
+    REQUIRE(rsp.base == t.base);
+    for (std::size_t n = 0; n < max_width; ++n) {
+        if (n >= found) REQUIRE((rsp.t_near[n] == 0 && rsp.offset[n] == 0 && rsp.count[n] == 0));
+        if (n == 0 || n == rsp.inner || n >= found) continue;
+        REQUIRE(std::pair(rsp.t_near[n - 1], rsp.offset[n - 1]) < std::pair(rsp.t_near[n], rsp.offset[n]));
+    }
+}
+
+}   // namespace rayclock::test
