@@ -58,6 +58,14 @@ public:
     /// What the units of one pipeline did.
     Accounts accounts(int pipeline) const { return pipelines_[std::size_t(pipeline)].accounts(); }
     const Memory& memory() const { return memory_; }
+    /// What a cache of a pipeline, or the l2, did at the last clock edge that was observed.
+    CacheDeed deed(int pipeline, Unit cache) const {
+        return cache == Unit::l2 ? l2_deed_ : pipelines_[std::size_t(pipeline)].deed(cache);
+    }
+    /// What a ray is for, while its transfer on the link spawn is observed.
+    RayPurpose purpose(int pipeline, std::uint32_t ray) const {
+        return pipelines_[std::size_t(pipeline)].purpose(ray);
+    }
     std::string where(int pipeline, std::uint32_t ray) const {
         return pipelines_[std::size_t(pipeline)].where(ray, now_);
     }

@@ -17,7 +17,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
-      tried_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      tried_(std::max(0, Stages(config).tried - 1), config.contexts),
       late_(Stages(config).arrive > 0),
       surf_cache_(surf_cache_shape(config)),
       shade_(config),

@@ -70,6 +70,17 @@ public:
     std::uint32_t prim_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::prim_mask; }
     std::uint32_t surf_addr(std::uint32_t ray) const { return *rays_[ray].at & Trace::node_mask; }
 
+    // ---- For those who watch it.
+
+    /// What a cache did at the last clock edge.
+    CacheDeed deed(Unit cache) const {
+        return cache == Unit::node_cache ? node_deed_ : cache == Unit::prim_cache ? prim_deed_ : surf_deed_;
+    }
+    /// What the ray that is now spawned is for; while its transfer is seen.
+    RayPurpose purpose(std::uint32_t ray) const {
+        return RayPurpose(rays_[ray].at[-2] >> Trace::purpose_shift & 3);
+    }
+
     // ---- For idle times.
 
     /// In the last cycle nothing moved and nothing changed: the next will be the same until `wakes()`.

@@ -64,6 +64,8 @@ package rc_pkg;
   localparam int unsigned LightBits = 26;
   localparam int unsigned NormalBits = 39;
   localparam int unsigned UnitBits = 16;
+  localparam int unsigned ValueBits = 17;
+  localparam int unsigned AxisBits = 18;
   localparam int unsigned ShareBits = 12;
   localparam int unsigned CornerBits = 11;
   localparam int unsigned ShineFrac = 4;

@@ -22,6 +22,7 @@ Stages::Stages(const Config& config) {
     meet = 1 + 2 * cut;
     rank = 2 + exchange_levels(config.node_width) * cut;
     arrive = 2 * cut;
+    tried = 3 * cut;
     stack = config.is_list() ? 0 : 3 * cut;
     plane = 3 + multiply + 3 * cut;
     exits = 2 + 2 * cut;

@@ -30,7 +30,8 @@ struct Stages {
     int recip = 0;
     int slope = 0;
     // Units that keep what they know of a ray.
-    int arrive = 0;   ///< more of trav's, from box's answer to its leaves; of list's, from tri's answer on
+    int arrive = 0;   ///< more of trav's, from box's answer to its leaves
+    int tried = 0;    ///< more of list's, from tri's answer on
     int stack = 0;    ///< more of trav's, from a step to what its stack decides
     int cache = 0;    ///< more of a cache's, before a look-up, and after the data are read
 

@@ -1,6 +1,7 @@
 #pragma once
 // What all engines share about the finished picture: how far the tree of rays is followed, and where a
 // pixel's samples lie.
+#include <array>
 #include <cstdint>
 
 namespace rayclock {
@@ -24,6 +25,10 @@ struct Whitted {
 /// A weight that is not below the threshold is traced. Both are meant as the decimal numbers that were
 /// written: products of those may come out low by a few of 2^-53, so 2^-46 is forgiven.
 inline bool weighs_enough(double weight, double threshold) { return weight >= threshold * (1 - 0x1p-46); }
+
+/// What a ray is for.
+enum class RayPurpose : std::uint8_t { camera, shadow, reflection, refraction };
+constexpr std::array<const char*, 4> purpose_names{"camera", "shadow", "reflection", "refraction"};
 
 /// Rays sent, whatever they met. A total reflection counts as a refracted ray (spd.md 6.2, rule 6).
 struct RayCounts {

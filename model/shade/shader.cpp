@@ -30,6 +30,13 @@ void Shader::count(ShadeEvent event) {
     counts_.reflection += event == ShadeEvent::reflect;
 }
 
+RayPurpose Shader::purpose() const {
+    if (out_.spawn.kind == std::uint32_t(RayKind::camera)) return RayPurpose::camera;
+    return last_ == ShadeEvent::light     ? RayPurpose::shadow
+           : last_ == ShadeEvent::reflect ? RayPurpose::reflection
+                                          : RayPurpose::refraction;
+}
+
 int Shader::run() {
     int passes = 0;
     do {
@@ -45,6 +52,7 @@ int Shader::run() {
         if (watch_) watch_->passed(in_, out_);
         in_.state = out_.state;
         count(event);
+        last_ = event;
         ++passes;
     } while (out_.leave == PassOut::Leave::again);
     return passes;

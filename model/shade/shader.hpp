@@ -55,6 +55,8 @@ public:
     int run();
     bool is_finished() const { return out_.leave == PassOut::Leave::pixel; }
     const Spawn& spawn() const { return out_.spawn; }
+    /// What that ray is for.
+    RayPurpose purpose() const;
     const Pixel& pixel() const { return out_.pixel; }
     /// Of the pixel so far.
     std::uint64_t signature() const { return signature_.value(); }
@@ -69,6 +71,7 @@ private:
     const Config* config_;
     const MemoryImage* image_;
     ShadeWatch* watch_ = nullptr;
+    ShadeEvent last_ = ShadeEvent::arrive;   ///< what the last pass was for
     PassIn in_;
     PassOut out_;
     std::vector<Waiting> stack_;

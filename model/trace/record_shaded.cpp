@@ -19,7 +19,7 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
         const std::uint32_t line = surface ? shader_.surface_line() | Trace::surface_flag : 0;
         const auto passes = std::uint32_t(shader_.run());
         if (scratch.words.size() < at + 2) scratch.words.resize(2 * scratch.words.size() + 2);
-        scratch.words[at++] = line | (shader_.is_finished() ? Trace::pixel_flag : 0);
+        scratch.words[at++] = line | (shader_.is_finished() ? Trace::pixel_flag : purpose_word(shader_));
         scratch.words[at++] = passes;
         spawn = shader_.spawn();
     } while (!shader_.is_finished());

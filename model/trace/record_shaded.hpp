@@ -5,6 +5,11 @@
 
 namespace rayclock {
 
+/// What the word after a ray says of the next one.
+inline std::uint32_t purpose_word(const Shader& shader) {
+    return std::uint32_t(shader.purpose()) << Trace::purpose_shift;
+}
+
 /// Shading frames: one block of pixels, all rays of each; as record_block() does for camera rays alone.
 class ShadedRecorder {
 public:

@@ -20,8 +20,8 @@ namespace rayclock {
 /// A visit is a word (bits 0..23 the node's line, then the flags below, then how many groups trav drops after
 /// it) followed, if it has any, by a word for each triangle (bits 0..24 the half line, bit 31 set in the
 /// last). If the chip shades, a pixel has many rays, one after the other, and each is followed by two words:
-/// the line of the surface that must be read (if the flag is set) and whether the pixel then is finished; and
-/// how many passes through shade follow.
+/// the line of the surface that must be read (if the flag is set), whether the pixel then is finished and, if
+/// not, what the next ray is for; and how many passes through shade follow.
 struct Trace {
     static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
@@ -29,6 +29,7 @@ struct Trace {
     static constexpr std::uint32_t last_flag = 1u << 31;   ///< of a triangle's word
     static constexpr std::uint32_t surface_flag = 1u << 24,
                                    pixel_flag = 1u << 25;   ///< of the word after a ray
+    static constexpr int purpose_shift = 26;                ///< likewise: RayPurpose of the next ray
     static constexpr std::uint32_t node_mask = (1u << max_addr_bits) - 1,
                                    prim_mask = (2u << max_addr_bits) - 1;
 

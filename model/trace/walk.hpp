@@ -75,6 +75,9 @@ public:
     /// list has a triangle to be tested.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< what it returned
+    std::uint32_t met() const {
+        return steps_.hits();
+    }   ///< that node's children that the ray meets, as bits
     BoxRsp boxes() const { return box_answer(ray().ray, steps_.hits(), steps_.t_near(), steps_.node()); }
     Leaves leaves() const { return leaves_of(boxes()); }   ///< that trav gave to list
     std::uint32_t prim() const { return steps_.prim(); }

@@ -23,6 +23,7 @@ module rc_box (
   localparam int unsigned R1 = rc_pkg::RecipBits + 1;
   localparam int unsigned E  = rc_pkg::ExpBits;
   localparam int unsigned T  = rc_pkg::TBits;
+  localparam int unsigned TW = (T + 31) / 32 * 32;   // as rc_slab gives them
   localparam int unsigned C  = rc_pkg::CountBits;
   localparam int unsigned O  = rc_pkg::OffsetBits;
   localparam int unsigned I  = rc_pkg::RayBits;
@@ -48,6 +49,10 @@ module rc_box (
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
+  // A stage takes over what comes to it if that is a node. In a fast chip it always does: an
+  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+  logic [L:0] moves;
+  assign moves = valid | {(L+1){rc_pkg::Cut != 0}};
 
   rc_pkg::box_req_t           in;
   logic [rc_pkg::BoxReqW-1:0] in_flat;
@@ -59,46 +64,48 @@ module rc_box (
   logic [2:0]       in_neg;
   logic [3*R1-1:0]  in_recip;
   logic [3*E-1:0]   in_len, in_exp;
-  logic [3*W*B-1:0] in_lo, in_hi, axis_lo, axis_hi;
+  logic [3*W*B-1:0] plane_lo, plane_hi, axis_lo, axis_hi;
   assign in_o     = in.o;
   assign in_org   = in.org;
   assign in_neg   = in.neg;
   assign in_recip = in.recip;
   assign in_len   = in.len;
   assign in_exp   = in.exp;
-  assign in_lo    = in.lo;
-  assign in_hi    = in.hi;
 
-  // Memory holds planes child by child; a slab wants those of its axis.
+  // Planes wait until the ray and the node's corner have met. Memory holds them child by child; a
+  // slab wants those of its axis.
+  rc_delay #(.Width(6 * W * B), .Stages(rc_pkg::SlabPlanes)) u_planes (
+    .clk_i, .valid_i(moves[In+rc_pkg::SlabPlanes-1:In]), .data_i({in.lo, in.hi}),
+    .data_o({plane_lo, plane_hi}));
   for (genvar i = 0; i < W; i++) begin : gen_child_planes
     for (genvar k = 0; k < 3; k++) begin : gen_plane
-      assign axis_lo[(k*W+i)*B +: B] = in_lo[(3*i+k)*B +: B];
-      assign axis_hi[(k*W+i)*B +: B] = in_hi[(3*i+k)*B +: B];
+      assign axis_lo[(k*W+i)*B +: B] = plane_lo[(3*i+k)*B +: B];
+      assign axis_hi[(k*W+i)*B +: B] = plane_hi[(3*i+k)*B +: B];
     end
   end
 
   // Of each axis and child: interval on that axis.
-  logic [3*W*T-1:0] near, far;
+  logic [3*W*TW-1:0] near, far;
   logic [3*W-1:0]   miss;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     rc_slab u_slab (
-      .clk_i, .valid_i(valid[Meet:In]),
+      .clk_i, .valid_i(moves[Meet:In]),
       .s0_o_i($signed(in_o[k*OW +: OW])), .s0_org_i($signed(in_org[k*N +: N])),
       .s0_neg_i(in_neg[k]),
       .s0_recip_i(in_recip[k*R1 +: R1]), .s0_len_i(in_len[k*E +: E]), .s0_exp_i(in_exp[k*E +: E]),
-      .s0_lo_i(axis_lo[k*W*B +: W*B]), .s0_hi_i(axis_hi[k*W*B +: W*B]),
-      .near_o(near[k*W*T +: W*T]), .far_o(far[k*W*T +: W*T]), .miss_o(miss[k*W +: W]));
+      .plane_lo_i(axis_lo[k*W*B +: W*B]), .plane_hi_i(axis_hi[k*W*B +: W*B]),
+      .near_o(near[k*W*TW +: W*TW]), .far_o(far[k*W*TW +: W*TW]), .miss_o(miss[k*W +: W]));
   end
 
   // Ray and base wait until the end, kinds until the intervals meet and are put in order.
   logic [I+A-1:0] end_whose;   // {ray, base}
   logic [W*C-1:0] meet_kind, rank_kind;
   rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
-    .clk_i, .valid_i(valid[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
+    .clk_i, .valid_i(moves[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
   rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
-    .clk_i, .valid_i(valid[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
+    .clk_i, .valid_i(moves[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
   rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
-    .clk_i, .valid_i(valid[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
+    .clk_i, .valid_i(moves[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
 
   // The intervals' intersection: the farthest of the near ends, the nearest of the far ones.
   logic [W-1:0]   hit_q;
@@ -107,19 +114,27 @@ module rc_box (
     logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, nxy_q, fxy_q;
     logic [T-1:0] nz_q, fz_q, first, last, enter, leave;
     logic         there, there_q, may_hit;
-    assign {nx, ny, nz} = {near[i*T +: T], near[(W+i)*T +: T], near[(2*W+i)*T +: T]};
-    assign {fx, fy, fz} = {far[i*T +: T], far[(W+i)*T +: T], far[(2*W+i)*T +: T]};
+    assign nx    = near[i*TW +: T];
+    assign ny    = near[(W+i)*TW +: T];
+    assign nz    = near[(2*W+i)*TW +: T];
+    assign fx    = far[i*TW +: T];
+    assign fy    = far[(W+i)*TW +: T];
+    assign fz    = far[(2*W+i)*TW +: T];
     assign nxy   = nx > ny ? nx : ny;
     assign fxy   = fx < fy ? fx : fy;
     assign there = !miss[i] && !miss[W+i] && !miss[2*W+i];
-    rc_cut #(.Width(4 * T + 1)) u_two (
-      .clk_i, .data_i({nxy, nz, fxy, fz, there}), .data_o({nxy_q, nz_q, fxy_q, fz_q, there_q}));
+    rc_cut #(.Width(T)) u_nxy (.clk_i, .data_i(nxy), .data_o(nxy_q));
+    rc_cut #(.Width(T)) u_fxy (.clk_i, .data_i(fxy), .data_o(fxy_q));
+    rc_cut #(.Width(T)) u_nz (.clk_i, .data_i(nz), .data_o(nz_q));
+    rc_cut #(.Width(T)) u_fz (.clk_i, .data_i(fz), .data_o(fz_q));
+    rc_cut u_there (.clk_i, .data_i(there), .data_o(there_q));
     assign first = nxy_q > nz_q ? nxy_q : nz_q;
     assign last  = fxy_q < fz_q ? fxy_q : fz_q;
-    rc_cut #(.Width(2 * T + 1)) u_three (
-      .clk_i, .data_i({first, last, there_q}), .data_o({enter, leave, may_hit}));
+    rc_cut #(.Width(T)) u_enter (.clk_i, .data_i(first), .data_o(enter));
+    rc_cut #(.Width(T)) u_leave (.clk_i, .data_i(last), .data_o(leave));
+    rc_cut u_may_hit (.clk_i, .data_i(there_q), .data_o(may_hit));
     always_ff @(posedge clk_i) begin
-      if (valid[Rank-1]) begin
+      if (moves[Rank-1]) begin
         hit_q[i] <= enter <= leave && may_hit && meet_kind[i*C +: C] != '0;
         near_q[i*T +: T] <= enter;
       end
@@ -129,7 +144,7 @@ module rc_box (
   logic [G-1:0]        end_inner, end_leaves;
   logic [W*EntryW-1:0] end_entries;
   rc_rank u_rank (
-    .clk_i, .valid_i(valid[L-1:Rank]),
+    .clk_i, .valid_i(moves[L-1:Rank]),
     .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
@@ -148,6 +163,6 @@ module rc_box (
 `endif
 
   logic unused;
-  assign unused = queue_ready;
+  assign unused = ^{queue_ready, near, far, valid[L], moves[L]};
 endmodule
 `default_nettype wire

@@ -31,8 +31,9 @@ module rc_rank #(
   // Where each child lies in the block, and how many of each kind are hit.
   logic [W*O-1:0] s0_offset;
   logic [O-1:0]   s0_inner, s0_triangles, s0_lines;
+  logic [W*C-1:0] s0_counts;
   logic [C-1:0]   s0_count;
-  logic           s0_leaf;
+  logic [W-1:0]   s0_leaf;
   logic [G-1:0]   s0_inners, s0_leaves;
   always_comb begin
     s0_inner     = '0;
@@ -41,19 +42,21 @@ module rc_rank #(
     s0_inners    = '0;
     s0_leaves    = '0;
     s0_count     = '0;
-    s0_leaf      = 1'b0;
+    s0_leaf      = '0;
     s0_offset    = '0;
+    s0_counts    = '0;
     if (valid_i[0]) begin
       for (int i = 0; i < W; i++) if (s0_kind_i[i*C +: C] == C'(1)) s0_inner = s0_inner + O'(2);
       for (int i = 0; i < W; i++) begin
-        s0_leaf  = s0_kind_i[i*C +: C] > C'(1);
-        s0_count = s0_leaf ? s0_kind_i[i*C +: C] - C'(1) : '0;
-        s0_offset[i*O +: O] = s0_leaf ? s0_inner + s0_triangles
+        s0_leaf[i] = s0_kind_i[i*C +: C] > C'(1);
+        s0_count = s0_leaf[i] ? s0_kind_i[i*C +: C] - C'(1) : '0;
+        s0_counts[i*C +: C] = s0_count;
+        s0_offset[i*O +: O] = s0_leaf[i] ? s0_inner + s0_triangles
                             : rc_pkg::Structure == rc_pkg::StructureKd ? s0_lines : O'(2 * i);
         if (s0_kind_i[i*C +: C] == C'(1)) s0_lines = s0_lines + O'(2);
         s0_triangles = s0_triangles + {{(O-C){1'b0}}, s0_count};
-        s0_leaves    = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf};
-        s0_inners    = s0_inners + {{(G-1){1'b0}}, s0_hit_i[i] && !s0_leaf};
+        s0_leaves    = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf[i]};
+        s0_inners    = s0_inners + {{(G-1){1'b0}}, s0_hit_i[i] && !s0_leaf[i]};
       end
     end
   end
@@ -65,37 +68,35 @@ module rc_rank #(
     logic holds;   // relaxed: what is not there costs a simulation nothing
     assign holds = Cut != 0 || valid_i[l > Middle ? 1 : 0];
     for (genvar i = 0; i < W; i++) begin : gen_key
-      logic [KeyW-1:0] key, turned, late;
+      logic [KeyW-1:0] key, put, late;
       if (l == 0) begin : gen_first
-        logic       leaf;
-        logic [C-1:0] kind;
-        assign kind = s0_kind_i[i*C +: C];
-        assign leaf = kind > C'(1);
         rc_cut #(.Width(KeyW)) u_key (
-          .clk_i, .data_i({!s0_hit_i[i], leaf, s0_near_i[i*T +: T], s0_offset[i*O +: O],
-                           leaf ? kind - C'(1) : C'(0)}), .data_o(key));
+          .clk_i, .data_i({!s0_hit_i[i], s0_leaf[i], s0_near_i[i*T +: T], s0_offset[i*O +: O],
+                           s0_counts[i*C +: C]}), .data_o(key));
       end else begin : gen_next
         assign key = gen_level[l-1].gen_key[i].late;
       end
       if ((i & J) == 0) begin : gen_compare
-        logic exchange;
+        logic [KeyW-1:0] other, here, there;
+        assign other = gen_level[l].gen_key[i ^ J].key;
         always_comb begin
-          exchange = 1'b0;
-          if (holds)
-            exchange = (gen_level[l].gen_key[i].key > gen_level[l].gen_key[i ^ J].key)
-                     == ((i & K) == 0 || K == W);
+          here  = key;
+          there = other;
+          if (holds && (key > other) == ((i & K) == 0 || K == W)) begin
+            here  = other;
+            there = key;
+          end
         end
-        assign turned = exchange ? gen_level[l].gen_key[i ^ J].key : key;
+        assign put = here;
       end else begin : gen_follow
-        assign turned = gen_level[l].gen_key[i ^ J].gen_compare.exchange
-                     ? gen_level[l].gen_key[i ^ J].key : key;
+        assign put = gen_level[l].gen_key[i ^ J].gen_compare.there;
       end
       if (l == Middle) begin : gen_middle
         logic [KeyW-1:0] key_q;
-        always_ff @(posedge clk_i) if (valid_i[Cut*(l+1)]) key_q <= turned;
+        always_ff @(posedge clk_i) if (valid_i[Cut*(l+1)]) key_q <= put;
         assign late = key_q;
       end else begin : gen_cut
-        rc_cut #(.Width(KeyW)) u_key (.clk_i, .data_i(turned), .data_o(late));
+        rc_cut #(.Width(KeyW)) u_key (.clk_i, .data_i(put), .data_o(late));
       end
     end
   end

@@ -14,6 +14,7 @@ module rc_slab #(
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
   localparam int unsigned E  = rc_pkg::ExpBits,
   localparam int unsigned T  = rc_pkg::TBits,
+  localparam int unsigned TW = (T + 31) / 32 * 32,  // whole words: a simulation moves no bits
   localparam int unsigned L  = rc_pkg::SlabStages
 ) (
   input  logic                 clk_i,
@@ -24,10 +25,10 @@ module rc_slab #(
   input  logic [R1-1:0]        s0_recip_i,
   input  logic [E-1:0]         s0_len_i,
   input  logic [E-1:0]         s0_exp_i,
-  input  logic [W*B-1:0]       s0_lo_i,
-  input  logic [W*B-1:0]       s0_hi_i,
-  output logic [W*T-1:0]       near_o,
-  output logic [W*T-1:0]       far_o,
+  input  logic [W*B-1:0]       plane_lo_i,   // rc_pkg::SlabPlanes later than the others
+  input  logic [W*B-1:0]       plane_hi_i,
+  output logic [W*TW-1:0]      near_o,
+  output logic [W*TW-1:0]      far_o,
   output logic [W-1:0]         miss_o
 );
   localparam int unsigned D   = N + 1;       // plane distance, signed
@@ -98,8 +99,8 @@ module rc_slab #(
     .clk_i, .data_i(some + $signed(some_unit)), .data_o(more));
   assign sum_near = P'(product);
   assign sum_far  = sum_near + more;
-  rc_cut #(.Width(2 * P)) u_node (
-    .clk_i, .data_i({sum_near, sum_far}), .data_o({node_near, node_far}));
+  rc_cut #(.Width(P)) u_node_near (.clk_i, .data_i(sum_near), .data_o(node_near));
+  rc_cut #(.Width(P)) u_node_far (.clk_i, .data_i(sum_far), .data_o(node_far));
   rc_cut #(.Width(E), .Stages(M)) u_exp (.clk_i, .data_i(some_exp), .data_o(node_exp));
 
   // Down: the node's corner, in units of 2^-shift.
@@ -125,19 +126,17 @@ module rc_slab #(
   assign placed_right = placed_move > A'(T) ? placed_move - A'(T) : '0;
   assign placed_up    = ~({R1{1'b1}} << placed_right);
   assign far_up       = V'(placed_far_q) + $signed({{(V-R1){1'b0}}, placed_up});
-  rc_cut #(.Width(3 * V + A + 1)) u_ready (
-    .clk_i, .data_i({V'(placed_near_q), V'(placed_far_q), far_up, placed_move, placed_zero}),
-    .data_o({ready_near, ready_far, ready_up, ready_move, ready_zero}));
+  rc_cut #(.Width(V)) u_ready_near (.clk_i, .data_i(V'(placed_near_q)), .data_o(ready_near));
+  rc_cut #(.Width(V)) u_ready_far (.clk_i, .data_i(V'(placed_far_q)), .data_o(ready_far));
+  rc_cut #(.Width(V)) u_ready_up (.clk_i, .data_i(far_up), .data_o(ready_up));
+  rc_cut #(.Width(A + 1)) u_ready (
+    .clk_i, .data_i({placed_move, placed_zero}), .data_o({ready_move, ready_zero}));
   rc_delay #(.Width(1), .Stages(Ready - 1)) u_neg (
     .clk_i, .valid_i(valid_i[Ready-1:1]), .data_i(s1_neg_q), .data_o(ready_neg));
 
-  // The planes, in the order in which the ray meets them, and the way of a step of theirs.
-  logic [W*B-1:0] plane_lo, plane_hi;
+  // The planes have come, in the order in which the ray meets them; the way of a step of theirs.
   logic [R1-1:0]  plane_r, plane_r_up;
   logic           plane_neg, plane_zero;
-  rc_delay #(.Width(2 * W * B), .Stages(Planes)) u_planes (
-    .clk_i, .valid_i(valid_i[Planes-1:0]), .data_i({s0_lo_i, s0_hi_i}),
-    .data_o({plane_lo, plane_hi}));
   rc_delay #(.Width(R1 + 2), .Stages(Planes - 1)) u_way (
     .clk_i, .valid_i(valid_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
     .data_o({plane_r, plane_neg, plane_zero}));
@@ -156,63 +155,62 @@ module rc_slab #(
   end
   rc_cut #(.Width(A)) u_fine_move (.clk_i, .data_i(move_q), .data_o(fine_move));
 
+  logic holds;   // relaxed: planes that are not there cost a simulation nothing
+  assign holds = Cut != 0 || valid_i[Sum-1];
   for (genvar i = 0; i < W; i++) begin : gen_child
     logic [B-1:0]       first, last;
     logic signed [B+R1+1:0] near_way, far_way;
-    assign first = plane_neg ? plane_hi[i*B +: B] : plane_lo[i*B +: B];
-    assign last  = plane_neg ? plane_lo[i*B +: B] : plane_hi[i*B +: B];
+    assign first = plane_neg ? plane_hi_i[i*B +: B] : plane_lo_i[i*B +: B];
+    assign last  = plane_neg ? plane_lo_i[i*B +: B] : plane_hi_i[i*B +: B];
     rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_near (
       .clk_i, .a_i($signed({1'b0, first})), .b_i($signed({1'b0, plane_r})), .p_o(near_way));
     rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_far (
       .clk_i, .a_i($signed({1'b0, last})), .b_i($signed({1'b0, plane_r_up})), .p_o(far_way));
 
-    logic signed [V-1:0] near_q, up_q, far;
+    logic signed [V-1:0] near_q, up_q, near_path, far_path, far;
     logic                behind_q;
-    assign far = ready_neg ? ready_far - V'(far_way) : ready_far + V'(far_way);
+    assign near_path = holds ? V'(near_way) : '0;
+    assign far_path  = holds ? V'(far_way) : '0;
+    assign far       = ready_neg ? ready_far - far_path : ready_far + far_path;
     always_ff @(posedge clk_i) begin
       if (valid_i[Sum-1]) begin
-        near_q   <= ready_neg ? ready_near - V'(near_way) : ready_near + V'(near_way);
-        up_q     <= ready_neg ? ready_up - V'(far_way) : ready_up + V'(far_way);
+        near_q   <= ready_neg ? ready_near - near_path : ready_near + near_path;
+        up_q     <= ready_neg ? ready_up - far_path : ready_up + far_path;
         behind_q <= far[V-1];
       end
     end
 
     // 2^T times as much, moved to the right by a multiple of eight, then by what is left of that.
-    logic [V+T-1:0] near_moved, far_moved;
-    logic [T+6:0]   near_coarse, far_coarse, near_rest, far_rest, near_fine, far_fine;
+    logic [T+6:0] near_coarse, far_coarse, near_rest, far_rest;
     logic         near_over, far_over, near_zero, miss, near_many, far_many, near_none, miss_late;
     always_comb begin
-      near_moved  = '0;
-      far_moved   = '0;
+      near_coarse = '0;
+      far_coarse  = '0;
       near_over   = 1'b0;
       far_over    = 1'b0;
       near_zero   = 1'b1;
       miss        = 1'b0;
       if (valid_i[Sum]) begin
-        near_moved  = {$unsigned(near_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0};
-        far_moved   = {$unsigned(up_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0};
+        near_coarse = (T + 7)'({$unsigned(near_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0});
+        far_coarse  = (T + 7)'({$unsigned(up_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0});
         near_over   = |($unsigned(near_q) & over_q);
         far_over    = zero_q || |($unsigned(up_q) & over_q);
         near_zero   = zero_q || near_q[V-1];
         miss        = behind_q || (zero_q && !near_q[V-1] && near_q != '0);
       end
     end
-    assign near_coarse = near_moved[T+6:0];
-    assign far_coarse  = far_moved[T+6:0];
-    rc_cut #(.Width(2 * (T + 7) + 4)) u_coarse (
-      .clk_i, .data_i({near_coarse, far_coarse, near_over, far_over, near_zero, miss}),
-      .data_o({near_rest, far_rest, near_many, far_many, near_none, miss_late}));
-    assign near_fine = near_rest >> fine_move[2:0];
-    assign far_fine  = far_rest >> fine_move[2:0];
+    rc_cut #(.Width(T + 7)) u_near_rest (.clk_i, .data_i(near_coarse), .data_o(near_rest));
+    rc_cut #(.Width(T + 7)) u_far_rest (.clk_i, .data_i(far_coarse), .data_o(far_rest));
+    rc_cut u_near_many (.clk_i, .data_i(near_over), .data_o(near_many));
+    rc_cut u_far_many (.clk_i, .data_i(far_over), .data_o(far_many));
+    rc_cut u_near_none (.clk_i, .data_i(near_zero), .data_o(near_none));
+    rc_cut u_miss_late (.clk_i, .data_i(miss), .data_o(miss_late));
     logic [T-1:0] near_t, far_t;
-    assign near_t = near_none ? '0 : near_fine[T-1:0] | {T{near_many}};
-    assign far_t  = far_fine[T-1:0] | {T{far_many}};
-    rc_cut #(.Width(2 * T + 1)) u_out (
-      .clk_i, .data_i({near_t, far_t, miss_late}),
-      .data_o({near_o[i*T +: T], far_o[i*T +: T], miss_o[i]}));
-    logic unused;
-    assign unused = ^{near_moved[V+T-1:T+7], far_moved[V+T-1:T+7], near_fine[T+6:T],
-                      far_fine[T+6:T]};
+    assign near_t = near_none ? '0 : T'(near_rest >> fine_move[2:0]) | {T{near_many}};
+    assign far_t  = T'(far_rest >> fine_move[2:0]) | {T{far_many}};
+    rc_cut #(.Width(TW)) u_near_out (.clk_i, .data_i(TW'(near_t)), .data_o(near_o[i*TW +: TW]));
+    rc_cut #(.Width(TW)) u_far_out (.clk_i, .data_i(TW'(far_t)), .data_o(far_o[i*TW +: TW]));
+    rc_cut u_miss_out (.clk_i, .data_i(miss_late), .data_o(miss_o[i]));
   end
 
   logic unused;

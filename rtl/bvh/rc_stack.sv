@@ -35,38 +35,59 @@ module rc_stack (
 
   localparam int unsigned Late = rc_pkg::StackStages;
   localparam int unsigned Cut  = rc_pkg::Cut;
+  localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
 
   // Height of every ray's stack; each is empty again when its ray is done, and before the
-  // first one: used_q says whether the memory holds a context's.
-  logic [rc_pkg::Contexts-1:0] used_q;
+  // first one: used says whether the memory holds a context's. Where the top group lies does
+  // not ask that, since the group of an empty stack does not matter.
+  logic [rc_pkg::Contexts-1:0] used;
   logic         end_valid;
   logic [I-1:0] end_ray;
-  logic [H-1:0] s0_kept, s0_height, s1_height_q, end_height, height_d, level;
+  logic [H-1:0] s0_kept, s1_kept_q, s1_height, end_height, height_d, level;
   rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
-  assign s0_height = used_q[s0_ray_i] ? s0_kept : '0;
+  rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
+    .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i('0), .set_i(end_valid), .set_at_i(end_ray),
+    .flags_o(used));
+  assign s1_height = used[s1_tested_i.ray] ? s1_kept_q : '0;
 
   logic              write, read;
   logic [I-1:0]      read_ray;
   logic [H-1:0]      read_height;
   logic [GroupW-1:0] group_d, read_group, group;
   if (Cut == 0) begin : gen_read_now
-    assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_height};
+    assign {read, read_ray, read_height} = {s0_valid_i, s0_ray_i, s0_kept};
   end else begin : gen_read_late
-    assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_height_q};
+    assign {read, read_ray, read_height} = {s1_valid_i, s1_tested_i.ray, s1_kept_q};
+  end
+  function automatic logic [AddrW-1:0] address(input logic [I-1:0] of, input logic [H-1:0] at);
+    address = AddrW'(({{DB{1'b0}}, of} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
+  endfunction
+
+  // What is kept is written a cycle late in a fast chip. The ray reads it much later.
+  logic              write_late;
+  logic [AddrW-1:0]  write_addr, late_addr;
+  logic [GroupW-1:0] late_group;
+  assign write_addr = address(end_ray, level);
+  rc_cut #(.Width(AddrW + GroupW)) u_late (
+    .clk_i, .data_i({write_addr, group_d}), .data_o({late_addr, late_group}));
+  if (Cut == 0) begin : gen_write_now
+    assign write_late = write;
+  end else begin : gen_write_late
+    logic write_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) write_q <= 1'b0;
+      else         write_q <= write;
+    end
+    assign write_late = write_q;
   end
   rc_ram_sync #(.Width(GroupW), .Depth(rc_pkg::Contexts * D)) u_groups (
-    .clk_i,
-    .write_i(write), .write_addr_i(address(end_ray, level)), .write_data_i(group_d),
+    .clk_i, .write_i(write_late), .write_addr_i(late_addr), .write_data_i(late_group),
     .read_i(read), .read_addr_i(address(read_ray, read_height - H'(1))),
     .read_data_o(read_group));
   rc_cut #(.Width(GroupW)) u_group (.clk_i, .data_i(read_group), .data_o(group));
 
-  localparam int unsigned AddrW = rc_pkg::Contexts * D < 2 ? 1 : $clog2(rc_pkg::Contexts * D);
-  function automatic logic [AddrW-1:0] address(input logic [I-1:0] of, input logic [H-1:0] at);
-    address = AddrW'(({{DB{1'b0}}, of} << $clog2(D)) | {{(I+DB-H){1'b0}}, at & H'(D - 1)});
-  endfunction
 
   // What is compared: the ray's step, its new children and its top group.
   logic [rc_pkg::TestedW-1:0]   tested_flat;
@@ -75,7 +96,7 @@ module rc_stack (
   rc_pkg::tested_t              tested;
   rc_pkg::children_t            children, end_children;
   rc_cut #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW + H), .Stages(Late - Cut)) u_step (
-    .clk_i, .data_i({s1_tested_i, s1_children_i, s1_height_q}),
+    .clk_i, .data_i({s1_tested_i, s1_children_i, s1_height}),
     .data_o({tested_flat, children_flat, height}));
   assign tested   = tested_flat;
   assign children = children_flat;
@@ -171,11 +192,7 @@ module rc_stack (
     end
   end
 
-  always_ff @(posedge clk_i) begin
-    if (s0_valid_i) s1_height_q <= s0_height;
-    if (!rst_ni)         used_q <= '0;
-    else if (end_valid) used_q[end_ray] <= 1'b1;
-  end
+  always_ff @(posedge clk_i) if (s0_valid_i) s1_kept_q <= s0_kept;
 
   logic unused;   // what is only compared in part
   assign unused = ^{children, near, top_base, top_count, top_near, top_slot, end_near};
@@ -197,7 +214,7 @@ module rc_stack (
                                 s0_valid_i |-> !inside_q[s0_ray_i])
     else $error("a ray is in two stages of trav");
   a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                            write && read |-> end_ray != read_ray)
+                            write_late && read |-> late_addr[AddrW-1 -: I] != read_ray)
     else $error("a ray's group is written while it is read");
 `endif
 endmodule

@@ -87,7 +87,7 @@ module rc_trav (
   assign came_fires      = box_rsp_valid_i;
   assign box_rsp_ready_o = 1'b1;
   rc_reach u_reach (
-    .clk_i, .start_fires_i, .start_i,
+    .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
     .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(came_t));
   rc_cut #(.Width(rc_pkg::BoxRspW + TB)) u_came (

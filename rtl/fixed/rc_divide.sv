@@ -40,16 +40,20 @@ module rc_divide #(
       assign quo_d   = gen_stage[i-1].quo_q;
     end
     // A restoring step, or two.
-    logic [Width:0]   first, first_less;
+    logic [Width:0]   first, first_less, second, second_less;
     logic [Width-1:0] between;
     always_comb begin
       first       = '0;
       first_less  = '0;
       between     = '0;
+      second      = '0;
+      second_less = '0;
       if (valid_d) begin
         first       = {rem_d, quo_d[QuoW-1]};
         first_less  = first - {1'b0, den_d};
         between     = first_less[Width] ? first[Width-1:0] : first_less[Width-1:0];
+        second      = {between, quo_d[QuoW-Bits]};
+        second_less = second - {1'b0, den_d};
       end
     end
     always_ff @(posedge clk_i) begin
@@ -57,36 +61,21 @@ module rc_divide #(
       if (valid_d) den_q <= den_d;
     end
     if (Bits == 1) begin : gen_one
-      logic [QuoW:0] quo;
-      assign quo = {quo_d, !first_less[Width]};
       always_ff @(posedge clk_i) begin
         if (valid_d) begin
           rem_q <= between;
-          quo_q <= quo[QuoW-1:0];
+          quo_q <= QuoW'({quo_d, !first_less[Width]});
         end
       end
       logic unused;
-      assign unused = quo[QuoW];
+      assign unused = ^second_less;
     end else begin : gen_two
-      logic [Width:0]  second, second_less;
-      logic [QuoW+1:0] quo;
-      assign quo = {quo_d, !first_less[Width], !second_less[Width]};
-      always_comb begin
-        second      = '0;
-        second_less = '0;
-        if (valid_d) begin
-          second      = {between, quo_d[QuoW-2]};
-          second_less = second - {1'b0, den_d};
-        end
-      end
       always_ff @(posedge clk_i) begin
         if (valid_d) begin
           rem_q <= second_less[Width] ? second[Width-1:0] : second_less[Width-1:0];
-          quo_q <= quo[QuoW-1:0];
+          quo_q <= QuoW'({quo_d, !first_less[Width], !second_less[Width]});
         end
       end
-      logic unused;
-      assign unused = ^quo[QuoW+1:QuoW];
     end
   end
 

@@ -63,15 +63,16 @@ module rc_host #(
   // ---- The frame.
   typedef enum logic [1:0] {StPrepare, StIdle, StStart, StRun} state_e;
   state_e       state_q;
-  logic         wanted_q, done_q, goes, ends;
+  logic         wanted_q, done_q, goes, ends, is_idle;
   logic [3:0]   step_q;
   logic [31:0]  left_q, left_less;   // pixels
-  logic [15:0]  height;
+  logic         some_q;              // there are any
+  logic [15:0]  rest_q;              // of height, its top bit first
   logic [3:0]   hits;
+  assign is_idle = state_q == StIdle;
   assign goes    = writes && adr_q == 13'(rc_pkg::RegStart) && dat_q[0];
-  assign start_o = state_q == StStart && left_q != '0;
-  assign ends    = state_q == StStart ? left_q == '0 : state_q == StRun && left_less == '0;
-  assign height  = {{(16-S){1'b0}}, frame_o.height};
+  assign start_o = state_q == StStart && some_q;
+  assign ends    = state_q == StStart ? !some_q : state_q == StRun && left_q == 32'(hits);
   always_comb begin
     hits = '0;
     for (int p = 0; p < rc_pkg::Pipelines; p++) hits = hits + 4'(hit_fires_i[p]);
@@ -87,7 +88,7 @@ module rc_host #(
     end else begin
       if (state_q == StPrepare) begin   // width times height, from the top bit of height
         step_q <= step_q + 1'b1;
-        if (wanted_q) left_q <= (left_q << 1) + (height[4'd15 - step_q] ? 32'(frame_o.width) : '0);
+        if (wanted_q) left_q <= (left_q << 1) + (rest_q[15] ? 32'(frame_o.width) : '0);
         if (step_q == '1) state_q <= wanted_q ? StStart : StIdle;
       end else if (state_q == StIdle) begin
         wanted_q <= goes;
@@ -102,6 +103,10 @@ module rc_host #(
       end
     end
   end
+  always_ff @(posedge clk_i) begin   // the frame does not change while it is prepared
+    some_q <= frame_o.width != '0 && frame_o.height != '0;
+    rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-S){1'b0}}, frame_o.height};
+  end
   assign running_o = state_q == StRun;
   assign done_o    = done_q;
 
@@ -111,7 +116,8 @@ module rc_host #(
     localparam int unsigned At   = 32'(rc_pkg::FrameAt[16*w +: 16]);
     localparam int unsigned Bits = 32'(rc_pkg::FrameBits[16*w +: 16]);
     always_ff @(posedge clk_i) begin
-      if (writes && adr_q == 13'(rc_pkg::RegFrame + w)) frame_q[At +: Bits] <= dat_q[Bits-1:0];
+      if (fires && we_q && is_idle && adr_q == 13'(rc_pkg::RegFrame + w))
+        frame_q[At +: Bits] <= dat_q[Bits-1:0];
     end
   end
 
@@ -140,8 +146,6 @@ module rc_host #(
   logic was_counting_q;
   always_ff @(posedge clk_i) was_counting_q <= count_o;
   assign still = !count_o && !was_counting_q && state_q != StPrepare;
-  logic is_idle;
-  assign is_idle = state_q == StIdle;
 
   logic [12:0] frame_word, parameter_word;
   assign frame_word     = adr_q - 13'(rc_pkg::RegFrame);

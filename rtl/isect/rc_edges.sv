@@ -111,15 +111,17 @@ module rc_edges #(
   logic [1:0] u_there, v_there, w_there, tie_u_there, tie_v_there, tie_w_there;   // is not zero
   logic [2:0] u_sign, v_sign, w_sign, tie_u_sign, tie_v_sign, tie_w_sign;
   logic       tie_u, tie_v, tie_w, end_tie_u, end_tie_v, end_tie_w;
+  logic holds;   // relaxed: what is not there costs a simulation nothing
+  assign holds = Cut != 0 || valid_i[Cross];
   for (genvar k = 0; k < 3; k++) begin : gen_tie
     if (k < 2) begin : gen_there
-      assign u_there[k] = gen_cross[k].p2_q != '0;
-      assign v_there[k] = gen_cross[k].p1_q != '0;
-      assign w_there[k] = gen_cross[k].p1_q != gen_cross[k].p2_q;
+      assign u_there[k] = holds && gen_cross[k].p2_q != '0;
+      assign v_there[k] = holds && gen_cross[k].p1_q != '0;
+      assign w_there[k] = holds && gen_cross[k].p1_q != gen_cross[k].p2_q;
     end
     assign u_sign[k]  = gen_cross[k].p2_q[C-1];
     assign v_sign[k]  = !gen_cross[k].p1_q[C-1];
-    assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;
+    assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;
   end
   rc_cut #(.Width(15)) u_tie (
     .clk_i, .data_i({u_there, v_there, w_there, u_sign, v_sign, w_sign}),

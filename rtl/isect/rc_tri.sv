@@ -62,6 +62,10 @@ module rc_tri (
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
   end
+  // A stage takes over what comes to it if that is a primitive. In a fast chip it always does: an
+  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+  logic [L:0] moves;
+  assign moves = valid | {(L+1){Cut != 0}};
 
   rc_pkg::tri_req_t           in;
   logic [rc_pkg::TriReqW-1:0] in_flat;
@@ -70,7 +74,7 @@ module rc_tri (
 
   logic [I-1:0] end_ray;
   rc_delay #(.Width(I), .Stages(L - In)) u_ray (
-    .clk_i, .valid_i(valid[L-1:In]), .data_i(in.ray), .data_o(end_ray));
+    .clk_i, .valid_i(moves[L-1:In]), .data_i(in.ray), .data_o(end_ray));
 
   // Stages up to Front: the ray and the triangle, and whether they meet. num / den is t,
   // num / det what is compared with other hits of the ray.
@@ -117,6 +121,8 @@ module rc_tri (
   end else begin : gen_all_flat
     assign flat = valid[Pre:In];
   end
+  logic [Pre:In] goes;   // moves, of what is no sphere
+  assign goes = flat | {(Pre-In+1){Cut != 0}};
 
   // t's divisor: of the sheared test it has the direction's size as a factor, whose product is
   // ready with those to be compared.
@@ -126,22 +132,22 @@ module rc_tri (
     logic [D+M-1:0] f0_den;
     logic [E-1:0]   wide_den_q;
     rc_shear u_shear (
-      .clk_i, .valid_i(flat[Front-1:In]),
+      .clk_i, .valid_i(goes[Front-1:In]),
       .s0_shear_i({in.axis, in.neg, in.size, in.slope}),
       .s0_o_i(in.o), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .s6_hit_o(f0_hit), .s6_size_o(f0_size), .s6_det_o(f0_det), .s6_num_o(f0_num),
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
       .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
-    always_ff @(posedge clk_i) if (flat[Wide-1]) wide_den_q <= f0_den[E-1:0];
+    always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f0_den[E-1:0];
     rc_delay #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
-      .clk_i, .valid_i(flat[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
+      .clk_i, .valid_i(goes[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
     assign {f0_back, f0_u_neg, f0_v_neg} = '0;
     logic unused;
     assign unused = ^f0_den;
   end else begin : gen_exact
     rc_edges u_edges (
-      .clk_i, .valid_i(flat[Front-1:In]), .s0_leaves_i(in_leaves), .s0_plane_i(in_plane),
+      .clk_i, .valid_i(goes[Front-1:In]), .s0_leaves_i(in_leaves), .s0_plane_i(in_plane),
       .s0_o_i(in.o), .s0_d_i(in.d), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
       .back_o(f0_back), .u_neg_o(f0_u_neg), .v_neg_o(f0_v_neg));
@@ -160,12 +166,12 @@ module rc_tri (
   assign in_best_det = in_any ? ShadowDet : in.best_det;
   assign in_first    = in.prim <= in.best_prim && !in_any;
   rc_delay #(.Width(2), .Stages(Wide - In)) u_best (
-    .clk_i, .valid_i(flat[Wide-1:In]), .data_i({in_found, in_first}),
+    .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
   rc_delay #(.Width(U), .Stages(Front - In)) u_best_num (
-    .clk_i, .valid_i(flat[Front-1:In]), .data_i(in_best_num), .data_o(f0_best_num));
+    .clk_i, .valid_i(goes[Front-1:In]), .data_i(in_best_num), .data_o(f0_best_num));
   rc_delay #(.Width(D), .Stages(Front - In)) u_best_det (
-    .clk_i, .valid_i(flat[Front-1:In]), .data_i(in_best_det), .data_o(f0_best_det));
+    .clk_i, .valid_i(goes[Front-1:In]), .data_i(in_best_det), .data_o(f0_best_det));
 
   // num / det against best_num / best_det, cross-multiplied; all four are positive. Closer, or
   // as close with a lower number.
@@ -177,7 +183,7 @@ module rc_tri (
     .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
   rc_cut #(.Width(1), .Stages(Mul)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
   always_ff @(posedge clk_i) begin
-    if (flat[Wide-1] && f1_hit) begin
+    if (goes[Wide-1] && (Cut != 0 || f1_hit)) begin
       f1_mine_q   <= f0_mine;
       f1_theirs_q <= f0_theirs;
     end
@@ -185,8 +191,8 @@ module rc_tri (
   assign wide_before = !wide_found || {f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};
   rc_cut #(.Width(1)) u_before (.clk_i, .data_i(wide_before), .data_o(last_before));
   rc_delay #(.Width(1), .Stages(Pre - Wide)) u_hit (
-    .clk_i, .valid_i(flat[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
-  always_ff @(posedge clk_i) if (flat[Pre-1]) pre_closer_q <= last_hit && last_before;
+    .clk_i, .valid_i(goes[Pre-2:Wide-1]), .data_i(f1_hit), .data_o(last_hit));
+  always_ff @(posedge clk_i) if (goes[Pre-1]) pre_closer_q <= last_hit && last_before;
 
   // The hit itself waits.
   localparam int unsigned Compare = Pre - Front;
@@ -195,18 +201,18 @@ module rc_tri (
   logic [P-1:0] pre_prim;
   logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
   rc_delay #(.Width(U), .Stages(Compare)) u_num (
-    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_num), .data_o(pre_num));
+    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_num), .data_o(pre_num));
   rc_delay #(.Width(D), .Stages(Compare)) u_det (
-    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_det), .data_o(pre_det));
+    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_det), .data_o(pre_det));
   rc_delay #(.Width(D), .Stages(Compare)) u_u (
-    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_u), .data_o(pre_u));
+    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_u), .data_o(pre_u));
   rc_delay #(.Width(D), .Stages(Compare)) u_v (
-    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i(f0_v), .data_o(pre_v));
+    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_v), .data_o(pre_v));
   rc_delay #(.Width(3), .Stages(Compare)) u_signs (
-    .clk_i, .valid_i(flat[Pre-1:Front]), .data_i({f0_back, f0_u_neg, f0_v_neg}),
+    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i({f0_back, f0_u_neg, f0_v_neg}),
     .data_o({pre_back, pre_u_neg, pre_v_neg}));
   rc_delay #(.Width(P + 1), .Stages(Pre - In)) u_prim (
-    .clk_i, .valid_i(flat[Pre-1:In]), .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
+    .clk_i, .valid_i(goes[Pre-1:In]), .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // Divisions; numerator, determinant and number wait.
   localparam int unsigned Divide = rc_pkg::HitdivStages;
@@ -216,11 +222,12 @@ module rc_tri (
   assign pre_divide = flat[Pre] && pre_closer_q && !pre_any;
   assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
   rc_hitdiv #(.E(E)) u_hitdiv (
-    .clk_i, .valid_i(pre_divide), .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
+    .clk_i, .valid_i(Cut != 0 || pre_divide), .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
-  logic [Divide-1:0] closer_q, block_q;
+  logic [Divide-1:0] closer_q, block_q, tail_moves;
+  assign tail_moves = {closer_q[Divide-2:0], pre_divide} | {Divide{Cut != 0}};
   logic [TailW-2:0]  pre_tail, tail;
   if (rc_pkg::Shading == 1) begin : gen_back
     assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
@@ -232,7 +239,7 @@ module rc_tri (
     block_q  <= {block_q[Divide-2:0], pre_block};
   end
   rc_delay #(.Width(TailW - 1), .Stages(Divide)) u_tail (
-    .clk_i, .valid_i({closer_q[Divide-2:0], pre_divide}), .data_i(pre_tail), .data_o(tail));
+    .clk_i, .valid_i(tail_moves), .data_i(pre_tail), .data_o(tail));
 
   // hit: closer with all that is told, or blocked with nothing.
   logic            closer, blocked;
@@ -300,7 +307,7 @@ module rc_tri (
     assign {end_closer, end_blocked, end_hit} = {closer, blocked, hit};
   end else begin : gen_later
     rc_delay #(.Width(HitW + 1), .Stages(Extra)) u_end (
-      .clk_i, .valid_i(valid[L-1:Core]), .data_i({closer, blocked, hit}),
+      .clk_i, .valid_i(moves[L-1:Core]), .data_i({closer, blocked, hit}),
       .data_o({end_closer, end_blocked, end_hit}));
   end
 
@@ -320,6 +327,7 @@ module rc_tri (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, valid[L], in_flat, in_leaves, in_plane, in_sphere, pre_back};
+  assign unused = ^{queue_ready, valid[L], moves, goes, in_flat, in_leaves, in_plane, in_sphere,
+                    pre_back};
 endmodule
 `default_nettype wire

@@ -64,26 +64,39 @@ module rc_list (
   localparam int unsigned TB = rc_pkg::TBits;
   localparam int unsigned T  = rc_pkg::Contexts;
 
-  // ---- The two events of a cycle: leaves of trav (in), an answer of tri.
-  logic            in_fires, tri_fires, tri_prim;
-  rc_pkg::leaves_t in;
+  // ---- The two events of a cycle: leaves of trav (in), an answer of tri (came). In a
+  // fast chip the answer is in a register first.
+  logic             in_fires, came_fires, tri_prim;
+  rc_pkg::leaves_t  in;
+  rc_pkg::tri_rsp_t came;
+  logic [rc_pkg::TriRspW-1:0] came_flat;
   assign tri_rsp_ready_o = 1'b1;
   assign in_fires        = leaves_fires_i;
-  assign tri_fires       = tri_rsp_valid_i;
   assign in              = leaves_i;
+  rc_cut #(.Width(rc_pkg::TriRspW)) u_came (.clk_i, .data_i(tri_rsp_i), .data_o(came_flat));
+  assign came = came_flat;
+  if (rc_pkg::Cut == 0) begin : gen_come_now
+    assign came_fires = tri_rsp_valid_i;
+  end else begin : gen_come_late
+    logic came_fires_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) came_fires_q <= 1'b0;
+      else         came_fires_q <= tri_rsp_valid_i;
+    end
+    assign came_fires = came_fires_q;
+  end
 
-  // ---- Best hits. found_q says whether the memories hold one for a ray; any_q, which rays
+  // ---- Best hits. found says whether the memories hold one for a ray; any_q, which rays
   // any hit ends.
   logic [I-1:0] start_ray;
-  logic [T-1:0] found_q, any_q;
+  logic [T-1:0] found, any_q;
   logic         closer, blocked;
   assign start_ray = start_i.ray;
-  assign closer    = tri_fires && tri_rsp_i.closer;
-  assign blocked   = closer && any_q[tri_rsp_i.ray];
-  always_ff @(posedge clk_i) begin
-    if (start_fires_i) found_q[start_ray] <= 1'b0;
-    if (closer)        found_q[tri_rsp_i.ray] <= 1'b1;
-  end
+  assign closer    = came_fires && came.closer;
+  assign blocked   = closer && any_q[came.ray];
+  rc_flags #(.Flags(T)) u_is_found (
+    .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
+    .set_i(closer), .set_at_i(came.ray), .flags_o(found));
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic ends_at_any;
     assign ends_at_any = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
@@ -94,10 +107,10 @@ module rc_list (
 
   logic [TB-1:0] tri_t_old, tri_t;
   rc_reach u_reach (
-    .clk_i, .start_fires_i, .start_i,
-    .write_i(closer), .write_ray_i(tri_rsp_i.ray), .write_t_i(tri_rsp_i.t),
-    .read_ray_i(tri_rsp_i.ray), .read_t_o(tri_t_old));
-  assign tri_t = closer ? tri_rsp_i.t : tri_t_old;
+    .clk_i, .rst_ni, .start_fires_i, .start_i,
+    .write_i(closer), .write_ray_i(came.ray), .write_t_i(came.t),
+    .read_ray_i(came.ray), .read_t_o(tri_t_old));
+  assign tri_t = closer ? came.t : tri_t_old;
 
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
@@ -108,7 +121,7 @@ module rc_list (
     .read_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
 
   // ---- Cursors: leaf and triangle under way per ray; 0, 0 until tri has answered once.
-  logic [T-1:0] moved_q;
+  logic [T-1:0] moved;
   logic [S-1:0]   cursor_leaf, next_leaf;
   logic [C-1:0]   cursor_triangle, next_triangle;
   logic [S+C-1:0] cursor, tri_cursor;
@@ -117,15 +130,14 @@ module rc_list (
   rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
     .clk_i, .write_i(end_fires), .write_addr_i(end_ray),
     .write_data_i({next_leaf, next_triangle}),
-    .read_addr_i(tri_rsp_i.ray), .read_data_o(cursor));
-  always_ff @(posedge clk_i) begin
-    if (in_fires)  moved_q[in.ray] <= 1'b0;
-    if (tri_fires) moved_q[tri_rsp_i.ray] <= 1'b1;
-  end
-  assign tri_cursor = moved_q[tri_rsp_i.ray] ? cursor : '0;
+    .read_addr_i(came.ray), .read_data_o(cursor));
+  rc_flags #(.Flags(T)) u_moved (
+    .clk_i, .rst_ni, .clear_i(in_fires), .clear_at_i(in.ray),
+    .set_i(came_fires), .set_at_i(came.ray), .flags_o(moved));
+  assign tri_cursor = moved[came.ray] ? cursor : '0;
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. In a
-  // fast chip what is known of the ray is read, compared and sent on in three cycles.
+  // fast chip what is known of the ray is read, in two cycles, compared and sent on in one each.
   logic [I-1:0]    it_ray;
   logic            it_blocked, end_blocked;
   logic [TB-1:0]   it_t, end_t;
@@ -134,10 +146,12 @@ module rc_list (
   logic [W*TB-1:0] group_near;
   logic [W*O-1:0]  group_offset;
   logic [W*C-1:0]  group_count;
-  rc_cut #(.Width(I + 1 + TB + GroupW + S + C)) u_it (
-    .clk_i, .data_i({tri_rsp_i.ray, blocked, tri_t, tri_group, tri_cursor}),
-    .data_o({it_ray, it_blocked, it_t, group_base, group_leaves, group_near, group_offset,
-             group_count, cursor_leaf, cursor_triangle}));
+  rc_cut #(.Width(I + 1 + TB + S + C)) u_it (
+    .clk_i, .data_i({came.ray, blocked, tri_t, tri_cursor}),
+    .data_o({it_ray, it_blocked, it_t, cursor_leaf, cursor_triangle}));
+  rc_cut #(.Width(GroupW), .Stages(2 * rc_pkg::Cut)) u_it_group (
+    .clk_i, .data_i(tri_group),
+    .data_o({group_base, group_leaves, group_near, group_offset, group_count}));
 
   logic [S-1:0] at_next, end_leaf;
   logic [C-1:0] leaf_count, end_triangle;
@@ -167,12 +181,12 @@ module rc_list (
     .data_o({end_ray, end_blocked, end_more_triangles, end_more_leaves, end_t, end_base, end_leaf,
              end_triangle, end_this_offset, end_next_offset}));
   if (rc_pkg::Cut == 0) begin : gen_end_now
-    assign end_fires = tri_fires;
+    assign end_fires = came_fires;
   end else begin : gen_end_late   // two registers
     logic it_fires_q, end_fires_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) {it_fires_q, end_fires_q} <= '0;
-      else         {it_fires_q, end_fires_q} <= {tri_fires, it_fires_q};
+      else         {it_fires_q, end_fires_q} <= {came_fires, it_fires_q};
     end
     assign end_fires = end_fires_q;
   end
@@ -209,7 +223,7 @@ module rc_list (
     .data_o({tested_ray, tested_t_best}));
   if (rc_pkg::Shading != 0) begin : gen_stop
     logic stop;
-    assign stop     = any_q[tested_ray] && found_q[tested_ray];
+    assign stop     = any_q[tested_ray] && found[tested_ray];
     assign tested_o = {tested_ray, stop, tested_t_best};
   end else begin : gen_go_on
     assign tested_o = {tested_ray, tested_t_best};
@@ -240,10 +254,10 @@ module rc_list (
     .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_for_tri),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
   rc_ram #(.Width(BestW), .Depth(T)) u_best (
-    .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
-    .write_data_i({tri_rsp_i.num, tri_rsp_i.det, tri_rsp_i.prim}),
+    .clk_i, .write_i(closer), .write_addr_i(came.ray),
+    .write_data_i({came.num, came.det, came.prim}),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_best));
-  assign tri_found        = found_q[prim_rsp_i.ray];
+  assign tri_found        = found[prim_rsp_i.ray];
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
   logic [rc_pkg::PrimitiveW-1:0] prim_data;
@@ -261,15 +275,15 @@ module rc_list (
   logic [FoundW-1:0] new_found, end_found;
   logic              is_found;
   rc_ram #(.Width(FoundW), .Depth(T)) u_found (
-    .clk_i, .write_i(closer), .write_addr_i(tri_rsp_i.ray),
+    .clk_i, .write_i(closer), .write_addr_i(came.ray),
     .write_data_i(new_found),
     .read_addr_i(done_i.ray), .read_data_o(end_found));
   if (rc_pkg::Shading != 0) begin : gen_side   // the side seen comes first
-    assign new_found = {tri_rsp_i.back, tri_rsp_i.prim, tri_rsp_i.t, tri_rsp_i.u, tri_rsp_i.v};
+    assign new_found = {came.back, came.prim, came.t, came.u, came.v};
   end else begin : gen_no_side
-    assign new_found = {tri_rsp_i.prim, tri_rsp_i.t, tri_rsp_i.u, tri_rsp_i.v};
+    assign new_found = {came.prim, came.t, came.u, came.v};
   end
-  assign is_found        = found_q[done_i.ray];
+  assign is_found        = found[done_i.ray];
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
   assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};

@@ -9,8 +9,9 @@
 // the line's last word has come, they are answered before anything is looked up: the first of
 // them 3 cycles after that word, then one per cycle. A look-up that cannot go on stays at the
 // head of the queue. deed_o says what happened in a cycle.
-// With Cut there are two cycles more: the head is compared with the tags in a cycle of its own,
-// and waits for its look-up in a register; and what is read passes through another one.
+// With Cut there are two cycles more: the head is compared with the tags, which are read when it
+// comes to the head, in a cycle of its own, and waits for its look-up in a register; and what is
+// read passes through another one.
 // Model: model/mem/cache.hpp.
 //
 // The user holds reset for at least Sets cycles (rc_tags), gives an id again only after its
@@ -81,49 +82,66 @@ module rc_cache #(
 
   // ---- The request at the head, and the one that is looked up: the same, unless there is a
   // register in between.
-  logic              ahead_valid, load, valid, pop;
-  logic [IdBits-1:0] ahead_id, id;
-  logic [ReqAW-1:0]  ahead_addr, addr;
-  rc_fifo #(.Width(IdBits + ReqAW), .Depth(2)) u_in (
-    .clk_i, .rst_ni, .valid_i(req_valid_i), .ready_o(req_ready_o), .data_i(req_i),
-    .valid_o(ahead_valid), .ready_i(load), .data_o({ahead_id, ahead_addr}));
+  logic              load, valid, pop;
+  logic [IdBits-1:0] id;
+  logic [ReqAW-1:0]  addr;
+  logic              next_load;   // with Cut: tags are read for what comes to the head
+  logic [LineW-1:0]  line, ahead_line, next_line;
   if (Cut == 0) begin : gen_at_once
-    assign valid      = ahead_valid;
+    rc_fifo #(.Width(IdBits + ReqAW), .Depth(2), .Cut(0)) u_in (
+      .clk_i, .rst_ni, .valid_i(req_valid_i), .ready_o(req_ready_o), .data_i(req_i),
+      .valid_o(valid), .ready_i(load), .data_o({id, addr}));
     assign load       = pop;
-    assign {id, addr} = {ahead_id, ahead_addr};
-  end else begin : gen_ahead
-    logic                    valid_q;
-    logic [IdBits+ReqAW-1:0] request_q;
-    assign valid      = valid_q;
-    assign load       = !valid_q || pop;
-    assign {id, addr} = request_q;
+    assign ahead_line = line;
+    assign next_load  = 1'b0;
+    assign next_line  = line;
+  end else begin : gen_ahead   // the queue's two places, and the request that is looked up
+    logic                    valid_q, head_valid_q, back_valid_q, comes;
+    logic [IdBits+ReqAW-1:0] request_q, head_q, back_q, next;
+    assign valid       = valid_q;
+    assign load        = !valid_q || pop;
+    assign {id, addr}  = request_q;
+    assign ahead_line  = head_q[ReqAW-1 -: LineW];
+    assign req_ready_o = !back_valid_q;
+    assign comes       = req_valid_i && req_ready_o;
+    assign next        = back_valid_q ? back_q : req_i;
+    assign next_load   = !head_valid_q || load;
+    assign next_line   = next[ReqAW-1 -: LineW];
     always_ff @(posedge clk_i) begin
-      if (!rst_ni) valid_q <= 1'b0;
-      else         valid_q <= ahead_valid || !load;
-      if (load) request_q <= {ahead_id, ahead_addr};
+      if (!rst_ni) begin
+        valid_q      <= 1'b0;
+        head_valid_q <= 1'b0;
+        back_valid_q <= 1'b0;
+      end else begin
+        valid_q      <= head_valid_q || !load;
+        head_valid_q <= !next_load || back_valid_q || comes;
+        back_valid_q <= !next_load && (back_valid_q || comes);
+      end
+      if (load)          request_q <= head_q;
+      if (next_load)     head_q    <= next;
+      if (!back_valid_q) back_q    <= req_i;
     end
   end
-  logic [LineW-1:0] line, ahead_line;
-  logic [SetW-1:0]  set, ahead_set;
+  logic [SetW-1:0]  set, ahead_set, next_set;
   logic [SelW-1:0]  select;
   assign line       = addr[ReqAW-1 -: LineW];
   assign set        = line[SetW-1:0] & SetW'(Sets - 1);
-  assign ahead_line = ahead_addr[ReqAW-1 -: LineW];
   assign ahead_set  = ahead_line[SetW-1:0] & SetW'(Sets - 1);
-  assign select = addr[SelW-1:0] & SelW'((1 << SelB) - 1);
+  assign next_set   = next_line[SetW-1:0] & SetW'(Sets - 1);
+  assign select     = addr[SelW-1:0] & SelW'((1 << SelB) - 1);
 
   // ---- What to do in this cycle.
   logic            open, draining, look, drain, found, full, conflict;
   logic            hit, merge, miss, joins;
-  logic [WayW-1:0] way;
-  logic [Ways-1:0] waiting;
-  assign joins = waiting[way];
+  logic [WayW-1:0] way, line_way;
+  logic [Ways-1:0] waiting, hits;
+  assign joins = (hits & waiting) != '0;
   assign drain = draining && open;
   assign look  = valid && !draining && open;
   assign hit   = look && found && !joins;
   assign merge = look && found && joins;
   assign miss  = look && !found && !full && !conflict;
-  assign pop   = hit || merge || miss;
+  assign pop   = look && (found || (!full && !conflict));   // one of the three
   always_comb begin
     if (!draining && !valid) deed_o = rc_pkg::DeedStarved;
     else if (!open)          deed_o = rc_pkg::DeedAnswers;
@@ -134,10 +152,11 @@ module rc_cache #(
   end
 
   rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways), .Cut(Cut)) u_tags (
-    .clk_i, .rst_ni, .load_i(load), .ahead_set_i(ahead_set),
-    .ahead_tag_i(ahead_line[LineW-1 -: TagW]), .set_i(set),
+    .clk_i, .rst_ni, .next_load_i(next_load), .next_set_i(next_set),
+    .load_i(load), .ahead_set_i(ahead_set), .ahead_tag_i(ahead_line[LineW-1 -: TagW]), .set_i(set),
     .tag_i(line[LineW-1 -: TagW]), .waiting_i(waiting),
-    .hit_o(found), .conflict_o(conflict), .way_o(way), .touch_i(pop), .take_i(miss));
+    .hits_o(hits), .hit_o(found), .found_o(line_way), .conflict_o(conflict), .way_o(way),
+    .touch_i(pop), .take_i(miss));
 
   logic [MshrW-1:0]  free;
   logic [IdBits-1:0] drain_id;
@@ -148,7 +167,7 @@ module rc_cache #(
     .clk_i, .rst_ni,
     .id_i(id), .set_i(set), .load_i(load), .ahead_set_i(ahead_set), .waiting_o(waiting),
     .full_o(full), .waits_o, .free_o(free),
-    .way_i(way), .take_i(miss), .merge_i(merge),
+    .way_i(way), .take_i(miss), .line_way_i(line_way), .merge_i(merge),
     .fill_fires_i, .fill_mshr_i(fill_id_i[MissIdW-1 -: MshrW]),
     .fill_set_o(fill_set), .fill_way_o(fill_way),
     .drain_valid_o(draining), .drain_id_o(drain_id), .drain_set_o(drain_set),
@@ -196,7 +215,8 @@ module rc_cache #(
   logic [WordW-1:0]  read_word;
   assign admit     = hit || drain;
   assign read_word = WordW'(read_select >> PartB);
-  assign read_at   = draining ? place(drain_set, drain_way, read_word) : place(set, way, read_word);
+  assign read_at   = draining ? place(drain_set, drain_way, read_word)
+                              : place(set, line_way, read_word);
   assign fill_at   = place(fill_set, fill_way, fill_id_i[WordW-1:0] & WordW'(Words - 1));
   rc_door #(.Credits(Queue)) u_door (
     .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(open));
@@ -263,6 +283,6 @@ module rc_cache #(
 `endif
 
   logic unused;
-  assign unused = rsp_place;
+  assign unused = ^{rsp_place, next_line};
 endmodule
 `default_nettype wire

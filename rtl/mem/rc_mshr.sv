@@ -3,7 +3,7 @@
 //
 // Each line has a miss status register (MSHR) with its set and way. The requests that wait for
 // it are a chain through their ids, first to last. A request takes a free MSHR or joins the chain
-// of the line that way_i waits for. Words come in any order; with the last of them the line is
+// of the line that line_way_i waits for. Words come in any order; with the last of them the line is
 // filled, and its chain is answered from the next cycle on, one request per drain_i, while no
 // request may take or merge. The MSHR is free after the last of them.
 // Model: Mshr, ask() and drain() in model/mem/cache.cpp.
@@ -32,7 +32,8 @@ module rc_mshr #(
   output logic [MshrW-1:0]  free_o,        // the lowest that is
   input  logic [WayW-1:0]   way_i,
   input  logic              take_i,        // takes the free MSHR: way_i waits from now on
-  input  logic              merge_i,       // way_i waits already: joins the chain
+  input  logic [WayW-1:0]   line_way_i,
+  input  logic              merge_i,       // line_way_i waits already: joins the chain
   // A word from memory, and where its line goes
   input  logic              fill_fires_i,
   input  logic [MshrW-1:0]  fill_mshr_i,
@@ -56,24 +57,27 @@ module rc_mshr #(
   end
   logic [MshrW-1:0] drained;   // MSHR at the head of the filled ones
   logic             is_last;   // no other request waits for it
-  logic [MshrW-1:0] joined;    // MSHR of way_i
+  logic [MshrW-1:0] joined;    // MSHR of line_way_i
+  logic [Mshrs-1:0] busy;
 
   for (genvar m = 0; m < Mshrs; m++) begin : gen_mshr
-    logic            busy_q;
+    logic            busy_q, takes, is_free;   // is_free: the lowest that is
+    assign busy[m] = busy_q;
     logic [SetW-1:0] set_q;
     logic [WayW-1:0] way_q;
+    assign takes = take_i && is_free;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) busy_q <= 1'b0;
-      else if (take_i && free_o == MshrW'(m)) busy_q <= 1'b1;
+      else if (takes) busy_q <= 1'b1;
       else if (drain_i && is_last && drained == MshrW'(m)) busy_q <= 1'b0;
-      if (take_i && free_o == MshrW'(m)) begin
+      if (takes) begin
         set_q <= set_i;
         way_q <= way_i;
       end
     end
 
     // Of this MSHR and those below.
-    logic             here, full, some;
+    logic             here, some;
     logic [Ways-1:0]  waiting;
     logic [MshrW-1:0] free, match;
     if (Cut == 0) begin : gen_at_once
@@ -82,24 +86,24 @@ module rc_mshr #(
       logic same_set_q;
       always_ff @(posedge clk_i)
         if (load_i)
-          same_set_q <= (take_i && free_o == MshrW'(m) ? set_i : set_q) == ahead_set_i;
+          same_set_q <= takes ? set_i == ahead_set_i : set_q == ahead_set_i;
       assign here = busy_q && same_set_q;
     end
     if (m == 0) begin : gen_first
-      assign full    = busy_q;
+      assign is_free = !busy_q;
       assign some    = busy_q;
       assign waiting = here ? Ways'(1) << way_q : '0;
       assign free    = '0;
       assign match   = '0;
     end else begin : gen_next
-      assign full    = busy_q && gen_mshr[m-1].full;
+      assign is_free = !busy_q && &busy[m-1:0];
       assign some    = busy_q || gen_mshr[m-1].some;
       assign waiting = (here ? Ways'(1) << way_q : '0) | gen_mshr[m-1].waiting;
-      assign free    = gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;
-      assign match   = here && way_q == way_i ? MshrW'(m) : gen_mshr[m-1].match;
+      assign free    = (is_free ? MshrW'(m) : '0) | gen_mshr[m-1].free;
+      assign match   = here && way_q == line_way_i ? MshrW'(m) : gen_mshr[m-1].match;
     end
   end
-  assign full_o    = gen_mshr[Mshrs-1].full;
+  assign full_o    = &busy;
   assign waits_o   = gen_mshr[Mshrs-1].some;
   assign waiting_o = gen_mshr[Mshrs-1].waiting;
   assign free_o    = gen_mshr[Mshrs-1].free;
@@ -170,7 +174,7 @@ module rc_mshr #(
   a_take_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni) take_i |-> !full_o)
     else $error("no free MSHR to take");
   a_merge_has_line: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                     merge_i |-> waiting_o[way_i])
+                                     merge_i |-> waiting_o[line_way_i])
     else $error("merged with a line that is not on its way");
 `endif
 endmodule

@@ -3,8 +3,9 @@
 // Finds a line, or else names the way that it may have: the set's pseudo-least-recently-used
 // one, or the lowest that does not wait for a line, if that one does. All in one cycle; what
 // touch_i and take_i change is seen in the next. With Cut a request is compared with the tags in
-// the cycle before (ahead_*, taken over by load_i), and what the request before it changes in
-// that cycle is seen as well. Each way's tags are a memory of their own,
+// the cycle before (ahead_*, taken over by load_i), and they are read when it comes ahead (next_*,
+// taken over by next_load_i), from a block RAM. What the requests before it change in these cycles
+// is seen as well. Each way's tags are a memory of their own,
 // so that a new line writes one of them. Sets are cleared one by one while reset is held: the
 // user must hold it for at least Sets cycles. Model: look_up(), victim() and touch() in
 // model/mem/cache.cpp.
@@ -19,15 +20,19 @@ module rc_tags #(
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,
+  input  logic            next_load_i, // with Cut: tags are read for the request that comes ahead
+  input  logic [SetW-1:0] next_set_i,
   input  logic            load_i,      // with Cut: the request ahead is the next one
   input  logic [SetW-1:0] ahead_set_i, // without: the same as set_i, tag_i
   input  logic [TagW-1:0] ahead_tag_i,
   input  logic [SetW-1:0] set_i,
   input  logic [TagW-1:0] tag_i,
   input  logic [Ways-1:0] waiting_i,   // ways of the set that wait for a line
-  output logic            hit_o,       // the line has a way
+  output logic [Ways-1:0] hits_o,      // which way has the line
+  output logic            hit_o,       // one has
   output logic            conflict_o,  // all ways wait
-  output logic [WayW-1:0] way_o,       // that of the line, or the one it may have
+  output logic [WayW-1:0] found_o,     // that one
+  output logic [WayW-1:0] way_o,       // the same, or the one that the line may have
   input  logic            touch_i,     // way_o is used
   input  logic            take_i       // way_o gets this line
 );
@@ -52,15 +57,39 @@ module rc_tags #(
   always_ff @(posedge clk_i) if (!rst_ni) clear_q <= clear_q + 1'b1;
   assign write_set = rst_ni ? set_i : clear_q & SetW'(Sets - 1);
 
-  logic same_set;   // of the request and the one ahead
+  // With Cut a line that comes in while tags are read passes by the memory, and so does the tree,
+  // which is written a cycle late.
+  logic [SetW-1:0] late_set;
+  logic [TagW-1:0] late_tag;
+  logic            same_late;   // of the request before and the one ahead
+  if (Cut == 0) begin : gen_now
+    assign {late_set, late_tag} = {set_i, tag_i};
+  end else begin : gen_late
+    logic [SetW+TagW-1:0] late_q;
+    always_ff @(posedge clk_i) if (next_load_i) late_q <= {set_i, tag_i};
+    assign {late_set, late_tag} = late_q;
+  end
+  assign same_late = late_set == ahead_set_i;
+
+  logic            same_set;   // of the request and the one ahead
+  logic [WayW-1:0] victim;     // way that a line may have that has none
   assign same_set = set_i == ahead_set_i;
 
   for (genvar w = 0; w < Ways; w++) begin : gen_way
     logic [TagW:0] entry;   // {valid, tag}
-    rc_ram #(.Width(TagW + 1), .Depth(Sets)) u_tag (
-      .clk_i, .write_i(!rst_ni || (take_i && way_o == WayW'(w))), .write_addr_i(write_set),
-      .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),
-      .read_data_o(entry));
+    logic          takes;
+    assign takes = take_i && victim == WayW'(w);
+    if (Cut == 0) begin : gen_memory
+      rc_ram #(.Width(TagW + 1), .Depth(Sets)) u_tag (
+        .clk_i, .write_i(!rst_ni || takes), .write_addr_i(write_set),
+        .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),
+        .read_data_o(entry));
+    end else begin : gen_block
+      rc_ram_sync #(.Width(TagW + 1), .Depth(Sets)) u_tag (
+        .clk_i, .write_i(!rst_ni || takes), .write_addr_i(write_set),
+        .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_i(next_load_i),
+        .read_addr_i(next_set_i), .read_data_o(entry));
+    end
 
     // Of this way and those below: one has the line, all wait; the one that has it, the
     // lowest that does not wait.
@@ -71,12 +100,16 @@ module rc_tags #(
     if (Cut == 0) begin : gen_at_once
       assign mine = same_tag;
     end else begin : gen_ahead
-      logic mine_q;
-      always_ff @(posedge clk_i)
+      logic mine_q, took_q;   // took_q: the way got another line while tags were read
+      always_ff @(posedge clk_i) begin
+        if (next_load_i) took_q <= takes;
         if (load_i)
-          mine_q <= take_i && same_set && way_o == WayW'(w) ? tag_i == ahead_tag_i : same_tag;
+          mine_q <= takes && same_set ? tag_i == ahead_tag_i
+                  : took_q && same_late ? late_tag == ahead_tag_i : same_tag;
+      end
       assign mine = mine_q;
     end
+    assign hits_o[w] = mine;
     if (w == 0) begin : gen_first
       assign hit    = mine;
       assign full   = waiting_i[0];
@@ -90,6 +123,7 @@ module rc_tags #(
     end
   end
   assign hit_o      = gen_way[Ways-1].hit;
+  assign found_o    = gen_way[Ways-1].found;
   assign conflict_o = gen_way[Ways-1].full;
 
   // The tree: bit n points to that half of node n's ways that was used longer ago. Node 1 is
@@ -100,17 +134,31 @@ module rc_tags #(
     logic unused;
     assign unused = touch_i;
   end else begin : gen_tree
-    logic [Ways-1:0] recent, recent_d, kept;
+    logic            touched;
+    logic [SetW-1:0] tree_set;
+    assign tree_set = rst_ni ? late_set : clear_q & SetW'(Sets - 1);
+    logic [Ways-1:0] recent, recent_d, kept, late_recent;
     rc_ram #(.Width(Ways), .Depth(Sets)) u_recent (
-      .clk_i, .write_i(!rst_ni || touch_i), .write_addr_i(write_set),
-      .write_data_i(rst_ni ? recent_d : '0), .read_addr_i(ahead_set_i),
+      .clk_i, .write_i(!rst_ni || touched), .write_addr_i(tree_set),
+      .write_data_i(rst_ni ? late_recent : '0), .read_addr_i(ahead_set_i),
       .read_data_o(kept));
+    rc_cut #(.Width(Ways), .Stages(Cut)) u_recent_late (
+      .clk_i, .data_i(recent_d), .data_o(late_recent));
     if (Cut == 0) begin : gen_at_once
-      assign recent = kept;
+      assign recent  = kept;
+      assign touched = touch_i;
     end else begin : gen_ahead
+      logic            touched_q;
       logic [Ways-1:0] recent_q;
-      always_ff @(posedge clk_i) if (load_i) recent_q <= touch_i && same_set ? recent_d : kept;
-      assign recent = recent_q;
+      always_ff @(posedge clk_i) begin
+        if (!rst_ni) touched_q <= 1'b0;
+        else         touched_q <= touch_i;
+        if (load_i)
+          recent_q <= touch_i && same_set ? recent_d
+                    : touched_q && same_late ? late_recent : kept;
+      end
+      assign recent  = recent_q;
+      assign touched = touched_q;
     end
     always_comb begin
       oldest = '0;
@@ -122,11 +170,11 @@ module rc_tags #(
         recent_d[WayW'(1 << l) | way_o >> (Levels - l)] = !way_o[Levels-1-l];
     end
   end
-  assign way_o = hit_o ? gen_way[Ways-1].found
-               : waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;
+  assign victim = waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;
+  assign way_o  = hit_o ? found_o : victim;
 
   logic unused;
-  assign unused = ^{load_i, same_set};
+  assign unused = ^{load_i, same_set, same_late, late_tag, next_load_i, next_set_i};
 
 `ifndef SYNTHESIS
   a_way_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)

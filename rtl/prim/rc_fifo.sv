@@ -2,11 +2,14 @@
 //
 // Latency 1: what goes in is seen in the next cycle. ready_o and valid_o come
 // from registers only, so this cuts every combinational path between the sides.
-// Model: model/base/ring.hpp (Ring).
+// With Cut the entry at the head is in a register as well, and so are ready_o and valid_o
+// themselves: a unit that reads its own memories by what a queue offers has the whole cycle.
+// No cycle is different. Model: model/base/ring.hpp (Ring).
 `default_nettype none
 module rc_fifo #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Depth  = 4,
+  parameter  int unsigned Cut    = rc_pkg::Cut,
   localparam int unsigned IndexW = $clog2(Depth)
 ) (
   input  logic             clk_i,
@@ -27,9 +30,34 @@ module rc_fifo #(
   logic [Width-1:0] mem [Depth];
   logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
 
-  assign valid_o = head_q != tail_q;
-  assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};
-  assign data_o  = mem[head_q[IndexW-1:0]];
+  if (Cut == 0) begin : gen_at_once
+    assign valid_o = head_q != tail_q;
+    assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};
+    assign data_o  = mem[head_q[IndexW-1:0]];
+  end else begin : gen_ahead
+    // The next entry comes from the memory, or from the input if the memory has no other.
+    logic             valid_q, ready_q, more, one_place;
+    logic [IndexW:0]  next_q, after;
+    logic [Width-1:0] data_q;
+    assign after     = tail_q + 1'b1;
+    assign more      = valid_q && next_q != tail_q;
+    assign one_place = after == {~head_q[IndexW], head_q[IndexW-1:0]};
+    assign valid_o   = valid_q;
+    assign ready_o   = ready_q;
+    assign data_o    = data_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        valid_q <= 1'b0;
+        ready_q <= 1'b1;
+        next_q  <= (IndexW+1)'(1);
+      end else begin
+        valid_q <= (valid_q && !ready_i) || more || (valid_i && ready_q);
+        ready_q <= (valid_q && ready_i) || (ready_q && !(valid_i && one_place));
+        if (valid_q && ready_i) next_q <= next_q + 1'b1;
+      end
+      if (!valid_q || ready_i) data_q <= more ? mem[next_q[IndexW-1:0]] : data_i;
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -7,6 +7,7 @@
 `default_nettype none
 module rc_reach (
   input  logic                       clk_i,
+  input  logic                       rst_ni,
   input  logic                       start_fires_i,
   input  rc_pkg::start_t             start_i,
   input  logic                       write_i,
@@ -19,18 +20,17 @@ module rc_reach (
   localparam int unsigned TB = rc_pkg::TBits;
   localparam logic [TB-1:0] SurfaceT = TB'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
 
-  // written_q says whether the memory holds a ray's; shadow_q, which rays end at the surface.
-  logic [T-1:0]               written_q, shadow_q;
+  // written says whether the memory holds a ray's; shadow_q, which rays end at the surface.
+  logic [T-1:0]               written, shadow_q;
   logic [TB-1:0]              kept;
   logic [rc_pkg::RayBits-1:0] start_ray;
   assign start_ray = start_i.ray;
   rc_ram #(.Width(TB), .Depth(T)) u_t (
     .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(write_t_i),
     .read_addr_i(read_ray_i), .read_data_o(kept));
-  always_ff @(posedge clk_i) begin
-    if (start_fires_i) written_q[start_ray] <= 1'b0;
-    if (write_i)       written_q[write_ray_i] <= 1'b1;
-  end
+  rc_flags #(.Flags(T)) u_written (
+    .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
+    .set_i(write_i), .set_at_i(write_ray_i), .flags_o(written));
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic is_shadow;
     assign is_shadow = start_i.kind == rc_pkg::RayShadow;
@@ -38,6 +38,6 @@ module rc_reach (
   end else begin : gen_camera
     assign shadow_q = '0;
   end
-  assign read_t_o = written_q[read_ray_i] ? kept : shadow_q[read_ray_i] ? SurfaceT : '1;
+  assign read_t_o = written[read_ray_i] ? kept : shadow_q[read_ray_i] ? SurfaceT : '1;
 endmodule
 `default_nettype wire

@@ -81,8 +81,12 @@ module rc_raygen (
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[Latency-1:0];
   end
+  // A stage takes over what comes to it if that is a ray's. In a fast chip it always does: an
+  // enable of hundreds of registers is a long path, and what is nothing's does not matter.
+  logic [Latency:0] moves;
+  assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
   rc_delay #(.Width(I), .Stages(Latency)) u_ray (
-    .clk_i, .valid_i(valid[Latency-1:0]), .data_i(req.ray), .data_o(end_ray));
+    .clk_i, .valid_i(moves[Latency-1:0]), .data_i(req.ray), .data_o(end_ray));
 
   // Place in the picture, in pixels with SubBits of fraction, when stage SampleL begins.
   logic [rc_pkg::FrameW-1:0] frame_flat;
@@ -92,12 +96,12 @@ module rc_raygen (
     logic signed [7:0] offset_x, offset_y;
     logic [P-1:0]      wait_x, wait_y;
     rc_sample u_sample (
-      .clk_i, .valid_i(valid[3:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
+      .clk_i, .valid_i(moves[3:0]), .side_i(frame_i.side), .stride_i(frame_i.stride),
       .jitter_i(frame_i.jitter), .seed_i(frame_i.seed), .x_i(req.x), .y_i(req.y),
       .sample_i(req.sample),
       .x_o(offset_x), .y_o(offset_y));
     rc_delay #(.Width(2 * P), .Stages(SampleL)) u_pixel (
-      .clk_i, .valid_i(valid[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
+      .clk_i, .valid_i(moves[SampleL-1:0]), .data_i({req.x, req.y}), .data_o({wait_x, wait_y}));
     assign x = $signed({1'b0, wait_x, 8'd0}) + Q'(offset_x);
     assign y = $signed({1'b0, wait_y, 8'd0}) + Q'(offset_y);
   end else begin : gen_middle
@@ -126,7 +130,7 @@ module rc_raygen (
     rc_mul #(.AW(GD), .BW(Q), .Stages(rc_pkg::PixelStages - 1)) u_down (
       .clk_i, .a_i($signed(down[k*GD +: GD])), .b_i(y), .p_o(down_wide));
     always_ff @(posedge clk_i) begin
-      if (valid[Step-1]) begin
+      if (moves[Step-1]) begin
         s1_right_q <= right_wide[G-1:0];
         s1_down_q  <= down_wide[G-1:0];
       end
@@ -136,29 +140,29 @@ module rc_raygen (
     assign sum[k*G +: G] = s1_corner + s1_right_q + s1_down_q;
     logic [R1+E-1:0] made;
     rc_recip u_recip (
-      .clk_i, .valid_i(valid[Dir]), .short_i(is_short), .d_i($signed(dir_q[k*RD +: RD])),
+      .clk_i, .valid_i(moves[Dir]), .short_i(is_short), .d_i($signed(dir_q[k*RD +: RD])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
     if (Latency - Dir == RecipL) begin : gen_last
       assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
     end else begin : gen_wait
       rc_delay #(.Width(R1 + E), .Stages(Latency - Dir - RecipL)) u_made (
-        .clk_i, .valid_i(valid[Latency-1:Dir+RecipL]), .data_i(made),
+        .clk_i, .valid_i(moves[Latency-1:Dir+RecipL]), .data_i(made),
         .data_o({len[k*E +: E], recip[k*R1 +: R1]}));
     end
     logic unused;
     assign unused = ^{right_wide, down_wide};
   end
   rc_direction #(.G(G)) u_direction (
-    .clk_i, .valid_i(valid[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
+    .clk_i, .valid_i(moves[Dir-2:Step]), .sum_i(sum), .dir_o(made_dir));
 
   // Direction and origin wait beside the reciprocals.
   localparam int unsigned HeadW = rc_pkg::RayW - I - 3 * (RD + R1 + E);
   logic [HeadW-1:0] end_head;   // what ray_t has between number and direction
   logic [3*rc_pkg::CoordBits-1:0] eye;
   assign eye = frame_i.eye;
-  always_ff @(posedge clk_i) if (valid[Dir-1]) dir_q <= new_dir;
+  always_ff @(posedge clk_i) if (moves[Dir-1]) dir_q <= new_dir;
   rc_delay #(.Width(3 * RD), .Stages(Latency - Dir)) u_dir (
-    .clk_i, .valid_i(valid[Latency-1:Dir]), .data_i(dir_q), .data_o(end_dir));
+    .clk_i, .valid_i(moves[Latency-1:Dir]), .data_i(dir_q), .data_o(end_dir));
   if (rc_pkg::Shading != 0) begin : gen_given
     localparam int unsigned OW = rc_pkg::OriginWidth;
     localparam int unsigned N  = rc_pkg::CoordBits;
@@ -167,7 +171,7 @@ module rc_raygen (
     logic [3*RD-1:0] given_d;
     logic            is_camera;
     rc_delay #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1)) u_given (
-      .clk_i, .valid_i(valid[Dir-2:0]), .data_i({req.kind, req.o, req.d}),
+      .clk_i, .valid_i(moves[Dir-2:0]), .data_i({req.kind, req.o, req.d}),
       .data_o({kind, given_o, given_d}));
     assign is_camera = kind == rc_pkg::RayCamera;
     for (genvar k = 0; k < 3; k++) begin : gen_eye
@@ -176,9 +180,9 @@ module rc_raygen (
       assign camera_o[k*OW +: OW] = {eye[k*N +: N], {(OW-N){1'b0}}};
     end
     assign new_o = is_camera ? camera_o : given_o;
-    always_ff @(posedge clk_i) if (valid[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
+    always_ff @(posedge clk_i) if (moves[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
     rc_delay #(.Width(2 + 3 * OW), .Stages(Latency - Dir)) u_head (
-      .clk_i, .valid_i(valid[Latency-1:Dir]), .data_i({dir_kind_q, dir_o_q}),
+      .clk_i, .valid_i(moves[Latency-1:Dir]), .data_i({dir_kind_q, dir_o_q}),
       .data_o({end_kind, end_o}));
     assign is_short = dir_kind_q != rc_pkg::RayShadow;
     // What says which primitives the ray asks stays as it came.
@@ -193,7 +197,7 @@ module rc_raygen (
         assign req_tag = {req.self, req.is_inside};
       end
       rc_delay #(.Width(TagW), .Stages(Latency)) u_tag (
-        .clk_i, .valid_i(valid[Latency-1:0]), .data_i(req_tag), .data_o(end_tag));
+        .clk_i, .valid_i(moves[Latency-1:0]), .data_i(req_tag), .data_o(end_tag));
       assign end_head = {end_kind, end_tag, end_o};
     end else begin : gen_no_tag
       assign end_head = {end_kind, end_o};
@@ -208,12 +212,12 @@ module rc_raygen (
       localparam int unsigned ShearW = 3 * M + 3;
       localparam int unsigned SlopeL = rc_pkg::SlopeStages;
       logic [ShearW-1:0] made, shear;
-      rc_slope u_slope (.clk_i, .valid_i(valid[Dir]), .d_i(dir_q), .shear_o(made));
+      rc_slope u_slope (.clk_i, .valid_i(moves[Dir]), .d_i(dir_q), .shear_o(made));
       if (Latency - Dir == SlopeL) begin : gen_last
         assign shear = made;
       end else begin : gen_wait
         rc_delay #(.Width(ShearW), .Stages(Latency - Dir - SlopeL)) u_made (
-          .clk_i, .valid_i(valid[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
+          .clk_i, .valid_i(moves[Latency-1:Dir+SlopeL]), .data_i(made), .data_o(shear));
       end
       assign end_head = {shear, eye};
     end else begin : gen_plain
@@ -236,6 +240,6 @@ module rc_raygen (
 `endif
 
   logic unused;
-  assign unused = ^{queue_ready, frame_flat, req};
+  assign unused = ^{queue_ready, frame_flat, req, valid[Latency], moves[Latency]};
 endmodule
 `default_nettype wire

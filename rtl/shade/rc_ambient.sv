@@ -1,15 +1,17 @@
 // A surface's colour where it was hit, and what the surrounding light adds. Part of rc_surf,
 // which has the valid bits; the colour from the registers of s6, the light from those of s7.
 `default_nettype none
-module rc_ambient (
+module rc_ambient #(
+  localparam int unsigned VB = rc_pkg::ValueBits
+) (
   input  logic             clk_i,
   input  logic [6:0]       valid_i,
   input  rc_pkg::surface_t s0_surface_i,
-  input  logic [16:0]      s0_weight_i,
-  input  logic             s0_odd_i,      // of a checker's squares
-  input  logic             s0_ends_i,     // beyond where squares can be told
+  input  logic [VB-1:0]    s0_weight_i,
+  input  logic             s0_odd_i,   // of a checker's squares
+  input  logic             s0_ends_i,  // beyond where squares can be told
   output logic [38:0]      s6_albedo_o,
-  output logic [50:0]      s7_ambient_o
+  output logic [3*VB-1:0]  s7_ambient_o
 );
   logic        s0_checkered, s5_checkered, s5_ends, s5_odd;
   logic [38:0] s0_colour, s0_other, s5_colour, s5_other;
@@ -17,7 +19,7 @@ module rc_ambient (
   assign s0_checkered = s0_surface_i.checkered;
   assign s0_colour    = s0_surface_i.colour;
   assign s0_other     = s0_surface_i.other;
-  assign s0_weighted  = {13'd0, s0_weight_i} * {17'd0, s0_surface_i.ambient};
+  assign s0_weighted  = {13'd0, s0_weight_i} * {{VB{1'b0}}, s0_surface_i.ambient};
   rc_delay #(.Width(81), .Stages(5)) u_colour (
     .clk_i, .valid_i(valid_i[4:0]),
     .data_i({s0_ends_i, s0_odd_i, s0_checkered, s0_colour, s0_other}),
@@ -39,7 +41,7 @@ module rc_ambient (
         s7_ambient_q <= {13'd0, s6_weighted} * {30'd0, s6_albedo_o[k*13 +: 13]};
     end
     assign rounded = s7_ambient_q + 43'h800000;
-    assign s7_ambient_o[k*17 +: 17] = rounded[40:24];
+    assign s7_ambient_o[k*VB +: VB] = rounded[40:24];
     logic unused;
     assign unused = ^{between[0], rounded[42:41], rounded[23:0]};
   end

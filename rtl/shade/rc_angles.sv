@@ -6,6 +6,8 @@
 // before; view_o is of the one that is met now. Model: unit_dot() in model/shade/dot.hpp.
 `default_nettype none
 module rc_angles #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned AB = rc_pkg::AxisBits,
   parameter  int unsigned UnitW = 44,
   localparam int unsigned M = rc_pkg::DirBits
 ) (
@@ -15,36 +17,36 @@ module rc_angles #(
   input  logic [14:0]        light_i,
   input  logic [3*M-1:0]     s0_d_i,
   input  logic [3*UnitW-1:0] s5_toward_i,
-  input  logic [53:0]        s13_normal_i,
-  input  logic [53:0]        s13_view_i,
-  output logic [53:0]        s13_unit_o,
-  output logic [53:0]        s13_view_o,
-  output logic [16:0]        s15_cosine_o,   // unit . view of a surface, normal . unit of a light
-  output logic signed [18:0] s15_mirror_o    // a light's unit . view
+  input  logic [3*AB-1:0]    s13_normal_i,
+  input  logic [3*AB-1:0]    s13_view_i,
+  output logic [3*AB-1:0]    s13_unit_o,
+  output logic [3*AB-1:0]    s13_view_o,
+  output logic [VB-1:0]      s15_cosine_o,  // unit . view of a surface, normal . unit of a light
+  output logic signed [18:0] s15_mirror_o   // a light's unit . view
 );
   rc_unit #(.W(UnitW)) u_unit (
     .clk_i, .valid_i(surf_i[5] || light_i[5]), .v_i(s5_toward_i), .u_o(s13_unit_o));
 
   // The view is against the ray.
-  logic [53:0] s8_along, s8_view;
+  logic [3*AB-1:0] s8_along, s8_view;
   rc_unit #(.W(M)) u_view (.clk_i, .valid_i(surf_i[0]), .v_i(s0_d_i), .u_o(s8_along));
   for (genvar k = 0; k < 3; k++) begin : gen_view
-    assign s8_view[k*18 +: 18] = -s8_along[k*18 +: 18];
+    assign s8_view[k*AB +: AB] = -s8_along[k*AB +: AB];
   end
-  rc_wait #(.Width(54), .Stages(5)) u_wait (
+  rc_wait #(.Width(3 * AB), .Stages(5)) u_wait (
     .clk_i, .rst_ni, .valid_i(surf_i[8]), .data_i(s8_view), .data_o(s13_view_o));
 
-  logic [53:0] s13_with;
+  logic [3*AB-1:0] s13_with;
   assign s13_with = surf_i[13] ? s13_view_o : s13_normal_i;
   logic [3*36-1:0] s14_cosine_q, s14_mirror_q;
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [35:0] unit;
-    assign unit = 36'($signed(s13_unit_o[k*18 +: 18]));
+    assign unit = 36'($signed(s13_unit_o[k*AB +: AB]));
     always_ff @(posedge clk_i) begin
       if (surf_i[13] || light_i[13])
-        s14_cosine_q[k*36 +: 36] <= unit * 36'($signed(s13_with[k*18 +: 18]));
+        s14_cosine_q[k*36 +: 36] <= unit * 36'($signed(s13_with[k*AB +: AB]));
       if (light_i[13])
-        s14_mirror_q[k*36 +: 36] <= unit * 36'($signed(s13_view_i[k*18 +: 18]));
+        s14_mirror_q[k*36 +: 36] <= unit * 36'($signed(s13_view_i[k*AB +: AB]));
     end
   end
 

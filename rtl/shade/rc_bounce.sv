@@ -6,22 +6,24 @@
 // Model: model/shade/bounce.hpp.
 `default_nettype none
 module rc_bounce #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned AB = rc_pkg::AxisBits,
   localparam int unsigned M = rc_pkg::DirBits
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
   input  logic [14:0]          valid_i,
-  input  logic                 s0_refract_i,   // and not reflect
+  input  logic                 s0_refract_i,  // and not reflect
   input  rc_pkg::shade_state_t s0_state_i,
-  input  logic [53:0]          s13_normal_i,
-  input  logic [53:0]          s13_view_i,
-  output logic [16:0]          s9_weight_o,
-  output logic                 s13_total_o,    // total reflection
+  input  logic [3*AB-1:0]      s13_normal_i,
+  input  logic [3*AB-1:0]      s13_view_i,
+  output logic [VB-1:0]        s9_weight_o,
+  output logic                 s13_total_o,   // total reflection
   output logic [3*M-1:0]       s15_d_o
 );
-  logic [16:0] s0_cosine, s0_weight;
+  logic [VB-1:0] s0_cosine, s0_weight;
   logic [15:0] s0_ratio;
-  logic [16:0] s0_mirror, s0_transmit, s0_r0;
+  logic [VB-1:0] s0_mirror, s0_transmit, s0_r0;
   logic        s0_schlick, s0_total;
   assign s0_cosine   = s0_state_i.cosine;
   assign s0_weight   = s0_state_i.weight;
@@ -44,11 +46,11 @@ module rc_bounce #(
       .s0_mirror_i(s0_mirror), .s0_transmit_i(s0_transmit), .s0_r0_i(s0_r0),
       .s0_schlick_i(s0_schlick), .s0_total_i(s0_total), .s7_share_o(s7_share));
   end else begin : gen_reflection
-    logic [16:0] s13_cosine;
-    logic [16:0] s7_mirror;
-    rc_wait #(.Width(17), .Stages(13)) u_cosine (
+    logic [VB-1:0] s13_cosine;
+    logic [VB-1:0] s7_mirror;
+    rc_wait #(.Width(VB), .Stages(13)) u_cosine (
       .clk_i, .rst_ni, .valid_i(valid_i[0]), .data_i(s0_cosine), .data_o(s13_cosine));
-    rc_delay #(.Width(17), .Stages(7)) u_mirror (
+    rc_delay #(.Width(VB), .Stages(7)) u_mirror (
       .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
     assign s13_along   = $signed({5'd0, s13_cosine, 1'b0});
     assign s13_ratio   = 16'd1 << rc_pkg::IndexFrac;
@@ -65,14 +67,14 @@ module rc_bounce #(
     logic signed [34:0] s14_view_q;
     logic signed [41:0] s14_sum;
     logic signed [25:0] s14_unit;
-    logic signed [17:0] s15_unit_q;
+    logic signed [AB-1:0] s15_unit_q;
     logic signed [M-1:0] d;
     assign s14_sum  = 42'(s14_normal_q) - (42'(s14_view_q) <<< 4) + 42'sh8000;
     assign s14_unit = s14_sum[41:16];
     always_ff @(posedge clk_i) begin
       if (valid_i[13]) begin
-        s14_normal_q <= 41'(s13_along) * 41'($signed(s13_normal_i[k*18 +: 18]));
-        s14_view_q   <= $signed({19'd0, s13_ratio}) * 35'($signed(s13_view_i[k*18 +: 18]));
+        s14_normal_q <= 41'(s13_along) * 41'($signed(s13_normal_i[k*AB +: AB]));
+        s14_view_q   <= $signed({19'd0, s13_ratio}) * 35'($signed(s13_view_i[k*AB +: AB]));
       end
       if (valid_i[14])
         s15_unit_q <= s14_unit > 26'sh10000 ? 18'sh10000
@@ -85,14 +87,14 @@ module rc_bounce #(
   end
 
   // s9: the new ray's weight.
-  logic [16:0] s7_weight, s7_cut;
+  logic [VB-1:0] s7_weight, s7_cut;
   logic [33:0] s8_weight_q, s8_rounded;
-  rc_delay #(.Width(17), .Stages(7)) u_weight (
+  rc_delay #(.Width(VB), .Stages(7)) u_weight (
     .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_weight), .data_o(s7_weight));
   assign s7_cut     = s7_share[17:16] != '0 ? 17'h10000 : s7_share[16:0];
   assign s8_rounded = s8_weight_q + 34'h8000;
   always_ff @(posedge clk_i) begin
-    if (valid_i[7]) s8_weight_q <= {17'd0, s7_weight} * {17'd0, s7_cut};
+    if (valid_i[7]) s8_weight_q <= {{VB{1'b0}}, s7_weight} * {{VB{1'b0}}, s7_cut};
     if (valid_i[8]) s9_weight_o <= s8_rounded[32:16];
   end
 

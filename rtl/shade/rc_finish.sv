@@ -2,24 +2,26 @@
 // colour if not. Part of rc_pass, which has the valid bits; from the registers of s4.
 // Model: finish() in model/shade/pass.cpp.
 `default_nettype none
-module rc_finish (
+module rc_finish #(
+  localparam int unsigned VB = rc_pkg::ValueBits
+) (
   input  logic                 clk_i,
   input  rc_pkg::shade_frame_t frame_i,
   input  logic [3:0]           valid_i,
   input  rc_pkg::shade_state_t s0_state_i,
-  input  logic [50:0]          s0_colour_i,
+  input  logic [3*VB-1:0]      s0_colour_i,
   output logic                 s4_more_o,
   output logic [68:0]          s4_sum_o,
-  output logic [50:0]          s4_least_o,
-  output logic [50:0]          s4_most_o,
-  output logic [50:0]          s4_colour_o
+  output logic [3*VB-1:0]      s4_least_o,
+  output logic [3*VB-1:0]      s4_most_o,
+  output logic [3*VB-1:0]      s4_colour_o
 );
   // s1: how many samples there are.
   logic [6:0] s0_done, all;
   logic       s0_some, s0_fourth, s3_some, s3_fourth, s3_same;
   logic [2:0] s2_same;
   logic [68:0] s0_sum, s3_sum;
-  logic [50:0] s0_least, s0_most, s3_least, s3_most;
+  logic [3*VB-1:0] s0_least, s0_most, s3_least, s3_most;
   assign all       = {3'd0, frame_i.side} * {3'd0, frame_i.side};
   assign s0_done   = {1'b0, s0_state_i.sample} + 7'd1;
   assign s0_some   = s0_done < all;
@@ -31,22 +33,22 @@ module rc_finish (
     .clk_i, .valid_i(valid_i[2:0]), .data_i({s0_some, s0_fourth}),
     .data_o({s3_some, s3_fourth}));
 
-  logic [16:0] s1_share_q, contrast;
+  logic [VB-1:0] s1_share_q, contrast;
   assign contrast = frame_i.contrast;
   always_ff @(posedge clk_i)
     if (valid_i[0]) s1_share_q <= s0_some ? frame_i.first_share : frame_i.share;
 
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [22:0] s1_sum_q, s2_sum_q, s3_sum_q;
-    logic [16:0] colour, least, most;
-    logic [16:0] s1_least_q, s1_most_q, s2_least_q, s2_most_q, s3_least_q, s3_most_q;
-    logic [16:0] s1_apart;
+    logic [VB-1:0] colour, least, most;
+    logic [VB-1:0] s1_least_q, s1_most_q, s2_least_q, s2_most_q, s3_least_q, s3_most_q;
+    logic [VB-1:0] s1_apart;
     logic        s2_same_q;
     logic [39:0] s2_mean_q, s2_rounded;
-    logic [16:0] s3_mean_q;
-    assign colour   = s0_colour_i[k*17 +: 17];
-    assign least    = s0_least[k*17 +: 17];
-    assign most     = s0_most[k*17 +: 17];
+    logic [VB-1:0] s3_mean_q;
+    assign colour   = s0_colour_i[k*VB +: VB];
+    assign least    = s0_least[k*VB +: VB];
+    assign most     = s0_most[k*VB +: VB];
     assign s1_apart = s1_most_q - s1_least_q;
     assign s2_rounded = s2_mean_q + 40'h8000;
     always_ff @(posedge clk_i) begin
@@ -60,7 +62,7 @@ module rc_finish (
         s2_least_q <= s1_least_q;
         s2_most_q  <= s1_most_q;
         s2_same_q  <= s1_apart <= contrast && contrast != '0;
-        s2_mean_q  <= {17'd0, s1_sum_q} * {23'd0, s1_share_q};
+        s2_mean_q  <= {{VB{1'b0}}, s1_sum_q} * {23'd0, s1_share_q};
       end
       if (valid_i[2]) begin
         s3_sum_q   <= s2_sum_q;
@@ -68,12 +70,12 @@ module rc_finish (
         s3_most_q  <= s2_most_q;
         s3_mean_q  <= s2_rounded[39:32] != '0 ? 17'h10000 : {1'b0, s2_rounded[31:16]};
       end
-      if (valid_i[3]) s4_colour_o[k*17 +: 17] <= s3_mean_q;
+      if (valid_i[3]) s4_colour_o[k*VB +: VB] <= s3_mean_q;
     end
     assign s2_same[k]             = s2_same_q;
     assign s3_sum[k*23 +: 23]     = s3_sum_q;
-    assign s3_least[k*17 +: 17]   = s3_least_q;
-    assign s3_most[k*17 +: 17]    = s3_most_q;
+    assign s3_least[k*VB +: VB]   = s3_least_q;
+    assign s3_most[k*VB +: VB]    = s3_most_q;
     logic unused;
     assign unused = ^s2_rounded[15:0];
   end

@@ -3,6 +3,8 @@
 // pass. Stages are in the names. Model: model/shade/light.hpp.
 `default_nettype none
 module rc_light #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned AB = rc_pkg::AxisBits,
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned B  = rc_pkg::OriginBits,
@@ -17,18 +19,18 @@ module rc_light #(
   input  logic [27:0]          valid_i,
   input  logic [6:0]           s0_light_i,
   input  logic [3*P-1:0]       s0_o_i,
-  input  logic                 s0_far_i,      // beyond the lattice
-  input  logic [16:0]          s0_weight_i,
+  input  logic                 s0_far_i,    // beyond the lattice
+  input  logic [VB-1:0]        s0_weight_i,
   input  rc_pkg::shade_state_t s0_state_i,
-  output logic [3*V-1:0]       s5_to_o,       // from the point to the light
-  input  logic [53:0]          s13_unit_i,    // the same, of unit length
-  input  logic [16:0]          s15_cosine_i,
+  output logic [3*V-1:0]       s5_to_o,     // from the point to the light
+  input  logic [3*AB-1:0]      s13_unit_i,  // the same, of unit length
+  input  logic [VB-1:0]        s15_cosine_i,
   input  logic signed [18:0]   s15_mirror_i,
-  output logic [3*D-1:0]       s15_d_o,       // the shadow ray's direction
+  output logic [3*D-1:0]       s15_d_o,     // the shadow ray's direction
   output logic [3*N-1:0]       s28_place_o,
   output logic                 s28_near_o,
   output logic                 s28_clear_o,
-  output logic [50:0]          s28_share_o
+  output logic [3*VB-1:0]      s28_share_o
 );
   localparam int unsigned Lights = rc_pkg::Lights;
 
@@ -41,7 +43,7 @@ module rc_light #(
   assign near   = frame_i.is_near;
   assign clear  = frame_i.is_clear;
   logic [3*LB-1:0] s0_place, s1_place_q;
-  logic [50:0]     s0_colour, s1_colour_q;
+  logic [3*VB-1:0]     s0_colour, s1_colour_q;
   logic            s0_near, s1_near_q, s0_clear, s1_clear_q;
   always_comb begin
     s0_place  = '0;
@@ -52,7 +54,7 @@ module rc_light #(
       for (int i = 0; i < Lights; i++)
         if (s0_light_i == 7'(i)) begin
           s0_place  = place[i*3*LB +: 3*LB];
-          s0_colour = colour[i*51 +: 51];
+          s0_colour = colour[i*3*VB +: 3*VB];
           s0_near   = near[i];
           s0_clear  = clear[i];
         end
@@ -66,7 +68,7 @@ module rc_light #(
     end
   end
   logic [3*P-1:0] s1_o;
-  logic [16:0]    s1_weight;
+  logic [VB-1:0]    s1_weight;
   logic           s1_far;
   rc_delay #(.Width(3 * P + 18), .Stages(1)) u_o (
     .clk_i, .valid_i(valid_i[0]), .data_i({s0_o_i, s0_weight_i, s0_far_i}),
@@ -77,7 +79,7 @@ module rc_light #(
   logic [3*34-1:0] s2_strength_q, s26_strength;
   logic [3*N-1:0]  s1_lattice;
   logic [3*D-1:0]  s2_from, s15_from;
-  logic [53:0]     s15_unit;
+  logic [3*AB-1:0]     s15_unit;
   logic            s15_near, s15_far;
   logic [3*D-1:0]  s15_away;
   rc_delay #(.Width(3 * V), .Stages(3)) u_to (
@@ -92,7 +94,7 @@ module rc_light #(
     .data_o({s15_near, s15_far}));
   rc_wait #(.Width(3 * D), .Stages(13)) u_from (
     .clk_i, .rst_ni, .valid_i(valid_i[2]), .data_i(s2_from), .data_o(s15_from));
-  rc_delay #(.Width(54), .Stages(2)) u_unit (
+  rc_delay #(.Width(3 * AB), .Stages(2)) u_unit (
     .clk_i, .valid_i(valid_i[14:13]), .data_i(s13_unit_i), .data_o(s15_unit));
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [V-1:0] at, from;
@@ -105,10 +107,11 @@ module rc_light #(
     always_ff @(posedge clk_i) begin
       if (valid_i[1]) begin
         s2_to_q[k*V +: V]         <= at - V'($signed(s1_o[k*P +: P]));
-        s2_strength_q[k*34 +: 34] <= {17'd0, s1_colour_q[k*17 +: 17]} * {17'd0, s1_weight};
+        s2_strength_q[k*34 +: 34] <= {{VB{1'b0}}, s1_colour_q[k*VB +: VB]}
+            * {{VB{1'b0}}, s1_weight};
       end
     end
-    rc_turn u_turn (.unit_i(s15_unit[k*18 +: 18]), .d_o(away));
+    rc_turn u_turn (.unit_i(s15_unit[k*AB +: AB]), .d_o(away));
     assign wide = D'(away);
     assign s15_away[k*D +: D] = s15_near ? -wide : wide;
     logic unused;
@@ -117,7 +120,7 @@ module rc_light #(
   assign s15_d_o = s15_near && !s15_far ? s15_from : s15_away;
 
   // What the surface has to say waits.
-  logic [16:0] s15_cosine;
+  logic [VB-1:0] s15_cosine;
   logic [12:0] s15_diffuse, s15_highlight, s24_highlight;
   logic [13:0] s15_shine, s17_shine;
   logic [38:0] s15_albedo, s16_albedo;
@@ -137,48 +140,48 @@ module rc_light #(
   logic signed [20:0] s16_phong;
   logic [35:0]        s16_rounded;
   logic [29:0]        s16_matte_q, s25_gloss_q, s25_rounded;
-  logic [16:0]        s17_phong_q, s24_phong;
+  logic [VB-1:0]        s17_phong_q, s24_phong;
   assign s16_rounded = {1'b0, s16_double_q} + 36'h8000;
   assign s16_phong   = $signed({1'b0, s16_rounded[35:16]}) - 21'(s16_mirror_q);
   always_ff @(posedge clk_i) begin
     if (valid_i[15]) begin
-      s16_double_q <= {{17'd0, s15_cosine_i} * {17'd0, s15_cosine}, 1'b0};
+      s16_double_q <= {{{VB{1'b0}}, s15_cosine_i} * {{VB{1'b0}}, s15_cosine}, 1'b0};
       s16_mirror_q <= s15_mirror_i;
-      s16_matte_q  <= {17'd0, s15_diffuse} * {13'd0, s15_cosine_i};
+      s16_matte_q  <= {{VB{1'b0}}, s15_diffuse} * {13'd0, s15_cosine_i};
       s16_albedo   <= s15_albedo;
     end
     if (valid_i[16])
       s17_phong_q <= s16_phong[20] ? '0 : s16_phong[19:16] != '0 ? 17'h10000
                    : {1'b0, s16_phong[15:0]};
-    if (valid_i[24]) s25_gloss_q <= {17'd0, s24_highlight} * {13'd0, s24_phong};
+    if (valid_i[24]) s25_gloss_q <= {{VB{1'b0}}, s24_highlight} * {13'd0, s24_phong};
   end
   rc_power u_power (
     .clk_i, .valid_i(valid_i[17]), .c_i(s17_phong_q), .n_i(s17_shine), .power_o(s24_phong));
   assign s25_rounded = s25_gloss_q + 30'h800;
 
   // s26: matte and gloss; s28: in the light's colour.
-  logic [50:0] s17_matte, s25_matte;
-  rc_wait #(.Width(51), .Stages(8)) u_matte (
+  logic [3*VB-1:0] s17_matte, s25_matte;
+  rc_wait #(.Width(3 * VB), .Stages(8)) u_matte (
     .clk_i, .rst_ni, .valid_i(valid_i[17]), .data_i(s17_matte), .data_o(s25_matte));
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [42:0] s17_matte_q, s17_rounded;
     logic [17:0] s26_lit_q;
     logic [51:0] s27_share_q;
     logic [52:0] s27_rounded;
-    logic [16:0] s28_share_q;
+    logic [VB-1:0] s28_share_q;
     assign s17_rounded = s17_matte_q + 43'h800000;
-    assign s17_matte[k*17 +: 17] = s17_rounded[40:24];
+    assign s17_matte[k*VB +: VB] = s17_rounded[40:24];
     assign s27_rounded = {1'b0, s27_share_q} + 53'h8000000;
     always_ff @(posedge clk_i) begin
       if (valid_i[16]) s17_matte_q <= {13'd0, s16_matte_q} * {30'd0, s16_albedo[k*13 +: 13]};
       if (valid_i[25])
-        s26_lit_q <= {1'b0, s25_matte[k*17 +: 17]} + {1'b0, s25_rounded[28:12]};
+        s26_lit_q <= {1'b0, s25_matte[k*VB +: VB]} + {1'b0, s25_rounded[28:12]};
       if (valid_i[26])
         s27_share_q <= {34'd0, s26_lit_q} * {18'd0, s26_strength[k*34 +: 34]};
       if (valid_i[27])
         s28_share_q <= s27_rounded[52:44] != '0 ? 17'h10000 : {1'b0, s27_rounded[43:28]};
     end
-    assign s28_share_o[k*17 +: 17] = s28_share_q;
+    assign s28_share_o[k*VB +: VB] = s28_share_q;
     logic unused;
     assign unused = ^{s17_rounded[42:41], s17_rounded[23:0], s27_rounded[27:0]};
   end

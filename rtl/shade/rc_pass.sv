@@ -7,6 +7,8 @@
 // to s15), finish (s0 to s4), which share unit vectors, cosines and the side of a direction.
 `default_nettype none
 module rc_pass #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned AB = rc_pkg::AxisBits,
   localparam int unsigned I  = rc_pkg::RayBits,
   localparam int unsigned M  = rc_pkg::DirBits,
   localparam int unsigned P  = rc_pkg::OriginWidth,
@@ -17,28 +19,28 @@ module rc_pass #(
   localparam int unsigned PB = rc_pkg::PrimBits,
   localparam int unsigned HitW = 2 + PB + TB + 2 * U
 ) (
-  input  logic                         clk_i,
-  input  logic                         rst_ni,
-  input  rc_pkg::shade_frame_t         frame_i,
+  input  logic                 clk_i,
+  input  logic                 rst_ni,
+  input  rc_pkg::shade_frame_t frame_i,
   // From rc_contexts and surf_cache
-  input  logic                         valid_i,
-  input  logic [I-1:0]                 ray_i,
-  input  rc_pkg::shade_state_t         state_i,
-  input  logic [HitW-1:0]              hit_i,       // found, back, prim, t, u, v of the last ray
-  input  logic [3*P-1:0]               o_i,         // of the last camera ray or bounce
-  input  logic [3*M-1:0]               d_i,
-  input  rc_pkg::surface_t             surface_i,   // if it arrives now, having hit something
-  input  rc_pkg::waiting_t             top_i,       // of the rays that wait
+  input  logic                 valid_i,
+  input  logic [I-1:0]         ray_i,
+  input  rc_pkg::shade_state_t state_i,
+  input  logic [HitW-1:0]      hit_i,      // found, back, prim, t, u, v of the last ray
+  input  logic [3*P-1:0]       o_i,        // of the last camera ray or bounce
+  input  logic [3*M-1:0]       d_i,
+  input  rc_pkg::surface_t     surface_i,  // if it arrives now, having hit something
+  input  rc_pkg::waiting_t     top_i,      // of the rays that wait
   // To rc_contexts
-  output logic                         end_valid_o,
-  output logic [I-1:0]                 end_ray_o,
-  output rc_pkg::shade_state_t         end_state_o,
-  output logic                         push_o,      // a ray is to wait
-  output logic [rc_pkg::WaitingW-1:0]  pushed_o,
+  output logic                        end_valid_o,
+  output logic [I-1:0]                end_ray_o,
+  output rc_pkg::shade_state_t        end_state_o,
+  output logic                        push_o,  // a ray is to wait
+  output logic [rc_pkg::WaitingW-1:0] pushed_o,
   // What leaves
-  output logic [1:0]                   leave_o,     // rc_pkg::leave_e
-  output logic [rc_pkg::SpawnW-1:0]    spawn_o,
-  output logic [rc_pkg::PixelW-1:0]    pixel_o
+  output logic [1:0]                leave_o,  // rc_pkg::leave_e
+  output logic [rc_pkg::SpawnW-1:0] spawn_o,
+  output logic [rc_pkg::PixelW-1:0] pixel_o
 );
   localparam int unsigned L     = rc_pkg::ShadeLatency;
   localparam int unsigned N     = rc_pkg::CoordBits;
@@ -50,7 +52,7 @@ module rc_pass #(
   logic                 back, arrives, s0_surf, s0_light, s0_refract, s0_bounce, s0_end;
   logic [TB-1:0]        t;
   logic [U-1:0]         u, v;
-  logic [50:0]          colour;
+  logic [3*VB-1:0]          colour;
   rc_pkg::shade_state_t known;
   logic                 hit_found;
   logic [PB-1:0]        hit_prim;
@@ -88,7 +90,7 @@ module rc_pass #(
     .data_o({end_ray, was, top}));
 
   // What others take from it on the way.
-  logic [53:0]     s13_normal, s13_view;
+  logic [3*AB-1:0]     s13_normal, s13_view;
   logic [3*NB-1:0] s15_n;
   rc_wait #(.Width(108), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i({state_i.normal, state_i.view}),
@@ -102,7 +104,7 @@ module rc_pass #(
   logic [3*UnitW-1:0] s5_toward, s5_target;
   logic               s5_far, surf_far, s5_lost, surf_lost;
   logic [38:0]        s6_albedo, surf_albedo;
-  logic [50:0]        s7_ambient, surf_ambient;
+  logic [3*VB-1:0]        s7_ambient, surf_ambient;
   rc_surf #(.UnitW(UnitW)) u_surf (
     .clk_i, .valid_i(surf_at[6:0]), .s0_u_i(u), .s0_v_i(v), .s0_t_i(t), .s0_back_i(back),
     .s0_surface_i(surface_i), .s0_o_i(o_i), .s0_d_i(d_i), .s0_weight_i(state_i.weight),
@@ -114,13 +116,13 @@ module rc_pass #(
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
   rc_wait #(.Width(39), .Stages(L - 6)) u_albedo (
     .clk_i, .rst_ni, .valid_i(surf_at[6]), .data_i(s6_albedo), .data_o(surf_albedo));
-  rc_wait #(.Width(51), .Stages(L - 7)) u_ambient (
+  rc_wait #(.Width(3 * VB), .Stages(L - 7)) u_ambient (
     .clk_i, .rst_ni, .valid_i(surf_at[7]), .data_i(s7_ambient), .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
   logic [3*V-1:0]     s5_to;
-  logic [53:0]        s13_unit, s13_new_view, surf_normal, surf_view;
-  logic [16:0]        s15_cosine, surf_cosine;
+  logic [3*AB-1:0]        s13_unit, s13_new_view, surf_normal, surf_view;
+  logic [VB-1:0]        s15_cosine, surf_cosine;
   logic signed [18:0] s15_mirror;
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] = light_at[5] ? UnitW'($signed(s5_to[k*V +: V]))
@@ -134,15 +136,15 @@ module rc_pass #(
   rc_wait #(.Width(108), .Stages(L - 13)) u_surf_vectors (
     .clk_i, .rst_ni, .valid_i(surf_at[13]), .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
-  rc_wait #(.Width(17), .Stages(L - 15)) u_cosine (
+  rc_wait #(.Width(VB), .Stages(L - 15)) u_cosine (
     .clk_i, .rst_ni, .valid_i(surf_at[15]), .data_i(s15_cosine), .data_o(surf_cosine));
 
   // ---- A light, a bounce.
   logic            light_near, light_clear, s13_total, bounce_total;
   logic [3*D-1:0]  s15_light_d, s15_d, end_d;
   logic [3*N-1:0]  light_place;
-  logic [50:0]     light_share;
-  logic [16:0]     s9_weight, bounce_weight;
+  logic [3*VB-1:0]     light_share;
+  logic [VB-1:0]     s9_weight, bounce_weight;
   logic [3*M-1:0]  s15_bounce_d;
   rc_light u_light (
     .clk_i, .rst_ni, .frame_i, .valid_i(light_at[27:0]), .s0_light_i(state_i.light),
@@ -155,29 +157,30 @@ module rc_pass #(
     .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .s0_refract_i(s0_refract), .s0_state_i(state_i),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
-  rc_wait #(.Width(17), .Stages(L - 9)) u_weight (
+  rc_wait #(.Width(VB), .Stages(L - 9)) u_weight (
     .clk_i, .rst_ni, .valid_i(bounce_at[9]), .data_i(s9_weight), .data_o(bounce_weight));
   rc_wait #(.Width(1), .Stages(L - 13)) u_total (
     .clk_i, .rst_ni, .valid_i(bounce_at[13]), .data_i(s13_total), .data_o(bounce_total));
 
   // ---- The background, of a ray that met nothing or of a bounce that is not traced.
-  logic [50:0] background, s10_background, end_background;
-  logic [16:0] state_weight, s9_ray_weight, s9_share;
+  logic [3*VB-1:0] background, s10_background, end_background;
+  logic [VB-1:0] state_weight, s9_ray_weight, s9_share;
   assign state_weight = state_i.weight;
   assign background   = frame_i.background;
-  rc_wait #(.Width(17), .Stages(9)) u_ray_weight (
+  rc_wait #(.Width(VB), .Stages(9)) u_ray_weight (
     .clk_i, .rst_ni, .valid_i(arrives), .data_i(state_weight), .data_o(s9_ray_weight));
   assign s9_share = bounce_at[9] ? s9_weight : s9_ray_weight;
   for (genvar k = 0; k < 3; k++) begin : gen_background
     logic [33:0] s10_product_q, rounded;
     always_ff @(posedge clk_i)
-      if (valid_at[9]) s10_product_q <= {17'd0, s9_share} * {17'd0, background[k*17 +: 17]};
+      if (valid_at[9]) s10_product_q <= {{VB{1'b0}}, s9_share}
+          * {{VB{1'b0}}, background[k*VB +: VB]};
     assign rounded = s10_product_q + 34'h8000;
-    assign s10_background[k*17 +: 17] = rounded[32:16];
+    assign s10_background[k*VB +: VB] = rounded[32:16];
     logic unused;
     assign unused = ^{rounded[33], rounded[15:0]};
   end
-  rc_wait #(.Width(51), .Stages(L - 10)) u_background (
+  rc_wait #(.Width(3 * VB), .Stages(L - 10)) u_background (
     .clk_i, .rst_ni, .valid_i(valid_at[10]), .data_i(s10_background), .data_o(end_background));
 
   // ---- On which side of the surface a direction leaves, exactly.
@@ -219,11 +222,11 @@ module rc_pass #(
   // ---- The sample's end.
   logic         end_more;
   logic [68:0]  end_sum;
-  logic [50:0]  end_least, end_most, end_mean;
+  logic [3*VB-1:0]  end_least, end_most, end_mean;
   if (rc_pkg::Supersampling == 1) begin : gen_samples
     logic         s4_more;
     logic [68:0]  s4_sum;
-    logic [50:0]  s4_least, s4_most, s4_mean;
+    logic [3*VB-1:0]  s4_least, s4_most, s4_mean;
     rc_finish u_finish (
       .clk_i, .frame_i, .valid_i(end_at[3:0]), .s0_state_i(state_i), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),

@@ -2,25 +2,27 @@
 // transmit, with Fresnel's term by Schlick (1994) if the material has it. Part of
 // rc_bounce; from the registers of s7. 16 fraction bits.
 `default_nettype none
-module rc_schlick (
-  input  logic        clk_i,
-  input  logic [6:0]  valid_i,
-  input  logic        s0_refract_i,
-  input  logic [16:0] s0_cosine_i,
-  input  logic [16:0] s0_mirror_i,
-  input  logic [16:0] s0_transmit_i,
-  input  logic [16:0] s0_r0_i,
-  input  logic        s0_schlick_i,
-  input  logic        s0_total_i,
-  output logic [17:0] s7_share_o
+module rc_schlick #(
+  localparam int unsigned VB = rc_pkg::ValueBits
+) (
+  input  logic          clk_i,
+  input  logic [6:0]    valid_i,
+  input  logic          s0_refract_i,
+  input  logic [VB-1:0] s0_cosine_i,
+  input  logic [VB-1:0] s0_mirror_i,
+  input  logic [VB-1:0] s0_transmit_i,
+  input  logic [VB-1:0] s0_r0_i,
+  input  logic          s0_schlick_i,
+  input  logic          s0_total_i,
+  output logic [17:0]   s7_share_o
 );
   // s3: (1 - cosine)^5, rounded after each of three products.
-  logic [16:0] s0_q, s1_q, s2_q, s1_q2, s2_q4, s3_q5;
+  logic [VB-1:0] s0_q, s1_q, s2_q, s1_q2, s2_q4, s3_q5;
   logic [33:0] s1_square_q, s2_square_q, s3_fifth_q;
   assign s0_q = 17'h10000 - s0_cosine_i;
-  rc_delay #(.Width(17), .Stages(1)) u_q1 (
+  rc_delay #(.Width(VB), .Stages(1)) u_q1 (
     .clk_i, .valid_i(valid_i[0]), .data_i(s0_q), .data_o(s1_q));
-  rc_delay #(.Width(17), .Stages(1)) u_q2 (
+  rc_delay #(.Width(VB), .Stages(1)) u_q2 (
     .clk_i, .valid_i(valid_i[1]), .data_i(s1_q), .data_o(s2_q));
   logic [33:0] s1_up, s2_up, s3_up;
   assign s1_up = s1_square_q + 34'h8000;
@@ -31,33 +33,33 @@ module rc_schlick (
   assign s3_q5 = s3_up[32:16];
 
   // s5: R0 + (1 - R0) of that; s6: transmit times that, or times what is left.
-  logic [16:0] s3_r0, s4_r0, s5_transmit;
+  logic [VB-1:0] s3_r0, s4_r0, s5_transmit;
   logic [33:0] s4_rest_q, s4_up, s6_part_q, s6_up;
-  logic [16:0] s5_schlick_q;
+  logic [VB-1:0] s5_schlick_q;
   logic        s5_refract;
   assign s4_up = s4_rest_q + 34'h8000;
   assign s6_up = s6_part_q + 34'h8000;
-  rc_delay #(.Width(17), .Stages(3)) u_r0 (
+  rc_delay #(.Width(VB), .Stages(3)) u_r0 (
     .clk_i, .valid_i(valid_i[2:0]), .data_i(s0_r0_i), .data_o(s3_r0));
   rc_delay #(.Width(18), .Stages(5)) u_transmit (
     .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_transmit_i, s0_refract_i}),
     .data_o({s5_transmit, s5_refract}));
   always_ff @(posedge clk_i) begin
-    if (valid_i[0]) s1_square_q <= {17'd0, s0_q} * {17'd0, s0_q};
-    if (valid_i[1]) s2_square_q <= {17'd0, s1_q2} * {17'd0, s1_q2};
-    if (valid_i[2]) s3_fifth_q  <= {17'd0, s2_q4} * {17'd0, s2_q};
+    if (valid_i[0]) s1_square_q <= {{VB{1'b0}}, s0_q} * {{VB{1'b0}}, s0_q};
+    if (valid_i[1]) s2_square_q <= {{VB{1'b0}}, s1_q2} * {{VB{1'b0}}, s1_q2};
+    if (valid_i[2]) s3_fifth_q  <= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q};
     if (valid_i[3]) begin
-      s4_rest_q <= {17'd0, 17'h10000 - s3_r0} * {17'd0, s3_q5};
+      s4_rest_q <= {{VB{1'b0}}, 17'h10000 - s3_r0} * {{VB{1'b0}}, s3_q5};
       s4_r0     <= s3_r0;
     end
     if (valid_i[4]) s5_schlick_q <= s4_r0 + s4_up[32:16];
     if (valid_i[5])
-      s6_part_q <= {17'd0, s5_transmit} * {17'd0, s5_refract ? 17'h10000 - s5_schlick_q
+      s6_part_q <= {{VB{1'b0}}, s5_transmit} * {{VB{1'b0}}, s5_refract ? 17'h10000 - s5_schlick_q
                                                              : s5_schlick_q};
   end
 
   // s7: the share.
-  logic [16:0] s6_mirror, s6_transmit;
+  logic [VB-1:0] s6_mirror, s6_transmit;
   logic        s6_refract, s6_schlick, s6_total;
   logic [17:0] s6_plain, s6_fresnel, s6_mirrored;
   rc_delay #(.Width(37), .Stages(6)) u_wait (

@@ -2,12 +2,14 @@
 // of rc_bounce. Answers from the registers of s13; of a reflected ray 2 cosine, and the
 // ratio 1. cosine has 16 fraction bits, ratio 12.
 `default_nettype none
-module rc_snell (
+module rc_snell #(
+  localparam int unsigned VB = rc_pkg::ValueBits
+) (
   input  logic               clk_i,
   input  logic               rst_ni,
   input  logic [12:0]        valid_i,
   input  logic               s0_refract_i,
-  input  logic [16:0]        s0_cosine_i,
+  input  logic [VB-1:0]      s0_cosine_i,
   input  logic [15:0]        s0_ratio_i,
   output logic signed [22:0] s13_along_o,
   output logic [15:0]        s13_ratio_o,
@@ -53,7 +55,7 @@ module rc_snell (
   assign s1_rounded = s1_long_q + 33'h800;
   always_ff @(posedge clk_i) begin
     if (valid_i[0])
-      s1_long_q <= s0_refract_i ? {17'd0, s0_ratio_i} * {16'd0, s0_cosine_i}
+      s1_long_q <= s0_refract_i ? {{VB{1'b0}}, s0_ratio_i} * {16'd0, s0_cosine_i}
                                 : {15'd0, s0_cosine_i, 1'b0};
     if (valid_i[1]) s2_long_q <= s1_refract ? {1'b0, s1_rounded[32:12]} : s1_long_q[21:0];
     if (valid_i[12]) begin

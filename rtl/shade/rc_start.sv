@@ -2,6 +2,7 @@
 // then. Part of rc_pass; no registers. Model: pass() in model/shade/pass.cpp.
 `default_nettype none
 module rc_start #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
   localparam int unsigned PB = rc_pkg::PrimBits,
   localparam int unsigned TB = rc_pkg::TBits,
   localparam int unsigned U  = rc_pkg::UvBits,
@@ -11,13 +12,13 @@ module rc_start #(
   input  rc_pkg::shade_state_t state_i,
   input  logic [HitW-1:0]      hit_i,
   input  rc_pkg::surface_t     surface_i,
-  output logic                 arrives_o,   // a camera ray or bounce is done
-  output logic                 surf_o,      // and has hit a surface
+  output logic                 arrives_o,  // a camera ray or bounce is done
+  output logic                 surf_o,     // and has hit a surface
   output logic                 light_o,
   output logic                 bounce_o,
-  output logic                 refract_o,   // which: refracted, or reflected
-  output logic                 end_o,       // a ray that waits, or the sample's end
-  output logic [50:0]          colour_o,    // with what was pending
+  output logic                 refract_o,  // which: refracted, or reflected
+  output logic                 end_o,      // a ray that waits, or the sample's end
+  output logic [3*VB-1:0]      colour_o,   // with what was pending
   output rc_pkg::shade_state_t known_o
 );
   logic          found, back;
@@ -34,15 +35,15 @@ module rc_start #(
 
   // A light's share counts if nothing was in its way.
   logic        adds;
-  logic [50:0] old_colour, old_share;
+  logic [3*VB-1:0] old_colour, old_share;
   assign adds       = state_i.pending == rc_pkg::PendingSure
                    || (state_i.pending == rc_pkg::PendingAnswer && !found);
   assign old_colour = state_i.colour;
   assign old_share  = state_i.share;
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
-    assign sum = {1'b0, old_colour[k*17 +: 17]} + (adds ? {1'b0, old_share[k*17 +: 17]} : '0);
-    assign colour_o[k*17 +: 17] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+    assign sum = {1'b0, old_colour[k*VB +: VB]} + (adds ? {1'b0, old_share[k*VB +: VB]} : '0);
+    assign colour_o[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
   end
 
   always_comb begin

@@ -6,6 +6,7 @@
 // Model: model/shade/surf.hpp.
 `default_nettype none
 module rc_surf #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
   parameter  int unsigned UnitW = 44,   // bits of toward
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned M  = rc_pkg::DirBits,
@@ -25,14 +26,14 @@ module rc_surf #(
   input  rc_pkg::surface_t   s0_surface_i,
   input  logic [3*P-1:0]     s0_o_i,
   input  logic [3*M-1:0]     s0_d_i,
-  input  logic [16:0]        s0_weight_i,
+  input  logic [VB-1:0]      s0_weight_i,
   output logic [3*PW-1:0]    s5_o_o,
   output logic [3*NB-1:0]    s5_n_o,
   output logic [3*UnitW-1:0] s5_toward_o,
-  output logic               s5_far_o,      // beyond the lattice,
-  output logic               s5_lost_o,     // and beyond what o can say
+  output logic               s5_far_o,   // beyond the lattice,
+  output logic               s5_lost_o,  // and beyond what o can say
   output logic [38:0]        s6_albedo_o,
-  output logic [50:0]        s7_ambient_o
+  output logic [3*VB-1:0]    s7_ambient_o
 );
   localparam int unsigned C    = rc_pkg::CornerBits;
   localparam int unsigned Y    = rc_pkg::BaryBits;

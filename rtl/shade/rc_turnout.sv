@@ -2,6 +2,8 @@
 // registers. Model: pass() and its parts in model/shade/pass.cpp.
 `default_nettype none
 module rc_turnout #(
+  localparam int unsigned VB = rc_pkg::ValueBits,
+  localparam int unsigned AB = rc_pkg::AxisBits,
   localparam int unsigned I  = rc_pkg::RayBits,
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned M  = rc_pkg::DirBits,
@@ -11,49 +13,49 @@ module rc_turnout #(
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned NB = rc_pkg::NormalBits
 ) (
-  input  rc_pkg::shade_frame_t        frame_i,
+  input  rc_pkg::shade_frame_t frame_i,
   // What the context was
-  input  logic [I-1:0]                ray_i,
-  input  rc_pkg::shade_state_t        was_i,
-  input  rc_pkg::waiting_t            top_i,
+  input  logic [I-1:0]         ray_i,
+  input  rc_pkg::shade_state_t was_i,
+  input  rc_pkg::waiting_t     top_i,
   // From rc_surf, rc_angles and the background
-  input  logic                        surf_i,         // a surface has arrived
-  input  logic [3*PW-1:0]             surf_o_i,
-  input  logic [3*NB-1:0]             surf_n_i,
-  input  logic [53:0]                 surf_normal_i,
-  input  logic [53:0]                 surf_view_i,
-  input  logic [16:0]                 surf_cosine_i,
-  input  logic                        surf_far_i,
-  input  logic                        surf_lost_i,
-  input  logic [38:0]                 surf_albedo_i,
-  input  logic [50:0]                 surf_ambient_i,
-  input  logic [50:0]                 background_i,
+  input  logic            surf_i,  // a surface has arrived
+  input  logic [3*PW-1:0] surf_o_i,
+  input  logic [3*NB-1:0] surf_n_i,
+  input  logic [3*AB-1:0] surf_normal_i,
+  input  logic [3*AB-1:0] surf_view_i,
+  input  logic [VB-1:0]   surf_cosine_i,
+  input  logic            surf_far_i,
+  input  logic            surf_lost_i,
+  input  logic [38:0]     surf_albedo_i,
+  input  logic [3*VB-1:0] surf_ambient_i,
+  input  logic [3*VB-1:0] background_i,
   // From rc_light
-  input  logic                        light_near_i,
-  input  logic                        light_clear_i,
-  input  logic [3*N-1:0]              light_place_i,
-  input  logic [50:0]                 light_share_i,
+  input  logic            light_near_i,
+  input  logic            light_clear_i,
+  input  logic [3*N-1:0]  light_place_i,
+  input  logic [3*VB-1:0] light_share_i,
   // Of a shadow ray or bounce, from rc_side, rc_angles and rc_approach
-  input  logic                        above_i,        // the new ray is on that side of the surface
-  input  logic                        below_i,
-  input  logic                        positive_i,     // the light's cosine
-  input  logic [3*D-1:0]              d_i,
-  input  logic                        enters_i,       // from beyond the lattice: where it begins
-  input  logic [3*P-1:0]              entry_i,
+  input  logic           above_i,     // the new ray is on that side of the surface
+  input  logic           below_i,
+  input  logic           positive_i,  // the light's cosine
+  input  logic [3*D-1:0] d_i,
+  input  logic           enters_i,    // from beyond the lattice: where it begins
+  input  logic [3*P-1:0] entry_i,
   // From rc_bounce
-  input  logic [16:0]                 weight_i,
-  input  logic                        total_i,
+  input  logic [VB-1:0] weight_i,
+  input  logic          total_i,
   // From rc_finish
-  input  logic                        more_i,         // another sample follows
-  input  logic [68:0]                 sum_i,
-  input  logic [50:0]                 least_i,
-  input  logic [50:0]                 most_i,
-  input  logic [50:0]                 mean_i,         // the pixel's colour, if it has several
+  input  logic            more_i,  // another sample follows
+  input  logic [68:0]     sum_i,
+  input  logic [3*VB-1:0] least_i,
+  input  logic [3*VB-1:0] most_i,
+  input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several
   // What the context becomes, and what leaves
   output rc_pkg::shade_state_t        state_o,
   output logic                        push_o,
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
-  output logic [1:0]                  leave_o,        // rc_pkg::leave_e
+  output logic [1:0]                  leave_o,  // rc_pkg::leave_e
   output logic [rc_pkg::SpawnW-1:0]   spawn_o,
   output logic [rc_pkg::PixelW-1:0]   pixel_o
 );
@@ -70,13 +72,13 @@ module rc_turnout #(
   assign is_next    = is_end && more_i;
 
   // What is added.
-  logic [50:0] was_colour, added, colour;
+  logic [3*VB-1:0] was_colour, added, colour;
   assign was_colour = was_i.colour;
   assign added      = surf_i ? surf_ambient_i : background_i;
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
-    assign sum = {1'b0, was_colour[k*17 +: 17]} + {1'b0, added[k*17 +: 17]};
-    assign colour[k*17 +: 17] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
+    assign sum = {1'b0, was_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
+    assign colour[k*VB +: VB] = sum[17:16] != '0 ? 17'h10000 : sum[16:0];
   end
 
   // Where it goes on after a surface or a light.
@@ -215,7 +217,7 @@ module rc_turnout #(
     logic unused;
     assign unused = finite;
   end
-  logic [50:0] pixel;
+  logic [3*VB-1:0] pixel;
   assign pixel   = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
   assign pixel_o = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, pixel};
 

@@ -36,6 +36,12 @@ std::vector<int> clocks_of(const std::string& typed, const Config& config) {
     return parse_clocks(fmt::format("{}", fmt::join(items, ",")));
 }
 
+int one_clock_of(const std::string& typed, const Config& config) {
+    const std::vector<int> clocks = clocks_of(typed, config);
+    if (clocks.size() != 1) throw UserError("--clock: this command takes one clock, not " + shown(typed));
+    return clocks[0];
+}
+
 std::string clock_is(const Config& config, int khz) {
     return is_routed(chip::routed_clock(config), khz) ? "routed" : "assumed";
 }

@@ -13,6 +13,9 @@ namespace rayclock {
 /// for. Throws UserError if it has not.
 std::vector<int> clocks_of(const std::string& typed, const Config& config);
 
+/// The same of a command that takes one. Throws UserError if several are given.
+int one_clock_of(const std::string& typed, const Config& config);
+
 /// Whether the clock was shown: "routed" if a routed chip is as fast, otherwise "assumed".
 std::string clock_is(const Config& config, int khz);
 

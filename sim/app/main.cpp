@@ -7,6 +7,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
+#include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"
@@ -24,9 +25,11 @@ struct Added {
 std::vector<Added> add_commands(CLI::App& app) {
     std::vector<Added> all;
     for (Command (*make)() :
-         {scenes_command, render_command, simulate_command, verify_command, stress_command, sweep_command,
-          fit_command, tradeoff_command, yardstick_command, figures_command, counts_command, area_command,
-          chip_command, bench_command, export_command, config_command, rtl_command, doctor_command}) {
+         {scenes_command,   render_command,    simulate_command, verify_command, explain_command,
+          trace_command,    compare_command,   stress_command,   sweep_command,  fit_command,
+          tradeoff_command, yardstick_command, figures_command,  counts_command, area_command,
+          chip_command,     bench_command,     export_command,   config_command, rtl_command,
+          doctor_command}) {
         Command command = make();
         CLI::App* const sub = app.add_subcommand(command.name, command.what);
         sub->footer(std::string("Example: ") + command.example);
@@ -47,6 +50,8 @@ constexpr const char* help_footer =
     "or ~/.cache/rayclock\n"
     "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
+    "  RAYCLOCK_VEGA   folder with Vega's modules for simulate --report; otherwise that of Debian's "
+    "libjs-vega\n"
     "Start with: rayclock verify gears:4 -o out";
 
 /// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
@@ -121,5 +126,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     guard_streams();
+    keep_command_line(argc, argv);
     return finish(run(argc, argv));
 }

@@ -25,6 +25,8 @@ void netlist_option(Parser& parser, bool& no_netlist);
 
 /// "512x384". Throws UserError.
 FrameSize parse_size(const std::string& text);
+/// "255,190": column and row of a pixel; its number, row by row from the top. Throws UserError.
+std::size_t parse_pixel(const std::string& text, FrameSize size);
 /// "66,90,200": MHz, each from 1 to 100,000 with at most three decimals, as kHz. Throws UserError.
 std::vector<int> parse_clocks(const std::string& text);
 /// "1,2,4" or "12:20:2" (from, to, step): whole numbers. `option` begins the sentence. Throws UserError.

@@ -11,12 +11,17 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/clock.hpp"
+#include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/compared.hpp"
 #include "sim/app/options.hpp"
 #include "sim/cause/finished.hpp"
+#include "sim/files/output.hpp"
+#include "sim/observe/replay.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/report_page/page.hpp"
 #include "sim/jobs/threads.hpp"
 
 namespace rayclock {
@@ -31,6 +36,7 @@ struct Options {
     TrafficOptions traffic;
     bool no_reference = false, no_judge = false;
     int threads = 0;
+    std::string report;
     JsonOutput json;
 };
 
@@ -46,6 +52,8 @@ void declare(Parser& parser, Options& o) {
     judge_option(parser, o.no_judge);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
+    parser.option("--report", o.report,
+                  "the run as one HTML file: pictures, heat maps, charts, tables, all figures as data");
     json_option(parser, o.json);
 }
 
@@ -100,11 +108,17 @@ struct Work {
 struct Simulated {
     bool is_model = true;
     std::vector<FrameTrace> traces;
-    std::vector<ClockRun> runs;        ///< [clock]
-    std::optional<FrameError> error;   ///< of the last frame
-    std::optional<Judgement> judgement;
+    std::vector<ClockRun> runs;         ///< [clock]
+    std::optional<Compared> compared;   ///< the last frame with the reference's
     bool partial = false;
 
+    std::optional<FrameError> error() const {
+        return compared ? std::optional(compared->error) : std::nullopt;
+    }
+    const std::optional<Judgement>& judgement() const {
+        static const std::optional<Judgement> none;
+        return compared ? compared->judgement : none;
+    }
     const std::vector<Closest>& answers() const {
         return is_model ? traces.back().trace.hits : runs.back().last().answers;
     }
@@ -135,27 +149,10 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
 
 /// Sets the last frame beside the reference's, and judges it.
 void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
-    const Scene& scene = work.request.scene;
-    const Frame& shown = s.traces.back().frame;
-    const Camera& camera = work.path.back();
-    const HitFrame hits = scaled(work.job, shown, s.answers());
-    const Reference tracer(scene);
-    const Asked asked{scene, camera, shown, work.job.image.lattice, work.request.config};
-    if (work.request.finished) {
-        const WhittedFrame reference =
-            tracer.whitted(camera, work.size, work.request.settings, o.threads, progress);
-        const Picture picture = picture_of(work.size, s.colours());
-        s.error = frame_error(hits, picture, reference.hits, picture_of(reference));
-        const Given given{s.answers(), s.colours(), s.traces.back().trace.signatures};
-        if (!o.no_judge)
-            s.judgement = judge_finished(asked, work.job.image, work.request.settings,
-                                         {reference, picture, given}, hits, o.threads, progress);
-    } else {
-        const HitFrame reference = tracer.frame(camera, work.size, o.threads, progress);
-        s.error = frame_error(scene, hits, reference);
-        if (!o.no_judge)
-            s.judgement = judge(asked, {reference, s.answers(), shade(scene, hits)}, o.threads, progress);
-    }
+    s.compared = rayclock::compare(
+        work.request, work.job,
+        {s.traces.back().frame, work.path.back(), s.answers(), s.colours(), s.traces.back().trace.signatures},
+        !o.no_judge, o.threads, progress);
 }
 
 /// All frames at all clocks together.
@@ -184,9 +181,9 @@ void print(const Work& work, const Simulated& s, const Totals& t, double seconds
     fmt::print("{}\n{}{}\n{}\n{}", heading(work.request.scene, work.size, work.job),
                clock_table(config, s.runs), clock_line(config, work.clocks), work_table(config, s.runs[0]),
                unit_table(config, s.runs));
-    if (s.error)
-        fmt::print("\n{}{}", error_line("against the reference", *s.error),
-                   s.judgement ? cause_lines(*s.judgement) : "");
+    if (s.compared)
+        fmt::print("\n{}{}", error_line("against the reference", s.compared->error),
+                   s.judgement() ? cause_lines(*s.judgement()) : "");
     fmt::print("  host: {:.2f} s; rays recorded in {:.2f} s, {} cycles in {:.2f} s: {:.2f} M cycles/s\n",
                seconds, t.record_seconds, grouped(t.cycles), t.machine_seconds,
                double(t.cycles) / t.machine_seconds / 1e6);
@@ -211,19 +208,48 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
             {"compile", compile_json(work.job.image.report)},
             {"rays", rays_json(frame)},
             {"work", work_json(frame)},
+            {"work_by_kind", nullptr},
             {"clocks", clocks},
             {"units", units_json(config, frame)},
             {"memory", memory_json(config, s.runs[0].khz, frame)},
-            {"error", error_json(s.error, s.judgement)},
-            {"judge", judge_json(s.judgement)},
+            {"error", error_json(s.error(), s.judgement())},
+            {"judge", judge_json(s.judgement())},
             {"host",
              {{"seconds", t.engine_seconds},
               {"record_seconds", s.is_model ? t.record_seconds : 0},
-              {"judge_seconds", s.judgement ? s.judgement->seconds : 0},
+              {"judge_seconds", s.judgement() ? s.judgement()->seconds : 0},
               {"cycles_per_second", double(t.cycles) / t.engine_seconds},
               {"rays_per_second",
                rays_of(frame) * double(s.runs.size() * s.runs[0].frames.size()) / t.engine_seconds}}},
             {"digest", digest_text(t.digest.value())}};
+}
+
+/// The last frame at the first clock again, watched.
+FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, const Progress& progress) {
+    constexpr std::uint64_t windows = 100;
+    const ClockRun& run = s.runs[0];
+    const std::uint64_t window = (run.last().cycles + windows - 1) / windows;
+    FrameCosts costs = observe(work.request.config, run.khz, s.traces, traffic,
+                               std::max<std::uint64_t>(1, window), nullptr, progress);
+    if (!costs.partial && (costs.cycles != run.last().cycles || costs.accounts != run.last().accounts))
+        throw std::runtime_error("the watched frame is not the frame that was simulated");
+    return costs;
+}
+
+void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
+                  const nlohmann::ordered_json& json) {
+    const Request& request = work.request;
+    const Picture picture = s.compared ? s.compared->picture
+                            : request.finished
+                                ? picture_of(work.size, s.colours())
+                                : shade(request.scene, scaled(work.job, s.traces.back().frame, s.answers()));
+    const Picture* reference = s.compared ? &s.compared->reference : nullptr;
+    const Judgement* judgement = s.judgement() ? &*s.judgement() : nullptr;
+    std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
+    for (auto& version : versions()) origin.push_back(std::move(version));
+    origin.emplace_back("digest of pixels and cycles", json.at("digest").get<std::string>());
+    write_bytes(o.report, report_page({json, request.config, s.runs[0].khz, s.runs[0].last(), costs, picture,
+                                       reference, judgement, explain_line(s.runs[0].khz), origin}));
 }
 
 int run(const Options& o) {
@@ -236,6 +262,10 @@ int run(const Options& o) {
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
+    if (!o.report.empty()) {
+        check_writable(o.report);
+        check_page_library();
+    }
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
     if (o.engine == "rtl") check_rtl(request.config);
@@ -248,8 +278,16 @@ int run(const Options& o) {
 
     const Totals totals = totals_of(simulated);
     if (!o.json.is_alone()) print(work, simulated, totals, seconds);
-    o.json.write(json_of(o, work, simulated, totals));
-    return simulated.partial || (simulated.judgement && simulated.judgement->wrong_for(request.config) > 0)
+    nlohmann::ordered_json json = json_of(o, work, simulated, totals);
+    if (!o.report.empty() && !simulated.partial) {
+        const FrameCosts costs = watch_frame(work, simulated, traffic, progress);
+        json["work_by_kind"] = work_by_kind_json(costs);
+        write_report(o, work, simulated, costs, json);
+        if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
+    }
+    o.json.write(json);
+    return simulated.partial ||
+                   (simulated.judgement() && simulated.judgement()->wrong_for(request.config) > 0)
                ? 1
                : 0;
 }

@@ -33,6 +33,18 @@ FrameSize parse_size(const std::string& text) {
     return size;
 }
 
+std::size_t parse_pixel(const std::string& text, FrameSize size) {
+    const std::size_t comma = text.find(',');
+    int x = 0, y = 0;
+    if (comma == std::string::npos || !parse_whole(std::string_view(text).substr(0, comma), x) ||
+        !parse_whole(std::string_view(text).substr(comma + 1), y))
+        throw UserError(shown(text) + " is not a pixel, COLUMN,ROW, for example 255,190");
+    if (x < 0 || x >= size.width || y < 0 || y >= size.height)
+        throw UserError(fmt::format("pixel {},{} lies outside the picture, whose pixels are 0,0 to {},{}", x,
+                                    y, size.width - 1, size.height - 1));
+    return std::size_t(y) * std::size_t(size.width) + std::size_t(x);
+}
+
 std::vector<int> parse_clocks(const std::string& text) {
     std::vector<int> clocks;
     for (const std::string& item : split(text, ',')) {

@@ -45,9 +45,7 @@ public:
 
     Judgement operator()(const Progress& progress) {
         const Stopwatch watch;
-        tbb::parallel_invoke([&] { truth_.emplace(asked_.scene, asked_.lattice, asked_.config); },
-                             [&] { snapped_.emplace(on_lattice(asked_.scene, asked_.lattice)); },
-                             [&] { expected_ = shade(asked_.scene, answered_.reference); });
+        prepare();
         find(progress);
         explain();
         for (std::size_t i = 0; i < judgement_.pixels.size(); ++i) count(i);
@@ -55,7 +53,25 @@ public:
         return std::move(judgement_);
     }
 
+    std::vector<PixelStage> stages_of(std::size_t pixel) {
+        prepare();
+        open_ = {pixel};
+        const auto [hits, pictures] = staged();
+        std::vector<PixelStage> all;
+        for (std::size_t k = 0; k < hits.size(); ++k)
+            all.push_back({k == 0 ? "reference" : cause_info(PixelCause(k - 1)).key, hits[k].hits[0],
+                           pictures[k].pixels[0]});
+        const PixelStage& last = all.back();
+        all.push_back({cause_info(PixelCause::shading).key, last.hit, answered_.picture.pixels[pixel]});
+        return all;
+    }
+
 private:
+    void prepare() {
+        tbb::parallel_invoke([&] { truth_.emplace(asked_.scene, asked_.lattice, asked_.config); },
+                             [&] { snapped_.emplace(on_lattice(asked_.scene, asked_.lattice)); },
+                             [&] { expected_ = shade(asked_.scene, answered_.reference); });
+    }
     int x(std::size_t pixel) const { return int(pixel % std::size_t(size_.width)); }
     int y(std::size_t pixel) const { return int(pixel / std::size_t(size_.width)); }
     std::uint32_t answered_primitive(std::size_t pixel) const {
@@ -102,10 +118,15 @@ private:
         judgement_.rays.primary = pixels;
     }
 
-    /// The hits of all stages but the last, which is that before it, for the pixels that differ.
-    void explain() {
-        const int rows = int((open_.size() + packed_width - 1) / packed_width);
+    /// The hits and colours of all stages but the last for the pixels that differ.
+    struct Staged {
         std::array<HitFrame, stages - 1> hits;
+        std::array<Picture, stages - 1> pictures;
+    };
+    Staged staged() {
+        const int rows = int((open_.size() + packed_width - 1) / packed_width);
+        Staged s;
+        std::array<HitFrame, stages - 1>& hits = s.hits;
         for (HitFrame& frame : hits)
             frame = {{packed_width, std::max(1, rows)},
                      std::vector<Hit>(std::size_t(std::max(1, rows)) * packed_width)};
@@ -123,8 +144,13 @@ private:
             hits[3].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), truth_->answer(exact)});
             hits[4].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), answered_.answers[open_[i]]});
         });
-        std::array<Picture, stages - 1> pictures;
-        for (std::size_t k = 0; k < hits.size(); ++k) pictures[k] = shade(asked_.scene, hits[k]);
+        for (std::size_t k = 0; k < hits.size(); ++k) s.pictures[k] = shade(asked_.scene, hits[k]);
+        return s;
+    }
+
+    /// The primitive of the last stage is that before it.
+    void explain() {
+        const auto [hits, pictures] = staged();
         for (std::size_t i = 0; i < open_.size(); ++i) {
             std::array<std::uint32_t, stages> primitive{};
             std::array<glm::vec3, stages> colour{};
@@ -185,6 +211,10 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
 
 Judgement judge(const Asked& asked, const Answered& answered, int threads, const Progress& progress) {
     return arena_of(threads).execute([&] { return Judge(asked, answered)(progress); });
+}
+
+std::vector<PixelStage> stages_of(const Asked& asked, const Answered& answered, std::size_t pixel) {
+    return Judge(asked, answered).stages_of(pixel);
 }
 
 Picture cause_picture(const Picture& reference, const Judgement& judgement) {

@@ -73,6 +73,15 @@ struct Answered {
 /// Judges every pixel on all cores, or as many as `threads` says.
 Judgement judge(const Asked& asked, const Answered& answered, int threads = 0, const Progress& progress = {});
 
+/// One pixel on its way from the reference to the machine, in the order of the stages above: what it hits,
+/// and its colour, after the step that is named.
+struct PixelStage {
+    const char* step;
+    Hit hit;
+    glm::vec3 colour{0};
+};
+std::vector<PixelStage> stages_of(const Asked& asked, const Answered& answered, std::size_t pixel);
+
 /// Grey copy of the reference's picture, dimmed, with every pixel that has a cause in the cause's colour: in
 /// full if it holds another primitive or is a bug, at a third of the light if only its colour differs.
 Picture cause_picture(const Picture& reference, const Judgement& judgement);

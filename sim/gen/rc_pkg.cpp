@@ -183,6 +183,8 @@ void derived(Package& p, const Config& c) {
     p.constant("LightBits", c.light_bits());
     p.constant("NormalBits", c.normal_bits());
     p.constant("UnitBits", unit_bits);
+    p.constant("ValueBits", unit_bits + 1);   // 0 to 1, both included: a weight, cosine, colour
+    p.constant("AxisBits", unit_bits + 2);    // -1 to 1: a component of a unit vector
     p.constant("ShareBits", share_bits);
     p.constant("CornerBits", corner_bits);
     p.constant("ShineFrac", shine_frac);

@@ -11,6 +11,9 @@ namespace rayclock {
 /// or the ending is unknown.
 void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits);
 
+/// The bytes of a PNG file, as write_picture() writes it.
+std::string png_bytes(const Picture& picture);
+
 /// Reads a picture back as linear RGB. Throws UserError if it is missing or not an image.
 Picture read_picture(const std::string& path);
 

@@ -77,7 +77,29 @@ std::string reason(std::string message) {
     return message.empty() ? "unknown reason" : message;
 }
 
+/// The bytes of a file; `path` is for messages. Into memory, because the library does not see an error of the
+/// last bytes, nor of closing the file.
+std::vector<unsigned char> file_bytes(const std::string& path, const Format& format, const Picture& picture,
+                                      const HitFrame& hits) {
+    const Encoded encoded = format.encode(picture, hits);
+    const auto output = OIIO::ImageOutput::create(format.plugin);
+    if (!output) throw UserError(fmt::format("{}: cannot be written: {}", path, reason(OIIO::geterror())));
+    OIIO::Filesystem::IOVecOutput memory;
+    output->set_ioproxy(&memory);
+    // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
+    const bool encoded_all = output->open(path, encoded.spec) &&
+                             output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
+    if (!encoded_all)
+        throw UserError(fmt::format("{}: cannot be written: {}", path, reason(output->geterror())));
+    return memory.buffer();
+}
+
 }   // namespace
+
+std::string png_bytes(const Picture& picture) {
+    const auto bytes = file_bytes("picture.png", formats[0], picture, {});
+    return {bytes.begin(), bytes.end()};
+}
 
 void check_picture_path(const std::string& path) {
     format_of(path);
@@ -91,18 +113,8 @@ void write_picture(const std::string& path, const Picture& picture, const HitFra
     if (picture.pixels.size() != pixels || hits.size != picture.size || hits.hits.size() != pixels)
         throw UserError(fmt::format("{}: picture and hits differ in size", path));
     check_replaceable(path);
-    const Encoded encoded = format.encode(picture, hits);
-    const auto output = OIIO::ImageOutput::create(format.plugin);
-    if (!output) throw UserError(fmt::format("{}: cannot be written: {}", path, reason(OIIO::geterror())));
-    // Into memory first: the library does not see an error of the last bytes, nor of closing the file.
-    OIIO::Filesystem::IOVecOutput memory;
-    output->set_ioproxy(&memory);
-    // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
-    const bool encoded_all = output->open(path, encoded.spec) &&
-                             output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
-    if (!encoded_all)
-        throw UserError(fmt::format("{}: cannot be written: {}", path, reason(output->geterror())));
-    write_bytes(path, {reinterpret_cast<const char*>(memory.buffer().data()), memory.buffer().size()});
+    const auto bytes = file_bytes(path, format, picture, hits);
+    write_bytes(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }   // namespace rayclock

@@ -117,8 +117,8 @@ module cache_always (
   end
 
   // ---- Ties to the inside, as an induction needs them. First the queues, each first to last.
-  (* hierconn *) wire [1:0] \u_dut.u_in.head_q , \u_dut.u_in.tail_q , \u_dut.u_answers.head_q , \u_dut.u_answers.tail_q ;
-  (* hierconn *) wire [3:0] \u_dut.u_in.mem[0] , \u_dut.u_in.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.gen_at_once.u_in.head_q , \u_dut.gen_at_once.u_in.tail_q , \u_dut.u_answers.head_q , \u_dut.u_answers.tail_q ;
+  (* hierconn *) wire [3:0] \u_dut.gen_at_once.u_in.mem[0] , \u_dut.gen_at_once.u_in.mem[1] ;
   (* hierconn *) wire [2:0] \u_dut.u_answers.mem[0] , \u_dut.u_answers.mem[1] ;
   (* hierconn *) wire [1:0] \u_dut.u_misses.u_fifo.head_q , \u_dut.u_misses.u_fifo.tail_q ;
   (* hierconn *) wire [2:0] \u_dut.u_misses.u_fifo.mem[0] , \u_dut.u_misses.u_fifo.mem[1] ;
@@ -127,12 +127,12 @@ module cache_always (
   logic [1:0] in_n, ans_n, miss_n, fill_n;
   logic [7:0] in_q;
   logic [5:0] ans_q, miss_q, fill_q;
-  assign in_n   = \u_dut.u_in.tail_q - \u_dut.u_in.head_q ;
+  assign in_n   = \u_dut.gen_at_once.u_in.tail_q - \u_dut.gen_at_once.u_in.head_q ;
   assign ans_n  = \u_dut.u_answers.tail_q - \u_dut.u_answers.head_q ;
   assign miss_n = \u_dut.u_misses.u_fifo.tail_q - \u_dut.u_misses.u_fifo.head_q ;
   assign fill_n = \u_dut.u_mshr.u_filled.u_fifo.tail_q - \u_dut.u_mshr.u_filled.u_fifo.head_q ;
-  assign in_q   = \u_dut.u_in.head_q [0] ? {\u_dut.u_in.mem[0] , \u_dut.u_in.mem[1] }
-                                         : {\u_dut.u_in.mem[1] , \u_dut.u_in.mem[0] };
+  assign in_q   = \u_dut.gen_at_once.u_in.head_q [0] ? {\u_dut.gen_at_once.u_in.mem[0] , \u_dut.gen_at_once.u_in.mem[1] }
+                                         : {\u_dut.gen_at_once.u_in.mem[1] , \u_dut.gen_at_once.u_in.mem[0] };
   assign ans_q  = \u_dut.u_answers.head_q [0] ? {\u_dut.u_answers.mem[0] , \u_dut.u_answers.mem[1] }
                                               : {\u_dut.u_answers.mem[1] , \u_dut.u_answers.mem[0] };
   assign miss_q = \u_dut.u_misses.u_fifo.head_q [0] ? {\u_dut.u_misses.u_fifo.mem[0] , \u_dut.u_misses.u_fifo.mem[1] }
@@ -221,12 +221,12 @@ module cache_always (
   end
 
   // What is stored: a way whose line is there has its bit; one that waits has its tag.
-  (* hierconn *) wire [2:0] \u_dut.u_tags.gen_way[0].u_tag.mem[0] , \u_dut.u_tags.gen_way[1].u_tag.mem[0] ;
+  (* hierconn *) wire [2:0] \u_dut.u_tags.gen_way[0].gen_memory.u_tag.mem[0] , \u_dut.u_tags.gen_way[1].gen_memory.u_tag.mem[0] ;
   (* hierconn *) wire       \u_dut.gen_part[0].u_data.mem[0] , \u_dut.gen_part[0].u_data.mem[1] ;
   logic [5:0] tags;
   logic [1:0] data, coming;   // ways for which a line is on its way and not filled
   logic       store_ok;
-  assign tags = {\u_dut.u_tags.gen_way[1].u_tag.mem[0] , \u_dut.u_tags.gen_way[0].u_tag.mem[0] };
+  assign tags = {\u_dut.u_tags.gen_way[1].gen_memory.u_tag.mem[0] , \u_dut.u_tags.gen_way[0].gen_memory.u_tag.mem[0] };
   assign data = {\u_dut.gen_part[0].u_data.mem[1] , \u_dut.gen_part[0].u_data.mem[0] };
   always @* begin
     store_ok = !(tags[2] && tags[5] && tags[1:0] == tags[4:3]);

@@ -6,6 +6,7 @@
 module fifo #(
   parameter  int unsigned Depth  = 4,   // 2 or 4
   parameter  int unsigned Width  = 2,
+  parameter  int unsigned Cut    = 0,   // 0 or 1
   localparam int unsigned IndexW = $clog2(Depth)
 ) (
   input logic             clk_i,
@@ -17,11 +18,18 @@ module fifo #(
 );
   logic             ready_o, valid_o;
   logic [Width-1:0] data_o;
-  rc_fifo #(.Width(Width), .Depth(Depth)) u_dut (
+  rc_fifo #(.Width(Width), .Depth(Depth), .Cut(Cut)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
     .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o));
   (* hierconn *) wire [IndexW:0] \u_dut.head_q ;
   (* hierconn *) wire [IndexW:0] \u_dut.tail_q ;
+
+`ifdef Cut_1
+  (* hierconn *) wire [IndexW:0] \u_dut.gen_ahead.next_q ;
+  wire [IndexW:0] next = \u_dut.gen_ahead.next_q - \u_dut.head_q ;
+`else
+  wire [IndexW:0] next = 1;
+`endif
 
   logic begun_q = 1'b0;
   always @(posedge clk_i) begun_q <= 1'b1;
@@ -79,6 +87,7 @@ module fifo #(
     a_kept:    assert (!follows_q || kept == token_q);
     a_token:   assert (!follows_q || ahead_q != '0 || data_o == token_q);
     a_offer:   assert (!stalled_q || (valid_o && data_o == shown_q));
+    a_next:    assert (next == 1'b1);
     a_open:    assert (!open_q || ready_o);
   end
 endmodule

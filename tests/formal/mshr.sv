@@ -26,7 +26,7 @@ module mshr #(
   logic       full_o, waits_o, free_o, fill_set_o, fill_way_o, drain_valid_o, drain_set_o, drain_way_o;
   rc_mshr #(.IdBits(IdBits), .SetW(1), .Ways(2), .Words(Words), .Mshrs(Mshrs)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .id_i(id_i), .set_i(set_i), .load_i(1'b0), .ahead_set_i(set_i), .waiting_o(waiting_o), .full_o(full_o), .waits_o(waits_o),
-    .free_o(free_o), .way_i(way_i), .take_i(take_i), .merge_i(merge_i), .fill_fires_i(fill_fires_i),
+    .free_o(free_o), .way_i(way_i), .take_i(take_i), .line_way_i(way_i), .merge_i(merge_i), .fill_fires_i(fill_fires_i),
     .fill_mshr_i(fill_mshr_i), .fill_set_o(fill_set_o), .fill_way_o(fill_way_o), .drain_valid_o(drain_valid_o),
     .drain_id_o(drain_id_o), .drain_set_o(drain_set_o), .drain_way_o(drain_way_o), .drain_i(drain_i));
 

@@ -16,21 +16,28 @@ prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL prim/rc_door.
 
 # ---- Queues.
 foreach(depth IN ITEMS 2 4)
-  prove(formal:fifo_of_${depth} TOP fifo RTL prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Depth=${depth} Cut=1 INDUCTION 4)
 endforeach()
-prove(mutant:formal_fifo_ready_when_full TOP fifo RTL prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = 1'b1;]])
-prove(mutant:formal_fifo_writes_when_full TOP fifo RTL prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
+  OLD [[valid_q <= (valid_q && !ready_i) || more || (valid_i && ready_q);]]
+  NEW [[valid_q <= (valid_q && !ready_i) || (valid_i && ready_q);]])
+prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
+  OLD [[(ready_q && !(valid_i && one_place));]]
+  NEW [[ready_q;]])
+prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
   OLD [[if (valid_i && ready_o) mem[tail_q]]
   NEW [[if (valid_i) mem[tail_q]])
-prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
   OLD [[if (valid_o && ready_i) head_q]]
   NEW [[if (ready_i) head_q]])
 foreach(depth IN ITEMS 1 2 4)
-  prove(formal:queue_of_${depth} TOP queue RTL prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
 endforeach()
-prove(mutant:formal_queue_half_as_deep TOP queue RTL prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=4 CYCLES 10 FILE prim/rc_queue.sv
+prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=4 CYCLES 10 FILE prim/rc_queue.sv
   OLD [[.valid_i(push_i), .ready_o(ready), .data_i,]]
   NEW [[.valid_i(push_i && !valid_o), .ready_o(ready), .data_i,]])
 
@@ -59,7 +66,7 @@ prove(mutant:formal_arbiter_grants_two TOP arbiter RTL mem/rc_arbiter.sv CYCLES 
   NEW [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o | {valid_i[Sources-1] && valid_i[0] && ready_i, {(Sources-1){1'b0}}};]])
 
 # ---- The caches' control.
-set(mshr mem/rc_mshr.sv prim/rc_ram.sv prim/rc_queue.sv prim/rc_fifo.sv)
+set(mshr rc_pkg.sv mem/rc_mshr.sv prim/rc_ram.sv prim/rc_queue.sv prim/rc_fifo.sv)
 foreach(words IN ITEMS 1 2)
   prove(formal:mshr_of_${words}_words TOP mshr RTL ${mshr} WITH Words=${words} INDUCTION 3)
 endforeach()
@@ -75,12 +82,12 @@ prove(mutant:formal_mshr_links_to_the_first TOP mshr RTL ${mshr} CYCLES 8 FILE m
   OLD [[.clk_i, .write_i(merge_i), .write_addr_i(tail), .write_data_i(id_i),]]
   NEW [[.clk_i, .write_i(merge_i), .write_addr_i(head), .write_data_i(id_i),]])
 prove(mutant:formal_mshr_joins_any_line_of_the_way TOP mshr RTL ${mshr} CYCLES 8 FILE mem/rc_mshr.sv
-  OLD [[here && way_q == way_i ? MshrW'(m)]]
-  NEW [[busy_q && way_q == way_i ? MshrW'(m)]])
+  OLD [[here && way_q == line_way_i ? MshrW'(m)]]
+  NEW [[busy_q && way_q == line_way_i ? MshrW'(m)]])
 prove(mutant:formal_mshr_filled_by_the_first_word TOP mshr RTL ${mshr} WITH Words=2 CYCLES 8 FILE mem/rc_mshr.sv
   OLD [[assign filled = fill_fires_i && words == WordW'(Words - 1);]]
   NEW [[assign filled = fill_fires_i && words == '0;]])
-set(tags mem/rc_tags.sv prim/rc_ram.sv)
+set(tags rc_pkg.sv mem/rc_tags.sv prim/rc_ram.sv prim/rc_ram_sync.sv prim/rc_cut.sv)
 prove(formal:tags TOP tags RTL ${tags} INDUCTION 6)
 prove(mutant:formal_tags_give_a_waiting_way_away TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[waiting_i[oldest] ? gen_way[Ways-1].lowest : oldest;]]
@@ -91,7 +98,7 @@ prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/r
 prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
-set(cache rc_pkg.sv mem/rc_cache.sv ${tags} mem/rc_mshr.sv prim/rc_cut.sv prim/rc_ram_sync.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
+set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)
@@ -108,7 +115,7 @@ prove(mutant:formal_cache_asks_again_for_a_join TOP cache_always RTL ${cache} CY
   OLD [[.clk_i, .rst_ni, .push_i(miss), .data_i({free, line}),]]
   NEW [[.clk_i, .rst_ni, .push_i(miss || merge), .data_i({free, line}),]])
 prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 FILE mem/rc_cache.sv
-  OLD [[assign pop   = hit || merge || miss;]]
+  OLD [[assign pop   = look && (found || (!full && !conflict));]]
   NEW [[assign pop   = hit || (merge && rsp_ready_i && !rsp_valid_o && waits_o && !fill_fires_i && full) || miss;]])
 
 # ---- Division, for every operand.

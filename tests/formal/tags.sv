@@ -17,9 +17,10 @@ module tags #(
   input logic            take_i
 );
   logic       hit_o, conflict_o;
-  logic [1:0] way_o;
+  logic [1:0] way_o, found_o;
+  logic [3:0] hits_o;
   rc_tags #(.TagW(TagW), .Sets(Sets), .Ways(Ways)) u_dut (
-    .clk_i(clk_i), .rst_ni(rst_ni), .load_i(1'b0), .ahead_set_i(set_i), .ahead_tag_i(tag_i), .set_i(set_i), .tag_i(tag_i), .waiting_i(waiting_i), .hit_o(hit_o),
+    .clk_i(clk_i), .rst_ni(rst_ni), .next_load_i(1'b0), .next_set_i(set_i), .load_i(1'b0), .ahead_set_i(set_i), .ahead_tag_i(tag_i), .set_i(set_i), .tag_i(tag_i), .waiting_i(waiting_i), .hits_o(hits_o), .hit_o(hit_o), .found_o(found_o),
     .conflict_o(conflict_o), .way_o(way_o), .touch_i(touch_i), .take_i(take_i));
 
   // Reset is held once, for as many cycles as there are sets.
@@ -72,20 +73,21 @@ module tags #(
     a_apart:    assert (apart);
     a_conflict: assert (conflict_o == (&waiting_i));
     a_waits:    assert (hit_o || conflict_o || !waiting_i[way_o]);
+    a_found:    assert (!hit_o || (found_o == way_o && hits_o == 4'd1 << way_o));
     a_last:     assert (hit_o || waiting_i != '0 || !used_q[set_i] || way_o != last_q[2*set_i +: 2]);
   end
 
   // ---- Ties to the inside, as an induction needs them.
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[0].u_tag.mem[0] , \u_dut.gen_way[0].u_tag.mem[1] ;
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[1].u_tag.mem[0] , \u_dut.gen_way[1].u_tag.mem[1] ;
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[2].u_tag.mem[0] , \u_dut.gen_way[2].u_tag.mem[1] ;
-  (* hierconn *) wire [TagW:0] \u_dut.gen_way[3].u_tag.mem[0] , \u_dut.gen_way[3].u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[0].gen_memory.u_tag.mem[0] , \u_dut.gen_way[0].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[1].gen_memory.u_tag.mem[0] , \u_dut.gen_way[1].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[2].gen_memory.u_tag.mem[0] , \u_dut.gen_way[2].gen_memory.u_tag.mem[1] ;
+  (* hierconn *) wire [TagW:0] \u_dut.gen_way[3].gen_memory.u_tag.mem[0] , \u_dut.gen_way[3].gen_memory.u_tag.mem[1] ;
   (* hierconn *) wire [Ways-1:0] \u_dut.gen_tree.u_recent.mem[0] , \u_dut.gen_tree.u_recent.mem[1] ;
   logic [(TagW+1)*Places-1:0] in_tag;
   assign in_tag = {
-    \u_dut.gen_way[3].u_tag.mem[1] , \u_dut.gen_way[2].u_tag.mem[1] , \u_dut.gen_way[1].u_tag.mem[1] ,
-    \u_dut.gen_way[0].u_tag.mem[1] , \u_dut.gen_way[3].u_tag.mem[0] , \u_dut.gen_way[2].u_tag.mem[0] ,
-    \u_dut.gen_way[1].u_tag.mem[0] , \u_dut.gen_way[0].u_tag.mem[0] };
+    \u_dut.gen_way[3].gen_memory.u_tag.mem[1] , \u_dut.gen_way[2].gen_memory.u_tag.mem[1] , \u_dut.gen_way[1].gen_memory.u_tag.mem[1] ,
+    \u_dut.gen_way[0].gen_memory.u_tag.mem[1] , \u_dut.gen_way[3].gen_memory.u_tag.mem[0] , \u_dut.gen_way[2].gen_memory.u_tag.mem[0] ,
+    \u_dut.gen_way[1].gen_memory.u_tag.mem[0] , \u_dut.gen_way[0].gen_memory.u_tag.mem[0] };
   logic same;
   always @* begin
     same = 1'b1;

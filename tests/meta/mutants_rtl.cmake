@@ -11,8 +11,8 @@ mutant(slab_far_rounded_down QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][locks
   OLD [[assign placed_up    = ~({R1{1'b1}} << placed_right);]]
   NEW [[assign placed_up    = placed_right == '1 ? '1 : '0;]])
 mutant(slab_near_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[V'(placed_near_q), V'(placed_far_q), far_up,]]
-  NEW [[V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}), V'(placed_far_q), far_up,]])
+  OLD [[.data_i(V'(placed_near_q))]]
+  NEW [[.data_i(V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}))]])
 mutant(slab_far_with_r FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, !plane_zero};]]
   NEW [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, plane_zero && !plane_zero};]])
@@ -20,18 +20,18 @@ mutant(slab_zero_direction FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[(zero_q && !near_q[V-1] && near_q != '0)]]
   NEW [[(zero_q && !near_q[V-1])]])
 mutant(rank_ignores_offset FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[exchange = (gen_level[l].gen_key[i].key > gen_level[l].gen_key[i ^ J].key)]]
-  NEW [[exchange = (gen_level[l].gen_key[i].key[KeyW-1:O+C] > gen_level[l].gen_key[i ^ J].key[KeyW-1:O+C])]])
+  OLD [[if (holds && (key > other) ==]]
+  NEW [[if (holds && (key[KeyW-1:O+C] > other[KeyW-1:O+C]) ==]])
 mutant(rank_leaves_first FILE rtl/bvh/rc_rank.sv TEST unit [box][lockstep]
-  OLD [[{!s0_hit_i[i], leaf, s0_near_i]]
-  NEW [[{!s0_hit_i[i], !leaf, s0_near_i]])
+  OLD [[{!s0_hit_i[i], s0_leaf[i], s0_near_i]]
+  NEW [[{!s0_hit_i[i], !s0_leaf[i], s0_near_i]])
 
 # ---- tri: exact decisions.
 mutant(edges_zero_is_inside FILE rtl/isect/rc_edges.sv TEST unit [tri][lockstep]
   OLD [[end_u_neg == end_flip && end_v_neg]]
   NEW [[(end_u == '0 || end_u_neg == end_flip) && end_v_neg]])
 mutant(edges_tie_turned FILE rtl/isect/rc_edges.sv TEST unit [tri]
-  OLD [[assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;]]
+  OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 0) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(edges_normal_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is exact at the corners of the lattice*"
   OLD [[localparam int unsigned X = 2 * D + 1;]]
@@ -110,8 +110,8 @@ mutant(trav_gives_the_second_leaf FILE rtl/bvh/rc_trav.sv TEST unit [trav]
   OLD [[leaf_offset = leaf_offset >> (O << b);]]
   NEW [[leaf_offset = leaf_offset >> (O << (b + 1));]])
 mutant(reach_is_not_reset_by_a_start FILE rtl/prim/rc_reach.sv TEST unit [trav]
-  OLD [[if (start_fires_i) written_q[start_ray] <= 1'b0;]]
-  NEW [[if (start_fires_i && start_ray != '1) written_q[start_ray] <= 1'b0;]])
+  OLD [[.clear_i(start_fires_i),]]
+  NEW [[.clear_i(start_fires_i && start_ray != '1),]])
 mutant(list_skips_last_triangle QUICK FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[assign more_triangles = cursor_triangle + C'(1) <]]
   NEW [[assign more_triangles = cursor_triangle + C'(2) <]])
@@ -119,11 +119,11 @@ mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[&& next_near <= it_t;]]
   NEW [[&& (next_near <= it_t || it_t != '0);]])
 mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/list/rc_list.sv TEST unit [list]
-  OLD [[if (start_fires_i) found_q[start_ray] <= 1'b0;]]
-  NEW [[if (start_fires_i || ray_fires_i) found_q[ray_fires_i ? ray_i.ray : start_ray] <= 1'b0;]])
+  OLD [[.clear_i(start_fires_i), .clear_at_i(start_ray),]]
+  NEW [[.clear_i(start_fires_i || ray_fires_i), .clear_at_i(ray_fires_i ? ray_i.ray : start_ray),]])
 mutant(list_keeps_old_hit FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[if (start_fires_i) found_q[start_ray] <= 1'b0;]]
-  NEW [[if (start_fires_i && !closer) found_q[start_ray] <= 1'b0;]])
+  OLD [[.clear_i(start_fires_i),]]
+  NEW [[.clear_i(start_fires_i && !closer),]])
 mutant(sched_frees_another_context QUICK FILE rtl/sched/rc_sched.sv TEST unit [sched][lockstep]
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
   NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
@@ -315,8 +315,8 @@ mutant(cache_line_filled_one_cycle_late FILE rtl/mem/rc_mshr.sv TEST unit "a mis
   rc_queue #(.Width(MshrW + SetW + WayW), .Depth(Mshrs)) u_filled (
     .clk_i, .rst_ni, .push_i(late_q), .data_i(late_data_q),]])
 mutant(cache_hit_reads_wrong_way FILE rtl/mem/rc_cache.sv TEST unit [cache]
-  OLD [[place(set, way, read_word)]]
-  NEW [[place(set, way & WayW'(Ways - 2), read_word)]])
+  OLD [[place(set, line_way, read_word)]]
+  NEW [[place(set, line_way & WayW'(Ways - 2), read_word)]])
 mutant(cache_fill_in_wrong_word FILE rtl/mem/rc_cache.sv TEST unit [cache]
   OLD [[fill_id_i[WordW-1:0] & WordW'(Words - 1)]]
   NEW [[~fill_id_i[WordW-1:0] & WordW'(Words - 1)]])
@@ -333,17 +333,21 @@ mutant(tags_touch_turned QUICK FILE rtl/mem/rc_tags.sv TEST unit "a set gives up
   OLD [[= !way_o[Levels-1-l];]]
   NEW [[= way_o[Levels-1-l];]])
 mutant(tags_waiting_way_given_away FILE rtl/mem/rc_tags.sv TEST unit [cache]
-  OLD [[: waiting_i[oldest] ? gen_way]]
-  NEW [[: waiting_i[oldest] && 1'b0 ? gen_way]])
+  OLD [[= waiting_i[oldest] ? gen_way]]
+  NEW [[= waiting_i[oldest] && 1'b0 ? gen_way]])
 mutant(tags_highest_free_way FILE rtl/mem/rc_tags.sv TEST unit "a way that waits*"
   OLD [[assign lowest = gen_way[w-1].full ? WayW'(w) : gen_way[w-1].lowest;]]
   NEW [[assign lowest = !waiting_i[w] || gen_way[w-1].full ? WayW'(w) : gen_way[w-1].lowest;]])
 mutant(tags_not_cleared FILE rtl/mem/rc_tags.sv TEST unit [cache][lockstep]
-  OLD [[.clk_i, .write_i(!rst_ni || (take_i && way_o == WayW'(w))), .write_addr_i(write_set),]]
-  NEW [[.clk_i, .write_i(take_i && way_o == WayW'(w)), .write_addr_i(write_set),]])
+  OLD [[u_tag (
+        .clk_i, .write_i(!rst_ni || takes), .write_addr_i(write_set),
+        .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),]]
+  NEW [[u_tag (
+        .clk_i, .write_i(takes), .write_addr_i(write_set),
+        .write_data_i(rst_ni ? {1'b1, tag_i} : '0), .read_addr_i(ahead_set_i),]])
 mutant(tags_tree_not_cleared FILE rtl/mem/rc_tags.sv TEST unit [cache][lockstep]
-  OLD [[.clk_i, .write_i(!rst_ni || touch_i), .write_addr_i(write_set),]]
-  NEW [[.clk_i, .write_i(touch_i), .write_addr_i(write_set),]])
+  OLD [[.clk_i, .write_i(!rst_ni || touched), .write_addr_i(tree_set),]]
+  NEW [[.clk_i, .write_i(touched), .write_addr_i(tree_set),]])
 mutant(mshr_chain_loses_the_last QUICK FILE rtl/mem/rc_mshr.sv TEST unit "misses to one line*"
   OLD [[assign is_last    = head == last;]]
   NEW [[assign is_last    = head == last || next == last;]])
@@ -353,8 +357,8 @@ mutant(mshr_tail_stays FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   NEW [[u_tail (
     .clk_i, .write_i(take_i),]])
 mutant(mshr_joins_any_of_the_set FILE rtl/mem/rc_mshr.sv TEST unit [cache]
-  OLD [[assign match   = here && way_q == way_i ? MshrW'(m)]]
-  NEW [[assign match   = here && (way_q == way_i || m > 0) ? MshrW'(m)]])
+  OLD [[assign match   = here && way_q == line_way_i ? MshrW'(m)]]
+  NEW [[assign match   = here && (way_q == line_way_i || m > 0) ? MshrW'(m)]])
 mutant(mshr_line_filled_one_word_early FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   OLD [[words == WordW'(Words - 1);]]
   NEW [[words == WordW'(Words - 2);]])
@@ -362,8 +366,8 @@ mutant(mshr_words_not_cleared FILE rtl/mem/rc_mshr.sv TEST unit [cache]
   OLD [[words_q[m] <= '0;]]
   NEW [[words_q[m] <= words_q[m];]])
 mutant(mshr_highest_is_taken FILE rtl/mem/rc_mshr.sv TEST unit [cache][lockstep]
-  OLD [[assign free    = gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;]]
-  NEW [[assign free    = !busy_q || gen_mshr[m-1].full ? MshrW'(m) : gen_mshr[m-1].free;]])
+  OLD [[assign free    = (is_free ? MshrW'(m) : '0) | gen_mshr[m-1].free;]]
+  NEW [[assign free    = !busy_q ? MshrW'(m) : gen_mshr[m-1].free;]])
 
 
 # ---- What every operand of a small width shows.
@@ -383,7 +387,7 @@ mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_direction.sv TEST unit [ra
   OLD [[.data_i({s1_whole, s1_moved[G-M-1]})]]
   NEW [[.data_i({s1_whole, s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0})]])
 mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
-  OLD [[assign w_sign[k]  = gen_cross[k].p1_q < gen_cross[k].p2_q;]]
+  OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(small_tri_compares_the_cut_product FILE rtl/isect/rc_tri.sv TEST unit [tri][small]
   OLD [[{f1_mine_q, 1'b0} < {f1_theirs_q, wide_first};]]

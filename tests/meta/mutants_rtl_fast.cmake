@@ -8,16 +8,29 @@ mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][f
   OLD [[rc_cut #(.Width(M + E + 3)) u_coarse]]
   NEW [[rc_cut #(.Width(M + E + 3), .Stages(0)) u_coarse]])
 
+mutant(list_fast_loses_a_stage FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+  OLD [[.Stages(2 * rc_pkg::Cut)) u_it_group]]
+  NEW [[.Stages(rc_pkg::Cut)) u_it_group]])
+mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
+  OLD [[.write_addr_i(late_addr), .write_data_i(late_group),]]
+  NEW [[.write_addr_i(write_addr), .write_data_i(late_group),]])
+
 # ---- What a fast cache compares a cycle early, and the request before it changes in that cycle.
 mutant(tags_fast_old_line_is_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
-  OLD [[mine_q <= take_i && same_set && way_o == WayW'(w) ? tag_i == ahead_tag_i : same_tag;]]
-  NEW [[mine_q <= same_tag;]])
+  OLD [[mine_q <= takes && same_set ? tag_i == ahead_tag_i]]
+  NEW [[mine_q <= 1'b0 ? tag_i == ahead_tag_i]])
+mutant(tags_fast_line_that_came_meanwhile_is_not_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
+  OLD [[: took_q && same_late ? late_tag == ahead_tag_i : same_tag;]]
+  NEW [[: same_tag;]])
 mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
-  OLD [[recent_q <= touch_i && same_set ? recent_d : kept;]]
-  NEW [[recent_q <= kept;]])
+  OLD [[recent_q <= touch_i && same_set ? recent_d]]
+  NEW [[recent_q <= 1'b0 ? recent_d]])
+mutant(tags_fast_tree_that_is_written FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
+  OLD [[: touched_q && same_late ? late_recent : kept;]]
+  NEW [[: kept;]])
 mutant(mshr_fast_new_line_is_not_waited_for QUICK FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
-  OLD [[(take_i && free_o == MshrW'(m) ? set_i : set_q) == ahead_set_i;]]
+  OLD [[takes ? set_i == ahead_set_i : set_q == ahead_set_i;]]
   NEW [[set_q == ahead_set_i;]])
 mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
-  OLD [[assign load       = !valid_q || pop;]]
-  NEW [[assign load       = !valid_q || pop || full;]])
+  OLD [[assign load        = !valid_q || pop;]]
+  NEW [[assign load        = !valid_q || pop || full;]])

@@ -22,5 +22,5 @@ mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[hits = hits + 4'(hit_fires_i[p]);]]
   NEW [[hits = 4'(hit_fires_i[p]);]])
 mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[state_q == StStart && left_q != '0;]]
+  OLD [[state_q == StStart && some_q;]]
   NEW [[state_q == StStart;]])

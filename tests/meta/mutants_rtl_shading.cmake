@@ -14,8 +14,8 @@ mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [l
   OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
   NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[stop     = any_q[tested_ray] && found_q[tested_ray];]]
-  NEW [[stop     = any_q[tested_ray] && found_q[tested_ray] && !tested_ray[0];]])
+  OLD [[stop     = any_q[tested_ray] && found[tested_ray];]]
+  NEW [[stop     = any_q[tested_ray] && found[tested_ray] && !tested_ray[0];]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
   OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
   NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
@@ -204,8 +204,8 @@ mutant(snell_ratio_not_rounded FILE rtl/shade/rc_snell.sv TEST unit [pass][all]
   OLD [[s1_long_q + 33'h800;]]
   NEW [[s1_long_q + 33'h0;]])
 mutant(schlick_fourth_power FILE rtl/shade/rc_schlick.sv TEST unit [pass][all]
-  OLD [[<= {17'd0, s2_q4} * {17'd0, s2_q};]]
-  NEW [[<= {17'd0, s2_q4} * {17'd0, s2_q | 17'h10000};]])
+  OLD [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q};]]
+  NEW [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q | 17'h10000};]])
 mutant(bounce_component_above_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][all]
   OLD [[s14_unit > 26'sh10000 ? 18'sh10000]]
   NEW [[s14_unit > 26'sh18000 ? 18'sh10000]])

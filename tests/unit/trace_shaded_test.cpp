@@ -75,7 +75,7 @@ void require_recorded_as_walked(const Picture& p, RecordRayFunction* record, con
                 const std::uint32_t line =
                     shader.wants_surface() ? shader.surface_line() | Trace::surface_flag : 0;
                 const int passes = shader.run();
-                pixel.push_back(line | (shader.is_finished() ? Trace::pixel_flag : 0));
+                pixel.push_back(line | (shader.is_finished() ? Trace::pixel_flag : purpose_word(shader)));
                 pixel.push_back(std::uint32_t(passes));
                 spawn = shader.spawn();
             } while (!shader.is_finished());

@@ -28,7 +28,7 @@ public:
         : list_(config),
           rays_(std::size_t(config.contexts)),
           tests_(rays_.size(), RayTests(config)),
-          tried_(Stages(config).arrive) {}
+          tried_(Stages(config).tried) {}
     void eval() {
         tri_rsp.ready = true;
         prim_req.offer.reset();

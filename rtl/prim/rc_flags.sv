@@ -1,0 +1,46 @@
+// A flag for each of a few dozen places, in registers: set at one place and cleared at another, in
+// one cycle. At the same place setting wins. All are clear after reset. A change is seen in the
+// next cycle.
+//
+// In a fast chip each flag compares the two places with its own, since Yosys makes a shifter of an
+// index. A relaxed one has the index: simulating it costs a fraction.
+`default_nettype none
+module rc_flags #(
+  parameter  int unsigned Flags  = 2,
+  localparam int unsigned IndexW = Flags < 2 ? 1 : $clog2(Flags)
+) (
+  input  logic              clk_i,
+  input  logic              rst_ni,
+  input  logic              clear_i,
+  input  logic [IndexW-1:0] clear_at_i,
+  input  logic              set_i,
+  input  logic [IndexW-1:0] set_at_i,
+  output logic [Flags-1:0]  flags_o
+);
+  if (Flags < 1) begin : gen_refuse
+    $error("rc_flags: Flags must be at least 1");
+  end
+  if (rc_pkg::Cut == 0) begin : gen_indexed
+    logic [Flags-1:0] flags_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        flags_q <= '0;
+      end else begin
+        if (clear_i) flags_q[clear_at_i] <= 1'b0;
+        if (set_i)   flags_q[set_at_i] <= 1'b1;
+      end
+    end
+    assign flags_o = flags_q;
+  end else begin : gen_compared
+    for (genvar f = 0; f < Flags; f++) begin : gen_flag
+      logic flag_q;
+      always_ff @(posedge clk_i) begin
+        if (!rst_ni)                                  flag_q <= 1'b0;
+        else if (set_i && set_at_i == IndexW'(f))     flag_q <= 1'b1;
+        else if (clear_i && clear_at_i == IndexW'(f)) flag_q <= 1'b0;
+      end
+      assign flags_o[f] = flag_q;
+    end
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,117 @@
+// rayclock explain: what happened to one pixel, ray by ray and cycle by cycle, and why it differs.
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "sim/app/clock.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/compared.hpp"
+#include "sim/app/options.hpp"
+#include "sim/explain/explain.hpp"
+#include "sim/files/streams.hpp"
+#include "sim/report/text.hpp"
+#include "sim/report/tables.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Options {
+    std::string scene, pixel, size = default_size, clock = "66";
+    ConfigChoice config;
+    Finish finish;
+    FramesOptions frames;
+    TrafficOptions traffic;
+    bool steps = false, no_reference = false, no_judge = false;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    parser.option("PIXEL", o.pixel, "column and row of the pixel from the top left corner: 255,190")
+        .required();
+    parser.flag("--steps", o.steps, "print every visit, test and pass; JSON has them always");
+    finished_options(parser, o.finish);
+    size_option(parser, o.size);
+    parser.option("--clock", o.clock, "the clock in MHz; fmax: what chip has routed").with_default();
+    config_options(parser, o.config);
+    frames_options(parser, o.frames);
+    parser.flag("--no-reference", o.no_reference, "leave out the comparison with the reference");
+    judge_option(parser, o.no_judge);
+    threads_option(parser, o.threads);
+    traffic_options(parser, o.traffic);
+    json_option(parser, o.json);
+}
+
+ColourFinding colour_finding(const Compared& c, std::size_t pixel) {
+    ColourFinding found;
+    found.machine = c.picture.pixels[pixel];
+    found.reference = c.reference.pixels[pixel];
+    found.hit = c.hits.hits[pixel];
+    found.reference_hit = c.reference_hits.hits[pixel];
+    found.is_other = found.hit.primitive != found.reference_hit.primitive;
+    found.stages = c.stages;
+    if (!c.judgement) return found;
+    found.cause = c.judgement->pixels[pixel];
+    for (const PictureFault& fault : c.judgement->faults)
+        if (fault.x + std::size_t(fault.y) * std::size_t(c.hits.size.width) == pixel)
+            found.fault = fmt::format("ray {}: {}", fault.ray, fault.what);
+    return found;
+}
+
+nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, const Explanation& e) {
+    return {{"scene", scene_json(request.scene)},
+            {"config", config_json_object(request.config)},
+            {"frame", {{"width", size.width}, {"height", size.height}}},
+            {"mhz", e.khz / 1e3},
+            {"cycles", e.costs.cycles},
+            {"pixel", {e.story.x, e.story.y}},
+            {"pipeline", e.story.pipeline},
+            {"context", e.story.context},
+            {"cost", pixel_cost_json(e.costs, e)},
+            {"rays", rays_json(e)},
+            {"colour", colour_json(e.colour)}};
+}
+
+int run(const Options& o) {
+    catch_interrupts();
+    const FrameSize size = parse_size(o.size);
+    const std::size_t pixel = parse_pixel(o.pixel, size);
+    const Traffic traffic = traffic_of(o.traffic);
+    o.json.check();
+    const Progress progress = terminal_progress();
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    const int khz = one_clock_of(o.clock, request.config);
+    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
+    const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
+    std::vector<FrameTrace> traces;
+    for (const Camera& camera : path)
+        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
+
+    PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
+    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &in_frame, progress);
+    if (costs.partial) throw std::runtime_error("interrupted");
+    observe_alone(request.config, khz, traces.back(), std::uint32_t(pixel), &alone);
+    Explanation e{request.config, costs, khz, tell(job, traces.back(), costs, in_frame, alone), {}};
+    if (!o.no_reference) {
+        const Trace& trace = traces.back().trace;
+        e.colour = colour_finding(
+            compare(request, job,
+                    {traces.back().frame, path.back(), trace.hits, trace.colours, trace.signatures},
+                    !o.no_judge, o.threads, progress, pixel),
+            pixel);
+    }
+    if (!o.json.is_alone())
+        write_output(heading(request.scene, size, job) + "\n" + explanation_text(e, o.steps));
+    o.json.write(json_of(request, size, e));
+    return 0;
+}
+
+}   // namespace
+
+Command explain_command() {
+    return command("explain", "what happened to one pixel, ray by ray, cycle by cycle, and why it differs",
+                   "rayclock explain gears:8 255,190 --steps", declare, run);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,144 @@
+// rayclock trace: a stretch of a frame's time, for viewers of timelines.
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/base/split.hpp"
+#include "sim/app/clock.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/engine/engine.hpp"
+#include "sim/observe/replay.hpp"
+#include "sim/report/json.hpp"
+#include "sim/report/text.hpp"
+#include "sim/timeline/timeline.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Options {
+    std::string scene, cycles, pixels, rays, output, size = default_size, clock = "66";
+    ConfigChoice config;
+    Finish finish;
+    FramesOptions frames;
+    TrafficOptions traffic;
+    int threads = 0;
+    JsonOutput json;
+};
+
+void declare(Parser& parser, Options& o) {
+    scene_option(parser, o.scene).required();
+    parser.option("--cycles", o.cycles, "cycles of the frame, FIRST:LAST, the last one not included");
+    parser.option("--pixels", o.pixels, "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included");
+    parser.option("--rays", o.rays,
+                  "only rays for these: camera, shadow, reflection, refraction, with commas");
+    parser.option("-o,--output", o.output, "the file: .kanata for Konata, .pftrace for Perfetto").required();
+    finished_options(parser, o.finish);
+    size_option(parser, o.size);
+    parser.option("--clock", o.clock, "the clock in MHz; fmax: what chip has routed").with_default();
+    config_options(parser, o.config);
+    frames_options(parser, o.frames);
+    threads_option(parser, o.threads);
+    traffic_options(parser, o.traffic);
+    json_option(parser, o.json);
+}
+
+void choose_cycles(TimelineChoice& choice, const std::string& typed) {
+    constexpr std::uint64_t most = 1'000'000;
+    const std::vector<std::string> ends = split(typed, ':');
+    const auto whole = [](const std::string& text) {
+        return !text.empty() && text.size() < 16 && text.find_first_not_of("0123456789") == text.npos;
+    };
+    if (ends.size() != 2 || !whole(ends[0]) || !whole(ends[1]))
+        throw UserError("--cycles: " + shown(typed) + " is not FIRST:LAST, for example 2000:3000");
+    choice.first = std::stoull(ends[0]);
+    choice.last = std::stoull(ends[1]);
+    choice.whole_frame = false;
+    if (choice.first >= choice.last) throw UserError("--cycles: " + shown(typed) + " holds no cycle");
+    if (choice.last - choice.first > most)
+        throw UserError(fmt::format("--cycles: {} are more than {} cycles", shown(typed), most));
+}
+
+void choose_pixels(TimelineChoice& choice, const std::string& typed, FrameSize size) {
+    const std::size_t dots = typed.find("..");
+    const std::size_t first = parse_pixel(typed.substr(0, dots), size),
+                      last = dots == typed.npos ? first : parse_pixel(typed.substr(dots + 2), size);
+    const auto width = std::uint32_t(size.width);
+    choice.x0 = std::uint32_t(first) % width, choice.y0 = std::uint32_t(first) / width;
+    choice.x1 = std::uint32_t(last) % width, choice.y1 = std::uint32_t(last) / width;
+    if (choice.x1 < choice.x0 || choice.y1 < choice.y0)
+        throw UserError("--pixels: " + shown(typed) +
+                        " holds no pixel; the first corner is the upper left one");
+}
+
+void choose_rays(TimelineChoice& choice, const std::string& typed) {
+    choice.purposes = {};
+    for (const std::string& name : split(typed, ',')) {
+        const auto at = std::find(purpose_names.begin(), purpose_names.end(), name);
+        if (at == purpose_names.end())
+            throw UserError("--rays: " + shown(name) + " is not camera, shadow, reflection or refraction");
+        choice.purposes[std::size_t(at - purpose_names.begin())] = true;
+    }
+}
+
+TimelineChoice choice_of(const Options& o, FrameSize size) {
+    if (o.cycles.empty() && o.pixels.empty())
+        throw UserError("trace needs --cycles FIRST:LAST, or --pixels X,Y..X,Y, or both");
+    TimelineChoice choice;
+    if (!o.cycles.empty()) choose_cycles(choice, o.cycles);
+    if (!o.pixels.empty()) choose_pixels(choice, o.pixels, size);
+    if (!o.rays.empty()) choose_rays(choice, o.rays);
+    if (o.cycles.empty() && std::uint64_t(choice.x1 - choice.x0 + 1) * (choice.y1 - choice.y0 + 1) > 10'000)
+        throw UserError("--pixels: " + shown(o.pixels) + " are more than 10000 pixels");
+    return choice;
+}
+
+int run(const Options& o) {
+    catch_interrupts();
+    const FrameSize size = parse_size(o.size);
+    const TimelineChoice choice = choice_of(o, size);
+    const auto writer = timeline_writer(o.output);
+    const Traffic traffic = traffic_of(o.traffic);
+    check_writable(o.output);
+    o.json.check();
+    const Progress progress = terminal_progress();
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    const int khz = one_clock_of(o.clock, request.config);
+    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
+    const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
+    std::vector<FrameTrace> traces;
+    for (const Camera& camera : path)
+        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
+
+    Timeline timeline(request.config, size, choice);
+    const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &timeline, progress);
+    if (interrupted()) throw std::runtime_error("interrupted");
+    if (choice.first >= costs.cycles)
+        throw UserError(fmt::format("--cycles: the frame ends after {} cycles, before {} begins",
+                                    costs.cycles, shown(o.cycles)));
+    timeline.finish();
+    write_bytes(o.output, writer(timeline));
+    std::size_t stays = 0;
+    for (const TimelineRay& ray : timeline.rays) stays += ray.stays.size();
+    if (!o.json.is_alone())
+        fmt::print("{}: {} rays, {} stays in units, {} spans of units -> {}\n", request.scene.name,
+                   timeline.rays.size(), stays, timeline.units.size(), printable(o.output));
+    o.json.write({{"scene", scene_json(request.scene)},
+                  {"config", config_json_object(request.config)},
+                  {"frame", {{"width", size.width}, {"height", size.height}}},
+                  {"mhz", khz / 1e3},
+                  {"rays", timeline.rays.size()},
+                  {"stays", stays},
+                  {"unit_spans", timeline.units.size()}});
+    return 0;
+}
+
+}   // namespace
+
+Command trace_command() {
+    return command("trace", "a stretch of a frame's time, for Konata or Perfetto",
+                   "rayclock trace gears:8 --cycles 2000:3000 -o gears.pftrace", declare, run);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,48 @@
+#pragma once
+// What changed between reports of runs: every figure that differs, by how much, and for better or worse.
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rayclock {
+
+/// A report as `simulate` or `verify` wrote it.
+struct NamedReport {
+    std::string file;
+    nlohmann::json report;
+};
+/// Reads one. Throws UserError if it is no report with the keys that a comparison needs.
+NamedReport read_report(const std::string& file);
+
+enum class Verdict : std::uint8_t { none, better, worse };
+
+/// A figure that differs. Its name is the path of its keys; clocks go by their MHz: "clocks.66.cycles".
+struct Difference {
+    std::string figure;
+    std::vector<std::optional<double>> values;   ///< of each report; missing where it has no such figure
+    double change = 0;                           ///< of the last against the first, relative to the first
+    bool is_new = false;   ///< the first is 0 or missing, so nothing can be relative to it
+    Verdict verdict = Verdict::none;
+};
+struct Comparison {
+    std::vector<Difference> differences;   ///< the largest change first
+    std::uint64_t equal = 0;               ///< figures that do not differ
+    /// Words that differ, and all parameters of the configuration: key, and what each report has.
+    std::vector<std::pair<std::string, std::vector<std::string>>> settings;
+};
+Comparison compare_reports(const std::vector<NamedReport>& reports);
+
+/// Whether more or less of a figure is better, or neither.
+int direction_of(const std::string& figure);
+
+/// Figures under one of the prefixes that became worse by more than this share.
+std::vector<Difference> beyond(const Comparison& comparison, const std::vector<std::string>& figures,
+                               double share);
+
+/// At most `most` differences; 0: all.
+std::string comparison_text(const std::vector<NamedReport>& reports, const Comparison& comparison,
+                            std::size_t most);
+nlohmann::ordered_json comparison_json(const std::vector<NamedReport>& reports, const Comparison& comparison);
+
+}   // namespace rayclock

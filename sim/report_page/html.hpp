@@ -1,0 +1,25 @@
+#pragma once
+// Pieces of an HTML page.
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rayclock::html {
+
+/// Text as it may stand in an element or in an attribute between double quotes.
+std::string escaped(std::string_view text);
+
+/// JSON as it may stand in a script element: nothing in it ends the element.
+std::string data_element(std::string_view id, const nlohmann::ordered_json& json);
+
+/// A table: the first `left` columns are words, the others numbers.
+std::string table(std::string_view caption, const std::vector<std::string>& head,
+                  const std::vector<std::vector<std::string>>& rows, std::size_t left = 1);
+
+std::string base64(std::string_view bytes);
+/// zlib's format; browsers know it as "deflate".
+std::string deflated(std::string_view bytes);
+
+}   // namespace rayclock::html

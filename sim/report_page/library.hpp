@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace rayclock {
+
+struct LibraryModule {
+    std::string name, source;
+};
+
+/// The modules of Vega that the page's charts need, each after those that it asks for. From Debian's package
+/// libjs-vega, or from the folder RAYCLOCK_VEGA. Throws UserError if one is missing.
+std::vector<LibraryModule> chart_library();
+
+}   // namespace rayclock

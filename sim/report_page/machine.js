@@ -1,0 +1,96 @@
+// The block diagram, and the order in which everything is shown.
+
+// Where a unit's box lies: column and row.
+const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], box: [4, 0], node_cache: [5, 1],
+  list: [3, 2], prim_cache: [5, 2], tri: [4, 3], shade: [2, 3], surf_cache: [5, 4], memport: [6, 1.5], l2: [6, 3],
+  memory: [7, 1.5] };
+
+function machineSpec() {
+  const wide = 104, high = 58, columns = 138, rows = 92, units = [], bars = [];
+  for (const [name, account] of Object.entries(report.units)) {
+    const [column, row] = unitPlaces[name];
+    const stalled = Object.values(account.stalled).reduce((a, b) => a + b, 0);
+    const all = account.busy + account.starved + stalled;
+    const unit = { name, x: column * columns, y: row * rows, shares: { busy: account.busy / all, starved: account.starved / all,
+      stalled: stalled / all } };
+    unit.text = `${(100 * unit.shares.busy).toFixed(1)} % busy`;
+    unit.tooltip = `${name}: ${Object.entries(unit.shares).map(([k, s]) => `${k} ${(100 * s).toFixed(2)} %`).join(", ")}; ` +
+      `${grouped(account.count)} pieces of work`;
+    let at = unit.x + 6;
+    for (const [kind, share] of Object.entries(unit.shares))
+      bars.push({ kind, x: at, x2: at += share * (wide - 12), y: unit.y + high - 16, tooltip: unit.tooltip });
+    units.push(unit);
+  }
+  const places = Object.fromEntries(units.map(u => [u.name, u])), links = [], pairs = {}, between = {};
+  const pairOf = link => [link.from, link.to].sort().join();
+  for (const link of data.links) between[pairOf(link)] = (between[pairOf(link)] || 0) + 1;
+  for (const link of data.links) {
+    const a = places[link.from], b = places[link.to];
+    if (!a || !b) continue;
+    const pair = pairOf(link);
+    pairs[pair] = (pairs[pair] || 0) + 1;
+    const centre = u => [u.x + wide / 2, u.y + high / 2];
+    const [ax, ay] = centre(a), [bx, by] = centre(b), length = Math.hypot(bx - ax, by - ay);
+    const ux = (bx - ax) / length, uy = (by - ay) / length, side = link.from < link.to ? 1 : -1;
+    const aside = between[pair] > 1 ? side * (2 * pairs[pair] + 3) : 0;
+    const edge = Math.min(Math.abs(ux) > 1e-9 ? (wide / 2 + 2) / Math.abs(ux) : 1e9, Math.abs(uy) > 1e-9 ? (high / 2 + 2) / Math.abs(uy) : 1e9);
+    const cycles = link.lanes * data.cycles, refused = link.refused / cycles;
+    links.push({ x: ax + ux * edge - uy * aside, y: ay + uy * edge + ux * aside, x2: bx - ux * (edge + 5) - uy * aside,
+      y2: by - uy * (edge + 5) + ux * aside, angle: Math.atan2(uy, ux) * 180 / Math.PI + 90,
+      width: 1 + 5 * link.moved / cycles, colour: Math.min(1, refused * 4),
+      tooltip: `${link.name}: ${grouped(link.moved)} transfers, ${(100 * link.moved / cycles).toFixed(2)} % of its cycles; ` +
+        `refused in ${(100 * refused).toFixed(2)} %` });
+  }
+  const encode = more => ({ enter: { tooltip: { field: "tooltip" }, ...more } });
+  const field = name => ({ field: name });
+  return {
+    width: 7 * columns + wide, height: 4 * rows + high, 
+    data: [{ name: "units", values: units }, { name: "bars", values: bars }, { name: "links", values: links }],
+    scales: [{ name: "kind", type: "ordinal", domain: Object.keys(kindColours), range: Object.values(kindColours) },
+      { name: "heat", domain: [0, 1], range: ["#98a3b0", "#c00000"] }],
+    legends: [{ fill: "kind", orient: "top-left", direction: "horizontal", symbolType: "square" }],
+    marks: [
+      { type: "rule", from: { data: "links" }, encode: encode({ x: field("x"), y: field("y"), x2: field("x2"), y2: field("y2"),
+        stroke: { scale: "heat", field: "colour" }, strokeWidth: field("width") }) },
+      { type: "symbol", from: { data: "links" }, encode: encode({ x: field("x2"), y: field("y2"), shape: { value: "triangle-up" },
+        angle: field("angle"), size: { value: 70 }, fill: { scale: "heat", field: "colour" } }) },
+      { type: "rect", from: { data: "units" }, encode: encode({ x: field("x"), y: field("y"), width: { value: wide },
+        height: { value: high }, fill: { value: "#fff" }, stroke: { value: "#3b4653" }, cornerRadius: { value: 6 } }) },
+      { type: "rect", from: { data: "bars" }, encode: encode({ x: field("x"), x2: field("x2"), y: field("y"), height: { value: 9 },
+        fill: { scale: "kind", field: "kind" } }) },
+      { type: "text", from: { data: "units" }, encode: encode({ x: { field: "x", offset: wide / 2 }, y: { field: "y", offset: 16 },
+        text: field("name"), align: { value: "center" }, fontSize: { value: 13 }, fontWeight: { value: 600 } }) },
+      { type: "text", from: { data: "units" }, encode: encode({ x: { field: "x", offset: wide / 2 }, y: { field: "y", offset: 33 },
+        text: field("text"), align: { value: "center" }, fontSize: { value: 11 }, fill: { value: "#5d6875" } }) }
+    ]
+  };
+}
+
+async function showAll() {
+  await showViewer();
+  await show("histogram", histogramSpec());
+  await show("machine", machineSpec());
+  await show("roofline", rooflineSpec());
+  await show("accounts", accountsSpec());
+  await show("kinds", kindsSpec());
+  const share = (kinds, at) => kinds[at] / (kinds[0] + kinds[1] + kinds[2] || 1);
+  await show("rays", linesSpec("Rays under way", "contexts in use", windowRows(w => ({ rays: w.rays_under_way })), "",
+    data.pipelines * data.contexts));
+  const shown = ["trav", "box", "tri", "shade", "memory"];
+  await show("activity", linesSpec("Busy units", "share of cycles", windowRows(w => Object.fromEntries(
+    shown.filter(unit => w.units[unit]).map(unit => [unit, share(w.units[unit], 0)]))), "%", 1));
+  await show("hits", linesSpec("Hit rates", "hits of look-ups", windowRows(w => Object.fromEntries(
+    Object.entries(w.caches).filter(([, c]) => c[1] > 0).map(([cache, c]) => [cache, c[0] / c[1]]))), "%", 1));
+  await show("bandwidth", linesSpec("Memory", "GB/s", windowRows(w => ({ "data read": w.gb_per_s,
+    "from open rows": w.reads ? w.gb_per_s * w.row_hits / w.reads : 0 })), ""));
+  await show("tiles", tilesSpec());
+  document.body.dataset.shown = "yes";
+}
+showAll().catch(error => {
+  document.body.dataset.shown = "no";
+  const note = document.createElement("p");
+  note.className = "note";
+  note.textContent = `The charts cannot be drawn by this browser (${error.message}); pictures and tables are below.`;
+  document.querySelector("main").prepend(note);
+  console.error(error);
+});

@@ -1,0 +1,87 @@
+// rayclock compare: what changed is found, judged, and bounded.
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+
+namespace {
+
+std::string report(const Folder& folder, const char* name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"simulate", "gears:2", "--size", "40x30",
+                                       "--clock",  "66,200",  "--json", folder.name(name)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    REQUIRE(run_program(arguments).code == 0);
+    return folder.name(name);
+}
+
+json compared(std::vector<std::string> arguments, int code) {
+    arguments.insert(arguments.begin(), "compare");
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = run_program(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == code);
+    return json::parse(outcome.out);
+}
+
+}   // namespace
+
+TEST_CASE("compare finds what changed, says which way, and fails beyond a bound") {
+    const Folder folder;
+    const std::string a = report(folder, "a.json", {}), again = report(folder, "again.json", {}),
+                      b = report(folder, "b.json", {"--set", "node_sets=1", "--set", "contexts=32"});
+    const json same = compared({a, again, "--max-worse", "0%"}, 0);
+    CHECK(same["differences"].empty());
+    CHECK(same["settings"].empty());
+    CHECK(same["equal"] > 100);
+
+    const json worse = compared({a, b, "--max-worse", "1%"}, 1);
+    CHECK(worse["settings"].size() == 3);   // and the bound at 66 MHz
+    CHECK(worse["settings"][1] == json{{"key", "config.contexts"}, {"values", {"64", "32"}}});
+    const json first = json::parse(bytes_of(a)), second = json::parse(bytes_of(b));
+    bool found = false;
+    double last = 1e300;
+    for (const json& d : worse["differences"]) {
+        const double effect = d["change"].is_null() ? 1 : std::abs(d["change"].get<double>());
+        CHECK(effect <= last);
+        last = effect;
+        if (d["figure"] != "clocks.200.cycles") continue;
+        found = true;
+        const double before = first["clocks"][1]["cycles"], after = second["clocks"][1]["cycles"];
+        CHECK(d["values"] == json{before, after});
+        CHECK(d["change"].get<double>() == Approx((after - before) / before));
+        CHECK(d["verdict"] == "worse");
+    }
+    CHECK(found);
+    CHECK(std::find(worse["worse"].begin(), worse["worse"].end(), "clocks.66.cycles") !=
+          worse["worse"].end());
+    const json better = compared({b, a, "--max-worse", "1%", "--figure", "clocks.*.cycles"}, 0);
+    CHECK(better["worse"].empty());
+    compared({a, b, "--max-worse", "99%", "--figure", "clocks.66.fps"}, 0);
+    compared({a, b, "--max-worse", "0%", "--figure", "clocks.66.fps"}, 1);
+
+    const Outcome text = run_program({"compare", a, b});
+    CHECK(text.code == 0);
+    for (const char* words : {"config.node_sets", "clocks.66.cycles", "worse", "--all prints the rest"}) {
+        INFO(words);
+        CHECK(text.out.find(words) != std::string::npos);
+    }
+    CHECK(run_program({"compare", a, b, again, "--all"}).out.find("clocks.66.cycles") != std::string::npos);
+}
+
+TEST_CASE("compare refuses what is no report") {
+    const Folder folder;
+    const std::string a = report(folder, "a.json", {"--no-reference"}),
+                      empty = folder.write("empty.json", "{}"), broken = folder.write("broken.json", "{"),
+                      list = folder.write("list.json", "[1]");
+    check_refused(run_program({"compare", a}), {"two reports"});
+    check_refused(run_program({"compare", a, empty}), {"empty.json", "no report", "'scene'"});
+    check_refused(run_program({"compare", a, list}), {"list.json", "no report"});
+    check_refused(run_program({"compare", a, broken}), {"broken.json"});
+    check_refused(run_program({"compare", a, folder.name("missing.json")}), {"missing.json"});
+    check_refused(run_program({"compare", a, a, "--max-worse", "much"}), {"--max-worse", "much"});
+    check_refused(run_program({"compare", a, a, "--figure", "x"}), {"--figure", "--max-worse"});
+}

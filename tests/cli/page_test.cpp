@@ -1,0 +1,183 @@
+// simulate --report: one file with every figure in it, whatever the scene is called; and a real browser shows
+// it.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+
+namespace {
+
+/// The JSON in an element of the page.
+json data_of(const std::string& page, const std::string& id) {
+    const std::string head = "<script type=\"application/json\" id=\"" + id + "\">";
+    const std::size_t begin = page.find(head);
+    REQUIRE(begin != page.npos);
+    const std::size_t end = page.find("</script>", begin);
+    return json::parse(page.substr(begin + head.size(), end - begin - head.size()));
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
+    return n;
+}
+
+/// Without what differs from run to run.
+json lasting(json report) {
+    report.erase("host");
+    report["compile"].erase("seconds");
+    if (report["judge"].is_object()) report["judge"].erase("seconds");
+    return report;
+}
+
+void check_figures(const json& report, const json& data) {
+    const json& pixels = report["frame"];
+    CHECK(data["cycles"] == report["clocks"][0]["cycles"]);
+    std::map<std::string, std::uint64_t> sums;
+    for (const json& map : data["maps"]) sums[map["key"]] = map["sum"];
+    CHECK(sums["visits"] == report["work"]["node_steps"]);
+    CHECK(sums["tests"] == report["work"]["triangle_tests"]);
+    CHECK(sums["bytes"] == report["clocks"][0]["dram_bytes"]);
+    CHECK(data["width"] == pixels["width"]);
+    std::uint64_t cycles = 0, kinds = 0, steps = 0;
+    for (const json& window : data["windows"]) cycles += window["cycles"].get<std::uint64_t>();
+    CHECK(cycles == data["cycles"]);
+    for (const auto& [name, kind] : report["work_by_kind"].items()) {
+        kinds += kind["cycles"].get<std::uint64_t>();
+        steps += kind["node_steps"].get<std::uint64_t>();
+    }
+    CHECK(kinds == sums["cycles"]);
+    CHECK(steps == sums["visits"]);
+    CHECK(data["kinds"] == report["work_by_kind"]);
+}
+
+bool is_installed(const char* program) {
+    return std::system((std::string("command -v ") + program + " > /dev/null 2>&1").c_str()) == 0;
+}
+
+/// What a script in the page says when the page is shown. Empty if there is no browser.
+std::string shown(const Folder& folder, const std::string& page, const std::string& script) {
+    const std::string file = folder.write(
+        "shown.html",
+        page + "<script>async function tested() {\n" + script +
+            "\n}\nconst poll = setInterval(async () => { if (!document.body.dataset.shown) return;\n"
+            "clearInterval(poll); document.title = 'answer ' + await tested(); }, 50);</script>");
+    const std::string command = "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
+                                folder.name("profile") +
+                                "' --enable-logging=stderr --virtual-time-budget=20000 --dump-dom 'file://" +
+                                file + "' > '" + folder.name("dom") + "' 2> '" + folder.name("log") + "'";
+    CHECK(std::system(command.c_str()) == 0);
+    const std::string log = bytes_of(folder.name("log"));
+    INFO(log);
+    CHECK(log.find("CONSOLE") == log.npos);
+    const std::string dom = bytes_of(folder.name("dom")), head = "<title>answer ";
+    const std::size_t begin = dom.find(head);
+    REQUIRE(begin != dom.npos);
+    return dom.substr(begin + head.size(), dom.find("</title>") - begin - head.size());
+}
+
+}   // namespace
+
+TEST_CASE("a report is one file, and its figures are those of the JSON report") {
+    for (const bool finished : {false, true}) {
+        const Folder folder;
+        std::vector<std::string> arguments{
+            "simulate", finished ? "spheres" : "gears:2", "--size", "40x30", "--clock", "66,200"};
+        if (finished) arguments.insert(arguments.end(), {"--depth", "2", "--config", "wide"});
+        std::vector<std::string> with = arguments;
+        with.insert(with.end(), {"--report", folder.name("a.html"), "--json", folder.name("a.json")});
+        const Outcome outcome = run_program(with);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        const std::string page = bytes_of(folder.name("a.html"));
+        const json report = data_of(page, "report");
+        CHECK(report == json::parse(bytes_of(folder.name("a.json"))));
+        check_figures(report, data_of(page, "data"));
+
+        arguments.insert(arguments.end(), {"--json", "-"});
+        json plain = json::parse(run_program(arguments).out), watched = report;
+        CHECK(plain["work_by_kind"].is_null());
+        plain.erase("work_by_kind");
+        watched.erase("work_by_kind");
+        CHECK(lasting(plain) == lasting(watched));
+
+        CHECK(page.size() < 900'000);
+        CHECK(count(page, "<html") == 1);
+        CHECK(count(page, "data:image/png;base64,") == 3);
+        CHECK(count(page, "<table") == count(page, "</table>"));
+        CHECK(count(page, "<tr>") > 150);   // tables that need no script
+        for (const char* link :
+             {"src=\"http", "href=\"http", "url(http", "@import", "<link rel=\"stylesheet"})
+            CHECK(page.find(link) == page.npos);
+    }
+}
+
+TEST_CASE("names with markup in them break no page") {
+    const Folder folder;
+    const std::string evil = "<script>alert(1)</script>&\"'";
+    const Outcome config = run_program({"config", "default"});
+    json values = json::parse(config.out);
+    values["name"] = evil;
+    const std::string file = folder.write("evil<b>.json", values.dump());
+    const Outcome outcome =
+        run_program({"simulate", "gears:1", "--size", "16x12", "--clock", "66", "--config", file,
+                     "--no-reference", "--report", folder.name("a.html")});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const std::string page = bytes_of(folder.name("a.html"));
+    CHECK(page.find("<script>alert") == page.npos);
+    CHECK(page.find("evil<b>") == page.npos);
+    CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;") != page.npos);
+    CHECK(data_of(page, "report")["config"]["name"] == evil);
+}
+
+TEST_CASE("a report that cannot be made is refused before the work") {
+    check_refused(run_program({"simulate", "gears:8", "--report", "/missing/folder/a.html"}),
+                  {"/missing/folder/a.html"});
+    const Folder folder;
+    check_refused(run_program({"simulate", "gears:8", "--report", folder.name("a.html")},
+                              {"RAYCLOCK_VEGA=" + folder.name("none")}),
+                  {"--report", "vega", "libjs-vega"});
+    CHECK(folder.contents().empty());
+}
+
+TEST_CASE("a browser draws every chart, moves the slider, and says nothing on its console", "[slow]") {
+    if (!is_installed("chromium")) {
+        WARN("chromium is not installed");
+        return;
+    }
+    for (const char* scene : {"gears:4", "spheres"}) {
+        const Folder folder;
+        REQUIRE(run_program({"simulate", scene, "--size", "128x96", "--clock", "66", "--report",
+                             folder.name("a.html")})
+                    .code == 0);
+        const std::string answer = shown(folder, bytes_of(folder.name("a.html")), R"(
+            const marks = [...document.querySelectorAll('.chart')].map(chart =>
+                chart.querySelectorAll('.mark-rect path, .mark-line path, .mark-rule line').length);
+            const before = byId('left-canvas').style.clipPath;
+            byId('slider').value = 250;
+            byId('slider').dispatchEvent(new Event('input'));
+            const after = byId('left-canvas').style.clipPath;
+            const box = byId('canvases').getBoundingClientRect();
+            byId('canvases').dispatchEvent(new PointerEvent('pointermove',
+                { clientX: box.left + box.width * 0.501, clientY: box.top + box.height * 0.501 }));
+            const cells = [...byId('pixel').querySelectorAll('tr')].map(row => row.cells[1].textContent);
+            const pixel = 48 * 128 + 64;
+            const right = data.maps.every((map, i) => cells[i + 1] === grouped(map.values[pixel]));
+            const image = byId('right-canvas').getContext('2d').getImageData(0, 0, 128, 96).data;
+            const colours = new Set();
+            for (let i = 0; i < image.length; i += 4) colours.add(image.slice(i, i + 3).join());
+            const sums = data.maps.every(map => map.values.reduce((a, b) => a + b, 0) === map.sum);
+            return [document.body.dataset.shown, marks.every(n => n > 0), marks.length, before !== after,
+                    cells[0], right, colours.size > 10, sums, files['pixels.csv']().split('\n').length,
+                    byId('pictures').hidden].join(' ');)");
+        CHECK(answer == "yes true 10 true 64, 48 true true true 12290 true");
+    }
+}

@@ -1,0 +1,103 @@
+// What is watched must be what the machine did: every figure closes with its accounts.
+#include "tests/observe/watched.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+using Sums = FrameCosts::Sums;
+
+void check_sums(const FrameCosts& costs, const Trace& trace) {
+    const Sums sums = costs.total();
+    CHECK(sums.visits == trace.visits);
+    CHECK(sums.tests == trace.triangle_tests);
+    CHECK(sums.bytes == 64 * costs.memory.reads);
+    Sums by_purpose;
+    std::uint64_t places = 0;
+    for (const PurposeCost& p : costs.purposes) {
+        by_purpose.rays += p.rays, by_purpose.visits += p.visits, by_purpose.tests += p.tests;
+        by_purpose.misses += p.all_misses(), by_purpose.bytes += p.bytes;
+        places += p.cycles();
+    }
+    CHECK(by_purpose.rays == sums.rays);
+    CHECK(by_purpose.visits == sums.visits);
+    CHECK(by_purpose.tests == sums.tests);
+    CHECK(by_purpose.misses == sums.misses);
+    CHECK(by_purpose.bytes == sums.bytes);
+    CHECK(places == sums.cycles);
+    CHECK(costs.purposes[0].rays == trace.counts.primary);
+    CHECK(costs.purposes[1].rays == trace.counts.shadow);
+    CHECK(costs.purposes[2].rays == trace.counts.reflection);
+    CHECK(costs.purposes[3].rays <= trace.counts.refraction);   // total reflections send none
+}
+
+void check_accounts(const FrameCosts& costs, const Config& config) {
+    const auto account = [&](Unit unit, std::size_t code) { return costs.accounts.units[index(unit)][code]; };
+    for (std::size_t c = 0; c < ray_caches; ++c) {
+        if (!is_there(cache_units[c], config)) continue;
+        std::uint64_t hits = 0, misses = 0, merges = 0;
+        for (const PurposeCost& p : costs.purposes)
+            hits += p.hits[c], misses += p.misses[c], merges += p.merges[c];
+        CHECK(hits == account(cache_units[c], 0));
+        CHECK(misses == account(cache_units[c], 1));
+        CHECK(merges == account(cache_units[c], 2));
+    }
+    CHECK(costs.moved[index(Link::box_req)] == account(Unit::box, 0));
+    CHECK(costs.moved[index(Link::tri_req)] == account(Unit::tri, 0));
+    CHECK(costs.moved[index(Link::ray)] == account(Unit::raygen, 0));
+    CHECK(costs.refused[index(Link::ray)] == account(Unit::raygen, 2));
+    CHECK(costs.refused[index(Link::slot)] == account(Unit::sched, 3));
+    CHECK(costs.moved[index(Link::tile)] == costs.tiles.size());
+}
+
+void check_windows(const FrameCosts& costs, std::uint64_t window) {
+    std::uint64_t cycles = 0, contexts = 0, reads = 0;
+    Accounts accounts;
+    for (const Window& w : costs.windows) {
+        CHECK(w.first == cycles);
+        CHECK(w.cycles <= window);
+        cycles += w.cycles, contexts += w.contexts, reads += w.memory.reads;
+        accounts += w.accounts;
+    }
+    CHECK(cycles == costs.cycles);
+    CHECK(reads == costs.memory.reads);
+    CHECK(accounts == costs.accounts);
+    // A context is in use from the cycle of its slot to that before its pixel leaves.
+    CHECK(contexts == costs.total().cycles);
+}
+
+}   // namespace
+
+TEST_CASE("a watched frame takes the cycles of one that is not, and what is seen closes with its accounts") {
+    for (const Watched& w : watched_machines()) {
+        INFO(w.scene << ", case " << (&w - watched_machines().data()));
+        const Watching made = watching(w);
+        const FrameTiming timing = replay(made.job.config, 66000, made.traces, w.traffic).back();
+        const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.traffic, 1000, nullptr);
+        CHECK(costs.cycles == timing.cycles);
+        CHECK(costs.accounts == timing.accounts);
+        CHECK(costs.memory == timing.memory);
+        check_sums(costs, made.traces.back().trace);
+        check_accounts(costs, made.job.config);
+        check_windows(costs, 1000);
+    }
+}
+
+TEST_CASE("every tile was worked on by one pipeline, and its pixels lie within its time") {
+    const Watching made = watching(watched_machines()[1]);
+    const FrameCosts costs = observe(made.job.config, 66000, made.traces, {}, 0, nullptr);
+    CHECK(costs.windows.empty());
+    REQUIRE(costs.tiles.size() == 3 * 2);
+    for (const TileSpan& tile : costs.tiles) {
+        std::uint64_t first = ~0ull, last = 0;
+        for (std::uint32_t y = 16 * tile.y; y < std::min(16 * tile.y + 16, costs.height); ++y)
+            for (std::uint32_t x = 16 * tile.x; x < std::min(16 * tile.x + 16, costs.width); ++x) {
+                const PixelCost& p = costs.pixels[y * costs.width + x];
+                first = std::min<std::uint64_t>(first, p.first);
+                last = std::max<std::uint64_t>(last, p.first + p.cycles);
+            }
+        CHECK(tile.first == first);
+        CHECK(tile.last == last);
+    }
+}

@@ -1,0 +1,92 @@
+// A pixel's story is exact to the cycle.
+#include "tests/observe/watched.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+PixelStory story_of(const Watching& made, const Watched& w, std::uint32_t pixel) {
+    PixelEvents in_frame(pixel), alone(0);
+    const FrameCosts costs = observe(made.job.config, 66000, made.traces, w.traffic, 0, &in_frame);
+    observe_alone(made.job.config, 66000, made.traces.back(), pixel, &alone);
+    return tell(made.job, made.traces.back(), costs, in_frame, alone);
+}
+
+void check_story(const PixelStory& story) {
+    std::uint64_t cycles = 0, visits = 0, tests = 0, misses = 0, at = story.cost.first;
+    for (const RayStory& ray : story.rays) {
+        CHECK(ray.first == at);
+        std::size_t seen_visits = 0, seen_tests = 0;
+        for (const Stay& stay : ray.stays) {
+            CHECK(stay.first == at);
+            at += stay.cycles;
+            std::uint64_t sum = stay.work;
+            for (const Stay::Wait& wait : stay.waits) sum += wait.cycles;
+            CHECK(sum == stay.cycles);
+            if (stay.by == Link::node_req) CHECK(stay.addr == ray.values.visits.at(seen_visits++).line);
+            seen_tests += stay.by == Link::prim_req;
+        }
+        CHECK(ray.first + ray.cycles == at);
+        CHECK(seen_visits == ray.values.visits.size());
+        std::size_t told = 0;
+        for (const VisitValues& visit : ray.values.visits) told += visit.tests.size();
+        CHECK(told == seen_tests);
+        cycles += ray.cycles, visits += seen_visits, tests += seen_tests, misses += ray.misses + ray.merges;
+    }
+    CHECK(cycles == story.cost.cycles);
+    CHECK(visits == story.cost.visits);
+    CHECK(tests == story.cost.tests);
+    CHECK(misses == story.cost.misses);
+    CHECK(story.rays.size() == story.cost.rays);
+    std::uint64_t by_cause = 0, work = 0;
+    for (const Stay::Wait& cause : story.causes()) {
+        by_cause += cause.cycles;
+        if (cause.cause == "work") work = cause.cycles;
+    }
+    CHECK(by_cause == cycles);
+    CHECK(work <= story.alone);   // which may wait for the memory, if its lines do not fit the caches
+}
+
+}   // namespace
+
+TEST_CASE("a pixel's stays follow each other without a gap and sum to its cycles") {
+    for (const Watched& w : watched_machines()) {
+        const Watching made = watching(w);
+        for (const std::uint32_t pixel : {0u, 14u * 37 + 18, 29u * 37 - 1}) {
+            INFO(w.scene << ", case " << (&w - watched_machines().data()) << ", pixel " << pixel);
+            check_story(story_of(made, w, pixel));
+        }
+    }
+}
+
+TEST_CASE("a pixel that is alone on the chip waits for nobody but the memory") {
+    for (const Watched& w : watched_machines()) {
+        if (!w.traffic.none()) continue;
+        const Watching made = watching(w, {1, 1});
+        const PixelStory story = story_of(made, w, 0);
+        check_story(story);
+        for (const Stay::Wait& cause : story.causes()) {
+            INFO(w.scene << ": " << cause.cause);
+            CHECK((cause.cause == "work" || cause.cause == "the memory"));
+        }
+    }
+}
+
+TEST_CASE("the rays of a pixel know whose they are") {
+    const Watched& w = watched_machines()[4];
+    const Watching made = watching(w);
+    const std::vector<RayValues> rays =
+        rays_of_pixel(made.job.image, made.traces[0].frame, made.job.config, 18, 14);
+    REQUIRE(rays.size() > 3);
+    CHECK(rays[0].purpose == RayPurpose::camera);
+    CHECK(rays[0].parent == -1);
+    for (std::size_t i = 1; i < rays.size(); ++i) {
+        REQUIRE(rays[i].parent >= 0);
+        REQUIRE(std::size_t(rays[i].parent) < i);
+        const RayValues& parent = rays[std::size_t(rays[i].parent)];
+        CHECK(parent.hit.found);
+        CHECK(parent.purpose != RayPurpose::shadow);
+        CHECK(rays[i].depth == parent.depth + (rays[i].purpose != RayPurpose::shadow));
+    }
+}
