@@ -51,9 +51,10 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::surf_cache:
                 if (shading_) clock_surf_cache(moves_, shared);
                 break;
-            default:
+            case Unit::shade:
                 if (shading_) clock_shade(moves_, now);
                 break;
+            default: break;   // treelet is clocked as box is: one of them is there
         }
     account_caches();
 }

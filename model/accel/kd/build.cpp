@@ -125,11 +125,14 @@ public:
         clippers_.reserve(prims.size());
         for (const PrimData& p : prims)
             clippers_.emplace_back(p, config.coord_bits, config.is_sheared() ? 1 : 0);
+        for (int width = config.node_width; width > 1; width /= 2) ++levels_;
     }
 
-    std::unique_ptr<Cell> cell(Items items, const LatticeBox& box, int depth, double budget) const {
+    /// `level` planes lie above it; below it at most `depth`.
+    std::unique_ptr<Cell> cell(Items items, LatticeBox box, int level, int depth, double budget) const {
         auto cell = std::make_unique<Cell>();
         for (const Item& item : items) cell->bounds.add(item.box);
+        if (level % levels_ == 0 && !items.empty()) box = cell->bounds;   // a treelet: nothing else is met
         const Split split = best_split(items, box, depth);
         Items lower, upper;
         LatticeBox below = box, above = box;
@@ -149,10 +152,10 @@ public:
         const double share = given > 0 ? budget / given : 0, for_lower = share * double(lower.size()),
                      for_upper = share * double(upper.size());
         const auto go_lower = [&] {
-            cell->lower = this->cell(std::move(lower), below, depth - 1, for_lower);
+            cell->lower = this->cell(std::move(lower), below, level + 1, depth - 1, for_lower);
         };
         const auto go_upper = [&] {
-            cell->upper = this->cell(std::move(upper), above, depth - 1, for_upper);
+            cell->upper = this->cell(std::move(upper), above, level + 1, depth - 1, for_upper);
         };
         if (both)
             tbb::parallel_invoke(go_lower, go_upper);
@@ -195,6 +198,7 @@ private:
     }
 
     std::vector<Clipper> clippers_;
+    int levels_ = 0;   // of a treelet
 };
 
 }   // namespace
@@ -212,7 +216,8 @@ std::unique_ptr<Cell> build(const std::vector<PrimData>& prims, const Config& co
             builder.take({i, {{-far - 1, -far, -far}, {far, far, far}}}, space, inside);
     const double n = double(inside.size());
     const int depth = std::min(34, 8 + int(1.3 * std::log2(std::max(1.0, n))));
-    std::unique_ptr<Cell> tree = builder.cell(std::move(inside), space, depth, most_references * n);
+    std::unique_ptr<Cell> tree =
+        builder.cell(std::move(inside), space, endless.empty() ? 0 : 1, depth, most_references * n);
     if (endless.empty()) return tree;
     auto root = std::make_unique<Cell>();
     root->lower = std::make_unique<Cell>();

@@ -28,6 +28,8 @@ struct Cell {
 /// plane in proportion to what lies there. A cell that has not enough for a cut remains a leaf. Nor is a cell
 /// cut below a depth of 8 + 1.3 log2 n, at most 34.
 ///
+/// The cell of a treelet is the box that its line has, so that no plane is spent on the space around it.
+///
 /// Planes without end are in all of space: they are walked beside the tree, in a part of their own.
 std::unique_ptr<Cell> build(const std::vector<PrimData>& prims, const Config& config);
 constexpr double most_references = 8;
