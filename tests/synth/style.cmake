@@ -1,6 +1,7 @@
 # cmake -DRTL=folder -P style.cmake
 # Every Verilog file begins with a comment, sets default_nettype none, and has no tab, no trailing blank, no line above
-# 100 columns, no generate block without a name, and no '1 that a constant chooses (Yosys 0.23 makes 1 of it). The generated package declares no nets and is as wide as it comes.
+# 100 columns, no generate block without a name, and no '1 that a constant chooses: Yosys 0.23 makes 1 of it. The
+# generated package declares no nets and is as wide as it comes.
 file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(LENGTH sources count)
 if(count LESS 10)
