@@ -91,9 +91,10 @@ TEST_CASE("a pixel that waits says for what") {
     for (std::uint32_t pixel = 0; pixel < 192; pixel += 11)
         for (const Stay::Wait& cause : story_of(made, narrow, pixel).causes())
             causes[cause.cause] += cause.cycles;
-    for (const char* cause : {"the memory", "node_cache: too many lines are on their way",
-                              "node_cache: rays that waited for a line are answered",
-                              "node_cache accepts nothing", "node_cache: other rays are looked up first"}) {
+    for (const char* cause :
+         {"the memory", "node_cache: too many lines are on their way",
+          "node_cache: rays that waited for a line are answered", "node_cache accepts nothing",
+          "trav accepts nothing", "node_cache: other rays are looked up first"}) {
         INFO(cause);
         CHECK(causes[cause] > 0);
     }
