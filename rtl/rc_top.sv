@@ -94,7 +94,10 @@ module rc_top (
   rc_arbiter #(.Sources(K * P), .Width(MB + A)) u_arbiter (
     .clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
-  assign fill_fires = {{(K*P-1){1'b0}}, fill_valid} << fill_client;
+  // Not a shift: that of 0 by an unknown number is unknown.
+  for (genvar k = 0; k < K * P; k++) begin : gen_client
+    assign fill_fires[k] = fill_valid && fill_client == CB'(k);
+  end
 
   logic [2:0] memport_cause, l2_cause;
   assign memport_cause = !client_valid ? rc_pkg::MemportStarvedCaches
