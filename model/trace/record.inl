@@ -172,9 +172,9 @@ RAYCLOCK_INLINE std::size_t record_ray(std::uint32_t root, std::size_t at, Recor
     return writer.end();
 }
 
-template <class Way, class... Parts>
-static void record_rays(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch,
-                        Closest* hits, RecordTotals& totals, const Parts&... parts) {
+template <class Way, class... Parts> static void record_rays(const RecordJob& job, const RecordBlock& block,
+                                                             RecordScratch& scratch, Closest* hits,
+                                                             RecordTotals& totals, const Parts&... parts) {
     const std::uint32_t columns = block.x1 - block.x0, rows = block.y1 - block.y0;
     scratch.starts.resize(std::size_t(columns) * rows);
     std::size_t at = 0;
@@ -204,7 +204,6 @@ static void record(const RecordJob& job, const RecordBlock& block, RecordScratch
 static std::size_t record_any(const Decoder& decoder, const Config& config, std::uint32_t root,
                               const Ray& ray, std::size_t at, RecordScratch& scratch, RecordTotals& totals,
                               Closest& hit) {
-    if (!config.is_bvh())
-        return record_ray<FromUnits>(root, at, scratch, totals, hit, decoder, config, ray);
+    if (!config.is_bvh()) return record_ray<FromUnits>(root, at, scratch, totals, hit, decoder, config, ray);
     return record_ray<FromAnywhere>(root, at, scratch, totals, hit, decoder, config, ray);
 }

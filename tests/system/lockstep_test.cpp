@@ -102,8 +102,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
         frames->push_back(record_frame(job, make_frame(turned, {32, 24}, job.image, job.config)));
     for (const FrameSize size : {FrameSize{19, 30}, FrameSize{50, 33}})   // what was outside one picture is
                                                                           // inside the next
-        four.push_back(
-            record_frame(job, make_frame(*shot.scene.camera, size, job.image, job.config)));
+        four.push_back(record_frame(job, make_frame(*shot.scene.camera, size, job.image, job.config)));
     CHECK(two[1].trace.hits.size() == one[0].trace.hits.size());
     for (const Traffic& traffic : {Traffic{}, Traffic{10, 30, 5}}) {
         std::vector<FrameTrace> cold;
