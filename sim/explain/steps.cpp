@@ -9,7 +9,8 @@ Step::Kind kind_of(const Stay& stay) {
         case Unit::raygen: return Step::Kind::raygen;
         case Unit::trav:
         case Unit::node_cache:
-        case Unit::box: return Step::Kind::visit;
+        case Unit::box:
+        case Unit::treelet: return Step::Kind::visit;
         case Unit::list:
         case Unit::prim_cache:
         case Unit::tri: return Step::Kind::test;
@@ -27,8 +28,9 @@ bool has(const Step& step, Unit unit) {
 /// list only says that there is none left.
 bool begins(const Step& step, const Stay& stay, const Stay* next) {
     if (step.kind != kind_of(stay)) return true;
-    if (stay.place == index(Unit::trav) && has(step, Unit::box))
-        return stay.by != Link::box_rsp || !next || next->by != Link::leaves;
+    if (stay.place == index(Unit::trav) && (has(step, Unit::box) || has(step, Unit::treelet)))
+        return (stay.by != Link::box_rsp && stay.by != Link::treelet_rsp) || !next ||
+               next->by != Link::leaves;
     return stay.place == index(Unit::list) && has(step, Unit::tri) && next && next->by == Link::prim_req;
 }
 
