@@ -69,7 +69,11 @@ module rc_tags #(
     always_ff @(posedge clk_i) if (next_load_i) late_q <= {set_i, tag_i};
     assign {late_set, late_tag} = late_q;
   end
-  assign same_late = late_set == ahead_set_i;
+  logic [TagW:0] new_entry, late_entry, ahead_entry;
+  assign same_late   = late_set == ahead_set_i;
+  assign ahead_entry = {1'b1, ahead_tag_i};
+  assign new_entry   = {1'b1, tag_i};
+  assign late_entry  = {1'b1, late_tag};
 
   logic            same_set;   // of the request and the one ahead
   logic [WayW-1:0] victim;     // way that a line may have that has none
@@ -95,19 +99,26 @@ module rc_tags #(
     // lowest that does not wait.
     logic            mine, hit, full;
     logic [WayW-1:0] found, lowest;
-    logic same_tag;
-    assign same_tag = entry == {1'b1, ahead_tag_i};
     if (Cut == 0) begin : gen_at_once
-      assign mine = same_tag;
+      assign mine = entry == ahead_entry;
     end else begin : gen_ahead
-      logic mine_q, took_q;   // took_q: the way got another line while tags were read
+      // A block RAM's data come late. So pairs of bits are compared here, and in the look-up it is
+      // seen whether all are equal. took_q: the way got another line while tags were read.
+      localparam int unsigned Pairs = (TagW + 2) / 2;
+      logic             took_q;
+      logic [Pairs-1:0] mine_q, same_new, same_took, same_entry;
+      for (genvar p = 0; p < Pairs; p++) begin : gen_pair
+        localparam int unsigned Bits = 2 * p + 1 < TagW + 1 ? 2 : 1;
+        assign same_new[p]   = new_entry[2*p +: Bits] == ahead_entry[2*p +: Bits];
+        assign same_took[p]  = late_entry[2*p +: Bits] == ahead_entry[2*p +: Bits];
+        assign same_entry[p] = entry[2*p +: Bits] == ahead_entry[2*p +: Bits];
+      end
       always_ff @(posedge clk_i) begin
         if (next_load_i) took_q <= takes;
         if (load_i)
-          mine_q <= takes && same_set ? tag_i == ahead_tag_i
-                  : took_q && same_late ? late_tag == ahead_tag_i : same_tag;
+          mine_q <= takes && same_set ? same_new : took_q && same_late ? same_took : same_entry;
       end
-      assign mine = mine_q;
+      assign mine = &mine_q;
     end
     assign hits_o[w] = mine;
     if (w == 0) begin : gen_first
@@ -174,7 +185,7 @@ module rc_tags #(
   assign way_o  = hit_o ? found_o : victim;
 
   logic unused;
-  assign unused = ^{load_i, same_set, same_late, late_tag, next_load_i, next_set_i};
+  assign unused = ^{load_i, same_set, same_late, new_entry, late_entry, next_load_i, next_set_i};
 
 `ifndef SYNTHESIS
   a_way_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)

@@ -32,12 +32,14 @@ template <class Work> double best_seconds(Work work) {
 struct Options {
     std::string scene, size = default_size;
     ConfigChoice config;
+    ViewChoice view;
     int threads = 0;
     JsonOutput json;
 };
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
+    view_options(parser, o.view);
     size_option(parser, o.size);
     config_options(parser, o.config);
     threads_option(parser, o.threads);
@@ -103,7 +105,7 @@ int run(const Options& o) {
     const Config config = load_config(o.config);
     check_rtl(config);
     o.json.check();
-    const Scene scene = ready_scene(o.scene, size, terminal_progress());
+    const Scene scene = ready_scene(o.scene, size, terminal_progress(), o.view);
     build_rtl(config);
     const Job job = make_job(scene, *scene.camera, size, config);
     const FrameRun frame = run_model(job);

@@ -19,6 +19,7 @@ struct Options {
     std::string scene, pixel, size = default_size, clock = "66";
     ConfigChoice config;
     Finish finish;
+    ViewChoice view;
     FramesOptions frames;
     TrafficOptions traffic;
     bool steps = false, no_reference = false, no_judge = false;
@@ -32,6 +33,7 @@ void declare(Parser& parser, Options& o) {
         .required();
     parser.flag("--steps", o.steps, "print every visit, test and pass; JSON has them always");
     finished_options(parser, o.finish);
+    view_options(parser, o.view);
     size_option(parser, o.size);
     parser.option("--clock", o.clock, "the clock in MHz; fmax: what chip has routed").with_default();
     config_options(parser, o.config);
@@ -80,7 +82,7 @@ int run(const Options& o) {
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
     const int khz = one_clock_of(o.clock, request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);

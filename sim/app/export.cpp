@@ -19,12 +19,14 @@ struct Options {
     std::string scene, size = "128x96", output;
     ConfigChoice config;
     Finish finish;
+    ViewChoice view;
     JsonOutput json;
 };
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
+    view_options(parser, o.view);
     size_option(parser, o.size);
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "folder to write; it must be new or empty").required();
@@ -44,7 +46,7 @@ int run(const Options& o) {
     o.json.check();
     NewFolder folder(o.output);
     const Progress progress = terminal_progress();
-    Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress);
+    Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     check_rtl(request.config);
     request.config.dram = 0;   // the bench has no other memory than the ideal one
     const Job job =

@@ -25,12 +25,14 @@ struct Options {
     std::string scene, size = default_size, max_error = "0.1%", max_work = "2%", output;
     std::optional<double> min_psnr;
     ConfigChoice config;
+    ViewChoice view;
     int threads = 0;
     JsonOutput json;
 };
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
+    view_options(parser, o.view);
     parser
         .option("--max-error", o.max_error,
                 "percentage of pixels that may hold another primitive than the reference's")
@@ -186,7 +188,7 @@ int run(const Options& o) {
     else if (o.json.is_alone())
         throw UserError("-o and --json cannot both go to standard output");
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress);
+    const Scene scene = ready_scene(o.scene, size, progress, o.view);
     Measure measure(scene, size, o.threads);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);

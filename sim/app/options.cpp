@@ -62,6 +62,15 @@ void finished_options(Parser& parser, Finish& o) {
         .under(group);
 }
 
+void view_options(Parser& parser, ViewChoice& o) {
+    constexpr const char* group = "View (without these: the scene's own camera, or one that shows all of it)";
+    parser.option("--eye", o.eye, "where the camera is: x,y,z").under(group);
+    parser.option("--at", o.at, "the point in the middle of the picture: x,y,z").under(group);
+    parser.option("--fov", o.fov, "angle between the picture's upper and lower edge, degrees").under(group);
+    parser.option("--orbit", o.orbit, "turn the camera about that point, around the up axis, degrees")
+        .under(group);
+}
+
 void judge_option(Parser& parser, bool& no_judge) {
     parser.flag("--no-judge", no_judge,
                 "leave out the exact judge of all rays and colours, and the causes of pixels that differ");

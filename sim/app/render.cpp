@@ -32,6 +32,7 @@ struct Options {
     std::string scene, size = default_size, engine = "model", output;
     ConfigChoice config;
     Finish finish;
+    ViewChoice view;
     int threads = 0;
     JsonOutput json;
 };
@@ -39,6 +40,7 @@ struct Options {
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
+    view_options(parser, o.view);
     size_option(parser, o.size);
     config_options(parser, o.config);
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
@@ -91,7 +93,7 @@ int run(const Options& o) {
     check_picture_path(o.output);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress);
+    const Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     const Scene& scene = request.scene;
     if (o.engine == "rtl") check_rtl(request.config);
 

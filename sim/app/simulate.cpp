@@ -32,6 +32,7 @@ struct Options {
     std::string scene, size = default_size, clock = default_clocks, engine = "model";
     ConfigChoice config;
     Finish finish;
+    ViewChoice view;
     FramesOptions frames;
     TrafficOptions traffic;
     bool no_reference = false, no_judge = false;
@@ -43,6 +44,7 @@ struct Options {
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
     finished_options(parser, o.finish);
+    view_options(parser, o.view);
     size_option(parser, o.size);
     clock_option(parser, o.clock);
     config_options(parser, o.config);
@@ -201,6 +203,7 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
     return {{"scene", scene_json(work.request.scene)},
             {"config", config_json_object(config)},
             {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
+            {"camera", camera_json(work.path.back())},
             {"frames", o.frames.frames},
             {"pan", o.frames.pan},
             {"engine", o.engine},
@@ -267,7 +270,7 @@ int run(const Options& o) {
         check_page_library();
     }
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
     if (o.engine == "rtl") check_rtl(request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     const Work work{request, size, clocks_of(o.clock, request.config), path,

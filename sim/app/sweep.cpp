@@ -19,6 +19,7 @@ struct Options {
     std::string scene, size = default_size, clock = default_clocks, output, plot;
     std::vector<std::string> axes;
     ConfigChoice config;
+    ViewChoice view;
     bool fresh = false, no_netlist = false;
     int threads = 0;
     JsonOutput json;
@@ -26,6 +27,7 @@ struct Options {
 
 void declare(Parser& parser, Options& o) {
     scene_option(parser, o.scene).required();
+    view_options(parser, o.view);
     parser
         .option("--axis", o.axes,
                 "key=1,2,4 or key=12:20:2: a parameter of the configuration, or clock; may be repeated")
@@ -59,7 +61,7 @@ int run(const Options& o) {
     if (!o.output.empty()) check_writable(o.output);
     if (!o.plot.empty()) plot::check_plot_path(o.plot);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress);
+    const Scene scene = ready_scene(o.scene, size, progress, o.view);
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
     sweep::Outcome outcome =
         sweep::run({scene, size, std::move(points), o.threads, !o.no_netlist}, cache, progress);

@@ -21,6 +21,7 @@ struct Options {
     std::string scene, cycles, pixels, rays, output, size = default_size, clock = "66";
     ConfigChoice config;
     Finish finish;
+    ViewChoice view;
     FramesOptions frames;
     TrafficOptions traffic;
     int threads = 0;
@@ -35,6 +36,7 @@ void declare(Parser& parser, Options& o) {
                   "only rays for these: camera, shadow, reflection, refraction, with commas");
     parser.option("-o,--output", o.output, "the file: .kanata for Konata, .pftrace for Perfetto").required();
     finished_options(parser, o.finish);
+    view_options(parser, o.view);
     size_option(parser, o.size);
     parser.option("--clock", o.clock, "the clock in MHz; fmax: what chip has routed").with_default();
     config_options(parser, o.config);
@@ -103,7 +105,7 @@ int run(const Options& o) {
     check_writable(o.output);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
     const int khz = one_clock_of(o.clock, request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);

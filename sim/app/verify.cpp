@@ -31,6 +31,7 @@ struct Options {
     std::string scene, size = default_size, clock = default_clocks, output;
     ConfigChoice config;
     Finish finish;
+    ViewChoice view;
     FramesOptions frames;
     TrafficOptions traffic;
     std::optional<std::string> max_other;
@@ -48,6 +49,7 @@ void declare(Parser& parser, Options& o) {
               "of the machine")
         .excludes(scene);
     finished_options(parser, o.finish);
+    view_options(parser, o.view);
     size_option(parser, o.size);
     parser.option("--clock", o.clock, "clock rate in MHz; of several, the first").with_default();
     config_options(parser, o.config);
@@ -192,7 +194,8 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
         v.judgement =
             judge_finished(asked, work.job.image, work.request.settings,
                            {p.finished, drawn(work, judged), given}, judged.hits, o.threads, progress);
-    if (!work.request.finished) v.golden = golden_result(o.scene, scene, work.request.config);
+    if (!work.request.finished && !o.view.is_asked())
+        v.golden = golden_result(o.scene, scene, work.request.config);
 }
 
 void print(const Options& o, const Work& work, const Verified& v) {
@@ -257,7 +260,7 @@ int run(const Options& o) {
     o.json.check();
     const Limits limits = limits_of(o);
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
     check_rtl(request.config);
     if (!o.output.empty()) check_folder(o.output);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);

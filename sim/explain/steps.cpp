@@ -9,8 +9,8 @@ Step::Kind kind_of(const Stay& stay) {
         case Unit::raygen: return Step::Kind::raygen;
         case Unit::trav:
         case Unit::node_cache:
-        case Unit::box:
-        case Unit::treelet: return Step::Kind::visit;
+        case Unit::treelet:
+        case Unit::box: return Step::Kind::visit;
         case Unit::list:
         case Unit::prim_cache:
         case Unit::tri: return Step::Kind::test;
@@ -24,14 +24,24 @@ bool has(const Step& step, Unit unit) {
     return false;
 }
 
+/// The unit that decides a node has had it.
+bool decides(const Step& step) { return has(step, Unit::box) || has(step, Unit::treelet); }
+
 /// A stay that begins a new step: another kind; a node after a node; a primitive after a primitive, unless
 /// list only says that there is none left.
 bool begins(const Step& step, const Stay& stay, const Stay* next) {
     if (step.kind != kind_of(stay)) return true;
-    if (stay.place == index(Unit::trav) && (has(step, Unit::box) || has(step, Unit::treelet)))
-        return (stay.by != Link::box_rsp && stay.by != Link::treelet_rsp) || !next ||
-               next->by != Link::leaves;
+    if (stay.place == index(Unit::trav) && decides(step)) {
+        const bool answered = stay.by == Link::box_rsp || stay.by == Link::treelet_rsp;
+        return !answered || !next || next->by != Link::leaves;
+    }
     return stay.place == index(Unit::list) && has(step, Unit::tri) && next && next->by == Link::prim_req;
+}
+
+/// A page of a list, which trav visits without asking for anything.
+bool leads_to_leaves(const RayStory& ray, const Step& step) {
+    const Stay* next = step.stays.back() + 1;
+    return next < ray.stays.data() + ray.stays.size() && next->by == Link::leaves;
 }
 
 }   // namespace
@@ -75,7 +85,8 @@ std::vector<Step> steps_of(const RayStory& ray) {
     const VisitValues* last = nullptr;
     std::size_t test = 0;
     for (Step& step : steps) {
-        if (step.kind == Step::Kind::visit && !has(step, Unit::node_cache)) step.kind = Step::Kind::end;
+        if (step.kind == Step::Kind::visit && !has(step, Unit::node_cache) && !leads_to_leaves(ray, step))
+            step.kind = Step::Kind::end;
         if (step.kind == Step::Kind::visit && visit != ray.values.visits.end()) {
             step.visit = last = &*visit++;
             test = 0;

@@ -21,6 +21,7 @@ Observer::Observer(const Machine& machine, const Frame& frame, EventSink* sink, 
       tile_bits_(machine.config().tile_bits),
       has_l2_(machine.config().l2_sets > 0),
       shading_(machine.config().shading != 0),
+      lists_(machine.config().is_list()),
       line_words_{node_cache_shape(machine.config()).words, prim_cache_shape(machine.config()).words,
                   surf_cache_shape(machine.config()).words},
       pipelines_(std::size_t(machine.config().pipelines)),
@@ -164,6 +165,9 @@ void Observer::at(PipelineState& p, Context& context, Link link) {
     context.since = now_;
     context.place = place_after(link);
     switch (link) {
+        case Link::leaves:
+            if (!lists_) return;   // a page is visited without a request
+            [[fallthrough]];
         case Link::node_req:
             ++cost(context).visits;
             ++purpose(context).visits;

@@ -60,7 +60,7 @@ private:
     std::uint64_t now_ = 0;
     std::uint64_t window_;
     int tile_bits_;
-    bool has_l2_, shading_;
+    bool has_l2_, shading_, lists_;
     std::array<int, ray_caches> line_words_;
     std::vector<PipelineState> pipelines_;
     std::vector<std::int32_t> tile_spans_;   ///< [tile]: its place in costs_.tiles

@@ -49,13 +49,14 @@ private:
 };
 
 /// Walks a ray again and writes down what it meets.
-Closest note_visits(const Decoder& decoder, Walk& walk, RayValues& values) {
+Closest note_visits(const Decoder& decoder, const Config& config, Walk& walk, RayValues& values) {
     walk.start_at(values.ray);
     for (bool done = false; !done;) {
         VisitValues visit;
         visit.line = walk.node();
         bool more = walk.test_node();
-        visit.children = int(decoder.node(visit.line).children);
+        visit.children =
+            int(config.is_list() ? decoder.page(visit.line).children : decoder.children(visit.line));
         visit.met = std::popcount(walk.met());
         for (; more; more = walk.advance()) {
             TestValues test;
@@ -87,7 +88,7 @@ std::vector<RayValues> rays_of_pixel(const MemoryImage& image, const Frame& fram
     }
     Walk walk(frame, config, decoder);
     for (RayValues& ray : family.rays) {
-        const Closest hit = note_visits(decoder, walk, ray);
+        const Closest hit = note_visits(decoder, config, walk, ray);
         if (!config.shading) ray.hit = hit;
     }
     return std::move(family.rays);

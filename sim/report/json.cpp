@@ -36,6 +36,14 @@ ordered_json scene_json(const Scene& scene) {
             {"planes", scene.planes.size()}};
 }
 
+ordered_json camera_json(const Camera& camera) {
+    const auto point = [](const glm::dvec3& p) { return ordered_json{p.x, p.y, p.z}; };
+    return {{"eye", point(camera.eye)},
+            {"at", point(camera.at)},
+            {"up", point(camera.up)},
+            {"fov_degrees", camera.fov_degrees}};
+}
+
 ordered_json config_json_object(const Config& config) {
     ordered_json json{{"name", config.name}};
     for (const Parameter& p : parameters())

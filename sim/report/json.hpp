@@ -34,6 +34,7 @@ FrameError frame_error(const HitFrame& frame, const Picture& picture, const HitF
                        const Picture& reference_picture);
 
 nlohmann::ordered_json scene_json(const Scene& scene);
+nlohmann::ordered_json camera_json(const Camera& camera);
 nlohmann::ordered_json config_json_object(const Config& config);
 nlohmann::ordered_json compile_json(const CompileReport& report);
 nlohmann::ordered_json rays_json(const FrameRun& run);

@@ -117,7 +117,7 @@ function rooflineSpec() {
   };
 }
 
-const unitColours = { raygen: "#9ad0f5", trav: "#0072b2", node_cache: "#4a9fd6", box: "#009e73", list: "#e3a8c6",
+const unitColours = { raygen: "#9ad0f5", trav: "#0072b2", node_cache: "#4a9fd6", box: "#009e73", treelet: "#009e73", list: "#e3a8c6",
   prim_cache: "#b3538a", tri: "#e69f00", surf_cache: "#a8902a", shade: "#f0e442", memory: "#d55e00" };
 function kindsSpec() {
   const rows = [];
@@ -129,13 +129,13 @@ function kindsSpec() {
     }
   }
   const kinds = Object.keys(data.kinds).filter(kind => data.kinds[kind].rays > 0);
-  const units = Object.keys(unitColours).filter(unit => rows.some(r => r.unit === unit));
+  const units = [...new Set([...Object.keys(unitColours), ...rows.map(r => r.unit)])].filter(unit => rows.some(r => r.unit === unit));
   return {
     title: "Where a ray spends its cycles, in the mean, by what it is for", width: 800, height: 34 * kinds.length,
     data: [{ name: "rows", values: rows }],
     scales: [{ name: "x", domain: { data: "rows", field: "to" }, range: "width", zero: true, nice: true },
       { name: "y", type: "band", domain: kinds, range: "height", paddingInner: 0.25 },
-      { name: "colour", type: "ordinal", domain: units, range: units.map(unit => unitColours[unit]) }],
+      { name: "colour", type: "ordinal", domain: units, range: units.map(unit => unitColours[unit] || "#888888") }],
     axes: [{ orient: "bottom", scale: "x", title: "cycles" }, { orient: "left", scale: "y" }],
     legends: [{ fill: "colour", orient: "top", direction: "horizontal", symbolType: "square" }],
     marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: {

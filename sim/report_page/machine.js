@@ -1,14 +1,15 @@
 // The block diagram, and the order in which everything is shown.
 
 // Where a unit's box lies: column and row.
-const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], box: [4, 0], node_cache: [5, 1],
+const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], box: [4, 0], treelet: [4, 0], node_cache: [5, 1],
   list: [3, 2], prim_cache: [5, 2], tri: [4, 3], shade: [2, 3], surf_cache: [5, 4], memport: [6, 1.5], l2: [6, 3],
   memory: [7, 1.5] };
 
 function machineSpec() {
   const wide = 104, high = 58, columns = 138, rows = 92, units = [], bars = [];
+  let strangers = 0;   // units that have no place yet
   for (const [name, account] of Object.entries(report.units)) {
-    const [column, row] = unitPlaces[name];
+    const [column, row] = unitPlaces[name] || [strangers++, 5];
     const stalled = Object.values(account.stalled).reduce((a, b) => a + b, 0);
     const all = account.busy + account.starved + stalled;
     const unit = { name, x: column * columns, y: row * rows, shares: { busy: account.busy / all, starved: account.starved / all,
@@ -44,7 +45,7 @@ function machineSpec() {
   const encode = more => ({ enter: { tooltip: { field: "tooltip" }, ...more } });
   const field = name => ({ field: name });
   return {
-    width: 7 * columns + wide, height: 4 * rows + high, 
+    width: 7 * columns + wide, height: (strangers ? 5 : 4) * rows + high, 
     data: [{ name: "units", values: units }, { name: "bars", values: bars }, { name: "links", values: links }],
     scales: [{ name: "kind", type: "ordinal", domain: Object.keys(kindColours), range: Object.values(kindColours) },
       { name: "heat", domain: [0, 1], range: ["#98a3b0", "#c00000"] }],
@@ -76,7 +77,7 @@ async function showAll() {
   const share = (kinds, at) => kinds[at] / (kinds[0] + kinds[1] + kinds[2] || 1);
   await show("rays", linesSpec("Rays under way", "contexts in use", windowRows(w => ({ rays: w.rays_under_way })), "",
     data.pipelines * data.contexts));
-  const shown = ["trav", "box", "tri", "shade", "memory"];
+  const shown = ["trav", "box", "treelet", "tri", "shade", "memory"];
   await show("activity", linesSpec("Busy units", "share of cycles", windowRows(w => Object.fromEntries(
     shown.filter(unit => w.units[unit]).map(unit => [unit, share(w.units[unit], 0)]))), "%", 1));
   await show("hits", linesSpec("Hit rates", "hits of look-ups", windowRows(w => Object.fromEntries(

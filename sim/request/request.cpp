@@ -28,6 +28,12 @@ Whitted settings_of(const Finish& f, std::uint64_t seed) {
     return w;
 }
 
+/// The scene has a camera from here on, and looks as it was asked to.
+void look(Scene& scene, FrameSize size, const ViewChoice& view) {
+    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
+    if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
+}
+
 }   // namespace
 
 Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
@@ -41,14 +47,14 @@ Scene told_scene(const std::string& spec, const Progress& progress, Primitives p
     return scene;
 }
 
-Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress) {
+Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
     Scene scene = told_scene(spec, progress);
-    if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
+    look(scene, size, view);
     return scene;
 }
 
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
-                   std::uint64_t seed, FrameSize size, const Progress& progress) {
+                   std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view) {
     Request r;
     r.settings = settings_of(finish, seed);
     // A setting may name units that only a chip with shading has: they are set once it is known to be one.
@@ -58,7 +64,7 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
-    if (!r.scene.camera) r.scene.camera = fit_camera(r.scene, double(size.width) / size.height);
+    look(r.scene, size, view);
     if (finish.fresnel)
         for (Material& m : r.scene.materials) m.schlick = true;
     if (!r.finished || r.config.shading || by_hand) return r;

@@ -8,6 +8,7 @@
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/request/config_file.hpp"
+#include "sim/request/view.hpp"
 
 namespace rayclock {
 
@@ -17,7 +18,8 @@ Scene told_scene(const std::string& spec, const Progress& progress,
                  Primitives primitives = Primitives::triangles);
 
 /// The same with a camera, for a picture of this size.
-Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress);
+Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress,
+                  const ViewChoice& view = {});
 
 /// Settings of a finished picture, as far as they were typed.
 struct Finish {
@@ -43,6 +45,6 @@ struct Request {
 /// the scene needs, and its settings may change them again. `seed` is that of jittered samples. Throws
 /// UserError.
 Request request_of(const std::string& scene, const ConfigChoice& config, const Finish& finish,
-                   std::uint64_t seed, FrameSize size, const Progress& progress);
+                   std::uint64_t seed, FrameSize size, const Progress& progress, const ViewChoice& view = {});
 
 }   // namespace rayclock

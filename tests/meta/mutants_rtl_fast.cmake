@@ -17,11 +17,11 @@ mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST un
 
 # ---- What a fast cache compares a cycle early, and the request before it changes in that cycle.
 mutant(tags_fast_old_line_is_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
-  OLD [[mine_q <= takes && same_set ? tag_i == ahead_tag_i]]
-  NEW [[mine_q <= 1'b0 ? tag_i == ahead_tag_i]])
+  OLD [[mine_q <= takes && same_set ? same_new :]]
+  NEW [[mine_q <=]])
 mutant(tags_fast_line_that_came_meanwhile_is_not_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
-  OLD [[: took_q && same_late ? late_tag == ahead_tag_i : same_tag;]]
-  NEW [[: same_tag;]])
+  OLD [[took_q && same_late ? same_took : same_entry;]]
+  NEW [[same_entry;]])
 mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[recent_q <= touch_i && same_set ? recent_d]]
   NEW [[recent_q <= 1'b0 ? recent_d]])

@@ -43,7 +43,14 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
         CHECK(misses == account(cache_units[c], 1));
         CHECK(merges == account(cache_units[c], 2));
     }
+    if (config.l2_sets == 0) {   // each miss asks the memory for its line, on behalf of the ray that missed
+        const std::uint64_t words[] = {std::uint64_t(config.node_line), std::uint64_t(config.prim_line),
+                                       std::uint64_t(config.surf_line)};
+        for (const PurposeCost& p : costs.purposes)
+            CHECK(p.bytes == p.misses[0] * words[0] + p.misses[1] * words[1] + p.misses[2] * words[2]);
+    }
     CHECK(costs.moved[index(Link::box_req)] == account(Unit::box, 0));
+    CHECK(costs.moved[index(Link::treelet_req)] == account(Unit::treelet, 0));
     CHECK(costs.moved[index(Link::tri_req)] == account(Unit::tri, 0));
     CHECK(costs.moved[index(Link::ray)] == account(Unit::raygen, 0));
     CHECK(costs.refused[index(Link::ray)] == account(Unit::raygen, 2));

@@ -1,4 +1,6 @@
 // A pixel's story is exact to the cycle.
+#include <map>
+
 #include "tests/observe/watched.hpp"
 
 using namespace rayclock;
@@ -13,6 +15,13 @@ PixelStory story_of(const Watching& made, const Watched& w, std::uint32_t pixel)
     return tell(made.job, made.traces.back(), costs, in_frame, alone);
 }
 
+/// A list's pages are visited without a request.
+bool is_list(const RayStory& ray) {
+    for (const Stay& stay : ray.stays)
+        if (stay.by == Link::node_req) return false;
+    return true;
+}
+
 void check_story(const PixelStory& story) {
     std::uint64_t cycles = 0, visits = 0, tests = 0, misses = 0, at = story.cost.first;
     for (const RayStory& ray : story.rays) {
@@ -24,6 +33,7 @@ void check_story(const PixelStory& story) {
             std::uint64_t sum = stay.work;
             for (const Stay::Wait& wait : stay.waits) sum += wait.cycles;
             CHECK(sum == stay.cycles);
+            seen_visits += stay.by == Link::leaves && is_list(ray);
             if (stay.by == Link::node_req) CHECK(stay.addr == ray.values.visits.at(seen_visits++).line);
             seen_tests += stay.by == Link::prim_req;
         }
@@ -70,6 +80,22 @@ TEST_CASE("a pixel that is alone on the chip waits for nobody but the memory") {
             INFO(w.scene << ": " << cause.cause);
             CHECK((cause.cause == "work" || cause.cause == "the memory"));
         }
+    }
+}
+
+TEST_CASE("a pixel that waits says for what") {
+    const Watched narrow{"mount:4",
+                         {{"node_sets", "1"}, {"node_ways", "2"}, {"node_mshrs", "1"}, {"prim_sets", "1"}}};
+    const Watching made = watching(narrow, {16, 12});
+    std::map<std::string, std::uint64_t> causes;
+    for (std::uint32_t pixel = 0; pixel < 192; pixel += 11)
+        for (const Stay::Wait& cause : story_of(made, narrow, pixel).causes())
+            causes[cause.cause] += cause.cycles;
+    for (const char* cause : {"the memory", "node_cache: too many lines are on their way",
+                              "node_cache: rays that waited for a line are answered",
+                              "node_cache accepts nothing", "node_cache: other rays are looked up first"}) {
+        INFO(cause);
+        CHECK(causes[cause] > 0);
     }
 }
 

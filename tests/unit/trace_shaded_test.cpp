@@ -6,6 +6,7 @@
 #include "model/scene/builtin.hpp"
 #include "model/shade/shader.hpp"
 #include "model/trace/record.hpp"
+#include "model/trace/record_shaded.hpp"
 #include "model/trace/trace.hpp"
 #include "model/trace/walk.hpp"
 #include "tests/support/machine/walked.hpp"

@@ -1,0 +1,77 @@
+// --eye, --at, --fov, --orbit: where a scene is looked at from.
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+
+namespace {
+
+json simulated(std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"simulate", "gears:2", "--size", "32x24", "--clock", "66", "--no-judge", "--json", "-"});
+    const Outcome outcome = run_program(more);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return json::parse(outcome.out);
+}
+
+void check_near(const json& a, const json& b) {
+    for (std::size_t k = 0; k < 3; ++k) CHECK(a[k].get<double>() == Approx(b[k].get<double>()).margin(1e-9));
+}
+
+}   // namespace
+
+TEST_CASE("a view is the scene's own but for what was typed") {
+    const json own = simulated({});
+    const json typed = simulated({"--eye", "3,-4,2.5", "--at=-1,0,1e-1", "--fov", "30"});
+    check_near(typed["camera"]["eye"], json{3, -4, 2.5});
+    check_near(typed["camera"]["at"], json{-1, 0, 0.1});
+    CHECK(typed["camera"]["fov_degrees"] == 30);
+    CHECK(typed["camera"]["up"] == own["camera"]["up"]);
+    CHECK(typed["digest"] != own["digest"]);
+    CHECK(simulated({"--fov", own["camera"]["fov_degrees"].dump()})["digest"] == own["digest"]);
+    // Once around is where it began; half around is the eye's mirror image in the up axis.
+    check_near(simulated({"--orbit", "360"})["camera"]["eye"], own["camera"]["eye"]);
+    const json side = simulated({"--eye", "1,2,3", "--at", "0,0,0", "--orbit", "180"})["camera"];
+    double along = 0;
+    const double arm[] = {1, 2, 3};
+    for (std::size_t k = 0; k < 3; ++k) along += arm[k] * side["up"][k].get<double>();
+    double length = 0;
+    for (std::size_t k = 0; k < 3; ++k) length += side["up"][k].get<double>() * side["up"][k].get<double>();
+    for (std::size_t k = 0; k < 3; ++k)
+        CHECK(side["eye"][k].get<double>() ==
+              Approx(2 * along / length * side["up"][k].get<double>() - arm[k]).margin(1e-9));
+}
+
+TEST_CASE("every command that draws a scene takes a view, and the machine is still right") {
+    const Folder folder;
+    const std::vector<std::string> view{"--orbit", "50", "--size", "24x18"};
+    const auto runs = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), view.begin(), view.end());
+        const Outcome outcome = run_program(arguments);
+        INFO(outcome.err);
+        CHECK(outcome.code == 0);
+    };
+    runs({"simulate", "gears:1", "--clock", "66"});   // with the judge
+    runs({"render", "gears:1", "-o", folder.name("a.png")});
+    runs({"explain", "gears:1", "3,4"});
+    runs({"trace", "gears:1", "--cycles", "100:110", "-o", folder.name("a.kanata")});
+    runs({"sweep", "gears:1", "--axis", "contexts=8,16", "--no-netlist"});
+}
+
+TEST_CASE("views that make no sense") {
+    const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& words) {
+        more.insert(more.begin(), {"simulate", "gears:1"});
+        check_refused(run_program(more), words);
+    };
+    refused({"--eye", "1,2"}, {"--eye", "1,2", "x,y,z"});
+    refused({"--at", "1,2,x"}, {"--at", "1,2,x"});
+    refused({"--at", "1,2,inf"}, {"--at", "1,2,inf"});
+    refused({"--fov", "180"}, {"--fov", "180"});
+    refused({"--orbit", "400"}, {"--orbit", "-360..360", "400"});
+    refused({"--eye", "1,1,1", "--at", "1,1,1"}, {"eye", "are the same"});
+}
