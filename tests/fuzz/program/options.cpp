@@ -3,6 +3,7 @@
 //
 // An input has a word in each line. Whatever a command would do after it has read its options is left out, so
 // that nothing is written, built or drawn.
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "sim/app/options.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"
+#include "sim/request/view.hpp"
 #include "sim/sweep/axes.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
@@ -32,6 +34,7 @@ struct Options {
     Finish finish;
     FramesOptions frames;
     TrafficOptions traffic;
+    ViewChoice view;
     JsonOutput json;
     int threads = 0;
     bool no_judge = false, fresh = false, no_netlist = false;
@@ -49,6 +52,7 @@ void declare(Parser& parser, Options& o) {
     netlist_option(parser, o.no_netlist);
     frames_options(parser, o.frames);
     traffic_options(parser, o.traffic);
+    view_options(parser, o.view);
     json_option(parser, o.json);
     parser.option("--axis", o.axes, "");
     parser.option("--rays", o.rays, "");
@@ -98,6 +102,10 @@ int read_options(const Options& o) {
     read([&] { traffic_of(o.traffic); });
     read([&] { camera_path(o.frames, Camera{}); });
     read([&] {
+        const Camera seen = chosen_camera(Camera{}, o.view, {512, 384});
+        fuzz::demand(std::isfinite(glm::length(seen.at - seen.eye)), "an eye has a place");
+    });
+    read([&] {
         if (is_builtin(o.scene))
             builtin_counts(o.scene, o.finish.fresnel ? Primitives::native : Primitives::triangles);
     });
@@ -114,6 +122,9 @@ COMMAND(render)
 COMMAND(simulate)
 COMMAND(verify)
 COMMAND(stress)
+COMMAND(explain)
+COMMAND(trace)
+COMMAND(compare)
 COMMAND(sweep)
 COMMAND(fit)
 COMMAND(tradeoff)
