@@ -54,7 +54,7 @@ private:
 
     /// The part of a treelet under plane `plane`, which has the exits from `exit` on.
     void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Treelet& treelet) {
-        if (exits == 1) {
+        if (exits == 1 || plane >= treelet.axis.size()) {   // the second says it to GCC 14
             exits_[exit] = place;
             return;
         }
