@@ -13,15 +13,15 @@ mutant(list_fast_loses_a_stage FILE rtl/list/rc_list.sv TEST unit [list][lockste
   NEW [[.Stages(rc_pkg::Cut)) u_it_group]])
 mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[.write_addr_i(late_addr), .write_data_i(late_group),]]
-  NEW [[.write_addr_i(write_addr), .write_data_i(late_group),]])
+  NEW [[.write_addr_i(write_addr | (late_addr & '0)), .write_data_i(late_group),]])
 
 # ---- What a fast cache compares a cycle early, and the request before it changes in that cycle.
 mutant(tags_fast_old_line_is_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[mine_q <= takes && same_set ? same_new :]]
-  NEW [[mine_q <=]])
+  NEW [[mine_q <= takes && same_set && 1'b0 ? same_new :]])
 mutant(tags_fast_line_that_came_meanwhile_is_not_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[took_q && same_late ? same_took : same_entry;]]
-  NEW [[same_entry;]])
+  NEW [[took_q && same_late && 1'b0 ? same_took : same_entry;]])
 mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[recent_q <= touch_i && same_set ? recent_d]]
   NEW [[recent_q <= 1'b0 ? recent_d]])

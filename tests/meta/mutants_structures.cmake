@@ -6,7 +6,7 @@ mutant(plane_far_side_from_rounded_up QUICK FILE rtl/kd/rc_plane.sv TEST unit [t
   NEW [[(product_between && product_neg ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]])
 mutant(plane_near_side_to_rounded_down FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
   OLD [[assign to_d   = V'(product) + V'(product_way);]]
-  NEW [[assign to_d   = V'(product) + V'(product_way >>> D);]])
+  NEW [[assign to_d   = V'(product) + (V'(product_way) >>> D);]])
 mutant(plane_with_the_origin_on_it_is_ahead FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
   OLD [[assign ahead       = way_q > $signed(D'(0));]]
   NEW [[assign ahead       = way_q >= $signed(D'(0));]])
@@ -52,4 +52,4 @@ mutant(none_last_leaf_is_full FILE rtl/none/rc_none.sv TEST system "model and RT
   NEW [[: C'(Leaf);]])
 mutant(none_goes_on_when_told_to_stop FILE rtl/none/rc_none.sv TEST system "model and RTL agree on finished pictures of every structure"
   OLD [[&& !s1_stop_q;]]
-  NEW [[&& (!s1_stop_q || kept[A]);]])
+  NEW [[&& (!s1_stop_q || s1_ray_q[0]);]])
