@@ -1,6 +1,7 @@
 #include "model/accel/emit.hpp"
 
 #include "model/accel/encode.hpp"
+#include "model/accel/written.hpp"
 #include "model/base/error.hpp"
 
 namespace rayclock {
@@ -27,17 +28,12 @@ public:
             pending_.pop_back();
             emit(next);
         }
-        account();
+        written_.account(image_);
     }
 
 private:
     struct Pending {
         std::uint32_t node = 0, line = 0, parent = 0;
-    };
-    /// A node that was written. Children come after their parents.
-    struct Written {
-        std::uint32_t parent = 0, inner = 0;
-        int depth = 1, need = 0;
     };
 
     void emit(const Pending& at) {
@@ -62,23 +58,10 @@ private:
             write_payload(triangles_[content_[i]], config_,
                           &image_.words[(2 * (base + inner) + i) * words_per_half], scratch_);
 
-        const auto id = std::uint32_t(written_.size());
-        written_.push_back({at.parent, inner, id == 0 ? 1 : written_[at.parent].depth + 1});
+        const std::uint32_t id = written_.add(at.parent, inner);
         image_.report.leaves += found_.size() - inner;
         for (std::uint32_t i = inner; i-- > 0;)
             pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
-    }
-
-    void account() {
-        for (std::size_t i = written_.size(); i-- > 0;) {
-            Written& node = written_[i];
-            node.need += node.inner >= 2;   // its siblings wait while a child is walked
-            image_.report.depth = std::max(image_.report.depth, node.depth);
-            if (i > 0) written_[node.parent].need = std::max(written_[node.parent].need, node.need);
-        }
-        image_.report.stack_need = written_[0].need;
-        image_.report.nodes = written_.size();
-        image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
     }
 
     const BinaryTree& tree_;
@@ -88,7 +71,7 @@ private:
     const std::string& name_;
     MemoryImage& image_;
     std::vector<Pending> pending_;
-    std::vector<Written> written_;
+    WrittenNodes written_;
     std::vector<WideChild> found_;
     std::vector<NodeChild> children_;
     std::vector<std::uint32_t> content_;   // triangles of the node's leaves

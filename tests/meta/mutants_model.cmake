@@ -322,9 +322,9 @@ mutant(sweep_believes_a_broken_entry FILE sim/jobs/cache.cpp TEST sweep "an entr
 mutant(sweep_takes_one_clock_for_another FILE sim/sweep/run.cpp TEST sweep "another parameter*"
   OLD [[scene_key_, r.point.khz, timing_of]]
   NEW [[scene_key_, 0, timing_of]])
-mutant(stress_stack_need_one_short FILE model/accel/emit.cpp TEST system "the exact test stands*"
-  OLD [[image_.report.stack_need = written_[0].need;]]
-  NEW [[image_.report.stack_need = written_[0].need - 1;]])
+mutant(stress_stack_need_one_short FILE model/accel/written.hpp WITH model/accel/emit.cpp TEST system "the exact test stands*"
+  OLD [[image.report.stack_need = nodes_[0].need;]]
+  NEW [[image.report.stack_need = nodes_[0].need - 1;]])
 
 # ---- Scenes: what is counted and what is refused.
 mutant(scene_bounds_without_spheres FILE model/scene/scene.cpp TEST scene [check]

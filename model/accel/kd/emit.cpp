@@ -2,6 +2,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/kd/build.hpp"
+#include "model/accel/written.hpp"
 
 namespace rayclock {
 
@@ -39,17 +40,13 @@ public:
             pending_.pop_back();
             emit(next);
         }
-        account();
+        written_.account(image_);
     }
 
 private:
     struct Pending {
         Place place;
         std::uint32_t line = 0, parent = 0;
-    };
-    struct Written {
-        std::uint32_t parent = 0, inner = 0;
-        int depth = 1, need = 0;
     };
 
     /// The part of a treelet under plane `plane`, which has the exits from `exit` on.
@@ -93,22 +90,9 @@ private:
                 write_payload(prims_[exits[i].cell->prims[exits[i].first + p]], config_,
                               &image_.words[half_line++ * words_per_half], scratch_);
         image_.report.references += primitives;
-        const auto id = std::uint32_t(written_.size());
-        written_.push_back({at.parent, inner, id == 0 ? 1 : written_[at.parent].depth + 1});
+        const std::uint32_t id = written_.add(at.parent, inner);
         for (std::size_t i = width, line = base + inner; i-- > 0;)
             if (treelet.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
-    }
-
-    void account() {
-        for (std::size_t i = written_.size(); i-- > 0;) {
-            Written& node = written_[i];
-            node.need += node.inner >= 2;   // the other exits wait while one is walked
-            image_.report.depth = std::max(image_.report.depth, node.depth);
-            if (i > 0) written_[node.parent].need = std::max(written_[node.parent].need, node.need);
-        }
-        image_.report.stack_need = written_[0].need;
-        image_.report.nodes = written_.size();
-        image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
     }
 
     const Cell& root_;
@@ -118,7 +102,7 @@ private:
     MemoryImage& image_;
     std::array<Place, max_width> exits_;   // of the treelet under way
     std::vector<Pending> pending_;
-    std::vector<Written> written_;
+    WrittenNodes written_;
     Words scratch_;
 };
 
