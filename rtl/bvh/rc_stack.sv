@@ -43,14 +43,18 @@ module rc_stack (
   logic [rc_pkg::Contexts-1:0] used;
   logic         end_valid;
   logic [I-1:0] end_ray;
-  logic [H-1:0] s0_kept, s1_kept_q, s1_height, end_height, height_d, level;
+  logic [H-1:0] s0_kept, s1_kept_q, kept, kept_height, end_height, height_d, level;
+  logic         is_used;   // of s1, or in a fast chip of a cycle later, as kept and kept_height
   rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
   rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
     .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i('0), .set_i(end_valid), .set_at_i(end_ray),
     .flags_o(used));
-  assign s1_height = used[s1_tested_i.ray] ? s1_kept_q : '0;
+  rc_pick #(.Flags(rc_pkg::Contexts)) u_is_used (
+    .clk_i, .flags_i(used), .index_i(s1_tested_i.ray), .flag_o(is_used));
+  rc_cut #(.Width(H)) u_kept (.clk_i, .data_i(s1_kept_q), .data_o(kept));
+  assign kept_height = is_used ? kept : '0;
 
   logic              write, read;
   logic [I-1:0]      read_ray;
@@ -95,9 +99,10 @@ module rc_stack (
   logic [H-1:0]                 height;
   rc_pkg::tested_t              tested;
   rc_pkg::children_t            children, end_children;
-  rc_cut #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW + H), .Stages(Late - Cut)) u_step (
-    .clk_i, .data_i({s1_tested_i, s1_children_i, s1_height}),
-    .data_o({tested_flat, children_flat, height}));
+  rc_cut #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW), .Stages(Late - Cut)) u_step (
+    .clk_i, .data_i({s1_tested_i, s1_children_i}), .data_o({tested_flat, children_flat}));
+  rc_cut #(.Width(H), .Stages(Late - 2 * Cut)) u_now_height (
+    .clk_i, .data_i(kept_height), .data_o(height));
   assign tested   = tested_flat;
   assign children = children_flat;
 

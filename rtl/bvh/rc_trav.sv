@@ -82,16 +82,15 @@ module rc_trav (
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
   logic                       came_fires, in_fires, leaf_matters;
-  logic [TB-1:0]              came_t, in_t;
+  logic [TB-1:0]              in_t;
   assign came            = box_rsp_i;
   assign came_fires      = box_rsp_valid_i;
   assign box_rsp_ready_o = 1'b1;
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(came_t));
-  rc_cut #(.Width(rc_pkg::BoxRspW + TB)) u_came (
-    .clk_i, .data_i({came, came_t}), .data_o({in_flat, in_t}));
+    .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(in_t));
+  rc_cut #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
   assign in = in_flat;
 
   // The leaves, moved to the front, go to list if the nearest can matter.

@@ -63,8 +63,10 @@ module rc_hitdiv #(
   logic [E-1:0] t_rem, t_den;
   logic [Q-1:0] t_below, t_quo;
   logic         t_inexact;
+  // A quotient beyond is made all ones in the end. In a fast chip it is not cleared before: that
+  // would hang each bit of num on the comparison.
   rc_cut #(.Width(2 * E + Q)) u_t_first (
-    .clk_i, .data_i({beyond ? '0 : num_above[E-1:0], den_i, num_below}),
+    .clk_i, .data_i({beyond && Cut == 0 ? '0 : num_above[E-1:0], den_i, num_below}),
     .data_o({t_rem, t_den, t_below}));
   rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits)) u_t (
     .clk_i, .valid_i(valid[Cut]), .rem_i(t_rem), .low_i(t_below), .den_i(t_den),

@@ -66,7 +66,7 @@ module rc_list (
 
   // ---- The two events of a cycle: leaves of trav (in), an answer of tri (came). In a
   // fast chip the answer is in a register first.
-  logic             in_fires, came_fires, tri_prim;
+  logic             in_fires, came_fires, closer, tri_prim;
   rc_pkg::leaves_t  in;
   rc_pkg::tri_rsp_t came;
   logic [rc_pkg::TriRspW-1:0] came_flat;
@@ -77,22 +77,28 @@ module rc_list (
   assign came = came_flat;
   if (rc_pkg::Cut == 0) begin : gen_come_now
     assign came_fires = tri_rsp_valid_i;
+    assign closer     = came_fires && came.closer;
   end else begin : gen_come_late
-    logic came_fires_q;
+    logic came_fires_q, closer_q;
     always_ff @(posedge clk_i) begin
-      if (!rst_ni) came_fires_q <= 1'b0;
-      else         came_fires_q <= tri_rsp_valid_i;
+      if (!rst_ni) {came_fires_q, closer_q} <= '0;
+      else begin
+        came_fires_q <= tri_rsp_valid_i;
+        closer_q     <= tri_rsp_valid_i && tri_rsp_i.closer;
+      end
     end
     assign came_fires = came_fires_q;
+    assign closer     = closer_q;
+    logic unused;
+    assign unused = came.closer;
   end
 
   // ---- Best hits. found says whether the memories hold one for a ray; any_q, which rays
   // any hit ends.
   logic [I-1:0] start_ray;
   logic [T-1:0] found, any_q;
-  logic         closer, blocked;
+  logic         blocked;
   assign start_ray = start_i.ray;
-  assign closer    = came_fires && came.closer;
   assign blocked   = closer && any_q[came.ray];
   rc_flags #(.Flags(T)) u_is_found (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
@@ -105,12 +111,11 @@ module rc_list (
     assign any_q = '0;
   end
 
-  logic [TB-1:0] tri_t_old, tri_t;
+  logic [TB-1:0] old_t;   // of came, or in a fast chip of a cycle later
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(closer), .write_ray_i(came.ray), .write_t_i(came.t),
-    .read_ray_i(came.ray), .read_t_o(tri_t_old));
-  assign tri_t = closer ? came.t : tri_t_old;
+    .read_ray_i(came.ray), .read_t_o(old_t));
 
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
@@ -124,7 +129,8 @@ module rc_list (
   logic [T-1:0] moved;
   logic [S-1:0]   cursor_leaf, next_leaf;
   logic [C-1:0]   cursor_triangle, next_triangle;
-  logic [S+C-1:0] cursor, tri_cursor;
+  logic [S+C-1:0] cursor, it_cursor;
+  logic           was_moved;
   logic           end_fires;
   logic [I-1:0]   end_ray;
   rc_ram #(.Width(S + C), .Depth(T)) u_cursor (
@@ -134,21 +140,24 @@ module rc_list (
   rc_flags #(.Flags(T)) u_moved (
     .clk_i, .rst_ni, .clear_i(in_fires), .clear_at_i(in.ray),
     .set_i(came_fires), .set_at_i(came.ray), .flags_o(moved));
-  assign tri_cursor = moved[came.ray] ? cursor : '0;
+  rc_pick #(.Flags(T)) u_was_moved (
+    .clk_i, .flags_i(moved), .index_i(came.ray), .flag_o(was_moved));
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. In a
   // fast chip what is known of the ray is read, in two cycles, compared and sent on in one each.
   logic [I-1:0]    it_ray;
-  logic            it_blocked, end_blocked;
-  logic [TB-1:0]   it_t, end_t;
+  logic            it_blocked, it_closer, end_blocked;
+  logic [TB-1:0]   it_came_t, it_t, end_t;
   logic [A-1:0]    group_base, end_base;
   logic [G-1:0]    group_leaves;
   logic [W*TB-1:0] group_near;
   logic [W*O-1:0]  group_offset;
   logic [W*C-1:0]  group_count;
-  rc_cut #(.Width(I + 1 + TB + S + C)) u_it (
-    .clk_i, .data_i({came.ray, blocked, tri_t, tri_cursor}),
-    .data_o({it_ray, it_blocked, it_t, cursor_leaf, cursor_triangle}));
+  rc_cut #(.Width(I + 2 + TB + S + C)) u_it (
+    .clk_i, .data_i({came.ray, blocked, closer, came.t, cursor}),
+    .data_o({it_ray, it_blocked, it_closer, it_came_t, it_cursor}));
+  assign it_t = it_closer ? it_came_t : old_t;
+  assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
   rc_cut #(.Width(GroupW), .Stages(2 * rc_pkg::Cut)) u_it_group (
     .clk_i, .data_i(tri_group),
     .data_o({group_base, group_leaves, group_near, group_offset, group_count}));
@@ -257,7 +266,29 @@ module rc_list (
     .clk_i, .write_i(closer), .write_addr_i(came.ray),
     .write_data_i({came.num, came.det, came.prim}),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_best));
-  assign tri_found        = found[prim_rsp_i.ray];
+  // Whether a ray has a hit to beat does not change while its primitive is asked for. A fast chip
+  // looks at its flag then, and keeps it with what is read in the end. So a primitive must not
+  // come in the cycle after it was asked for; no cache is that quick.
+  if (rc_pkg::Cut == 0) begin : gen_found_now
+    assign tri_found = found[prim_rsp_i.ray];
+  end else begin : gen_found_before
+    logic         asked_q, was_found;
+    logic [I-1:0] asked_ray_q;
+    always_ff @(posedge clk_i) begin
+      asked_q     <= prim_req_valid_o && prim_req_ready_i;
+      asked_ray_q <= prim_req_o.ray;
+    end
+    rc_pick #(.Flags(T)) u_was_found (
+      .clk_i, .flags_i(found), .index_i(prim_req_o.ray), .flag_o(was_found));
+    rc_ram #(.Width(1), .Depth(T)) u_was (
+      .clk_i, .write_i(asked_q), .write_addr_i(asked_ray_q), .write_data_i(was_found),
+      .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_found));
+`ifndef SYNTHESIS
+    a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                    prim_rsp_valid_i && asked_q |-> prim_rsp_i.ray != asked_ray_q)
+      else $error("a primitive came in the cycle after it was asked for");
+`endif
+  end
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
   logic [rc_pkg::PrimitiveW-1:0] prim_data;

@@ -36,11 +36,15 @@ module rc_fifo #(
     assign data_o  = mem[head_q[IndexW-1:0]];
   end else begin : gen_ahead
     // The next entry comes from the memory, or from the input if the memory has no other.
-    logic             valid_q, ready_q, more, one_place;
+    // That it has one is in a register, which has hundreds of loads: many_q, two or more entries.
+    logic             valid_q, ready_q, many_q, more, third, one_place, comes, goes;
     logic [IndexW:0]  next_q, after;
     logic [Width-1:0] data_q;
     assign after     = tail_q + 1'b1;
-    assign more      = valid_q && next_q != tail_q;
+    assign more      = many_q;
+    assign third     = many_q && next_q + 1'b1 != tail_q;
+    assign comes     = valid_i && ready_q;
+    assign goes      = valid_q && ready_i;
     assign one_place = after == {~head_q[IndexW], head_q[IndexW-1:0]};
     assign valid_o   = valid_q;
     assign ready_o   = ready_q;
@@ -49,11 +53,13 @@ module rc_fifo #(
       if (!rst_ni) begin
         valid_q <= 1'b0;
         ready_q <= 1'b1;
+        many_q  <= 1'b0;
         next_q  <= (IndexW+1)'(1);
       end else begin
-        valid_q <= (valid_q && !ready_i) || more || (valid_i && ready_q);
-        ready_q <= (valid_q && ready_i) || (ready_q && !(valid_i && one_place));
-        if (valid_q && ready_i) next_q <= next_q + 1'b1;
+        valid_q <= (valid_q && !ready_i) || more || comes;
+        ready_q <= goes || (ready_q && !(valid_i && one_place));
+        many_q  <= goes ? (comes ? many_q : third) : many_q || (comes && valid_q);
+        if (goes) next_q <= next_q + 1'b1;
       end
       if (!valid_q || ready_i) data_q <= more ? mem[next_q[IndexW-1:0]] : data_i;
     end

@@ -2,8 +2,8 @@
 // kind gives: 2^(N+F) for a shadow ray, which ends at t = 2^-B, and all ones for the others.
 // Afterwards it is what was written last.
 //
-// Read in the same cycle. A read sees what happened in earlier cycles only. trav and list
-// have one each. Model: reach_of() in model/core/frame.hpp.
+// Read in the same cycle; in a fast chip told in the next. A read sees what happened in earlier
+// cycles only. trav and list have one each. Model: reach_of() in model/core/frame.hpp.
 `default_nettype none
 module rc_reach (
   input  logic                       clk_i,
@@ -22,7 +22,8 @@ module rc_reach (
 
   // written says whether the memory holds a ray's; shadow_q, which rays end at the surface.
   logic [T-1:0]               written, shadow_q;
-  logic [TB-1:0]              kept;
+  logic [TB-1:0]              kept, kept_then;
+  logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
   assign start_ray = start_i.ray;
   rc_ram #(.Width(TB), .Depth(T)) u_t (
@@ -35,9 +36,17 @@ module rc_reach (
     logic is_shadow;
     assign is_shadow = start_i.kind == rc_pkg::RayShadow;
     always_ff @(posedge clk_i) if (start_fires_i) shadow_q[start_ray] <= is_shadow;
+    rc_pick #(.Flags(T)) u_was_shadow (
+      .clk_i, .flags_i(shadow_q), .index_i(read_ray_i), .flag_o(was_shadow));
   end else begin : gen_camera
-    assign shadow_q = '0;
+    assign shadow_q   = '0;
+    assign was_shadow = 1'b0;
+    logic unused;
+    assign unused = ^shadow_q;
   end
-  assign read_t_o = written[read_ray_i] ? kept : shadow_q[read_ray_i] ? SurfaceT : '1;
+  rc_pick #(.Flags(T)) u_was_written (
+    .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));
+  rc_cut #(.Width(TB)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
+  assign read_t_o = was_written ? kept_then : was_shadow ? SurfaceT : '1;
 endmodule
 `default_nettype wire

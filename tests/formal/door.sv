@@ -1,7 +1,8 @@
 // What rc_door promises, if requests come only through an open door and answers only to requests: at most Credits are in
 // flight, never fewer than none, and the door is open exactly when another one has a place.
 module door #(
-  parameter int unsigned Credits = 4
+  parameter int unsigned Credits = 4,
+  parameter int unsigned Cut     = 0    // 0 or 1
 ) (
   input logic clk_i,
   input logic rst_ni,
@@ -10,7 +11,7 @@ module door #(
 );
   localparam int unsigned CountW = $clog2(Credits + 1);
   logic open_o;
-  rc_door #(.Credits(Credits)) u_dut (
+  rc_door #(.Credits(Credits), .Cut(Cut)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .admit_i(admit_i), .leave_i(leave_i), .open_o(open_o));
   (* hierconn *) wire [CountW-1:0] \u_dut.in_flight_q ;
 

@@ -65,6 +65,13 @@ module fifo #(
     shown_q <= data_o;
   end
 
+`ifdef Cut_1
+  (* hierconn *) wire \u_dut.gen_ahead.many_q ;
+  wire many = \u_dut.gen_ahead.many_q ;
+`else
+  wire many = count_q > 1;
+`endif
+
   // The followed entry's place.
   (* hierconn *) wire [Width-1:0] \u_dut.mem[0] , \u_dut.mem[1] ;
 `ifdef Depth_2
@@ -88,6 +95,7 @@ module fifo #(
     a_token:   assert (!follows_q || ahead_q != '0 || data_o == token_q);
     a_offer:   assert (!stalled_q || (valid_o && data_o == shown_q));
     a_next:    assert (next == 1'b1);
+    a_many:    assert (many == (count_q > 1));
     a_open:    assert (!open_q || ready_o);
   end
 endmodule

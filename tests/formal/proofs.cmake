@@ -2,15 +2,21 @@
 
 # ---- The door of a pipeline that cannot stall.
 foreach(credits IN ITEMS 1 4 5 16)
-  prove(formal:door_of_${credits} TOP door RTL prim/rc_door.sv WITH Credits=${credits} INDUCTION 4)
+  prove(formal:door_of_${credits} TOP door RTL rc_pkg.sv prim/rc_door.sv WITH Credits=${credits} INDUCTION 4)
 endforeach()
-prove(mutant:formal_door_lets_in_one_too_many TOP door RTL prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
+foreach(credits IN ITEMS 1 4 16)
+  prove(formal:fast_door_of_${credits} TOP door RTL rc_pkg.sv prim/rc_door.sv WITH Credits=${credits} Cut=1 INDUCTION 4)
+endforeach()
+prove(mutant:formal_fast_door_lets_in_one_too_many TOP door RTL rc_pkg.sv prim/rc_door.sv WITH Cut=1 CYCLES 12 FILE prim/rc_door.sv
+  OLD [[(open_q && !(admit_i && last));]]
+  NEW [[open_q;]])
+prove(mutant:formal_door_lets_in_one_too_many TOP door RTL rc_pkg.sv prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
   OLD [[assign open_o = in_flight_q != Full;]]
   NEW [[assign open_o = in_flight_q != Full || leave_i;]])
-prove(mutant:formal_door_one_short TOP door RTL prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
+prove(mutant:formal_door_one_short TOP door RTL rc_pkg.sv prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
   OLD [[Full = CountW'(Credits);]]
   NEW [[Full = CountW'(Credits - 1);]])
-prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
+prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL rc_pkg.sv prim/rc_door.sv CYCLES 12 FILE prim/rc_door.sv
   OLD [[else if (leave_i && !admit_i)]]
   NEW [[else if (leave_i)]])
 
@@ -23,8 +29,11 @@ prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv 
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = 1'b1;]])
 prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
-  OLD [[valid_q <= (valid_q && !ready_i) || more || (valid_i && ready_q);]]
-  NEW [[valid_q <= (valid_q && !ready_i) || (valid_i && ready_q);]])
+  OLD [[valid_q <= (valid_q && !ready_i) || more || comes;]]
+  NEW [[valid_q <= (valid_q && !ready_i) || comes;]])
+prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
+  OLD [[many_q  <= goes ? (comes ? many_q : third)]]
+  NEW [[many_q  <= goes ? (comes ? many_q : third && 1'b0)]])
 prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
   OLD [[(ready_q && !(valid_i && one_place));]]
   NEW [[ready_q;]])

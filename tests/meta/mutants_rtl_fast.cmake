@@ -14,6 +14,12 @@ mutant(list_fast_loses_a_stage FILE rtl/list/rc_list.sv TEST unit [list][lockste
 mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[.write_addr_i(late_addr), .write_data_i(late_group),]]
   NEW [[.write_addr_i(write_addr | (late_addr & '0)), .write_data_i(late_group),]])
+mutant(fast_pick_forgets_the_part FILE rtl/prim/rc_pick.sv TEST unit [trav][lockstep]
+  OLD [[which_q <= index[3 +: PartW];]]
+  NEW [[which_q <= '0 & index[3 +: PartW];]])
+mutant(list_fast_finds_a_hit_too_early FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+  OLD [[.write_data_i(was_found),]]
+  NEW [[.write_data_i(was_found || asked_q),]])
 
 # ---- What a fast cache compares a cycle early, and the request before it changes in that cycle.
 mutant(tags_fast_old_line_is_found FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]

@@ -59,6 +59,8 @@ public:
     }
 
     void watch(const ListLinks& dut) {
+        fetched_.insert(fetched_.end(), asked_.begin(), asked_.end());   // a cycle later, as rc_list asks for
+        asked_.clear();
         if (dut.prim_req.fires()) see_fetch(*dut.prim_req.offer);
         if (dut.tri_req.offer) check_test(*dut.tri_req.offer);
         if (dut.tri_req.fires()) {
@@ -186,7 +188,7 @@ private:
         REQUIRE(walk.more());
         REQUIRE(req.addr == walk.address());
         c.out = true;
-        fetched_.push_back(req.ray);
+        asked_.push_back(req.ray);
         ++triangles_;
     }
 
@@ -226,7 +228,7 @@ private:
     Draw draw_;
     int left_, running_ = 0, triangles_ = 0, stopped_ = 0;
     std::vector<Context> contexts_;
-    std::vector<std::uint32_t> waiting_for_leaves_, fetched_, tested_, ending_;
+    std::vector<std::uint32_t> waiting_for_leaves_, asked_, fetched_, tested_, ending_;
     std::optional<PrimRsp> prim_;
     std::optional<TriRsp> tri_;
     std::optional<Done> done_;
