@@ -18,6 +18,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
       tried_(std::max(0, Stages(config).tried - 1), config.contexts),
+      tri_rests_(std::uint32_t(config.tri_interval - 1)),
       late_(Stages(config).arrive > 0),
       surf_cache_(surf_cache_shape(config)),
       shade_(config),

@@ -103,6 +103,8 @@ const std::vector<Parameter>& parameters() {
         {"raygen_queue", &Config::raygen_queue, 2, 256, true, "answers raygen may hold"},
         {"box_queue", &Config::box_queue, 2, 256, true, "answers box may hold"},
         {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
+        {"tri_interval", &Config::tri_interval, 1, 4, true,
+         "cycles from a primitive that tri takes to the next; more share multipliers"},
         {"pipelines", &Config::pipelines, 1, 8, true, "P: pipelines"},
         {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
         {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},

@@ -73,6 +73,7 @@ struct Config {
     int raygen_queue = 16;   ///< answers raygen may hold, a power of two
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
+    int tri_interval = 1;    ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
     int pipelines = 1;       ///< P: pipelines of one machine
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row

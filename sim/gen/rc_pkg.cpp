@@ -226,6 +226,9 @@ void derived(Package& p, const Config& c) {
     p.constant("PlaneStages", stages.plane);
     p.constant("ExitStages", stages.exits);
     p.constant("QuotientBits", stages.quotient_bits);
+    p.constant("CrossShare", stages.cross_share);
+    p.constant("DotShare", stages.dot_share);
+    p.constant("PairShare", stages.pair_share);
     p.constant("EdgesStages", stages.edges);
     p.constant("ShearStages", stages.shear);
     p.constant("HitdivStages", stages.hit_divide);
