@@ -95,7 +95,7 @@ std::string camel(std::string_view name) {
 
 /// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
 bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits", "structure",   "straddlers",  "leaf_size",
+    constexpr std::array others{"origin_bits", "straddlers",  "leaf_size",
                                 "dram",        "mem_latency", "mem_interval"};
     return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
 }
@@ -106,8 +106,9 @@ public:
 
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
-            if (is_for_rtl(p.key)) constant(camel(p.key), config_.*p.member);
-        constant("Structure", int(config_.engine()));
+            if (is_for_rtl(p.key))
+                constant(camel(p.key),
+                         p.member == &Config::structure ? int(config_.engine()) : config_.*p.member);
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);
