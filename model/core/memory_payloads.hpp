@@ -34,7 +34,7 @@ struct NodeRsp {
     Treelet treelet;   ///< takes the place of node in a kd-tree
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
-        if (c.is_kd())
+        if (c.has_treelets())
             treelet.fields(v, c);
         else
             node.fields(v, c);
