@@ -188,7 +188,7 @@ ordered_json divergence_json(const std::optional<Divergence>& d) {
         {"channel", d->link},    {"ray", d->ray},
         {"pixel", {d->x, d->y}}, {"expected", d->expected},
         {"got", d->got},         {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)},
-        {"wave", nullptr}};
+        {"wave", d->wave.empty() ? ordered_json(nullptr) : ordered_json(d->wave)}};
 }
 
 ordered_json counter_json(const std::optional<CounterDifference>& c) {

@@ -53,8 +53,8 @@ void take(BuildLock& lock, Report& report) {
 }
 
 /// Entries are told apart by what goes in, and by the tools.
-std::string entry_begin(const Config& config, const std::string& module) {
-    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module)));
+std::string entry_begin(const Config& config, const std::string& module, Waves waves) {
+    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module, waves)));
 }
 
 std::string made_by() {
@@ -77,10 +77,10 @@ std::string lint_rtl(const Config& config, const std::string& module) {
     return lint_library(folder.path(), config, module);
 }
 
-RtlBuild build_rtl(const Config& config, const std::string& module) {
+RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves) {
     check_rtl(config);
     open_cache();
-    const std::string begin = entry_begin(config, module);
+    const std::string begin = entry_begin(config, module, waves);
     if (!rtl_tools().problem.empty()) {
         const fs::path entry = whole_entry(begin);
         if (entry.empty()) throw UserError(rtl_tools().problem);
@@ -89,13 +89,14 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
     const fs::path entry = rtl_cache() / fmt::format("{}{:016x}", begin, hash_of(made_by()));
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
-    Report report(fmt::format("{} of '{}'", module == "rc_chip" ? "the RTL" : module, config.name));
+    Report report(fmt::format("{} of '{}'{}", module == "rc_chip" ? "the RTL" : module, config.name,
+                              waves == Waves::yes ? " for waveforms" : ""));
     BuildLock lock(entry);
     take(lock, report);
     if (is_whole(entry)) return {library_of(entry), true, 0};   // somebody else has just built it
     clear_place(entry);
     WorkFolder work(entry);
-    make_library(work.path(), config, module,
+    make_library(work.path(), config, module, waves,
                  [&](const char* stage, std::optional<double> left) { report.tell(stage, left); });
     seal(work.path(), made_by());
     work.publish(entry);

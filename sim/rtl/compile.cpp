@@ -26,7 +26,7 @@ namespace rayclock {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-extern const char* const abi_text;   // sim/rtl/abi.hpp
+extern const char *const abi_text, *const wave_abi_text;   // sim/rtl/abi.hpp, wave_abi.hpp
 
 namespace {
 
@@ -34,6 +34,10 @@ namespace {
 const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
                             "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
 const Words compiler_flags{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
+// The widest payloads and a little beyond; memories are left out. What writes signals is as large as the chip
+// itself, runs for a thousand cycles only, and is therefore not optimised.
+const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
+const Words wave_compiler_flags{"-O0"};
 constexpr std::size_t parts = 2;                      // compiled at the same time
 constexpr std::uintmax_t support_bytes = 1'100'000;   // Verilator's own sources take as long as so much of
                                                       // what it makes
@@ -90,11 +94,12 @@ Words stage_sources(const fs::path& folder, const Config& config) {
     return files;
 }
 
-void verilate(const fs::path& folder, const Config& config, const std::string& module,
+void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
               const std::function<void()>& meanwhile) {
     const Words files = stage_sources(folder, config);
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
     const Words words = Words{"verilator"} + verilator_flags +
+                        (waves == Waves::yes ? wave_verilator_flags : Words{}) +
                         Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
     const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
     run(folder, {{words, "verilator.log"}}, what, meanwhile);
@@ -104,12 +109,21 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
 }
 
 /// Sources that include what Verilator has made, as many as are compiled at a time, and about as long each.
-void write_parts(const fs::path& folder, const Config& config, const std::string& module) {
+/// What writes waveforms comes in a part of its own.
+void write_parts(const fs::path& folder, const Config& config, const std::string& module, Waves waves) {
     std::vector<std::pair<std::uintmax_t, std::string>> made;
-    for (const auto& entry : fs::directory_iterator(folder / "obj"))
-        if (entry.path().extension() == ".cpp") made.emplace_back(entry.file_size(), entry.path().filename());
+    std::string wave_part;
+    for (const auto& entry : fs::directory_iterator(folder / "obj")) {
+        const std::string file = entry.path().filename();
+        if (entry.path().extension() != ".cpp") continue;
+        if (file.find("__Trace") == std::string::npos)
+            made.emplace_back(entry.file_size(), file);
+        else
+            wave_part += fmt::format("#include \"{}\"\n", file);
+    }
     std::sort(made.rbegin(), made.rend());   // large ones first
     std::array<std::string, parts> texts{adapter_source(module, config)};
+    if (waves == Waves::yes) texts[0] += wave_source();
     std::array<std::uintmax_t, parts> sizes{support_bytes};
     for (const auto& [size, file] : made) {
         const std::size_t part = std::size_t(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
@@ -120,20 +134,29 @@ void write_parts(const fs::path& folder, const Config& config, const std::string
         texts[0] += fmt::format("#include \"{}.cpp\"\n", part);
     for (std::size_t i = 0; i < parts; ++i) write_text(folder / fmt::format("part{}.cpp", i), texts[i]);
     write_text(folder / "abi.hpp", abi_text);
+    if (waves == Waves::no) return;
+    write_text(folder / "wave.cpp", "#include \"verilated_fst_c.cpp\"\n" + wave_part);
+    write_text(folder / "wave_abi.hpp", wave_abi_text);
 }
 
-void compile(const fs::path& folder, const std::string& module, const std::function<void()>& meanwhile) {
+void compile(const fs::path& folder, const std::string& module, Waves waves,
+             const std::function<void()>& meanwhile) {
     const std::string include = rtl_tools().verilator_root + "/include",
                       what = "the C++ compiler on the verilated " + module;
     const Words common = Words{"c++"} + compiler_flags +
                          Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
+    const bool writes_waves = waves == Waves::yes;
     std::vector<Job> jobs;
     Words link = Words{"c++", "-shared"};
-    for (std::size_t i = 0; i < parts; ++i) {
-        const std::string object = fmt::format("part{}.o", i);
-        jobs.push_back(
-            {common + Words{fmt::format("part{}.cpp", i), "-o", object}, fmt::format("compiler{}.log", i)});
-        link.push_back(object);
+    const auto add = [&](const std::string& part, const Words& flags) {
+        jobs.push_back({common + flags + Words{part + ".cpp", "-o", part + ".o"}, part + ".log"});
+        link.push_back(part + ".o");
+    };
+    const Words tracing = writes_waves ? Words{"-DVM_TRACE=1", "-DVM_TRACE_FST=1"} : Words{};
+    for (std::size_t i = 0; i < parts; ++i) add(fmt::format("part{}", i), tracing);
+    if (writes_waves) {
+        add("wave", tracing + wave_compiler_flags);
+        link.push_back("-lz");
     }
     run(folder, jobs, what, meanwhile);
     // Clang calls a function of that library where GCC has an instruction.
@@ -151,25 +174,29 @@ void tidy(const fs::path& folder) {
 
 }   // namespace
 
-std::string ingredients(const Config& config, const std::string& module) {
+std::string ingredients(const Config& config, const std::string& module, Waves waves) {
     std::string all =
         rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
     for (const Words& flags : {verilator_flags, compiler_flags})
         for (const std::string& flag : flags) all += " " + flag;
     for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
+    if (waves == Waves::no) return all;
+    all += wave_source() + wave_abi_text;
+    for (const Words& flags : {wave_verilator_flags, wave_compiler_flags})
+        for (const std::string& flag : flags) all += " " + flag;
     return all;
 }
 
-void make_library(const fs::path& folder, const Config& config, const std::string& module,
+void make_library(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
                   const Working& working) {
     // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions.md).
     constexpr double compiler_share = 6;
     const Stopwatch verilating;
-    verilate(folder, config, module, [&] { working("Verilator", {}); });
+    verilate(folder, config, module, waves, [&] { working("Verilator", {}); });
     const double expected = verilating.seconds() * compiler_share;
-    write_parts(folder, config, module);
+    write_parts(folder, config, module, waves);
     const Stopwatch compiling;
-    compile(folder, module,
+    compile(folder, module, waves,
             [&] { working("the C++ compiler", std::max(0.0, expected - compiling.seconds())); });
     tidy(folder);
 }

@@ -9,9 +9,13 @@
 
 namespace rayclock {
 
+/// Whether a library can write waveforms of its signals (sim/rtl/wave_abi.hpp). It is slower then, and takes
+/// longer to build.
+enum class Waves : bool { no, yes };
+
 /// Everything that goes into a library beside the tools, as one text: whatever changes it changes the
 /// library.
-std::string ingredients(const Config& config, const std::string& module);
+std::string ingredients(const Config& config, const std::string& module, Waves waves);
 
 /// Called again and again while a tool works: its name, and about how many seconds all is done in, once that
 /// can be guessed.
@@ -19,7 +23,7 @@ using Working = std::function<void(const char* stage, std::optional<double> left
 
 /// Makes module.so in an empty folder, which then holds nothing else. Throws as build_rtl() does.
 void make_library(const std::filesystem::path& folder, const Config& config, const std::string& module,
-                  const Working& working);
+                  Waves waves, const Working& working);
 
 /// Verilator's opinion of the module, made in an empty folder.
 std::string lint_library(const std::filesystem::path& folder, const Config& config,
