@@ -50,3 +50,6 @@ mutant(waveform_digits_are_reversed FILE sim/wave/fst_writer.cpp TEST observe "b
 mutant(gtkw_marks_the_left_edge FILE sim/wave/gtkw.cpp TEST observe "a save file*"
   OLD [[cycles_zoom, gtkw.marker,]]
   NEW [[cycles_zoom, gtkw.first,]])
+mutant(fst_timeline_lets_a_ray_stay FILE sim/timeline/fst.cpp TEST observe "GTKWave's reader*"
+  OLD [[{s.pixel, s.ray, s.place}) ends]]
+  NEW [[{s.pixel, s.ray}) ends]])
