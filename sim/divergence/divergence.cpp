@@ -52,7 +52,7 @@ DivergenceFiles show_divergence(const Diverged& d, const std::string& folder, co
     DivergenceFiles files{path(wave_name), path(view_name), path(page_name), note_of(d.first, seen)};
     write_bytes(files.wave, waveform(seen, config, rtl_wave));
     write_bytes(files.view, waveform_view(seen, config, d.first, rtl_wave, wave_name));
-    write_bytes(files.page, divergence_page(d, seen, source_of(d.first), files));
+    write_bytes(files.page, divergence_page(d, seen, source_of(d.first), files, rtl_wave));
     return files;
 }
 

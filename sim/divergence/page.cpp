@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/divergence/fields.hpp"
+#include "sim/divergence/waveform.hpp"
 #include "sim/observe/replay.hpp"
 #include "sim/observe/story.hpp"
 #include "sim/report_page/html.hpp"
@@ -129,6 +130,36 @@ std::string story(const Diverged& d) {
     return text + html::table("", {"kind", "what it did", "cycle", "ray"}, rows, 2);
 }
 
+/// The unit's signals in the cycles around the divergence.
+std::string signal_table(const Divergence& f, const Capture& capture, const std::string& rtl_wave) {
+    constexpr std::uint64_t before = 8, after = 3;
+    constexpr std::size_t longest = 24;
+    const std::uint64_t first = std::max(capture.first, f.cycle - std::min(f.cycle, before)),
+                        last = std::min(capture.first + capture.cycles.size(), f.cycle + after);
+    const std::string unit = f.unit.substr(0, f.unit.find('['));
+    const std::vector<UnitSignal> signals = unit_signals(rtl_wave, unit, f.pipeline, first, last);
+    if (signals.empty()) return {};
+    std::string text = fmt::format(
+        "<h2>Signals of the RTL's {}</h2>\n<p class=\"quiet\">Those that change in these "
+        "cycles, in hexadecimal; long ones are cut at the left.</p>\n<div class=\"wide\">"
+        "<table><thead><tr><th class=\"word\">cycle</th>",
+        escaped(unit));
+    for (std::uint64_t c = first; c < last; ++c)
+        text += fmt::format("<th{}>{}</th>", c == f.cycle ? " class=\"here\"" : "", c);
+    text += "</tr></thead><tbody>\n";
+    for (const UnitSignal& signal : signals) {
+        text += "<tr><th>" + escaped(signal.name) + "</th>";
+        for (std::uint64_t c = first; c < last; ++c) {
+            const std::string& value = signal.values[c - first];
+            const bool cut = value.size() > longest;
+            text += fmt::format("<td{}>{}{}</td>", c == f.cycle ? " class=\"here\"" : "", cut ? "…" : "",
+                                cut ? value.substr(value.size() - longest) : value);
+        }
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table></div>\n";
+}
+
 std::string name_of(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }   // namespace
@@ -143,7 +174,7 @@ std::string verdict_of(const Divergence& d) {
 }
 
 std::string divergence_page(const Diverged& d, const Capture& capture, const SourceLine& source,
-                            const DivergenceFiles& files) {
+                            const DivergenceFiles& files, const std::string& rtl_wave) {
     const Divergence& f = d.first;
     std::string text = head;
     text += fmt::format("<h1>First divergence: cycle {}, unit {}, link {}</h1>\n<p>{}</p>\n", f.cycle,
@@ -162,6 +193,7 @@ std::string divergence_page(const Diverged& d, const Capture& capture, const Sou
         text += "<h2>The link on both machines</h2>\n" + LinkTable(d, capture).text(d.job.config);
     if (f.on && link_infos[index(*f.on)].carries_ray)
         text += "<h2>What the pixel's rays did until then</h2>\n" + story(d);
+    if (f.on && !capture.cycles.empty()) text += signal_table(f, capture, rtl_wave);
     return text + "<p class=\"quiet\"><code>" + escaped(d.command) + "</code></p>\n</body></html>\n";
 }
 

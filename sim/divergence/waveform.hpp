@@ -14,4 +14,13 @@ std::string waveform(const Capture& capture, const Config& config, const std::st
 std::string waveform_view(const Capture& capture, const Config& config, const Divergence& divergence,
                           const std::string& rtl_wave, const std::string& file_name);
 
+/// A signal of a unit or of an instance inside it, "u_stack.visit_slot_o", in some cycles, in hexadecimal.
+struct UnitSignal {
+    std::string name;
+    std::vector<std::string> values;   ///< [cycle - first]
+};
+/// Those that change in the cycles from `first` to before `last`.
+std::vector<UnitSignal> unit_signals(const std::string& rtl_wave, const std::string& unit, int pipeline,
+                                     std::uint64_t first, std::uint64_t last);
+
 }   // namespace rayclock

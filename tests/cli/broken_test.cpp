@@ -66,9 +66,10 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
     CHECK(shown > 50);
 
     const std::string page = bytes_of(out + "divergence.html");
-    for (const std::string& part : {std::string("with another payload"), std::string("rtl/isect/rc_tri.sv:"),
-                                    std::string("assign rsp_o = "), std::string(d["expected"]),
-                                    std::string(d["got"]), std::string("prim_req from list to prim_cache")})
+    for (const std::string& part :
+         {std::string("with another payload"), std::string("rtl/isect/rc_tri.sv:"),
+          std::string("assign rsp_o = "), std::string(d["expected"]), std::string(d["got"]),
+          std::string("prim_req from list to prim_cache"), std::string("<th>rsp_valid_o</th>")})
         CHECK(page.find(part) != std::string::npos);
 }
 
