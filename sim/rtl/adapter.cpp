@@ -206,6 +206,37 @@ extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
                        module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset");
 }
 
+std::string wave_source() {
+    return R"(#include <map>
+#include <memory>
+#include "verilated_fst_c.h"
+#include "wave_abi.hpp"
+namespace {
+std::map<void*, std::unique_ptr<VerilatedFstC>>& waves() {
+    static std::map<void*, std::unique_ptr<VerilatedFstC>> all;
+    return all;
+}
+void begin_wave(void* handle, const char* path) {
+    enter(handle);
+    auto& wave = waves()[handle];
+    wave = std::make_unique<VerilatedFstC>();
+    of(handle).context.traceEverOn(true);
+    of(handle).top.trace(wave.get(), 99);
+    wave->open(path);
+}
+void dump_wave(void* handle, unsigned long long time) {
+    enter(handle);
+    waves().at(handle)->dump(static_cast<uint64_t>(time));
+}
+void end_wave(void* handle) {
+    enter(handle);
+    waves().erase(handle);
+}
+}
+extern "C" const RcWave rc_wave{begin_wave, dump_wave, end_wave};
+)";
+}
+
 std::string adapter_vlt(const std::string& module, const Config& config) {
     std::set<std::string> lines;
     for (const PortSpec& p : ports_of(module, config))

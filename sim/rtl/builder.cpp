@@ -53,8 +53,8 @@ void take(BuildLock& lock, Report& report) {
 }
 
 /// Entries are told apart by what goes in, and by the tools.
-std::string entry_begin(const Config& config, const std::string& module) {
-    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module)));
+std::string entry_begin(const Config& config, const std::string& module, Waves waves) {
+    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module, waves)));
 }
 
 std::string made_by() {
@@ -91,10 +91,10 @@ std::string lint_rtl(const Config& config, const std::string& module) {
     return lint_library(folder.path(), config, module);
 }
 
-RtlBuild build_rtl(const Config& config, const std::string& module) {
+RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves) {
     check_rtl(config);
     open_cache();
-    const std::string begin = entry_begin(config, module);
+    const std::string begin = entry_begin(config, module, waves);
     if (!rtl_tools().problem.empty()) {
         const fs::path entry = whole_entry(begin);
         if (entry.empty()) throw UserError(rtl_tools().problem);
@@ -106,12 +106,13 @@ RtlBuild build_rtl(const Config& config, const std::string& module) {
                                                        hash_of(support_ingredients()), tools);
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
-    Report report(fmt::format("{} of '{}'", module == "rc_chip" ? "the RTL" : module, config.name));
+    Report report(fmt::format("{} of '{}'{}", module == "rc_chip" ? "the RTL" : module, config.name,
+                              waves == Waves::yes ? " for waveforms" : ""));
     const auto tell = [&](const char* stage, std::optional<double> left) { report.tell(stage, left); };
     // One after the other: a build that is killed leaves no folder that no tool of its own is at work in.
     provide(support, report, [&](const fs::path& folder) { make_support(folder, tell); });
     const bool made = provide(entry, report, [&](const fs::path& folder) {
-        make_library(folder, config, module, library_of(support), tell);
+        make_library(folder, config, module, waves, library_of(support), tell);
     });
     return {library_of(entry), !made, made ? report.seconds() : 0};
 }
