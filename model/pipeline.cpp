@@ -6,7 +6,7 @@ namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : shading_(config.shading != 0),
-      kd_(config.is_kd()),
+      kd_(config.has_treelets()),
       lists_(config.is_list()),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),

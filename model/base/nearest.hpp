@@ -26,22 +26,27 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// "; did you mean 'x'?" for the nearest known word, or nothing if none is near. Nobody mistypes a word of
-/// more than 40 letters for another, and comparing those would take a time that grows with the square of
-/// their length.
+/// "; did you mean 'x'?" for the nearest known word. If none is near, and there are no more than a sentence
+/// can hold, all of them: "; there are 'x', 'y'". Nobody mistypes a word of more than 40 letters for another,
+/// and comparing those would take a time that grows with the square of their length.
 template <class Words> std::string did_you_mean(std::string_view word, const Words& known) {
     constexpr std::size_t longest = 40;
-    if (word.size() > longest) return {};
     std::string best;
     std::size_t distance = std::max<std::size_t>(2, word.size() / 2) + 1;
     for (const std::string_view candidate : known) {
-        if (candidate.size() > longest) continue;
+        if (word.size() > longest || candidate.size() > longest) continue;
         if (const std::size_t d = edit_distance(word, candidate); d < distance) {
             distance = d;
             best = candidate;
         }
     }
-    return best.empty() ? std::string{} : "; did you mean " + shown(best) + "?";
+    if (!best.empty()) return "; did you mean " + shown(best) + "?";
+    constexpr std::size_t most_listed = 10;
+    std::string all;
+    if (std::size(known) <= most_listed)
+        for (const std::string_view candidate : known)
+            all += (all.empty() ? "; there are " : ", ") + shown(candidate);
+    return all;
 }
 
 /// The item that has this name. If there is none, throws UserError: `none` ("no test"), "is called", the

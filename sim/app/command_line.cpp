@@ -37,7 +37,7 @@ std::string command_line() { return joined(typed); }
 
 std::string explain_line(int khz) {
     // Of simulate, and not of explain; each takes a value.
-    constexpr std::array others{"--clock", "--engine", "--json", "--report"};
+    constexpr std::array others{"--clock", "--engine", "--json", "--report", "-o", "--output"};
     std::vector<std::string> words{"explain"};
     for (std::size_t i = 1; i < typed.size(); ++i) {
         const std::string name = typed[i].substr(0, typed[i].find('='));

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +10,7 @@
 #include "model/base/nearest.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/manual.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"
 
@@ -22,15 +24,21 @@ struct Added {
     CLI::App* parsed;
 };
 
-std::vector<Added> add_commands(CLI::App& app) {
-    std::vector<Added> all;
+std::vector<Command> all_commands() {
+    std::vector<Command> all;
     for (Command (*make)() :
          {scenes_command,   render_command,    simulate_command, verify_command, explain_command,
           trace_command,    compare_command,   stress_command,   sweep_command,  fit_command,
-          tradeoff_command, yardstick_command, figures_command,  counts_command, area_command,
-          chip_command,     bench_command,     export_command,   config_command, rtl_command,
-          doctor_command}) {
-        Command command = make();
+          tradeoff_command, yardstick_command, figures_command,  counts_command, structures_command,
+          area_command,     chip_command,      bench_command,    export_command, config_command,
+          rtl_command,      doctor_command})
+        all.push_back(make());
+    return all;
+}
+
+std::vector<Added> add_commands(CLI::App& app) {
+    std::vector<Added> all;
+    for (Command& command : all_commands()) {
         CLI::App* const sub = app.add_subcommand(command.name, command.what);
         sub->footer(std::string("Example: ") + command.example);
         sub->preparse_callback([sub, declare = command.declare](std::size_t) {   // the other commands'
@@ -52,6 +60,7 @@ constexpr const char* help_footer =
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
     "  RAYCLOCK_VEGA   folder with Vega's modules for simulate --report; otherwise that of Debian's "
     "libjs-vega\n"
+    "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete\n"
     "Start with: rayclock verify gears:4 -o out";
 
 /// One sentence on standard error, and the exit code. What people wrote is in it: printable, and not without
@@ -87,12 +96,22 @@ std::string usage_error(const CLI::ParseError& error, const std::vector<Added>& 
     return text + " ('rayclock " + (used ? used->get_name() + " " : "") + "--help' tells more)";
 }
 
+int print_manual(const char* form) {
+    try {
+        write_output(manual(form, all_commands(), help_footer));
+        return 0;
+    } catch (const UserError& error) {
+        return complain(error.what(), 2);
+    }
+}
+
 /// Runs what was asked for; the exit code.
 int run(int argc, char** argv) {
     CLI::App app{"rayclock: a cycle-level simulator of a hardware ray tracer"};
     app.footer(help_footer);
     app.require_subcommand(1);
     app.set_version_flag("--version", RAYCLOCK_VERSION);
+    if (argc == 3 && std::string_view(argv[1]) == "--print") return print_manual(argv[2]);
     const std::vector<Added> commands = add_commands(app);
     try {
         app.parse(argc, argv);

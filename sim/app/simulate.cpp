@@ -15,6 +15,7 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/compared.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/picture_folder.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/files/output.hpp"
 #include "sim/observe/replay.hpp"
@@ -37,7 +38,7 @@ struct Options {
     TrafficOptions traffic;
     bool no_reference = false, no_judge = false;
     int threads = 0;
-    std::string report;
+    std::string report, output;
     JsonOutput json;
 };
 
@@ -56,6 +57,8 @@ void declare(Parser& parser, Options& o) {
     traffic_options(parser, o.traffic);
     parser.option("--report", o.report,
                   "the run as one HTML file: pictures, heat maps, charts, tables, all figures as data");
+    parser.option("-o,--output", o.output,
+                  "folder for the picture, the reference's picture, and where and why they differ");
     json_option(parser, o.json);
 }
 
@@ -239,13 +242,34 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, co
     return costs;
 }
 
+/// The last frame's picture, which a comparison has as well.
+Picture picture_of(const Work& work, const Simulated& s) {
+    if (s.compared) return s.compared->picture;
+    return work.request.finished
+               ? picture_of(work.size, s.colours())
+               : shade(work.request.scene, scaled(work.job, s.traces.back().frame, s.answers()));
+}
+
+/// What was drawn anyway; the names of the files.
+std::string write_pictures(const Options& o, const Work& work, const Simulated& s) {
+    const Picture picture = picture_of(work, s);
+    const HitFrame hits =
+        s.compared ? s.compared->hits : scaled(work.job, s.traces.back().frame, s.answers());
+    std::vector<NamedPicture> all{{"picture.png", picture, hits}};
+    Picture difference;
+    if (s.compared) all.push_back({"reference.png", s.compared->reference, hits});
+    if (s.judgement()) {
+        difference = cause_picture(s.compared->reference, *s.judgement());
+        all.push_back({"difference.png", difference, hits});
+    }
+    write_pictures(o.output, all);
+    return picture_paths(o.output, all);
+}
+
 void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
                   const nlohmann::ordered_json& json) {
     const Request& request = work.request;
-    const Picture picture = s.compared ? s.compared->picture
-                            : request.finished
-                                ? picture_of(work.size, s.colours())
-                                : shade(request.scene, scaled(work.job, s.traces.back().frame, s.answers()));
+    const Picture picture = picture_of(work, s);
     const Picture* reference = s.compared ? &s.compared->reference : nullptr;
     const Judgement* judgement = s.judgement() ? &*s.judgement() : nullptr;
     std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
@@ -265,6 +289,7 @@ int run(const Options& o) {
         throw UserError("--engine: " + shown(o.engine) + " is not model or rtl");
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
+    if (!o.output.empty()) check_picture_folder(o.output, {"picture.png", "reference.png", "difference.png"});
     if (!o.report.empty()) {
         check_writable(o.report);
         check_page_library();
@@ -287,6 +312,10 @@ int run(const Options& o) {
         json["work_by_kind"] = work_by_kind_json(costs);
         write_report(o, work, simulated, costs, json);
         if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
+    }
+    if (!o.output.empty() && !simulated.partial) {
+        const std::string paths = write_pictures(o, work, simulated);
+        if (!o.json.is_alone()) fmt::print("  pictures: {}\n", paths);
     }
     o.json.write(json);
     return simulated.partial ||

@@ -1,4 +1,6 @@
 // rayclock trace: a stretch of a frame's time, for viewers of timelines.
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
@@ -34,7 +36,11 @@ void declare(Parser& parser, Options& o) {
     parser.option("--pixels", o.pixels, "a pixel X,Y, or a rectangle X,Y..X,Y, both corners included");
     parser.option("--rays", o.rays,
                   "only rays for these: camera, shadow, reflection, refraction, with commas");
-    parser.option("-o,--output", o.output, "the file: .kanata for Konata, .pftrace for Perfetto").required();
+    parser
+        .option("-o,--output", o.output,
+                "the file: .kanata for Konata, .pftrace for Perfetto, .fst for GTKWave, which opens the "
+                ".gtkw beside it")
+        .required();
     finished_options(parser, o.finish);
     view_options(parser, o.view);
     size_option(parser, o.size);
@@ -96,6 +102,12 @@ TimelineChoice choice_of(const Options& o, FrameSize size) {
     return choice;
 }
 
+/// A waveform has a save file beside it.
+std::string view_of(const std::string& output) {
+    std::filesystem::path path = output;
+    return path.extension() == ".fst" ? path.replace_extension(".gtkw").string() : "";
+}
+
 int run(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
@@ -103,6 +115,8 @@ int run(const Options& o) {
     const auto writer = timeline_writer(o.output);
     const Traffic traffic = traffic_of(o.traffic);
     check_writable(o.output);
+    const std::string view = view_of(o.output);
+    if (!view.empty()) check_writable(view);
     o.json.check();
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
@@ -121,6 +135,7 @@ int run(const Options& o) {
                                     costs.cycles, shown(o.cycles)));
     timeline.finish();
     write_bytes(o.output, writer(timeline));
+    if (!view.empty()) write_bytes(view, fst_view(timeline, o.output));
     std::size_t stays = 0;
     for (const TimelineRay& ray : timeline.rays) stays += ray.stays.size();
     if (!o.json.is_alone())
@@ -139,7 +154,7 @@ int run(const Options& o) {
 }   // namespace
 
 Command trace_command() {
-    return command("trace", "a stretch of a frame's time, for Konata or Perfetto",
+    return command("trace", "a stretch of a frame's time, for Konata, Perfetto or GTKWave",
                    "rayclock trace gears:8 --cycles 2000:3000 -o gears.pftrace", declare, run);
 }
 

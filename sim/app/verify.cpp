@@ -12,9 +12,12 @@
 #include "model/base/stopwatch.hpp"
 #include "model/reference/reference.hpp"
 #include "model/scene/builtin.hpp"
+#include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/picture_folder.hpp"
 #include "sim/cause/finished.hpp"
+#include "sim/divergence/divergence.hpp"
 #include "sim/image/golden.hpp"
 #include "sim/report/limits.hpp"
 #include "sim/report/lockstep.hpp"
@@ -36,7 +39,7 @@ struct Options {
     TrafficOptions traffic;
     std::optional<std::string> max_other;
     std::optional<double> min_psnr;
-    bool torture = false, no_judge = false;
+    bool torture = false, no_judge = false, no_wave = false;
     int threads = 0;
     JsonOutput json;
 };
@@ -64,6 +67,9 @@ void declare(Parser& parser, Options& o) {
         "is a warning");
     parser.option("-o,--output", o.output,
                   "folder for the pictures of the three engines and their difference");
+    parser.flag("--no-wave", o.no_wave,
+                "make no waveform and page of the first divergence; without this they are written to the "
+                "folder of -o, or to the current one");
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
     json_option(parser, o.json);
@@ -76,17 +82,6 @@ Limits limits_of(const Options& o) {
     if (o.min_psnr) limits.min_psnr = *o.min_psnr;
     limits.fails = o.max_other || o.min_psnr;
     return limits;
-}
-
-/// Fails early if the pictures could not be written later. Makes nothing: the work may still fail.
-void check_folder(const std::string& folder) {
-    std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-        throw UserError(folder + ": is a file, not a folder for pictures");
-    fs::path there = fs::absolute(folder);
-    while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
-    for (const char* name : {"reference.png", "model.png", "rtl.png", "difference.png"})
-        check_writable((there / name).string());
 }
 
 /// The golden picture of the scene is of one size of its own; the model makes that frame for it.
@@ -120,18 +115,6 @@ Pictures draw_reference(const Request& request, const Camera& camera, FrameSize 
     return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
 }
 
-void write_pictures(const std::string& folder, const Pictures& p, const LockstepResult& result,
-                    const std::optional<Judgement>& judgement) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
-    const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
-    write_picture(path("reference.png"), p.reference, p.hits);
-    write_picture(path("model.png"), p.model, result.model.hits);
-    write_picture(path("rtl.png"), p.rtl, result.rtl.hits);
-    if (judgement) write_picture(path("difference.png"), cause_picture(p.reference, *judgement), p.hits);
-}
-
 /// What is verified: the last frame along a path of the camera.
 struct Work {
     const Request& request;
@@ -147,8 +130,16 @@ struct Verified {
     Pictures pictures;
     FrameError model, rtl;   ///< beside the reference
     std::optional<Judgement> judgement;
+    Picture difference;   ///< of the judgement
     GoldenResult golden;
 
+    std::vector<NamedPicture> named_pictures() const {
+        std::vector<NamedPicture> all{{"reference.png", pictures.reference, pictures.hits},
+                                      {"model.png", pictures.model, result.model.hits},
+                                      {"rtl.png", pictures.rtl, result.rtl.hits}};
+        if (judgement) all.push_back({"difference.png", difference, pictures.hits});
+        return all;
+    }
     bool partial() const { return result.model.partial; }
     /// If the RTL is the model, what is said of one holds for both.
     const FrameRun& judged() const { return result.agrees() ? result.model : result.rtl; }
@@ -170,6 +161,24 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
     v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed));
     v.pictures = reference.get();
     return v;
+}
+
+/// Machines that do not agree are run again for a waveform. What goes wrong there is no reason to say nothing
+/// of the divergence.
+std::string show_first_divergence(const Options& o, const Work& work, Traffic traffic, Verified& v,
+                                  const Progress& progress) {
+    if (!v.result.first || o.no_wave || interrupted()) return {};
+    try {
+        const DivergenceFiles files =
+            show_divergence({work.job, v.traces, traffic, int(o.traffic.seed), *v.result.first,
+                             work.request.scene.name, command_line()},
+                            o.output.empty() ? "." : o.output, progress);
+        v.result.first->wave = files.wave;
+        return fmt::format("    waveform: gtkwave {}\n    page: {}\n{}", printable(files.view),
+                           printable(files.page), files.note.empty() ? "" : "    " + files.note + "\n");
+    } catch (const std::exception& error) {
+        return fmt::format("    no waveform: {}\n", printable(error.what()));
+    }
 }
 
 Picture drawn(const Work& work, const FrameRun& made) {
@@ -194,16 +203,17 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
         v.judgement =
             judge_finished(asked, work.job.image, work.request.settings,
                            {p.finished, drawn(work, judged), given}, judged.hits, o.threads, progress);
+    if (v.judgement) v.difference = cause_picture(p.reference, *v.judgement);
     if (!work.request.finished && !o.view.is_asked())
         v.golden = golden_result(o.scene, scene, work.request.config);
 }
 
-void print(const Options& o, const Work& work, const Verified& v) {
+void print(const Options& o, const Work& work, const Verified& v, const std::string& wave_lines) {
     const Config& config = work.request.config;
     const ClockRun run{work.job.khz, {v.result.model}};
     fmt::print("{}\n{}\n{}\n{}\n", heading(work.request.scene, work.size, work.job),
                clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
-    fmt::print("{}", lockstep_lines(v.result));
+    fmt::print("{}{}", lockstep_lines(v.result), wave_lines);
     fmt::print("{}", error_line("model against reference", v.model));
     if (!v.result.agrees()) fmt::print("{}", error_line("RTL against reference", v.rtl));
     if (v.judgement) fmt::print("{}", cause_lines(*v.judgement));
@@ -212,9 +222,7 @@ void print(const Options& o, const Work& work, const Verified& v) {
             "  golden picture: {}, {}\n",
             std::isfinite(v.golden.psnr_db) ? fmt::format("PSNR {:.1f} dB", v.golden.psnr_db) : "equal",
             v.golden.within ? "within bounds" : "OUT OF BOUNDS");
-    if (!o.output.empty())
-        fmt::print("  pictures: {0}/reference.png {0}/model.png {0}/rtl.png {0}/difference.png\n",
-                   printable(o.output));
+    if (!o.output.empty()) fmt::print("  pictures: {}\n", picture_paths(o.output, v.named_pictures()));
 }
 
 nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits& limits, double seconds) {
@@ -262,20 +270,23 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
     check_rtl(request.config);
-    if (!o.output.empty()) check_folder(o.output);
+    if (!o.output.empty())
+        check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
+    if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     Work work{request, size, path,
               make_job(request.scene, path[0], size, request.config, progress, request.settings)};
     work.job.khz = clocks[0];
     Verified verified = run_machines(o, work, traffic, progress);
+    const std::string wave_lines = show_first_divergence(o, work, traffic, verified, progress);
     compare(verified, o, work, progress);
-    if (!o.output.empty()) write_pictures(o.output, verified.pictures, verified.result, verified.judgement);
+    if (!o.output.empty()) write_pictures(o.output, verified.named_pictures());
     const double seconds = watch.seconds();
 
     const std::string beyond = verified.partial() ? "" : beyond_limits(limits, verified.error());
     const bool good = (beyond.empty() || !limits.fails) && verified.is_good(request.config);
     if (!o.json.is_alone()) {
-        print(o, work, verified);
+        print(o, work, verified, wave_lines);
         const char* const praise = beyond.empty() ? "VERIFIED" : "VERIFIED, but far from the reference";
         fmt::print("{}  {} in {:.1f} s\n", beyond,
                    good                 ? praise

@@ -94,8 +94,11 @@ public:
 
     LockstepResult run(const Progress& progress) {
         const Stopwatch watch;
-        for (const FrameTrace& frame : frames_) {
-            run_frame(frame, progress);
+        for (std::size_t f = 0; f < frames_.size(); ++f) {
+            const bool agreed = !result_.first;
+            const std::uint64_t begins = model_.cycle();
+            run_frame(frames_[f], progress);
+            if (agreed && result_.first) result_.first->frame = f, result_.first->frame_begins = begins;
             if (parted_ || interrupted()) break;
         }
         for (FrameRun* run : {&result_.model, &result_.rtl}) run->seconds = watch.seconds();
@@ -155,7 +158,7 @@ private:
         ++result_.value_mismatches;
         if (result_.first) return;
         const RtlMachine::Nonsense& n = *rtl_.nonsense();
-        result_.first = at(rtl_.cycle(), n.pipeline, n.link, last_ray_[index(n.link)]);
+        result_.first = at(n.cycle, n.pipeline, n.link, last_ray_[index(n.link)]);
         result_.first->expected = "a value in range";
         result_.first->got = n.what;
     }
@@ -285,7 +288,9 @@ private:
                 pixel.y,
                 "",
                 "",
-                ""};
+                "",
+                pipeline,
+                c};
     }
 
     std::string unit_name(const char* unit, int pipeline, Link c) const {

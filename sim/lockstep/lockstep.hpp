@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "model/core/links.hpp"
 #include "sim/engine/engine.hpp"
 
 namespace rayclock {
@@ -17,6 +18,11 @@ struct Divergence {
     std::string expected;   ///< what the model did: differing fields, or whether it moved anything
     std::string got;        ///< what the RTL did
     std::string later;      ///< of a transfer that only one of them made: when the other did; empty otherwise
+    int pipeline = 0;
+    std::optional<Link> on{};         ///< the link; nothing if an assertion of the RTL failed
+    std::size_t frame = 0;            ///< its number
+    std::uint64_t frame_begins = 0;   ///< cycle of the machine
+    std::string wave{};               ///< file of the waveform, if there is one
 };
 
 /// The first counter, in the order of the units, that differs at the end of a frame.

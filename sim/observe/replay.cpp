@@ -36,7 +36,7 @@ FrameCosts observe_frame(Machine& machine, const Frame& frame, const Trace& trac
 
 }   // namespace
 
-FrameCosts observe(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic,
+FrameCosts observe(const Config& config, int khz, std::span<const FrameTrace> frames, Traffic traffic,
                    std::uint64_t window, EventSink* sink, const Progress& progress) {
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);

@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "sim/engine/engine.hpp"
 #include "sim/observe/costs.hpp"
 #include "sim/observe/events.hpp"
@@ -8,7 +10,7 @@ namespace rayclock {
 /// Replays frames on one machine as replay() does, and watches the last one: its cycles are the same.
 /// `window` cycles are a window, 0: none are wanted; `sink` may be null. Partial when interrupted(), or
 /// when the sink is done before the frame.
-FrameCosts observe(const Config& config, int khz, const std::vector<FrameTrace>& frames, Traffic traffic,
+FrameCosts observe(const Config& config, int khz, std::span<const FrameTrace> frames, Traffic traffic,
                    std::uint64_t window, EventSink* sink, const Progress& progress = {});
 
 /// One pixel of a recorded frame alone on the chip, a second time, when its lines lie in the caches as far as

@@ -183,12 +183,15 @@ ordered_json judge_json(const std::optional<Judgement>& j) {
 
 ordered_json divergence_json(const std::optional<Divergence>& d) {
     if (!d) return nullptr;
-    return {
-        {"cycle", d->cycle},     {"unit", d->unit},
-        {"channel", d->link},    {"ray", d->ray},
-        {"pixel", {d->x, d->y}}, {"expected", d->expected},
-        {"got", d->got},         {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)},
-        {"wave", nullptr}};
+    return {{"cycle", d->cycle},
+            {"unit", d->unit},
+            {"channel", d->link},
+            {"ray", d->ray},
+            {"pixel", {d->x, d->y}},
+            {"expected", d->expected},
+            {"got", d->got},
+            {"later", d->later.empty() ? ordered_json(nullptr) : ordered_json(d->later)},
+            {"wave", d->wave.empty() ? ordered_json(nullptr) : ordered_json(d->wave)}};
 }
 
 ordered_json counter_json(const std::optional<CounterDifference>& c) {

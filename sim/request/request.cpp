@@ -8,6 +8,7 @@
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/load/load.hpp"
+#include "sim/request/idle.hpp"
 
 namespace rayclock {
 
@@ -67,10 +68,13 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     look(r.scene, size, view);
     if (finish.fresnel)
         for (Material& m : r.scene.materials) m.schlick = true;
-    if (!r.finished || r.config.shading || by_hand) return r;
-    // The units that the scene needs; what was set by hand is set again.
-    const Config fitted = fitted_config(r.scene, r.settings, r.config);
-    r.config = with_settings(fitted, config.set, fitted.name);
+    if (r.finished && !r.config.shading && !by_hand) {
+        // The units that the scene needs; what was set by hand is set again.
+        const Config fitted = fitted_config(r.scene, r.settings, r.config);
+        r.config = with_settings(fitted, config.set, fitted.name);
+    }
+    for (const std::string& sentence : idle_settings(r.config, config.set))
+        std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
     return r;
 }
 

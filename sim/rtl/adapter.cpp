@@ -37,7 +37,7 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 /// as a net.
 PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index,
                       const Config& config) {
-    const std::string name = link.name, engine = config.is_kd() ? "kd" : "bvh";
+    const std::string name = link.name, engine = config.has_treelets() ? "kd" : "bvh";
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
     const bool fires = link.flow == Flow::fires;
@@ -204,6 +204,37 @@ unsigned ports(void* handle, const RcPort** list) {{
 extern "C" const RcModule rc_module{{open, close, eval, reset, ports}};
 )",
                        module, ports, has_reset(module) ? "&of(handle).top.rst_ni" : "&of(handle).no_reset");
+}
+
+std::string wave_source() {
+    return R"(#include <map>
+#include <memory>
+#include "verilated_fst_c.h"
+#include "wave_abi.hpp"
+namespace {
+std::map<void*, std::unique_ptr<VerilatedFstC>>& waves() {
+    static std::map<void*, std::unique_ptr<VerilatedFstC>> all;
+    return all;
+}
+void begin_wave(void* handle, const char* path) {
+    enter(handle);
+    auto& wave = waves()[handle];
+    wave = std::make_unique<VerilatedFstC>();
+    of(handle).context.traceEverOn(true);
+    of(handle).top.trace(wave.get(), 99);
+    wave->open(path);
+}
+void dump_wave(void* handle, unsigned long long time) {
+    enter(handle);
+    waves().at(handle)->dump(static_cast<uint64_t>(time));
+}
+void end_wave(void* handle) {
+    enter(handle);
+    waves().erase(handle);
+}
+}
+extern "C" const RcWave rc_wave{begin_wave, dump_wave, end_wave};
+)";
 }
 
 std::string adapter_vlt(const std::string& module, const Config& config) {

@@ -34,4 +34,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config);
 std::string adapter_source(const std::string& module, const Config& config);
 std::string adapter_vlt(const std::string& module, const Config& config);
 
+/// C++ text of the library's side of sim/rtl/wave_abi.hpp, to stand after adapter_source().
+std::string wave_source();
+
 }   // namespace rayclock

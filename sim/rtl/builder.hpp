@@ -6,6 +6,7 @@
 
 #include "model/core/config.hpp"
 #include "sim/rtl/cache.hpp"
+#include "sim/rtl/compile.hpp"
 #include "sim/rtl/sources.hpp"
 
 namespace rayclock {
@@ -22,7 +23,7 @@ struct RtlBuild {
 };
 /// `module` is rc_chip or a unit (sim/rtl/adapter.hpp). Throws UserError if a tool, a source or the cache is
 /// missing, std::runtime_error with the tool's message if it fails, or if interrupted().
-RtlBuild build_rtl(const Config& config, const std::string& module = "rc_chip");
+RtlBuild build_rtl(const Config& config, const std::string& module = "rc_chip", Waves waves = Waves::no);
 
 /// Removes a library that is as it was built and yet of no use, so that it is built again.
 void forget_rtl(const RtlBuild& build);

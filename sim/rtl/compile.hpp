@@ -9,17 +9,27 @@
 
 namespace rayclock {
 
+/// Whether a library can write waveforms of its signals (sim/rtl/wave_abi.hpp). It is slower then, and takes
+/// longer to build.
+enum class Waves : bool { no, yes };
+
 /// Everything that goes into a library beside the tools, as one text: whatever changes it changes the
 /// library.
-std::string ingredients(const Config& config, const std::string& module);
+std::string ingredients(const Config& config, const std::string& module, Waves waves);
 
 /// Called again and again while a tool works: its name, and about how many seconds all is done in, once that
 /// can be guessed.
 using Working = std::function<void(const char* stage, std::optional<double> left)>;
 
-/// Makes module.so in an empty folder, which then holds nothing else. Throws as build_rtl() does.
+/// Verilator's own sources, which all modules need: what goes into them, and how they are compiled, in an
+/// empty folder.
+std::string support_ingredients();
+void make_support(const std::filesystem::path& folder, const Working& working);
+
+/// Makes module.so in an empty folder, which then holds nothing else. `support` is what make_support() has
+/// made. Throws as build_rtl() does.
 void make_library(const std::filesystem::path& folder, const Config& config, const std::string& module,
-                  const Working& working);
+                  Waves waves, const std::filesystem::path& support, const Working& working);
 
 /// Verilator's opinion of the module, made in an empty folder.
 std::string lint_library(const std::filesystem::path& folder, const Config& config,

@@ -9,11 +9,12 @@
 
 namespace rayclock {
 
-RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed)
+RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed,
+                       Waves waves)
     : config_(config),
       image_(image),
       decoder_(image, config),
-      rtl_(config, "rc_chip", seed),
+      rtl_(config, "rc_chip", seed, waves),
       links_(std::size_t(config.pipelines)),
       bus_{&rtl_.port("wb_cyc"), &rtl_.port("wb_stb"), &rtl_.port("wb_we"),  &rtl_.port("wb_adr"),
            &rtl_.port("wb_dat"), &rtl_.port("wb_ack"), &rtl_.port("wb_err"), &rtl_.port("wb_read")},
@@ -150,7 +151,7 @@ void RtlMachine::settle() {
 }
 
 void RtlMachine::complain(int pipeline, Link link, const std::string& what) {
-    if (!nonsense_) nonsense_ = {pipeline, link, what};
+    if (!nonsense_) nonsense_ = {pipeline, link, what, now_};
 }
 
 /// The request that the RTL makes in this cycle, if it can be meant.

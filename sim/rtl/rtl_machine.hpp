@@ -15,7 +15,8 @@ namespace rayclock {
 /// a host drives it: by its registers. The memory's time stands still while the bus is in use.
 class RtlMachine {
 public:
-    RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1);
+    RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic = {}, int seed = 1,
+               Waves waves = Waves::no);
 
     /// A new frame; what lies in the caches stays.
     void start(const Frame& frame);
@@ -44,6 +45,7 @@ public:
         int pipeline = 0;
         Link link{};
         std::string what;
+        std::uint64_t cycle = 0;
     };
     const std::optional<Nonsense>& nonsense() const { return nonsense_; }
 
@@ -63,6 +65,8 @@ public:
     const Accounts& accounts();
     /// What the register `cycles` says of the same time.
     std::uint64_t counted_cycles();
+    /// For waveforms, if it has them.
+    RtlModule& module() { return rtl_; }
     const Memory& memory() const { return memory_; }
     std::uint64_t box_tests() const { return box_tests_; }
     const RayCounts& rays() const { return rays_; }

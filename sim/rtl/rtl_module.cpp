@@ -28,19 +28,20 @@ struct Opened {
 
 }   // namespace
 
-RtlModule::RtlModule(const Config& config, const std::string& module, int seed)
+RtlModule::RtlModule(const Config& config, const std::string& module, int seed, Waves waves)
     : reset_cycles_(4 + std::max({config.node_sets, config.prim_sets, config.l2_sets})) {
-    RtlBuild build = build_rtl(config, module);
+    RtlBuild build = build_rtl(config, module, waves);
     Opened opened(build);
     if (!opened.module && build.was_cached) {   // whole, but of another machine or of a program that went
                                                 // wrong
         forget_rtl(build);
-        build = build_rtl(config, module);
+        build = build_rtl(config, module, waves);
         opened = Opened(build);
     }
     if (!opened.module) throw std::runtime_error("the built RTL cannot be loaded: " + opened.complaint);
     library_ = opened.library;
     module_ = opened.module;
+    if (waves == Waves::yes) wave_ = static_cast<const RcWave*>(dlsym(library_, "rc_wave"));
     handle_ = module_->open(seed);
     count_ = module_->ports(handle_, &ports_);
 }

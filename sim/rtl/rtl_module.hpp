@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
@@ -6,6 +7,8 @@
 
 #include "model/core/layout.hpp"
 #include "sim/rtl/abi.hpp"
+#include "sim/rtl/compile.hpp"
+#include "sim/rtl/wave_abi.hpp"
 
 namespace rayclock {
 
@@ -19,7 +22,7 @@ struct RtlAssertion : std::runtime_error {
 class RtlModule {
 public:
     /// Builds what is not yet built. Throws as build_rtl() does.
-    RtlModule(const Config& config, const std::string& module, int seed = 1);
+    RtlModule(const Config& config, const std::string& module, int seed = 1, Waves waves = Waves::no);
     ~RtlModule();
     RtlModule(const RtlModule&) = delete;
 
@@ -35,9 +38,15 @@ public:
     /// The clock edge. Throws RtlAssertion.
     void clock();
 
+    /// What the signals of a module that has waves do from the next dump on, to a new file. Times must rise.
+    void begin_wave(const std::string& path) { wave_->begin(handle_, path.c_str()); }
+    void dump_wave(std::uint64_t time) { wave_->dump(handle_, time); }
+    void end_wave() { wave_->end(handle_); }
+
 private:
     void* library_ = nullptr;
     const RcModule* module_ = nullptr;
+    const RcWave* wave_ = nullptr;
     void* handle_ = nullptr;
     const RcPort* ports_ = nullptr;
     unsigned count_ = 0;

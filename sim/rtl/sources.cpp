@@ -27,12 +27,14 @@ const char* chosen_folder() {
     return chosen && *chosen ? chosen : nullptr;
 }
 
-/// The tree around this program's file, if it is in one: a tree that was moved after it was built.
+/// The tree around this program's file, if it is in one: a tree that was moved after it was built; or what
+/// was installed beside it.
 fs::path own_tree() {
     std::error_code error;
     fs::path place = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (; !place.empty() && place != place.root_path(); place = place.parent_path())
-        if (is_file(place / "rtl/rc_top.sv")) return place;
+        for (const fs::path& tree : {place / "share/rayclock", place})
+            if (is_file(tree / "rtl/rc_top.sv")) return tree;
     return {};
 }
 

@@ -7,7 +7,7 @@
 namespace rayclock {
 
 /// Folder of the Verilog sources: $RAYCLOCK_RTL (to try out a changed copy), or that of the tree that this
-/// program lies in, or that of the tree that it was built from.
+/// program lies in, or what was installed with it, or that of the tree that it was built from.
 std::filesystem::path rtl_sources();
 
 /// What is wrong with that folder, in a sentence; empty if all is well.

@@ -120,8 +120,10 @@ std::function<std::string(const Timeline&)> timeline_writer(const std::string& p
     const std::string ending = std::filesystem::path(path).extension().string();
     if (ending == ".kanata") return kanata;
     if (ending == ".pftrace") return perfetto;
-    throw UserError(fmt::format("{}: a timeline's ending is .kanata (for Konata) or .pftrace (for Perfetto)",
-                                printable(path)));
+    if (ending == ".fst") return fst;
+    throw UserError(fmt::format(
+        "{}: a timeline's ending is .kanata (for Konata), .pftrace (for Perfetto) or .fst (for GTKWave)",
+        printable(path)));
 }
 
 }   // namespace rayclock

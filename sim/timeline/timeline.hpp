@@ -92,7 +92,13 @@ std::string kanata(const Timeline& timeline);
 /// As a trace of Perfetto: protobuf messages of TrackEvent. A cycle is a nanosecond.
 std::string perfetto(const Timeline& timeline);
 
-/// The writer for a file's ending, .kanata or .pftrace. Throws UserError.
+/// As a waveform in the format FST: of every unit what it did, of every context whose ray it has, where that
+/// is and what it waits for, all as text. A cycle is ten nanoseconds. And the save file that GTKWave opens it
+/// with.
+std::string fst(const Timeline& timeline);
+std::string fst_view(const Timeline& timeline, const std::string& path);
+
+/// The writer for a file's ending, .kanata, .pftrace or .fst. Throws UserError.
 std::function<std::string(const Timeline&)> timeline_writer(const std::string& path);
 
 /// "box", "starved by memory".

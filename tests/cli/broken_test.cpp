@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
+#include "tests/cli/waveform.hpp"
 
 using namespace rayclock::test;
 namespace fs = std::filesystem;
@@ -24,9 +26,56 @@ std::string broken_rtl(const Folder& folder, const std::string& file, const std:
     return copy;
 }
 
+/// Waveform, save file and page of a divergence of u on the link tri_rsp.
+void check_waveform(const Folder& folder, const nlohmann::json& d) {
+    const std::string out = folder.name("out") + "/";
+    REQUIRE(d["wave"] == out + "divergence.fst");
+    const Waveform wave(d["wave"]);
+    const std::uint64_t cycle = d["cycle"], time = 10 * cycle;
+    const auto number = [&](const std::string& name, std::uint64_t at) {
+        return std::stol(wave.at(name, at), nullptr, 2);
+    };
+    const std::string link = "links.tri_rsp.";
+    CHECK(number(wave.name_with("links.cycle"), time) == long(cycle));
+    // It is the first cycle in which the link differs, and what differs is what was said.
+    CHECK(wave.at(link + "differs", time) == "1");
+    for (std::uint64_t c = cycle > 1000 ? cycle - 1000 : 0; c < cycle; ++c)
+        REQUIRE(wave.at(link + "differs", 10 * c) == "0");
+    const auto u = [&](const char* side) {
+        return "u=" + std::to_string(number(wave.name_with(link + "u_" + side), time));
+    };
+    CHECK(u("model") == d["expected"]);
+    CHECK(u("rtl") == d["got"]);
+    CHECK(wave.first() == (cycle > 1000 ? 10 * (cycle - 1000) : 0));
+    CHECK(wave.last() > time);
+    // The clock rises when a cycle begins, and what the RTL itself offers there is what the link shows.
+    CHECK(wave.at("TOP.clk_i", time) == "1");
+    CHECK(wave.at("TOP.clk_i", time + 5) == "0");
+    const std::string offered = wave.name_with(".u_tri.rsp_valid_o");
+    REQUIRE(!offered.empty());
+    CHECK(wave.at(offered, time + 5) == "1");
+
+    // Every signal that GTKWave is to show is there.
+    std::istringstream view(bytes_of(out + "divergence.gtkw"));
+    std::size_t shown = 0;
+    for (std::string line; std::getline(view, line);) {
+        if (!line.starts_with("links.") && !line.starts_with("TOP.")) continue;
+        ++shown;
+        CHECK(wave.names().count(line) == 1);
+    }
+    CHECK(shown > 50);
+
+    const std::string page = bytes_of(out + "divergence.html");
+    for (const std::string& part :
+         {std::string("with another payload"), std::string("rtl/isect/rc_tri.sv:"),
+          std::string("assign rsp_o = "), std::string(d["expected"]), std::string(d["got"]),
+          std::string("prim_req from list to prim_cache"), std::string("<th>rsp_valid_o</th>")})
+        CHECK(page.find(part) != std::string::npos);
+}
+
 }   // namespace
 
-TEST_CASE("verify names the first divergence of wrong RTL: a value") {
+TEST_CASE("verify names the first divergence of wrong RTL, and shows it as a waveform") {
     const Folder folder;
     // u of every hit is one too large.
     const std::string rtl =
@@ -34,12 +83,14 @@ TEST_CASE("verify names the first divergence of wrong RTL: a value") {
     const std::vector<std::string> environment{"RAYCLOCK_RTL=" + rtl,
                                                "RAYCLOCK_CACHE=" + folder.name("cache")};
     const std::string file = folder.name("report.json");
-    const Outcome outcome =
-        run_program({"verify", "tetra:3", "--size", "24x18", "--json", file}, environment);
+    const Outcome outcome = run_program({"verify", "tetra:3", "--size", "24x18", "--config", "small",
+                                         "--json", file, "-o", folder.name("out")},
+                                        environment);
     INFO(outcome.out << outcome.err);
     CHECK(outcome.code == 1);
     CHECK(outcome.err ==
-          "rayclock: building the RTL of 'default', once for all runs; this may take a minute\n");
+          "rayclock: building the RTL of 'small', once for all runs; this may take a minute\n"
+          "rayclock: building the RTL of 'small' for waveforms, once for all runs; this may take a minute\n");
     CHECK(outcome.out.find("FIRST DIVERGENCE at cycle ") != std::string::npos);
     CHECK(outcome.out.find("unit tri, link tri_rsp") != std::string::npos);
     CHECK(outcome.out.find("FAILED") != std::string::npos);
@@ -59,10 +110,11 @@ TEST_CASE("verify names the first divergence of wrong RTL: a value") {
     REQUIRE(expected.starts_with("u="));
     REQUIRE(got.starts_with("u="));
     CHECK(std::stol(got.substr(2)) == std::stol(expected.substr(2)) + 1);
-    CHECK(d.contains("wave"));
+    check_waveform(folder, d);
 
     // The frame of the wrong RTL is what render shows; it does not stop.
-    CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--engine", "rtl", "-o", folder.name("x.png")},
+    CHECK(run_program({"render", "tetra:3", "--size", "24x18", "--config", "small", "--engine", "rtl", "-o",
+                       folder.name("x.png")},
                       environment)
               .code == 0);
 }

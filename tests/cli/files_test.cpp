@@ -174,3 +174,35 @@ TEST_CASE("a report that cannot be written in the end is said") {
 TEST_CASE("a place for the RTL that cannot be written") {
     check_refused(run_program({"rtl"}, {"RAYCLOCK_CACHE=/proc/none"}), {"/proc/none", "RAYCLOCK_CACHE"});
 }
+
+TEST_CASE("simulate writes the pictures that render draws, without drawing them again") {
+    const Folder folder;
+    const std::vector<std::string> scene{"gears:1", "--size", "24x18"};
+    const auto run = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin() + 1, scene.begin(), scene.end());
+        return run_program(arguments);
+    };
+    const std::string out = folder.name("out");
+    const Outcome outcome = run({"simulate", "-o", out});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.find("pictures: " + out + "/picture.png " + out + "/reference.png " + out +
+                           "/difference.png\n") != std::string::npos);
+    for (const auto& [engine, name] :
+         {std::pair("model", "picture.png"), std::pair("reference", "reference.png")}) {
+        CHECK(run({"render", "--engine", engine, "-o", folder.name(name)}).code == 0);
+        CHECK(bytes_of(out + "/" + name) == bytes_of(folder.name(name)));
+    }
+    CHECK(fs::exists(out + "/difference.png"));
+    CHECK(run({"simulate", "--no-reference", "-o", folder.name("alone")}).code == 0);
+    CHECK(bytes_of(folder.name("alone/picture.png")) == bytes_of(out + "/picture.png"));
+    CHECK_FALSE(fs::exists(folder.name("alone/reference.png")));
+    check_refused(run({"simulate", "-o", folder.name("picture.png")}),
+                  {"picture.png", "is a file, not a folder"});
+}
+
+TEST_CASE("a setting without effect is noted") {
+    const Outcome outcome = run_program({"simulate", "gears:1", "--size", "8x8", "--no-reference", "--set",
+                                         "mem_latency=5", "--set", "contexts=8"});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err == "rayclock: note: mem_latency has no effect with dram=ddr3\n");
+}

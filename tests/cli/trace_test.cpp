@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/cli/waveform.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;
 
 TEST_CASE("trace writes a timeline for each viewer") {
     const Folder folder;
-    for (const char* name : {"a.kanata", "a.pftrace"}) {
+    for (const char* name : {"a.kanata", "a.pftrace", "a.fst"}) {
         const Outcome outcome = run_program({"trace", "gears:2", "--size", "40x30", "--cycles", "2000:2100",
                                              "-o", folder.name(name), "--json", "-"});
         INFO(outcome.err);
@@ -22,6 +23,13 @@ TEST_CASE("trace writes a timeline for each viewer") {
     }
     CHECK(bytes_of(folder.name("a.kanata")).starts_with("Kanata\t0004\nC=\t2000\n"));
     CHECK(bytes_of(folder.name("a.pftrace")).size() > 10'000);
+    const Waveform wave(folder.name("a.fst"));
+    CHECK(wave.first() >= 20'000);
+    CHECK(wave.last() < 21'010);
+    CHECK(wave.names().contains("pipeline_0.box"));
+    const std::string view = bytes_of(folder.name("a.gtkw"));
+    CHECK(view.find("[dumpfile] \"a.fst\"") != std::string::npos);
+    CHECK(view.find("\npipeline_0.box\n") != std::string::npos);
     const Outcome pixels = run_program(
         {"trace", "gears:2", "--size", "40x30", "--pixels", "20,14..21,15", "-o", folder.name("b.kanata")});
     CHECK(pixels.code == 0);
@@ -45,6 +53,6 @@ TEST_CASE("trace refuses what it cannot show") {
     refused({"--pixels", "5,5..4,6"}, {"upper left"});
     refused({"--cycles", "5:9", "--rays", "primary"}, {"primary", "reflection"});
     check_refused(run_program({"trace", "gears:1", "--cycles", "5:9", "-o", folder.name("a.vcd")}),
-                  {"a.vcd", ".kanata", ".pftrace"});
+                  {"a.vcd", ".kanata", ".pftrace", ".fst"});
     CHECK(folder.contents().empty());
 }

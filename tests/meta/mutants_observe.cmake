@@ -41,3 +41,15 @@ mutant(kanata_retires_too_early FILE sim/timeline/kanata.cpp TEST observe "a Kan
 mutant(perfetto_has_another_field FILE sim/timeline/perfetto.cpp TEST observe "protobuf*"
   OLD [[sequence = 10,]]
   NEW [[sequence = 12,]])
+mutant(waveform_forgets_what_changed FILE sim/wave/fst_writer.cpp TEST observe "a waveform*"
+  OLD [[if (known == value) return false;]]
+  NEW [[if (!known.empty()) return false;]])
+mutant(waveform_digits_are_reversed FILE sim/wave/fst_writer.cpp TEST observe "bits of a payload*"
+  OLD [[const int bit = at + count - 1 - i;]]
+  NEW [[const int bit = at + i;]])
+mutant(gtkw_marks_the_left_edge FILE sim/wave/gtkw.cpp TEST observe "a save file*"
+  OLD [[cycles_zoom, gtkw.marker,]]
+  NEW [[cycles_zoom, gtkw.first,]])
+mutant(fst_timeline_lets_a_ray_stay FILE sim/timeline/fst.cpp TEST observe "GTKWave's reader*"
+  OLD [[{s.pixel, s.ray, s.place}) ends]]
+  NEW [[{s.pixel, s.ray}) ends]])

@@ -13,6 +13,7 @@
 #include "model/base/error.hpp"
 #include "model/base/split.hpp"
 #include "sim/timeline/timeline.hpp"
+#include "sim/wave/fst.hpp"
 #include "tests/observe/watched.hpp"
 
 using namespace rayclock;
@@ -172,6 +173,40 @@ std::map<std::string, std::vector<Slice>> decoded(const std::string& bytes) {
     return done;
 }
 
+/// A waveform of texts, read by GTKWave's code: of each signal the cycles that each of its texts stands.
+struct WavesOfText {
+    std::map<std::string, std::map<std::string, std::uint64_t>> cycles;
+    WavesOfText(const std::string& bytes, std::uint64_t last) {
+        const auto file =
+            std::filesystem::temp_directory_path() / ("rayclock-timeline-" + std::to_string(getpid()));
+        std::ofstream(file, std::ios::binary) << bytes;
+        std::string path;
+        std::map<std::uint32_t, std::string> names;
+        std::map<std::uint32_t, std::pair<std::uint64_t, std::string>> now;
+        const auto count = [&](std::uint32_t signal, std::uint64_t until) {
+            const auto& [since, text] = now[signal];
+            if (!text.empty()) cycles[names[signal]][text] += until - since;
+        };
+        FstVisitor visitor;
+        visitor.open_scope = [&](const std::string& name) { path += name + "."; };
+        visitor.close_scope = [&] {
+            path.pop_back();
+            path.resize(path.rfind('.') + 1);
+        };
+        visitor.signal = [&](std::uint32_t signal, const std::string& name, int, bool) {
+            if (name != "cycle[39:0]") names[signal] = path + name;
+        };
+        visitor.change = [&](std::uint64_t time, std::uint32_t signal, std::string_view value) {
+            if (!names.contains(signal)) return;
+            count(signal, time / 10);
+            now[signal] = {time / 10, std::string(value)};
+        };
+        read_fst(file, visitor);
+        for (const auto& [signal, name] : names) count(signal, last);
+        std::filesystem::remove(file);
+    }
+};
+
 }   // namespace
 
 TEST_CASE("a timeline of a whole frame has every stay, and every unit's cycles by cause") {
@@ -278,7 +313,39 @@ TEST_CASE("protobuf's decoder reads a Perfetto trace, and its slices are the acc
     CHECK(rays == s.costs.total().rays);
 }
 
+TEST_CASE("GTKWave's reader reads a timeline, and its states are the accounts") {
+    for (const std::size_t i : {1, 4}) {
+        const Watched& w = watched_machines()[i];
+        const Watching made = watching(w, {13, 9});
+        const Seen s = seen(made, w, cycles(0, 1'000'000));
+        const WavesOfText read(fst(s.timeline), s.costs.cycles);
+        Accounts accounts;
+        std::uint64_t under_way = 0;
+        for (const auto& [name, cycles] : read.cycles)
+            if (name.ends_with(".place"))
+                for (const auto& [place, count] : cycles) under_way += place == "-" ? 0 : count;
+        for (std::size_t u = 0; u < unit_count; ++u)
+            for (std::size_t c = 0; c < cause_count; ++c)
+                for (const auto& [name, cycles] : read.cycles)
+                    if (name.ends_with(std::string(".") + unit_infos[u].name) &&
+                        cycles.contains(cause_name(Unit(u), c)))
+                        accounts.units[u][c] += cycles.at(cause_name(Unit(u), c));
+        CHECK(accounts == s.costs.accounts);
+        CHECK(under_way == s.costs.total().cycles);
+        // The save file shows what is there.
+        std::istringstream view(fst_view(s.timeline, "folder/a.fst"));
+        std::size_t shown = 0;
+        for (std::string line; std::getline(view, line);)
+            if (line.starts_with("pipeline_") || line.starts_with("rays_") || line.starts_with("shared.")) {
+                CHECK(read.cycles.contains(line));
+                ++shown;
+            }
+        CHECK(shown == read.cycles.size());
+    }
+}
+
 TEST_CASE("a timeline's file is written by its ending") {
+    CHECK_NOTHROW(timeline_writer("a.fst"));
     CHECK_NOTHROW(timeline_writer("a.kanata"));
     CHECK_NOTHROW(timeline_writer("a.pftrace"));
     CHECK_THROWS_AS(timeline_writer("a.vcd"), UserError);

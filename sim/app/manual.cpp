@@ -1,0 +1,230 @@
+#include "sim/app/manual.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "model/core/config.hpp"
+#include "model/scene/builtin.hpp"
+
+namespace rayclock {
+
+namespace {
+
+/// An option as people type it.
+struct OptionText {
+    std::vector<std::string> names;   ///< "-o", "--output"; of a word without a name its own: "SCENE"
+    std::string value;                ///< "TEXT=512x384"; of a flag empty
+    std::string help, group;
+    bool is_word = false;
+};
+struct CommandText {
+    const Command& command;
+    std::vector<OptionText> options;
+};
+
+std::vector<CommandText> texts_of(const std::vector<Command>& commands) {
+    std::vector<CommandText> all;
+    for (const Command& command : commands) {
+        CLI::App app;
+        Parser parser(app);
+        command.declare(parser);
+        CommandText text{command, {}};
+        for (const CLI::Option* option : app.get_options()) {
+            OptionText o;
+            for (const std::string& name : option->get_snames()) o.names.push_back("-" + name);
+            for (const std::string& name : option->get_lnames()) o.names.push_back("--" + name);
+            o.is_word = option->get_positional() && o.names.empty();
+            if (o.is_word) o.names.push_back(option->get_name(true));
+            if (option->get_items_expected_max() > 0) o.value = option->get_type_name();
+            if (const std::string first = option->get_default_str(); !first.empty()) o.value += "=" + first;
+            o.help = option->get_description();
+            o.group = option->get_group();
+            text.options.push_back(std::move(o));
+        }
+        all.push_back(std::move(text));
+    }
+    return all;
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += fresh.size())
+        text.replace(at, old.size(), fresh);
+    return text;
+}
+
+/// Text as troff shows it.
+std::string troff(const std::string& text) {
+    std::string out = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
+    out = replaced(out, "\n", "\n\\&");   // no line begins with a request
+    return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
+}
+
+std::string man_options(const CommandText& text) {
+    std::string out, group = "Options";
+    for (const OptionText& o : text.options) {
+        if (o.group != group && !o.is_word && o.group != "Positionals") {
+            group = o.group;
+            out += ".PP\n.I \"" + troff(group) + "\"\n";
+        }
+        out += ".TP\n";
+        for (std::size_t i = 0; i < o.names.size(); ++i)
+            out += (i ? ", " : "") + std::string("\\fB") + troff(o.names[i]) + "\\fR";
+        if (!o.value.empty() && !o.is_word) out += " \\fI" + troff(o.value) + "\\fR";
+        out += "\n" + troff(o.help) + "\n";
+    }
+    return out;
+}
+
+std::string man_page(const std::vector<CommandText>& commands, const std::string& footer) {
+    std::string out = fmt::format(
+        ".TH RAYCLOCK 1 \"\" \"rayclock {}\" \"User Commands\"\n.SH NAME\nrayclock \\- a cycle\\-level "
+        "simulator of a "
+        "hardware ray tracer\n.SH SYNOPSIS\n.B rayclock\n.I COMMAND\n.RI [ OPTIONS ]\n.SH COMMANDS\n",
+        RAYCLOCK_VERSION);
+    for (const CommandText& c : commands)
+        out += fmt::format(".SS {}\n{}\n.PP\nExample:\n.B {}\n{}", troff(c.command.name),
+                           troff(c.command.what), troff(c.command.example), man_options(c));
+    return out + ".SH EXIT STATUS AND ENVIRONMENT\n.nf\n" + troff(footer) + "\n.fi\n";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+    return line;
+}
+
+/// What may follow an option, or stand for a word; nothing: a file.
+std::vector<std::string> values_of(const OptionText& o) {
+    const std::string& name = o.names.back();
+    std::vector<std::string> values;
+    if (name == "--config") values = config_names();
+    if (name == "--engine") values = {"model", "rtl", "reference"};
+    if (name == "--set" || name == "--axis")
+        for (const Parameter& p : parameters()) values.push_back(std::string(p.key) + "=");
+    if (name == "SCENE")
+        for (const Builtin& builtin : builtins()) values.emplace_back(builtin.name);
+    return values;
+}
+
+std::string bash_completion(const std::vector<CommandText>& commands) {
+    std::string names, options, values;
+    for (const CommandText& c : commands) {
+        names += (names.empty() ? "" : " ") + std::string(c.command.name);
+        std::string own;
+        for (const OptionText& o : c.options)
+            if (!o.is_word) own += (own.empty() ? "" : " ") + joined(o.names);
+        options += fmt::format("    {}) options='{}' ;;\n", c.command.name, own);
+        for (const OptionText& o : c.options)
+            if (const auto known = values_of(o); !known.empty())
+                values +=
+                    fmt::format("    {}:{}) values='{}' ;;\n", c.command.name, o.names.back(), joined(known));
+    }
+    return fmt::format(R"(# Completion of rayclock for bash, made by: rayclock --print bash
+_rayclock() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}}
+  local options='' values=''
+  COMPREPLY=()
+  if ((COMP_CWORD == 1)); then
+    COMPREPLY=($(compgen -W '{}' -- "$current"))
+    return
+  fi
+  case $command in
+{}  esac
+  if [[ $current == -* ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$current"))
+    return
+  fi
+  case $command:$previous in
+{}    *:-*) ;;
+    *) case $command:SCENE in
+{}    esac ;;
+  esac
+  [[ $values == *= ]] && compopt -o nospace 2>/dev/null
+  COMPREPLY=($(compgen -W "$values" -- "$current") $(compgen -f -- "$current"))
+}}
+complete -o filenames -F _rayclock rayclock
+)",
+                       names, options, values, values);
+}
+
+/// Text between single quotes of a shell.
+std::string single_quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
+
+std::string zsh_completion(const std::vector<CommandText>& commands) {
+    const auto plain = [](std::string text) {
+        for (const char* special : {"\\", ":", "[", "]"})
+            text = replaced(text, special, std::string("\\") + special);
+        return text;
+    };
+    std::string names, cases;
+    for (const CommandText& c : commands) {
+        names += "    " + single_quoted(plain(c.command.name) + ":" + plain(c.command.what)) + "\n";
+        cases += fmt::format("    {})\n      _arguments", c.command.name);
+        for (const OptionText& o : c.options) {
+            const auto known = values_of(o);
+            if (o.is_word) {
+                const std::string either = known.empty() ? "_files" : "_rayclock_scenes";
+                cases += " \\\n        " + single_quoted(":" + plain(o.names[0]) + ":" + either);
+            }
+            for (const std::string& name : o.names) {
+                if (o.is_word) continue;
+                const std::string words =
+                    known.empty() ? "_files" : "(" + replaced(joined(known), "=", "\\=") + ")";
+                cases += " \\\n        " +
+                         single_quoted((name == "--set" || name == "--axis" ? "*" : "") + name + "[" +
+                                       plain(o.help) + "]" + (o.value.empty() ? "" : ":value:" + words));
+            }
+        }
+        cases += " ;;\n";
+    }
+    std::vector<std::string> scenes;
+    for (const Builtin& builtin : builtins()) scenes.emplace_back(builtin.name);
+    return "#compdef rayclock\n# Completion of rayclock for zsh, made by: rayclock --print "
+           "zsh\n_rayclock_scenes() {\n"
+           "  compadd -S '' -- " +
+           joined(scenes) + "\n  _files\n}\n_rayclock() {\n  local -a commands\n  commands=(\n" + names +
+           "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
+           "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n" +
+           cases + "  esac\n}\n_rayclock \"$@\"\n";
+}
+
+std::string fish_completion(const std::vector<CommandText>& commands) {
+    const auto quoted = [](const std::string& text) {
+        return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+    };
+    std::string out = "# Completion of rayclock for fish, made by: rayclock --print fish\n";
+    for (const CommandText& c : commands) {
+        out += fmt::format("complete -c rayclock -n __fish_use_subcommand -f -a {} -d {}\n", c.command.name,
+                           quoted(c.command.what));
+        const std::string when =
+            fmt::format("complete -c rayclock -n '__fish_seen_subcommand_from {}'", c.command.name);
+        for (const OptionText& o : c.options) {
+            const auto known = values_of(o);
+            const std::string choices = known.empty() ? "" : " -a " + quoted(joined(known));
+            if (o.is_word) {
+                if (!choices.empty()) out += when + choices + "\n";
+                continue;
+            }
+            out += when;
+            for (const std::string& name : o.names)
+                out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+            out += (o.value.empty() ? "" : " -r") + choices + " -d " + quoted(o.help) + "\n";
+        }
+    }
+    return out;
+}
+
+}   // namespace
+
+std::string manual(std::string_view form, const std::vector<Command>& commands, const std::string& footer) {
+    const std::vector<CommandText> texts = texts_of(commands);
+    if (form == "man") return man_page(texts, footer);
+    if (form == "bash") return bash_completion(texts);
+    if (form == "zsh") return zsh_completion(texts);
+    if (form == "fish") return fish_completion(texts);
+    throw UserError("--print: " + shown(form) + " is not man, bash, zsh or fish");
+}
+
+}   // namespace rayclock

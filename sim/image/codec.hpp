@@ -1,0 +1,22 @@
+#pragma once
+// Between the program and the library that encodes pictures, OpenImageIO. That brings 250 libraries, which
+// take a fifth of a second to load: what knows it is a library of its own, which is loaded when the first
+// picture is read or written.
+#include <string>
+
+#include "model/shade/shade.hpp"
+
+namespace rayclock {
+
+struct PictureCodec {
+    /// The bytes of a file. `plugin` is OpenImageIO's name of the format: png or openexr. Throws
+    /// std::runtime_error with the reason.
+    std::string (*encode)(const char* plugin, const Picture& picture, const HitFrame& hits);
+    /// Throws std::runtime_error with the reason.
+    Picture (*decode)(const std::string& path);
+};
+
+/// Throws UserError if the library is missing.
+const PictureCodec& picture_codec();
+
+}   // namespace rayclock

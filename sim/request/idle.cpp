@@ -1,0 +1,53 @@
+#include "sim/request/idle.hpp"
+
+#include <algorithm>
+
+namespace rayclock {
+
+namespace {
+
+/// Parameters of a part that is there only if another parameter says so.
+struct Part {
+    const char* decider;
+    bool (*is_there)(const Config& config);
+    std::vector<std::string> parameters;
+};
+const std::vector<Part>& parts() {
+    static const std::vector<Part> all{
+        {"dram",
+         [](const Config& c) { return dram_names()[std::size_t(c.dram)] == "ideal"; },
+         {"mem_latency", "mem_interval"}},
+        {"l2_sets", [](const Config& c) { return c.l2_sets > 0; }, {"l2_ways", "l2_line", "l2_mshrs"}},
+        {"structure",
+         [](const Config& c) { return !c.is_list(); },
+         {"node_sets", "node_ways", "node_line", "node_mshrs", "box_queue", "stack_depth"}},
+        {"shading",
+         [](const Config& c) { return c.shading != 0; },
+         {"origin_bits", "lights", "bounces", "shade_queue", "surf_sets", "surf_ways", "surf_line",
+          "surf_mshrs"}}};
+    return all;
+}
+
+std::string value_of(const Config& config, const std::string& key) {
+    for (const Parameter& p : parameters())
+        if (key == p.key) return value_text(config, p);
+    return {};
+}
+
+}   // namespace
+
+std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set) {
+    std::vector<std::string> sentences;
+    for (const std::string& item : set) {
+        const std::string key = item.substr(0, item.find('='));
+        for (const Part& part : parts()) {
+            const auto& own = part.parameters;
+            if (part.is_there(config) || std::find(own.begin(), own.end(), key) == own.end()) continue;
+            sentences.push_back(key + " has no effect with " + part.decider + "=" +
+                                value_of(config, part.decider));
+        }
+    }
+    return sentences;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,109 @@
+#include <filesystem>
+#include <stdexcept>
+
+#include <gtkwave/fstapi.h>
+
+#include "sim/files/input.hpp"
+#include "sim/rtl/cache.hpp"
+#include "sim/wave/fst.hpp"
+
+namespace rayclock {
+
+namespace {
+constexpr int nanoseconds = -9;
+}
+
+/// GTKWave's writer needs a file, beside which it makes others.
+struct FstWriter::File {
+    WorkFolder folder{std::filesystem::temp_directory_path() / "rayclock-wave"};
+    std::string path = folder.path() / "wave.fst";
+    void* writer = fstWriterCreate(path.c_str(), 1);
+    struct Known {
+        int width;   ///< 0: text
+        std::string value;
+    };
+    std::vector<Known> signals;   // [handle - 1]
+
+    fstHandle add(const std::string& name, fstVarType type, int width, fstHandle alias) {
+        const fstHandle handle =
+            fstWriterCreateVar(writer, type, FST_VD_IMPLICIT, std::uint32_t(width), name.c_str(), alias);
+        if (handle > signals.size()) signals.push_back({width, {}});
+        return handle;
+    }
+    bool changes(Signal signal, std::string_view value) {
+        std::string& known = signals[signal - 1].value;
+        if (known == value) return false;
+        known = value;
+        return true;
+    }
+};
+
+FstWriter::FstWriter() : file_(std::make_unique<File>()) {
+    if (!file_->writer) throw std::runtime_error(file_->path + ": cannot be written");
+    fstWriterSetPackType(file_->writer, FST_WR_PT_LZ4);
+    fstWriterSetTimescale(file_->writer, nanoseconds);
+    fstWriterSetVersion(file_->writer, "rayclock");
+    fstWriterSetDate(file_->writer, "-");   // the same run gives the same file
+}
+
+FstWriter::~FstWriter() {
+    if (file_->writer) fstWriterClose(file_->writer);
+}
+
+void FstWriter::open_scope(const std::string& name) {
+    fstWriterSetScope(file_->writer, FST_ST_VCD_MODULE, name.c_str(), nullptr);
+}
+void FstWriter::close_scope() { fstWriterSetUpscope(file_->writer); }
+
+FstWriter::Signal FstWriter::add_bits(const std::string& name, int width) {
+    return file_->add(ranged(name, width), FST_VT_VCD_WIRE, width, 0);
+}
+FstWriter::Signal FstWriter::add_text(const std::string& name) {
+    return file_->add(name, FST_VT_GEN_STRING, 0, 0);
+}
+void FstWriter::add_alias(const std::string& name, int width, Signal signal) {
+    file_->add(ranged(name, width), FST_VT_VCD_WIRE, width, signal);
+}
+
+void FstWriter::set_time(std::uint64_t time) { fstWriterEmitTimeChange(file_->writer, time); }
+
+void FstWriter::set_bits(Signal signal, std::string_view digits) {
+    if (int(digits.size()) != file_->signals[signal - 1].width)
+        throw std::logic_error("a signal of a waveform has another width");
+    if (file_->changes(signal, digits)) fstWriterEmitValueChange(file_->writer, signal, digits.data());
+}
+
+void FstWriter::set_value(Signal signal, std::uint64_t value) {
+    const int width = file_->signals[signal - 1].width;
+    set_bits(signal, digits_of({std::uint32_t(value), std::uint32_t(value >> 32)}, 0, width));
+}
+
+void FstWriter::set_text(Signal signal, std::string_view text) {
+    if (file_->changes(signal, text))
+        fstWriterEmitVariableLengthValueChange(file_->writer, signal, text.data(),
+                                               std::uint32_t(text.size()));
+}
+
+std::string FstWriter::finish() {
+    fstWriterClose(file_->writer);
+    file_->writer = nullptr;
+    std::string bytes = read_if_there(file_->path);
+    if (bytes.empty()) throw std::runtime_error(file_->path + ": the waveform could not be written");
+    return bytes;
+}
+
+std::string ranged(const std::string& name, int width) {
+    const bool has_range = width == 1 || name.ends_with(']');
+    return has_range ? name : name + "[" + std::to_string(width - 1) + ":0]";
+}
+
+std::string digits_of(const std::vector<std::uint32_t>& words, int at, int count) {
+    std::string digits(std::size_t(count), '0');
+    for (int i = 0; i < count; ++i) {
+        const int bit = at + count - 1 - i;
+        if (words[std::size_t(bit / 32)] >> (bit % 32) & 1) digits[std::size_t(i)] = '1';
+    }
+    return digits;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,85 @@
+# cmake -DBUILD= -DFOLDER= -DSOURCE= -DLIBDIR= -P install.cmake
+# Installs into a folder of its own, and uses what is there from elsewhere, as a user would.
+file(REMOVE_RECURSE ${FOLDER})
+set(prefix ${FOLDER}/prefix)
+file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
+unset(ENV{RAYCLOCK_RTL})
+
+function(run result)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER}/elsewhere RESULT_VARIABLE code OUTPUT_VARIABLE output
+    ERROR_VARIABLE output)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN} ended with ${code}:\n${output}")
+  endif()
+  set(${result} "${output}" PARENT_SCOPE)
+endfunction()
+function(demand text part)
+  string(FIND "${text}" "${part}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "'${part}' is missing in:\n${text}")
+  endif()
+endfunction()
+
+run(output ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+set(program ${prefix}/bin/rayclock)
+
+# It finds its own RTL, and its own library of pictures.
+run(output ${program} doctor)
+demand("${output}" "${prefix}/share/rayclock/rtl")
+run(output ${CMAKE_COMMAND} -E env LD_DEBUG=files ${program} render gears:1 --size 8x8 -o picture.png)
+demand("${output}" "${prefix}/${LIBDIR}/rayclock/rayclock_pictures.so")
+run(output ${program} simulate ${prefix}/share/rayclock/scenes/desk.json --size 8x8 --no-reference)
+
+# Manual page and completions.
+file(READ ${prefix}/share/man/man1/rayclock.1 manual)
+run(commands ${program} --help)
+foreach(command simulate verify explain trace sweep)
+  demand("${manual}" "\n.SS ${command}\n")
+endforeach()
+demand("${manual}" "\\fB\\-\\-max\\-other\\fR")
+file(WRITE ${FOLDER}/ask.sh "source ${prefix}/share/bash-completion/completions/rayclock
+ask() {
+  COMP_WORDS=(rayclock \"$@\") COMP_CWORD=$#
+  _rayclock
+  echo \"<\${COMPREPLY[*]}>\"
+}
+ask expl
+ask simulate --no-ref
+ask simulate --config ulx
+ask sweep gea
+ask sweep gears --axis node_w
+")
+run(output bash ${FOLDER}/ask.sh)
+demand("${output}" "<explain>\n<--no-reference>\n<ulx3s>\n<gears>\n<node_width= node_ways=>")
+foreach(shell zsh=zsh/vendor-completions/_rayclock fish=fish/vendor_completions.d/rayclock.fish)
+  string(REPLACE "=" ";" shell ${shell})
+  list(GET shell 0 name)
+  list(GET shell 1 file)
+  file(READ ${prefix}/share/${file} text)
+  demand("${text}" "max-other")
+  find_program(${name} ${name})
+  if(${name})
+    run(output ${${name}} -n ${prefix}/share/${file})
+  endif()
+endforeach()
+
+# Another project builds on the RTL.
+file(WRITE ${FOLDER}/other/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(other LANGUAGES NONE)
+find_package(rayclock 0.1 REQUIRED)
+execute_process(COMMAND verilator --lint-only -Wall --top-module rc_chip \${rayclock_RTL_SOURCES} COMMAND_ERROR_IS_FATAL ANY)
+get_target_property(program rayclock::rayclock IMPORTED_LOCATION)
+execute_process(COMMAND \${program} --version COMMAND_ERROR_IS_FATAL ANY)
+")
+run(output ${CMAKE_COMMAND} -S ${FOLDER}/other -B ${FOLDER}/other/build -DCMAKE_PREFIX_PATH=${prefix})
+
+# The core file has every source.
+file(STRINGS ${prefix}/share/rayclock/rtl/rayclock.core lines REGEX "^      - .*\\.sv$")
+list(TRANSFORM lines REPLACE "^      - " "")
+list(SORT lines)
+file(GLOB_RECURSE sources RELATIVE ${prefix}/share/rayclock/rtl ${prefix}/share/rayclock/rtl/*.sv)
+list(SORT sources)
+if(NOT lines STREQUAL sources)
+  message(FATAL_ERROR "rtl/rayclock.core lists\n${lines}\nand the folder has\n${sources}")
+endif()
+file(REMOVE_RECURSE ${FOLDER})
