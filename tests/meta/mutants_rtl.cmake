@@ -59,9 +59,9 @@ mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
 mutant(shared_second_operands_stay FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
   OLD [[: a_q >> AW;]]
   NEW [[: a_q;]])
-mutant(shared_first_product_goes_early FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
+mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
   OLD [[.Stages(Share - 1 - i)) u_early]]
-  NEW [[.Stages(Own - 1 - i)) u_early]])
+  NEW [[.Stages(Own - 1)) u_early]])
 mutant(shared_v_before_u FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
   OLD [[assign rem = u_goes ? u_rem : v_rem_q;]]
   NEW [[assign rem = u_goes ? v_rem_q : u_rem;]])
