@@ -136,8 +136,9 @@ Table list_table(const std::vector<SceneCells>& scenes) {
 constexpr const char* intro = R"(# Structures on one machine
 
 Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches:
-{}x{} pixels of camera rays, scenes in triangles; finished pictures (`--depth 4`) have half as many columns and rows, and true spheres where the scene
-has them. All structures give the same picture, bit for bit ([planes.md](planes.md), [boxes.md](boxes.md)).
+{}x{} pixels of camera rays, scenes in triangles; finished pictures (`--depth 4`) have half as many columns
+and rows, and true spheres where the scene has them. fps are of these pictures. All structures give the same
+picture, bit for bit ([planes.md](planes.md), [boxes.md](boxes.md)).
 An octree uses the engine of kd, to the gate ([configurations.md](configurations.md#structures)).
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
