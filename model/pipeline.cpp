@@ -6,7 +6,7 @@ namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : shading_(config.shading != 0),
-      kd_(config.is_kd()),
+      kd_(config.has_treelets()),
       lists_(config.is_list()),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),
@@ -18,6 +18,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
       tried_(std::max(0, Stages(config).tried - 1), config.contexts),
+      tri_rests_(std::uint32_t(config.tri_interval - 1)),
       late_(Stages(config).arrive > 0),
       surf_cache_(surf_cache_shape(config)),
       shade_(config),

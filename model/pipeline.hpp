@@ -167,7 +167,9 @@ private:
     List list_;
     Cache prim_cache_;
     Delay tri_, tried_;
-    bool late_;   // there are boxed_ and tried_
+    std::uint32_t tri_rests_, tri_rest_ = 0;   // cycles after a primitive in which tri takes none; that are
+                                               // left
+    bool late_;                                // there are boxed_ and tried_
     Cache surf_cache_;
     Shade shade_;
     Merge raygen_link_;
@@ -209,7 +211,7 @@ template <bool shades>
     m.offer(Link::box_rsp, boxed.there, true, boxed.ray);
     m.offer(Link::leaves, m.boxed.there & has_tests(m.boxed.ray), true, m.boxed.ray);
     m.offer(Link::prim_req, list_.prim_valid(), prim_cache_.ready(), list_.prim_ray());
-    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready(), prim_cache_.answer());
+    m.offer(Link::tri_req, prim_cache_.valid(), tri_.ready() & (tri_rest_ == 0), prim_cache_.answer());
     m.offer(Link::tri_rsp, tried.there, true, tried.ray);
     const bool tested = list_.tested_valid();
     m.offer(Link::tested, tested, trav_.tested_ready(tested), list_.tested_ray());
@@ -235,7 +237,10 @@ template <bool shades>
                         trav = trav_codes[turn + 2 * free],
                         box = test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
                         list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
-                        tri = test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
+                        tri =
+                            tri_rest_ > 0
+                                ? 0u
+                                : test_codes[std::size_t(progress(Link::tri_req) + 3 * prim_cache_.waits())];
     last_units_ = sched | raygen << 2 | trav << 4 | box << 6 | list << 8 | tri << 9;
     ++units_[last_units_];
 }
@@ -321,13 +326,14 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(c
 
 [[gnu::always_inline]] inline void Pipeline::clock_tri(const Moves& m, std::uint64_t now) {
     tri_.clock(now, m[Link::tri_req]);
+    tri_rest_ = select(m[Link::tri_req].fires, tri_rests_, tri_rest_ - (tri_rest_ > 0));
     if (late_) tried_.clock(now, m[Link::tri_rsp]);
 }
 
 template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                                           const SharedMoves& shared) {
     account_units(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there;
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (tri_rest_ > 0);
     clock_sched<shades>(m, shared.tile);
     clock_raygen<shades>(m, now);
     clock_trav<shades>(m);

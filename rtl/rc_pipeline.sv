@@ -57,6 +57,7 @@ module rc_pipeline (
   rc_pkg::prim_rsp_t prim_rsp;
   logic              tri_req_valid, tri_req_ready;
   rc_pkg::tri_req_t  tri_req;
+  logic              tri_rests;
   logic              tri_rsp_valid, tri_rsp_ready;
   rc_pkg::tri_rsp_t  tri_rsp;
   logic              tested_valid, tested_ready;
@@ -169,6 +170,7 @@ module rc_pipeline (
   rc_tri u_tri (
     .clk_i, .rst_ni,
     .req_valid_i(tri_req_valid), .req_ready_o(tri_req_ready), .req_i(tri_req),
+    .rests_o(tri_rests),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
 
   if (rc_pkg::Shading == 0) begin : gen_hits   // a pixel is what its ray hit
@@ -208,8 +210,12 @@ module rc_pipeline (
   assign list_cause   = leaves_fires || tri_rsp_valid ? rc_pkg::ListBusyWork
                                                       : rc_pkg::ListStarvedTrav;
   always_comb begin
-    if (tri_req_valid) tri_cause = tri_req_ready ? rc_pkg::TriBusyWork : rc_pkg::TriStalledList;
-    else               tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
+    if (tri_rests) tri_cause = rc_pkg::TriBusyWork;
+    else if (tri_req_valid) begin
+      tri_cause = tri_req_ready ? rc_pkg::TriBusyWork : rc_pkg::TriStalledList;
+    end else begin
+      tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
+    end
   end
   assign causes_o     = {treelet_cause, shade_cause, surf_cause, tri_cause, prim_cause, list_cause,
                          box_cause, node_cause, trav_cause, raygen_cause, sched_cause};

@@ -15,9 +15,10 @@ namespace rayclock {
 void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
 
-/// The same for a kd-tree (kd/build.hpp), and for a mere list of all primitives, from line 0 on.
-void emit_kd(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
-             MemoryImage& image);
+/// The same for space cut by planes (kd/build.hpp, octree/build.hpp), and for a mere list of all primitives,
+/// from line 0 on.
+void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+                MemoryImage& image);
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
 

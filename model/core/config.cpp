@@ -58,7 +58,12 @@ const std::vector<std::string>& dram_names() {
 }
 
 const std::vector<std::string>& structure_names() {
-    static const std::vector<std::string> names{"bvh", "kd", "none"};
+    static const std::vector<std::string> names{"bvh", "kd", "none", "octree"};
+    return names;
+}
+
+const std::vector<std::string>& straddlers_names() {
+    static const std::vector<std::string> names{"leaves", "inner"};
     return names;
 }
 
@@ -95,14 +100,19 @@ const std::vector<Parameter>& parameters() {
          &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"structure", &Config::structure, 0, int(structure_names().size()) - 1, false,
-         "what holds the scene: bvh, kd, or none (a list of all primitives)", &structure_names()},
+         "what holds the scene: bvh, kd, octree, or none (a list of all primitives)", &structure_names()},
+        {"straddlers", &Config::straddlers, 0, int(straddlers_names().size()) - 1, false,
+         "of an octree: where it has what a plane cuts, leaves or inner (the inner node)",
+         &straddlers_names()},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
-        {"leaf_size", &Config::leaf_size, 1, 6, false, "most triangles in a leaf"},
+        {"leaf_size", &Config::leaf_size, 1, 6, false, "most primitives in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
         {"stack_depth", &Config::stack_depth, 1, 64, true, "sibling groups on a ray's stack"},
         {"raygen_queue", &Config::raygen_queue, 2, 256, true, "answers raygen may hold"},
         {"box_queue", &Config::box_queue, 2, 256, true, "answers box may hold"},
         {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
+        {"tri_interval", &Config::tri_interval, 1, 4, true,
+         "cycles from a primitive that tri takes to the next; more share multipliers"},
         {"pipelines", &Config::pipelines, 1, 8, true, "P: pipelines"},
         {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
         {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},
@@ -280,11 +290,10 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
-    if (c.is_kd() && c.test() != PrimitiveTest::exact && !c.is_sheared())
-        refuse(
-            "structure=kd needs primitive_test=exact or sheared: only of these it is known how far a hit may "
-            "lie "
-            "from its primitive");
+    if (c.has_treelets() && c.test() != PrimitiveTest::exact && !c.is_sheared())
+        refuse("structure=" + structure_names()[std::size_t(c.structure)] +
+               " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
+               "its primitive");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},
                                                  {"smooth", c.smooth},

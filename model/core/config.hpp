@@ -8,8 +8,13 @@ namespace rayclock {
 enum class Timing { relaxed, fast };
 
 /// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/bvh), space cut
-/// by planes (model/kd), or nothing but a list of all primitives (model/none).
-enum class Structure { bvh, kd, none };
+/// by planes (model/kd), or nothing but a list of all primitives (model/none). An octree is cut by planes in
+/// the middle of its cells, and walked by the engine of kd.
+enum class Structure { bvh, kd, none, octree };
+
+/// Where an octree has what lies on both sides of a cut, by the value of Config::straddlers: in every leaf
+/// that it reaches into, or in the inner node.
+enum class Straddlers { leaves, inner };
 
 /// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
@@ -63,16 +68,18 @@ struct Config {
     int origin_bits = 12;     ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with
                               ///< `shading` only
 
-    int structure = 0;   ///< what holds the scene in memory, see structure_names()
+    int structure = 0;    ///< what holds the scene in memory, see structure_names()
+    int straddlers = 0;   ///< of an octree, see straddlers_names()
 
     // Shape: counts, depths, latencies.
     int node_width = 8;      ///< W: children of a node, 2, 4 or 8
-    int leaf_size = 1;       ///< most triangles in a leaf, 1..6
+    int leaf_size = 1;       ///< most primitives in a leaf, 1..6
     int contexts = 64;       ///< T: rays in flight
     int stack_depth = 16;    ///< groups of siblings a ray can leave for later
     int raygen_queue = 16;   ///< answers raygen may hold, a power of two
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
+    int tri_interval = 1;    ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
     int pipelines = 1;       ///< P: pipelines of one machine
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row
@@ -120,8 +127,12 @@ struct Config {
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }   ///< distance, saturating, all ones: beyond
     PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
     bool is_bvh() const { return Structure(structure) == Structure::bvh; }
-    bool is_kd() const { return Structure(structure) == Structure::kd; }
     bool is_list() const { return Structure(structure) == Structure::none; }
+    bool has_treelets() const { return engine() == Structure::kd; }
+    bool is_octree() const { return Structure(structure) == Structure::octree; }
+    Structure engine() const {
+        return is_octree() ? Structure::kd : Structure(structure);
+    }   ///< the structure for which the RTL is built
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
     int edge_bits() const;   ///< signed edge function and determinant of a hit
     int num_bits() const {
@@ -159,7 +170,7 @@ struct Config {
     int box_latency() const;
     int treelet_latency() const;
     int node_latency() const {
-        return is_kd() ? treelet_latency() : box_latency();
+        return has_treelets() ? treelet_latency() : box_latency();
     }                                                       ///< of the unit that decides a node
     int planes_of_node() const { return node_width - 1; }   ///< of a treelet
     int tri_latency() const;
@@ -195,6 +206,9 @@ const std::vector<std::string>& dram_names();
 
 /// What holds the scene in memory, by the value of Config::structure.
 const std::vector<std::string>& structure_names();
+
+/// Where an octree has what a plane cuts, by the value of Config::straddlers.
+const std::vector<std::string>& straddlers_names();
 
 /// How short paths are cut, by the value of Config::timing.
 const std::vector<std::string>& timing_names();

@@ -1,5 +1,6 @@
 #pragma once
-// Every payload of the machine, described once: C++ members, widths, and through them rc_pkg.sv.
+// Every payload of the machine, described once: C++ members, widths, and through them rc_pkg.sv. Those of
+// links to memory are in memory_payloads.hpp.
 //
 // Symbols: N coord_bits, M dir_bits, F t_frac_bits, R recip_bits, W node_width (core/config.hpp).
 // A distance t is in units of 2^-F lattice steps along a direction of length 2^(M-1): t = 2^(M-1+F) * (point
@@ -11,7 +12,7 @@
 #include "model/core/config.hpp"
 #include "model/core/frame.hpp"
 #include "model/core/layout.hpp"
-#include "model/core/lines.hpp"
+#include "model/core/memory_payloads.hpp"
 
 namespace rayclock {
 
@@ -113,96 +114,6 @@ struct Start {
         if (c.shading) v("kind", kind, 2);
     }
 };
-
-/// trav -> node memory; address in lines of 64 bytes.
-struct NodeReq {
-    std::uint32_t ray = 0, addr = 0;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        v("addr", addr, c.addr_bits);
-    }
-};
-
-/// list -> primitive memory; address in half lines of 32 bytes.
-struct PrimReq {
-    std::uint32_t ray = 0, addr = 0;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        v("addr", addr, c.addr_bits + 1);
-    }
-};
-
-/// node memory -> trav.
-struct NodeRsp {
-    std::uint32_t ray = 0;
-    Node node;
-    Treelet treelet;   ///< takes the place of node in a kd-tree
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        if (c.is_kd())
-            treelet.fields(v, c);
-        else
-            node.fields(v, c);
-    }
-};
-
-/// primitive memory -> list.
-struct PrimRsp {
-    std::uint32_t ray = 0;
-    PrimData triangle;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        triangle.fields(v, c);
-    }
-};
-
-/// shade -> surface memory; address in lines.
-struct SurfReq {
-    std::uint32_t ray = 0, addr = 0;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        v("addr", addr, c.addr_bits);
-    }
-};
-
-/// surface memory -> shade.
-struct SurfRsp {
-    std::uint32_t ray = 0;
-    Surface surface;
-    template <class V> void fields(V& v, const Config& c) {
-        v("ray", ray, c.ray_bits());
-        surface.fields(v, c);
-    }
-};
-
-/// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see
-/// model/mem/cache.hpp.
-template <int (Config::*id_bits)() const> struct LineReq {
-    std::uint32_t id = 0, addr = 0;
-    template <class V> void fields(V& v, const Config& c) {
-        v("id", id, (c.*id_bits)());
-        v("addr", addr, c.addr_bits);
-    }
-};
-/// Memory -> a cache.
-template <int (Config::*id_bits)() const> struct LineRsp {
-    std::uint32_t id = 0;
-    Line line{};
-    template <class V> void fields(V& v, const Config& c) {
-        v("id", id, (c.*id_bits)());
-        v("line", line, 32, 16);
-    }
-};
-using NodeMiss = LineReq<&Config::node_miss_bits>;
-using NodeFill = LineRsp<&Config::node_miss_bits>;
-using PrimMiss = LineReq<&Config::prim_miss_bits>;
-using PrimFill = LineRsp<&Config::prim_miss_bits>;
-using SurfMiss = LineReq<&Config::surf_miss_bits>;
-using SurfFill = LineRsp<&Config::surf_miss_bits>;
-using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
-using L2Rsp = LineRsp<&Config::client_id_bits>;
-using MemReq = LineReq<&Config::mem_id_bits>;   ///< chip -> DRAM
-using MemRsp = LineRsp<&Config::mem_id_bits>;
 
 /// trav -> box: the ray and the node that came from memory.
 struct BoxReq {

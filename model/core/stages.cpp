@@ -28,11 +28,14 @@ Stages::Stages(const Config& config) {
     exits = 2 + 2 * cut;
     cache = cut;
 
-    edges = 2 + 2 * (multiply + 1) + cut;
+    cross_share = std::min(config.tri_interval, 3);
+    dot_share = config.tri_interval;
+    pair_share = std::min(config.tri_interval, 2);
+    edges = 2 + 2 * multiply + cross_share + dot_share + cut;
     shear = 6;
-    compare = multiply + 2 + cut;
+    compare = multiply + 1 + pair_share + cut;
     sphere = 8 + root_bits / 2 + (config.t_bits() + 1) / 2;
-    hit_divide = divide(std::max(config.t_bits(), config.uv_bits() - 1)) + 2 * cut;
+    hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1) + pair_share - 1) + 2 * cut;
 
     pixel = 1 + (fast ? multiply - 1 : 0);
     direction = 1 + 2 * cut;

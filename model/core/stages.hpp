@@ -18,6 +18,12 @@ struct Stages {
     // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
     int plane = 0;   ///< from a treelet to the times of its planes
     int exits = 0;   ///< from these to the exits' intervals
+    // Products and quotients that share a multiplier or divider, one after the other, if tri takes a
+    // primitive only every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products, of the four sums
+    // of products that are edge functions, of a pair.
+    int cross_share = 1;
+    int dot_share = 1;
+    int pair_share = 1;
     // Primitives, rtl/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;

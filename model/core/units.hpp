@@ -33,7 +33,7 @@ constexpr bool is_there(When when, const Config& config) {
         case When::shared_cache: return config.l2_sets > 0;
         case When::nodes: return !config.is_list();
         case When::boxes: return config.is_bvh();
-        case When::treelets: return config.is_kd();
+        case When::treelets: return config.has_treelets();
         default: return true;
     }
 }

@@ -40,8 +40,8 @@ HitFrame Reference::frame(const Camera& camera, FrameSize size, int threads, con
 }
 
 WhittedFrame Reference::whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads,
-                                const Progress& progress) const {
-    return ref_whitted(impl_->geometry, impl_->scene, camera, size, settings, threads, progress);
+                                const Progress& progress, const RayWatch& watch) const {
+    return ref_whitted(impl_->geometry, impl_->scene, camera, size, settings, threads, progress, watch);
 }
 
 }   // namespace rayclock

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "model/base/progress.hpp"
@@ -15,6 +16,11 @@ struct WhittedFrame {
     HitFrame hits;                           ///< of each pixel's first sample
     std::vector<std::uint64_t> signatures;   ///< of each pixel (PathSignature)
 };
+
+/// Sees every ray of a picture: where it begins, its unit direction, and how far it goes, in terms of the
+/// scene. A ray that meets nothing has no end, HUGE_VAL; a shadow ray ends at the light, or at the nearest
+/// thing before it. Several threads call it at once.
+using RayWatch = std::function<void(const glm::dvec3& from, const glm::dvec3& direction, double reach)>;
 
 /// The double-precision software tracer: the scene as given, its own BVHs, a watertight triangle test.
 /// It shares nothing with the fixed-point model but the scene and the camera's definition.
@@ -34,7 +40,7 @@ public:
     /// The finished picture (model/scene/whitted.hpp). The scene that the tracer was made from must still be
     /// there, unchanged. Pixels and counts do not depend on `threads`.
     WhittedFrame whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads = 0,
-                         const Progress& progress = {}) const;
+                         const Progress& progress = {}, const RayWatch& watch = {}) const;
 
 private:
     struct Impl;

@@ -43,14 +43,16 @@ struct Surface {
 /// One pixel's rays, and how many there were.
 class Tracer {
 public:
-    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings)
-        : geometry_(geometry), scene_(scene), settings_(settings) {}
+    Tracer(const RefGeometry& geometry, const Scene& scene, const Whitted& settings, const RayWatch& watch)
+        : geometry_(geometry), scene_(scene), settings_(settings), watch_(watch) {}
 
     glm::dvec3 pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y, Hit& first);
     const RayCounts& counts() const { return counts_; }
     std::uint64_t signature() const { return signature_.value(); }
 
 private:
+    RefClosest closest(const RefPath& path);
+    void tell(const RefPath& path, double reach) const;
     glm::dvec3 sample(const RefPath& path, RefClosest& hit);
     void follow(const RefPath& path, double weight, int depth);
     void shade(const RefPath& path, const RefClosest& hit, double weight, int depth);
@@ -67,6 +69,7 @@ private:
     const RefGeometry& geometry_;
     const Scene& scene_;
     const Whitted& settings_;
+    const RayWatch& watch_;
     RayCounts counts_;
     glm::dvec3 sum_{0};         ///< of the sample under way
     PathSignature signature_;   ///< of the pixel
@@ -156,6 +159,7 @@ glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Ligh
     }
     shadow.direction = (position - shadow.from) / distance;
     const bool is_blocked = geometry_.is_blocked(shadow, distance);
+    if (watch_) tell(shadow, is_blocked ? geometry_.closest(shadow).depth : distance);
     signature_.asked(is_blocked);
     if (is_blocked) return glm::dvec3(0);
 
@@ -224,8 +228,19 @@ void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, in
         reflect_and_refract(path, surface, weight, depth);
 }
 
-void Tracer::follow(const RefPath& path, double weight, int depth) {
+void Tracer::tell(const RefPath& path, double reach) const {
+    const RefUnitSpace& space = geometry_.space();
+    watch_(space.centre + path.from / space.scale, path.direction, reach / space.scale);
+}
+
+RefClosest Tracer::closest(const RefPath& path) {
     const RefClosest hit = geometry_.closest(path);
+    if (watch_) tell(path, hit.primitive == no_primitive ? HUGE_VAL : hit.depth);
+    return hit;
+}
+
+void Tracer::follow(const RefPath& path, double weight, int depth) {
+    const RefClosest hit = closest(path);
     signature_.met(hit.primitive);
     if (hit.primitive == no_primitive)
         sum_ += weight * scene_.background;
@@ -235,7 +250,7 @@ void Tracer::follow(const RefPath& path, double weight, int depth) {
 
 glm::dvec3 Tracer::sample(const RefPath& path, RefClosest& hit) {
     ++counts_.primary;
-    hit = geometry_.closest(path);
+    hit = closest(path);
     signature_.met(hit.primitive);
     if (hit.primitive == no_primitive) return scene_.background;
     ++counts_.primary_hits;
@@ -272,7 +287,8 @@ glm::dvec3 Tracer::pixel(const PixelRays& rays, std::uint32_t x, std::uint32_t y
 }   // namespace
 
 WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
-                         FrameSize size, const Whitted& settings, int threads, const Progress& progress) {
+                         FrameSize size, const Whitted& settings, int threads, const Progress& progress,
+                         const RayWatch& watch) {
     check_frame_size(size);
     const PixelRays rays = pixel_rays(camera, size);
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
@@ -282,7 +298,7 @@ WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const 
                        std::vector<std::uint64_t>(pixels)};
     std::mutex adding;
     for_each_tile(size, threads, "reference", progress, [&](const PixelTile& tile) {
-        Tracer tracer(geometry, scene, settings);
+        Tracer tracer(geometry, scene, settings, watch);
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +

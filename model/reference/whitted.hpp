@@ -13,6 +13,7 @@ inline Hit ref_hit(const RefClosest& found, const RefUnitSpace& space) {
 
 /// Reference::whitted().
 WhittedFrame ref_whitted(const RefGeometry& geometry, const Scene& scene, const Camera& camera,
-                         FrameSize size, const Whitted& settings, int threads, const Progress& progress);
+                         FrameSize size, const Whitted& settings, int threads, const Progress& progress,
+                         const RayWatch& watch = {});
 
 }   // namespace rayclock

@@ -16,7 +16,7 @@ public:
           config_(config),
           read_node_(config),
           nodes_(config.is_bvh() ? image.lines() : 0),
-          treelets_(config.is_kd() ? image.lines() : 0),
+          treelets_(config.has_treelets() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
           surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
@@ -30,7 +30,7 @@ public:
     }
     /// How many children or exits the node in a line has.
     std::uint32_t children(std::uint32_t line) const {
-        return config_.is_kd() ? treelet(line).exits.children : node(line).children;
+        return config_.has_treelets() ? treelet(line).exits.children : node(line).children;
     }
     /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
     WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }

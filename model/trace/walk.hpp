@@ -30,7 +30,7 @@ struct UnitWay {
             hits = page.children_mask;
             return page;
         }
-        if (config.is_kd()) {
+        if (config.has_treelets()) {
             const WideTreelet& treelet = decoder.treelet(line);
             hits = treelet_exits(from, treelet, config, t_near);
             return treelet.exits;

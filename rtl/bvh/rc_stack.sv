@@ -43,14 +43,13 @@ module rc_stack (
   logic [rc_pkg::Contexts-1:0] used;
   logic         end_valid;
   logic [I-1:0] end_ray;
-  logic [H-1:0] s0_kept, s1_kept_q, s1_height, end_height, height_d, level;
+  logic [H-1:0] s0_kept, s1_kept_q, end_height, height_d, level;
   rc_ram #(.Width(H), .Depth(rc_pkg::Contexts)) u_height (
     .clk_i, .write_i(end_valid), .write_addr_i(end_ray), .write_data_i(height_d),
     .read_addr_i(s0_ray_i), .read_data_o(s0_kept));
   rc_flags #(.Flags(rc_pkg::Contexts)) u_used (
     .clk_i, .rst_ni, .clear_i(1'b0), .clear_at_i('0), .set_i(end_valid), .set_at_i(end_ray),
     .flags_o(used));
-  assign s1_height = used[s1_tested_i.ray] ? s1_kept_q : '0;
 
   logic              write, read;
   logic [I-1:0]      read_ray;
@@ -92,12 +91,16 @@ module rc_stack (
   // What is compared: the ray's step, its new children and its top group.
   logic [rc_pkg::TestedW-1:0]   tested_flat;
   logic [rc_pkg::ChildrenW-1:0] children_flat, end_children_flat;
-  logic [H-1:0]                 height;
+  logic [H-1:0]                 kept, height;
+  logic                         is_used;
   rc_pkg::tested_t              tested;
   rc_pkg::children_t            children, end_children;
   rc_cut #(.Width(rc_pkg::TestedW + rc_pkg::ChildrenW + H), .Stages(Late - Cut)) u_step (
-    .clk_i, .data_i({s1_tested_i, s1_children_i, s1_height}),
-    .data_o({tested_flat, children_flat, height}));
+    .clk_i, .data_i({s1_tested_i, s1_children_i, s1_kept_q}),
+    .data_o({tested_flat, children_flat, kept}));
+  rc_cut #(.Width(1), .Stages(Late - Cut)) u_is_used (
+    .clk_i, .data_i(used[s1_tested_i.ray]), .data_o(is_used));
+  assign height   = is_used ? kept : '0;
   assign tested   = tested_flat;
   assign children = children_flat;
 

@@ -78,20 +78,20 @@ module rc_trav (
   assign node_rsp  = node_rsp_i;
   assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
 
-  // Box's answer, and the ray's distance to beat.
+  // Box's answer. The ray's distance to beat is read a cycle later, since nothing changes it
+  // while the ray waits for box.
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
   logic                       came_fires, in_fires, leaf_matters;
-  logic [TB-1:0]              came_t, in_t;
+  logic [TB-1:0]              leaves_beat;
   assign came            = box_rsp_i;
   assign came_fires      = box_rsp_valid_i;
   assign box_rsp_ready_o = 1'b1;
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(came_t));
-  rc_cut #(.Width(rc_pkg::BoxRspW + TB)) u_came (
-    .clk_i, .data_i({came, came_t}), .data_o({in_flat, in_t}));
+    .write_t_i(tested_i.t_best), .read_ray_i(in.ray), .read_t_o(leaves_beat));
+  rc_cut #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
   assign in = in_flat;
 
   // The leaves, moved to the front, go to list if the nearest can matter.
@@ -119,11 +119,10 @@ module rc_trav (
   rc_pkg::leaves_t              leaves;
   logic [rc_pkg::LeavesW-1:0]   in_leaves, leaves_flat;
   logic [rc_pkg::ChildrenW-1:0] in_children, children;
-  logic [TB-1:0]                leaves_beat;
   assign in_leaves   = {in.ray, in.base, in.leaves, leaf_near, leaf_offset, leaf_count};
   assign in_children = {in.base, in.inner, in.t_near, in_slot};
-  rc_cut #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TB)) u_moved (
-    .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
+  rc_cut #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW)) u_moved (
+    .clk_i, .data_i({in_leaves, in_children}), .data_o({leaves_flat, children}));
   assign leaves = leaves_flat;
   if (rc_pkg::Cut == 0) begin : gen_in_now
     assign in_fires = came_fires;

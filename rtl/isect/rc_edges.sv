@@ -1,7 +1,8 @@
 // Edge functions of a ray and a triangle, turned so that det > 0, and whether the
 // ray's line crosses the triangle at t > 0. Part of rc_tri, which has the valid bits:
 // operands come with valid_i[0], answers rc_pkg::EdgesStages later; det, num, u and v are sure
-// to be non-negative only if hit. Model: tri_test() in model/isect/tri.cpp.
+// to be non-negative only if hit. If operands come only every few cycles, products share
+// multipliers (rc_mul_shared). Model: tri_test() in model/isect/tri.cpp.
 //
 // If the chip shades, origins have B fraction bits, and of rays that leave a surface u, v,
 // num and det are in units of 2^-B. A plane is a triangle whose edges do not count: u and v
@@ -18,6 +19,7 @@ module rc_edges #(
 ) (
   input  logic                clk_i,
   input  logic [L-1:0]        valid_i,       // valid_i[i]: stage i holds a triangle
+  input  logic [L-1:0]        there_i,       // the same; valid_i may be set where nothing is
   input  logic                s0_leaves_i,   // from a surface: o has a fraction
   input  logic                s0_plane_i,
   input  logic [3*W-1:0]      s0_o_i,
@@ -41,10 +43,12 @@ module rc_edges #(
   localparam int unsigned X = 2 * D + 1;  // component of e1 x e2
   localparam int unsigned Cut = rc_pkg::Cut;
   localparam int unsigned Mul = rc_pkg::MulStages;
+  localparam int unsigned CrossShare = rc_pkg::CrossShare;
+  localparam int unsigned DotShare   = rc_pkg::DotShare;
   // Stages that hold the edges, their cross products, the edge functions.
   localparam int unsigned Edge  = 1;
-  localparam int unsigned Cross = Edge + Mul + 1;
-  localparam int unsigned Dot   = Cross + Mul + 1;
+  localparam int unsigned Cross = Edge + Mul + CrossShare;
+  localparam int unsigned Dot   = Cross + Mul + DotShare;
 
   // Edges from a, and a to the origin, 2^B (o - a).
   for (genvar k = 0; k < 3; k++) begin : gen_edge
@@ -85,18 +89,39 @@ module rc_edges #(
     logic signed [2*D-1:0] n_yz, n_zy;
     logic signed [C-1:0]   p1_q, p2_q;
     logic signed [X-1:0]   n_q;
-    rc_mul #(.AW(M), .BW(D)) u_p1_yz (
-      .clk_i, .a_i(gen_edge[Y].d_q), .b_i(gen_edge[Z].e1_q), .p_o(p1_yz));
-    rc_mul #(.AW(M), .BW(D)) u_p1_zy (
-      .clk_i, .a_i(gen_edge[Z].d_q), .b_i(gen_edge[Y].e1_q), .p_o(p1_zy));
-    rc_mul #(.AW(M), .BW(D)) u_p2_yz (
-      .clk_i, .a_i(gen_edge[Y].d_q), .b_i(gen_edge[Z].e2_q), .p_o(p2_yz));
-    rc_mul #(.AW(M), .BW(D)) u_p2_zy (
-      .clk_i, .a_i(gen_edge[Z].d_q), .b_i(gen_edge[Y].e2_q), .p_o(p2_zy));
-    rc_mul #(.AW(D), .BW(D)) u_n_yz (
-      .clk_i, .a_i(gen_edge[Y].e1_q), .b_i(gen_edge[Z].e2_q), .p_o(n_yz));
-    rc_mul #(.AW(D), .BW(D)) u_n_zy (
-      .clk_i, .a_i(gen_edge[Z].e1_q), .b_i(gen_edge[Y].e2_q), .p_o(n_zy));
+    if (CrossShare == 1) begin : gen_at_once
+      rc_mul #(.AW(M), .BW(D)) u_p1_yz (
+        .clk_i, .a_i(gen_edge[Y].d_q), .b_i(gen_edge[Z].e1_q), .p_o(p1_yz));
+      rc_mul #(.AW(M), .BW(D)) u_p1_zy (
+        .clk_i, .a_i(gen_edge[Z].d_q), .b_i(gen_edge[Y].e1_q), .p_o(p1_zy));
+      rc_mul #(.AW(M), .BW(D)) u_p2_yz (
+        .clk_i, .a_i(gen_edge[Y].d_q), .b_i(gen_edge[Z].e2_q), .p_o(p2_yz));
+      rc_mul #(.AW(M), .BW(D)) u_p2_zy (
+        .clk_i, .a_i(gen_edge[Z].d_q), .b_i(gen_edge[Y].e2_q), .p_o(p2_zy));
+      rc_mul #(.AW(D), .BW(D)) u_n_yz (
+        .clk_i, .a_i(gen_edge[Y].e1_q), .b_i(gen_edge[Z].e2_q), .p_o(n_yz));
+      rc_mul #(.AW(D), .BW(D)) u_n_zy (
+        .clk_i, .a_i(gen_edge[Z].e1_q), .b_i(gen_edge[Y].e2_q), .p_o(n_zy));
+    end else begin : gen_shared
+      localparam int unsigned A = M > D ? M : D;
+      logic [3*(A+D)-1:0] yz, zy;
+      rc_mul_shared #(.AW(A), .BW(D), .Products(3), .Share(CrossShare)) u_yz (
+        .clk_i, .valid_i(there_i[Edge]),
+        .a_i({A'(gen_edge[Y].e1_q), A'(gen_edge[Y].d_q), A'(gen_edge[Y].d_q)}),
+        .b_i({gen_edge[Z].e2_q, gen_edge[Z].e2_q, gen_edge[Z].e1_q}), .p_o(yz));
+      rc_mul_shared #(.AW(A), .BW(D), .Products(3), .Share(CrossShare)) u_zy (
+        .clk_i, .valid_i(there_i[Edge]),
+        .a_i({A'(gen_edge[Z].e1_q), A'(gen_edge[Z].d_q), A'(gen_edge[Z].d_q)}),
+        .b_i({gen_edge[Y].e2_q, gen_edge[Y].e2_q, gen_edge[Y].e1_q}), .p_o(zy));
+      assign p1_yz = yz[0 +: M+D];
+      assign p2_yz = yz[A+D +: M+D];
+      assign n_yz  = yz[2*(A+D) +: 2*D];
+      assign p1_zy = zy[0 +: M+D];
+      assign p2_zy = zy[A+D +: M+D];
+      assign n_zy  = zy[2*(A+D) +: 2*D];
+      logic unused;
+      assign unused = ^{yz, zy};
+    end
     always_ff @(posedge clk_i) begin
       if (valid_i[Cross-1]) begin
         p1_q <= C'(p1_yz) - C'(p1_zy);
@@ -144,14 +169,31 @@ module rc_edges #(
     logic signed [X+S-1:0] num_wide;
     logic signed [E-1:0]   det, u, v;
     logic signed [U-1:0]   num;
-    rc_mul #(.AW(C), .BW(D)) u_det (
-      .clk_i, .a_i(gen_cross[k].p2_q), .b_i(gen_edge[k].dot_e1), .p_o(det_wide));
-    rc_mul #(.AW(C), .BW(S)) u_u (
-      .clk_i, .a_i(gen_cross[k].p2_q), .b_i(gen_edge[k].dot_s), .p_o(u_wide));
-    rc_mul #(.AW(C), .BW(S)) u_v (
-      .clk_i, .a_i(gen_cross[k].p1_q), .b_i(gen_edge[k].dot_s), .p_o(v_wide));
-    rc_mul #(.AW(X), .BW(S)) u_num (
-      .clk_i, .a_i(gen_cross[k].n_q), .b_i(gen_edge[k].dot_s), .p_o(num_wide));
+    if (DotShare == 1) begin : gen_at_once
+      rc_mul #(.AW(C), .BW(D)) u_det (
+        .clk_i, .a_i(gen_cross[k].p2_q), .b_i(gen_edge[k].dot_e1), .p_o(det_wide));
+      rc_mul #(.AW(C), .BW(S)) u_u (
+        .clk_i, .a_i(gen_cross[k].p2_q), .b_i(gen_edge[k].dot_s), .p_o(u_wide));
+      rc_mul #(.AW(C), .BW(S)) u_v (
+        .clk_i, .a_i(gen_cross[k].p1_q), .b_i(gen_edge[k].dot_s), .p_o(v_wide));
+      rc_mul #(.AW(X), .BW(S)) u_num (
+        .clk_i, .a_i(gen_cross[k].n_q), .b_i(gen_edge[k].dot_s), .p_o(num_wide));
+    end else begin : gen_shared
+      localparam int unsigned A = C > X ? C : X;
+      logic [4*(A+S)-1:0] wide;
+      rc_mul_shared #(.AW(A), .BW(S), .Products(4), .Share(DotShare)) u_products (
+        .clk_i, .valid_i(there_i[Cross]),
+        .a_i({A'(gen_cross[k].n_q), A'(gen_cross[k].p2_q), A'(gen_cross[k].p1_q),
+              A'(gen_cross[k].p2_q)}),
+        .b_i({gen_edge[k].dot_s, S'(gen_edge[k].dot_e1), gen_edge[k].dot_s, gen_edge[k].dot_s}),
+        .p_o(wide));
+      assign u_wide   = wide[0 +: C+S];
+      assign v_wide   = wide[A+S +: C+S];
+      assign det_wide = wide[2*(A+S) +: C+D];
+      assign num_wide = wide[3*(A+S) +: X+S];
+      logic unused;
+      assign unused = ^wide;
+    end
     assign det = E'(det_wide);
     assign u   = E'(u_wide);
     assign v   = E'(v_wide);
@@ -175,7 +217,7 @@ module rc_edges #(
   logic signed [E-1:0] w, end_det, end_u, end_v;
   logic signed [U-1:0] end_num;
   logic                u_neg, v_neg, end_u_neg, end_v_neg, end_w_neg, end_edge_on, end_here;
-  logic                end_flip, end_u_turn, end_v_turn;
+  logic                end_flip, end_u_goes, end_v_turn;
   assign w     = det_q - u_q - v_q - $signed({{(E-1){1'b0}}, end_tie_w});
   assign u_neg = u_q != '0 ? u_q[E-1] : end_tie_u;
   assign v_neg = v_q != '0 ? v_q[E-1] : end_tie_v;
@@ -186,7 +228,7 @@ module rc_edges #(
              end_here}));
   assign end_flip = end_det[E-1];
   // Of a triangle that is hit the turned u and v are their magnitudes.
-  assign end_u_turn = rc_pkg::Planes == 1 ? end_u[E-1] : end_flip;
+  assign end_u_goes = rc_pkg::Planes == 1 ? end_u[E-1] : end_flip;
   assign end_v_turn = rc_pkg::Planes == 1 ? end_v[E-1] : end_flip;
 
   always_ff @(posedge clk_i) begin
@@ -196,16 +238,16 @@ module rc_edges #(
                               && end_w_neg == end_flip))
             && !end_here && end_num[U-1] == end_flip;
       det_o <= end_flip ? -end_det : end_det;
-      u_o   <= end_u_turn ? -end_u : end_u;
+      u_o   <= end_u_goes ? -end_u : end_u;
       v_o   <= end_v_turn ? -end_v : end_v;
       num_o <= end_flip ? -end_num : end_num;
       back_o  <= end_flip;
-      u_neg_o <= end_u_turn != end_flip;
+      u_neg_o <= end_u_goes != end_flip;
       v_neg_o <= end_v_turn != end_flip;
     end
   end
 
   logic unused;
-  assign unused = ^w[E-2:0];
+  assign unused = ^{w[E-2:0], there_i};
 endmodule
 `default_nettype wire

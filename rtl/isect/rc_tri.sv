@@ -6,8 +6,9 @@
 // a ray from or to a light the answer is only whether the primitive is in its way. Spheres have a
 // pipeline of their own, rc_sphere, which is longer; the others' answers wait for it.
 //
-// Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 per cycle, answers in
-// order. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
+// Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 every rc_pkg::TriInterval cycles,
+// answers in order. If that is more than one cycle, products share multipliers, and quotients
+// dividers. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
 // A triangle seen edge-on never hits.
 `default_nettype none
 module rc_tri (
@@ -17,6 +18,7 @@ module rc_tri (
   input  logic             req_valid_i,
   output logic             req_ready_o,
   input  rc_pkg::tri_req_t req_i,
+  output logic             rests_o,       // takes none: the last one's products are made
   // To list
   output logic             rsp_valid_o,
   input  logic             rsp_ready_i,
@@ -35,11 +37,13 @@ module rc_tri (
   localparam int unsigned L    = rc_pkg::TriLatency;
   localparam int unsigned Cut  = rc_pkg::Cut;
   localparam int unsigned Mul  = rc_pkg::MulStages;
+  localparam int unsigned Share    = rc_pkg::PairShare;
+  localparam int unsigned Interval = rc_pkg::TriInterval;
   // Stages: a triangle comes in, it is tested, compared, and a hit is divided; what is no sphere
   // is done, a sphere is done, both are.
   localparam int unsigned In    = Cut;
   localparam int unsigned Front = In + (IsSheared ? rc_pkg::ShearStages : rc_pkg::EdgesStages);
-  localparam int unsigned Wide  = Front + Mul + 1;   // products to be compared are there
+  localparam int unsigned Wide  = Front + Mul + Share;   // products to be compared are there
   localparam int unsigned Pre   = Wide + Cut + 1;
   localparam int unsigned Flat  = Pre + rc_pkg::HitdivStages;
   localparam int unsigned Ball  = In + rc_pkg::SphereStages;
@@ -49,10 +53,11 @@ module rc_tri (
   localparam int unsigned TailW  = 1 + BackW + U + D + P;   // closer, back, num, det, prim
   localparam int unsigned HitW   = TailW + T + 2 * V;
 
-  logic admit;
-  assign admit = req_valid_i && req_ready_o;
+  logic admit, is_open;
+  assign req_ready_o = is_open && !rests_o;
+  assign admit       = req_valid_i && req_ready_o;
   rc_door #(.Credits(rc_pkg::TriQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(req_ready_o));
+    .clk_i, .rst_ni, .admit_i(admit), .leave_i(rsp_valid_o && rsp_ready_i), .open_o(is_open));
 
   // valid[i]: stage i holds a primitive.
   logic [L-1:0] valid_q;
@@ -61,6 +66,11 @@ module rc_tri (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[L-1:0];
+  end
+  if (Interval > 1) begin : gen_rests
+    assign rests_o = |valid_q[Interval-2:0];
+  end else begin : gen_never_rests
+    assign rests_o = 1'b0;
   end
   // A stage takes over what comes to it if that is a primitive. In a fast chip it always does: an
   // enable of hundreds of registers is a long path, and what is nothing's does not matter.
@@ -130,7 +140,7 @@ module rc_tri (
   if (IsSheared) begin : gen_sheared
     logic [M-1:0]   f0_size;
     logic [D+M-1:0] f0_den;
-    logic [E-1:0]   wide_den_q;
+    logic [E-1:0]   f1_den, wide_den_q;
     rc_shear u_shear (
       .clk_i, .valid_i(goes[Front-1:In]),
       .s0_shear_i({in.axis, in.neg, in.size, in.slope}),
@@ -139,7 +149,9 @@ module rc_tri (
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
       .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
-    always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f0_den[E-1:0];
+    rc_cut #(.Width(E), .Stages(Share - 1)) u_den_late (
+      .clk_i, .data_i(f0_den[E-1:0]), .data_o(f1_den));
+    always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f1_den;
     rc_delay #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
       .clk_i, .valid_i(goes[Pre-1:Wide]), .data_i(wide_den_q), .data_o(pre_den));
     assign {f0_back, f0_u_neg, f0_v_neg} = '0;
@@ -147,7 +159,8 @@ module rc_tri (
     assign unused = ^f0_den;
   end else begin : gen_exact
     rc_edges u_edges (
-      .clk_i, .valid_i(goes[Front-1:In]), .s0_leaves_i(in_leaves), .s0_plane_i(in_plane),
+      .clk_i, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+      .s0_leaves_i(in_leaves), .s0_plane_i(in_plane),
       .s0_o_i(in.o), .s0_d_i(in.d), .s0_a_i(in_a), .s0_b_i(in_b), .s0_c_i(in_c),
       .hit_o(f0_hit), .det_o(f0_det), .num_o(f0_num), .u_o(f0_u), .v_o(f0_v),
       .back_o(f0_back), .u_neg_o(f0_u_neg), .v_neg_o(f0_v_neg));
@@ -177,11 +190,17 @@ module rc_tri (
   // as close with a lower number.
   logic [U+D-1:0] f0_mine, f0_theirs, f1_mine_q, f1_theirs_q;
   logic           f1_hit, wide_before, last_before, last_hit, pre_closer_q;
-  rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_mine (
-    .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
-  rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
-    .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
-  rc_cut #(.Width(1), .Stages(Mul)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
+  if (Share == 1) begin : gen_at_once
+    rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_mine (
+      .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
+    rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
+      .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
+  end else begin : gen_shared
+    rc_mul_shared #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Share(Share)) u_products (
+      .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
+      .p_o({f0_theirs, f0_mine}));
+  end
+  rc_cut #(.Width(1), .Stages(Mul + Share - 1)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
   always_ff @(posedge clk_i) begin
     if (goes[Wide-1] && (Cut != 0 || f1_hit)) begin
       f1_mine_q   <= f0_mine;
@@ -222,7 +241,8 @@ module rc_tri (
   assign pre_divide = flat[Pre] && pre_closer_q && !pre_any;
   assign pre_block  = flat[Pre] && pre_closer_q && pre_any;
   rc_hitdiv #(.E(E)) u_hitdiv (
-    .clk_i, .valid_i(Cut != 0 || pre_divide), .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
+    .clk_i, .valid_i(Cut != 0 || pre_divide), .there_i(pre_divide),
+    .num_i(pre_num), .den_i(pre_den), .det_i(pre_det),
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
@@ -324,6 +344,8 @@ module rc_tri (
   a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
       valid_q[L-1] |-> queue_ready)
     else $error("an answer met a full queue");
+  a_in_turn: assert property (@(posedge clk_i) disable iff (!rst_ni) admit |-> !rests_o)
+    else $error("a primitive came before the products of the last were made");
 `endif
 
   logic unused;

@@ -105,12 +105,13 @@ module rc_list (
     assign any_q = '0;
   end
 
-  logic [TB-1:0] tri_t_old, tri_t;
+  logic          it_closer;
+  logic [TB-1:0] it_t_came, it_t_old, it_t;
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(closer), .write_ray_i(came.ray), .write_t_i(came.t),
-    .read_ray_i(came.ray), .read_t_o(tri_t_old));
-  assign tri_t = closer ? came.t : tri_t_old;
+    .read_ray_i(came.ray), .read_t_o(it_t_old));
+  assign it_t = it_closer ? it_t_came : it_t_old;
 
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
@@ -140,15 +141,15 @@ module rc_list (
   // fast chip what is known of the ray is read, in two cycles, compared and sent on in one each.
   logic [I-1:0]    it_ray;
   logic            it_blocked, end_blocked;
-  logic [TB-1:0]   it_t, end_t;
+  logic [TB-1:0]   end_t;
   logic [A-1:0]    group_base, end_base;
   logic [G-1:0]    group_leaves;
   logic [W*TB-1:0] group_near;
   logic [W*O-1:0]  group_offset;
   logic [W*C-1:0]  group_count;
-  rc_cut #(.Width(I + 1 + TB + S + C)) u_it (
-    .clk_i, .data_i({came.ray, blocked, tri_t, tri_cursor}),
-    .data_o({it_ray, it_blocked, it_t, cursor_leaf, cursor_triangle}));
+  rc_cut #(.Width(I + 2 + TB + S + C)) u_it (
+    .clk_i, .data_i({came.ray, blocked, closer, came.t, tri_cursor}),
+    .data_o({it_ray, it_blocked, it_closer, it_t_came, cursor_leaf, cursor_triangle}));
   rc_cut #(.Width(GroupW), .Stages(2 * rc_pkg::Cut)) u_it_group (
     .clk_i, .data_i(tri_group),
     .data_o({group_base, group_leaves, group_near, group_offset, group_count}));

@@ -2,8 +2,9 @@
 // kind gives: 2^(N+F) for a shadow ray, which ends at t = 2^-B, and all ones for the others.
 // Afterwards it is what was written last.
 //
-// Read in the same cycle. A read sees what happened in earlier cycles only. trav and list
-// have one each. Model: reach_of() in model/core/frame.hpp.
+// A read sees what happened in earlier cycles only. It is answered in the same cycle; in a fast
+// chip in the next, because to find one of many flags and to choose by it would be one long
+// path. trav and list have one each. Model: reach_of() in model/core/frame.hpp.
 `default_nettype none
 module rc_reach (
   input  logic                       clk_i,
@@ -22,7 +23,8 @@ module rc_reach (
 
   // written says whether the memory holds a ray's; shadow_q, which rays end at the surface.
   logic [T-1:0]               written, shadow_q;
-  logic [TB-1:0]              kept;
+  logic [TB-1:0]              kept, end_kept;
+  logic                       end_written, end_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
   assign start_ray = start_i.ray;
   rc_ram #(.Width(TB), .Depth(T)) u_t (
@@ -38,6 +40,11 @@ module rc_reach (
   end else begin : gen_camera
     assign shadow_q = '0;
   end
-  assign read_t_o = written[read_ray_i] ? kept : shadow_q[read_ray_i] ? SurfaceT : '1;
+  rc_cut #(.Width(TB)) u_end (.clk_i, .data_i(kept), .data_o(end_kept));
+  rc_cut #(.Width(1)) u_end_written (
+    .clk_i, .data_i(written[read_ray_i]), .data_o(end_written));
+  rc_cut #(.Width(1)) u_end_shadow (
+    .clk_i, .data_i(shadow_q[read_ray_i]), .data_o(end_shadow));
+  assign read_t_o = end_written ? end_kept : end_shadow ? SurfaceT : '1;
 endmodule
 `default_nettype wire

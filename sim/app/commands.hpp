@@ -19,6 +19,7 @@ Command tradeoff_command();
 Command yardstick_command();
 Command figures_command();
 Command counts_command();
+Command structures_command();
 Command area_command();
 Command chip_command();
 Command bench_command();

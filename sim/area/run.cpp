@@ -129,4 +129,13 @@ Count pipeline_count(const Areas& areas, std::size_t variant) {
     return all;
 }
 
+Count chip_count(const Areas& areas, std::size_t variant) {
+    Count all = std::uint64_t(areas.variants[variant].config.pipelines) * pipeline_count(areas, variant);
+    for (const UnitRow& row : unit_rows()) {
+        const auto part = areas.units[variant].find(row.name);
+        if (!row.in_pipeline && part != areas.units[variant].end()) all += part->second.count;
+    }
+    return all;
+}
+
 }   // namespace rayclock::area

@@ -29,4 +29,8 @@ Areas run(std::vector<Variant> variants, const std::vector<std::string>& only, i
 /// Of one pipeline.
 Count pipeline_count(const Areas& areas, std::size_t variant);
 
+/// Of all units of the chip: every pipeline, and what they share. The host's registers and the wiring between
+/// units are not counted.
+Count chip_count(const Areas& areas, std::size_t variant);
+
 }   // namespace rayclock::area

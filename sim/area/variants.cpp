@@ -23,7 +23,7 @@ bool has_l2(const Config& c) { return c.l2_sets > 0; }
 bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }
 bool has_boxes(const Config& c) { return c.is_bvh(); }
-bool has_treelets(const Config& c) { return c.is_kd(); }
+bool has_treelets(const Config& c) { return c.has_treelets(); }
 
 }   // namespace
 

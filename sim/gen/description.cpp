@@ -15,7 +15,7 @@ const char* when_text(When when) {
         case When::shared_cache: return "`l2_sets` above 0";
         case When::nodes: return "`structure` is not none";
         case When::boxes: return "`structure` is bvh";
-        case When::treelets: return "`structure` is kd";
+        case When::treelets: return "`structure` is kd or octree";
         default: return "always";
     }
 }

@@ -95,7 +95,8 @@ std::string camel(std::string_view name) {
 
 /// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
 bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits", "leaf_size", "dram", "mem_latency", "mem_interval"};
+    constexpr std::array others{"origin_bits", "straddlers",  "leaf_size",
+                                "dram",        "mem_latency", "mem_interval"};
     return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
 }
 
@@ -105,7 +106,9 @@ public:
 
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
-            if (is_for_rtl(p.key)) constant(camel(p.key), config_.*p.member);
+            if (is_for_rtl(p.key))
+                constant(camel(p.key),
+                         p.member == &Config::structure ? int(config_.engine()) : config_.*p.member);
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);
@@ -208,8 +211,8 @@ void derived(Package& p, const Config& c) {
     p.constant("ExpBits", exp_bits);
     p.constant("OffsetBits", offset_bits);
     p.constant("CountBits", count_bits);
-    p.constant("NodeBits", c.is_kd() ? bits_of<Treelet>(c) : bits_of<Node>(c));
-    p.constant("NodeReqBits", c.is_kd() ? bits_of<TreeletReq>(c) : bits_of<BoxReq>(c));
+    p.constant("NodeBits", c.has_treelets() ? bits_of<Treelet>(c) : bits_of<Node>(c));
+    p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c) : bits_of<BoxReq>(c));
     p.constant("NodePlanes", c.planes_of_node());
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
@@ -226,6 +229,9 @@ void derived(Package& p, const Config& c) {
     p.constant("PlaneStages", stages.plane);
     p.constant("ExitStages", stages.exits);
     p.constant("QuotientBits", stages.quotient_bits);
+    p.constant("CrossShare", stages.cross_share);
+    p.constant("DotShare", stages.dot_share);
+    p.constant("PairShare", stages.pair_share);
     p.constant("EdgesStages", stages.edges);
     p.constant("ShearStages", stages.shear);
     p.constant("HitdivStages", stages.hit_divide);

@@ -85,7 +85,7 @@ std::vector<HostParameter> host_parameters(const Config& c) {
             {"supersampling", u(c.supersampling)},
             {"lights", u(c.shading ? c.lights : 0)},
             {"bounces", u(c.shading ? c.bounces : 0)},
-            {"structure", u(c.structure)}};
+            {"structure", u(int(c.engine()))}};
 }
 
 std::vector<FrameWord> frame_words(const Config& config) {

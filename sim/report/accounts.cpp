@@ -69,7 +69,7 @@ double peak_bytes_per_second(const Config& config, int khz) {
 Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     Bound bound;
     bound.nodes = double(run.visits) / config.pipelines;
-    bound.triangles = double(run.triangle_tests) / config.pipelines;
+    bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
     bound.memory = double(bytes_read(run)) / peak_bytes_per_second(config, khz) * khz * 1e3;
     bound.cycles = std::max({bound.nodes, bound.triangles, bound.memory});
     bound.unit = bound.cycles == bound.memory ? "memory" : bound.cycles == bound.nodes ? "trav" : "tri";
@@ -79,9 +79,11 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
 
 std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     const Bound bound = bound_of(config, khz, run);
-    const char* work = bound.unit == "trav"  ? "node visits, one a cycle and pipeline"
-                       : bound.unit == "tri" ? "triangle tests, one a cycle and pipeline"
-                                             : "the memory's data bus";
+    const std::string tests =
+        config.tri_interval == 1 ? "one a cycle" : fmt::format("one every {} cycles", config.tri_interval);
+    const std::string work = bound.unit == "trav"  ? "node visits, one a cycle and pipeline"
+                             : bound.unit == "tri" ? "triangle tests, " + tests + " and pipeline"
+                                                   : "the memory's data bus";
     std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work,
                                    bound.unit == "memory" ? "s" : "", bound.reached * 100);
     // What keeps the unit that bounds it from working in every cycle.

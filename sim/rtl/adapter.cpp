@@ -37,7 +37,7 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 /// as a net.
 PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index,
                       const Config& config) {
-    const std::string name = link.name, engine = config.is_kd() ? "kd" : "bvh";
+    const std::string name = link.name, engine = config.has_treelets() ? "kd" : "bvh";
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
     const bool fires = link.flow == Flow::fires;

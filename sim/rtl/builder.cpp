@@ -63,6 +63,20 @@ std::string made_by() {
                        tools.compiler);
 }
 
+/// Makes the entry in a folder of its own, unless it is there. Whether it was made.
+bool provide(const fs::path& entry, Report& report, const std::function<void(const fs::path& folder)>& make) {
+    if (is_whole(entry)) return false;
+    BuildLock lock(entry);
+    take(lock, report);
+    if (is_whole(entry)) return false;   // somebody else has just built it
+    clear_place(entry);
+    WorkFolder work(entry);
+    make(work.path());
+    seal(work.path(), made_by());
+    work.publish(entry);
+    return true;
+}
+
 }   // namespace
 
 void report_builds(std::function<void(const BuildStep&)> next) {
@@ -86,21 +100,21 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
         if (entry.empty()) throw UserError(rtl_tools().problem);
         return {library_of(entry), true, 0};
     }
-    const fs::path entry = rtl_cache() / fmt::format("{}{:016x}", begin, hash_of(made_by()));
+    const std::uint64_t tools = hash_of(made_by());
+    const fs::path entry = rtl_cache() / fmt::format("{}{:016x}", begin, tools),
+                   support = rtl_cache() / fmt::format("{}{:016x}-{:016x}", support_begin,
+                                                       hash_of(support_ingredients()), tools);
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
     Report report(fmt::format("{} of '{}'{}", module == "rc_chip" ? "the RTL" : module, config.name,
                               waves == Waves::yes ? " for waveforms" : ""));
-    BuildLock lock(entry);
-    take(lock, report);
-    if (is_whole(entry)) return {library_of(entry), true, 0};   // somebody else has just built it
-    clear_place(entry);
-    WorkFolder work(entry);
-    make_library(work.path(), config, module, waves,
-                 [&](const char* stage, std::optional<double> left) { report.tell(stage, left); });
-    seal(work.path(), made_by());
-    work.publish(entry);
-    return {library_of(entry), false, report.seconds()};
+    const auto tell = [&](const char* stage, std::optional<double> left) { report.tell(stage, left); };
+    // One after the other: a build that is killed leaves no folder that no tool of its own is at work in.
+    provide(support, report, [&](const fs::path& folder) { make_support(folder, tell); });
+    const bool made = provide(entry, report, [&](const fs::path& folder) {
+        make_library(folder, config, module, waves, library_of(support), tell);
+    });
+    return {library_of(entry), !made, made ? report.seconds() : 0};
 }
 
 void forget_rtl(const RtlBuild& build) {

@@ -124,7 +124,9 @@ std::uint64_t hash_of(const std::string& bytes) {
     return h;
 }
 
-fs::path library_of(const fs::path& entry) { return entry / "module.so"; }
+fs::path library_of(const fs::path& entry) {
+    return entry / (entry.filename().string().starts_with(support_begin) ? support_name : "module.so");
+}
 
 void write_text(const fs::path& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);

@@ -24,6 +24,9 @@ std::filesystem::path rtl_cache();
 /// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& bytes);
 
+/// The entry of Verilator's own sources begins so, and its library is an object that is linked to the others.
+inline constexpr const char *support_begin = "rc_verilated-", *support_name = "support.o";
+
 /// The library of an entry.
 std::filesystem::path library_of(const std::filesystem::path& entry);
 

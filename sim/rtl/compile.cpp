@@ -1,7 +1,6 @@
 #include "sim/rtl/compile.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <memory>
 #include <sstream>
@@ -34,13 +33,17 @@ namespace {
 const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
                             "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
 const Words compiler_flags{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
+// What runs once, at a simulation's start, compiles in a third of the time without optimising.
+const Words start_flags{"-O0"};
+// A small module is one source: each reads the same headers. The rest of a large one is divided, and its
+// sources are compiled at the same time.
+constexpr std::size_t parts = 2;
+constexpr std::uintmax_t small_module = 100'000;
 // The widest payloads and a little beyond; memories are left out. What writes signals is as large as the chip
 // itself, runs for a thousand cycles only, and is therefore not optimised.
 const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
 const Words wave_compiler_flags{"-O0"};
-constexpr std::size_t parts = 2;                      // compiled at the same time
-constexpr std::uintmax_t support_bytes = 1'100'000;   // Verilator's own sources take as long as so much of
-                                                      // what it makes
+const Words tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1"};
 
 Words operator+(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -108,60 +111,74 @@ void verilate(const fs::path& folder, const Config& config, const std::string& m
         throw std::runtime_error("verilator -Wall warns about " + module + ":\n" + log.substr(0, 2000));
 }
 
-/// Sources that include what Verilator has made, as many as are compiled at a time, and about as long each.
-/// What writes waveforms comes in a part of its own.
-void write_parts(const fs::path& folder, const Config& config, const std::string& module, Waves waves) {
+struct Source {
+    std::string name, text;
+    Words flags;
+};
+const char* const support_text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
+
+/// Sources that include what Verilator has made: one, or some of about the same size and one for the start.
+/// What writes waveforms comes in a source of its own, with Verilator's own sources compiled to be traced.
+std::vector<Source> divided(const fs::path& folder, const Config& config, const std::string& module,
+                            Waves waves) {
+    const Words flags = waves == Waves::yes ? tracing : Words{};
+    Source wave{"wave", "#include \"verilated_fst_c.cpp\"\n", tracing + wave_compiler_flags};
     std::vector<std::pair<std::uintmax_t, std::string>> made;
-    std::string wave_part;
+    std::uintmax_t all = 0;
     for (const auto& entry : fs::directory_iterator(folder / "obj")) {
         const std::string file = entry.path().filename();
         if (entry.path().extension() != ".cpp") continue;
-        if (file.find("__Trace") == std::string::npos)
-            made.emplace_back(entry.file_size(), file);
-        else
-            wave_part += fmt::format("#include \"{}\"\n", file);
+        if (file.find("__Trace") != std::string::npos) {
+            wave.text += fmt::format("#include \"{}\"\n", file);
+            continue;
+        }
+        made.emplace_back(entry.file_size(), file);
+        all += entry.file_size();
     }
     std::sort(made.rbegin(), made.rend());   // large ones first
-    std::array<std::string, parts> texts{adapter_source(module, config)};
-    if (waves == Waves::yes) texts[0] += wave_source();
-    std::array<std::uintmax_t, parts> sizes{support_bytes};
+    const bool small = all < small_module;
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < (small ? 1 : parts); ++i)
+        sources.push_back({fmt::format("part{}", i), i == 0 ? adapter_source(module, config) : "", flags});
+    Source start{"start", "", flags + start_flags};
+    if (waves == Waves::yes) sources[0].text += wave_source();
+    std::vector<std::uintmax_t> sizes(sources.size());
     for (const auto& [size, file] : made) {
         const std::size_t part = std::size_t(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-        sizes[part] += size;
-        texts[part] += fmt::format("#include \"{}\"\n", file);
+        const bool once = !small && file.find("__Slow") != std::string::npos;   // Verilator's name for it
+        (once ? start : sources[part]).text += fmt::format("#include \"{}\"\n", file);
+        if (!once) sizes[part] += size;
     }
-    for (const char* part : {"verilated", "verilated_threads"})
-        texts[0] += fmt::format("#include \"{}.cpp\"\n", part);
-    for (std::size_t i = 0; i < parts; ++i) write_text(folder / fmt::format("part{}.cpp", i), texts[i]);
-    write_text(folder / "abi.hpp", abi_text);
-    if (waves == Waves::no) return;
-    write_text(folder / "wave.cpp", "#include \"verilated_fst_c.cpp\"\n" + wave_part);
-    write_text(folder / "wave_abi.hpp", wave_abi_text);
+    // It is linked last: of a function that stands in several the linker takes the first.
+    if (!small) sources.push_back(start);
+    if (waves == Waves::yes) {
+        sources.push_back(wave);
+        sources.push_back({"support", support_text, flags});
+    }
+    return sources;
 }
 
-void compile(const fs::path& folder, const std::string& module, Waves waves,
+void compile(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
              const std::function<void()>& meanwhile) {
-    const std::string include = rtl_tools().verilator_root + "/include",
-                      what = "the C++ compiler on the verilated " + module;
+    const std::string include = rtl_tools().verilator_root + "/include";
     const Words common = Words{"c++"} + compiler_flags +
                          Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
-    const bool writes_waves = waves == Waves::yes;
     std::vector<Job> jobs;
-    Words link = Words{"c++", "-shared"};
-    const auto add = [&](const std::string& part, const Words& flags) {
-        jobs.push_back({common + flags + Words{part + ".cpp", "-o", part + ".o"}, part + ".log"});
-        link.push_back(part + ".o");
-    };
-    const Words tracing = writes_waves ? Words{"-DVM_TRACE=1", "-DVM_TRACE_FST=1"} : Words{};
-    for (std::size_t i = 0; i < parts; ++i) add(fmt::format("part{}", i), tracing);
-    if (writes_waves) {
-        add("wave", tracing + wave_compiler_flags);
-        link.push_back("-lz");
+    for (const auto& [name, text, flags] : sources) {
+        write_text(folder / (name + ".cpp"), text);
+        jobs.push_back({common + flags + Words{name + ".cpp", "-o", name + ".o"}, name + ".log"});
     }
     run(folder, jobs, what, meanwhile);
+}
+
+void link(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
+          const Words& others, const std::function<void()>& meanwhile) {
+    Words words{"c++", "-shared"};
+    for (const Source& source : sources) words.push_back(source.name + ".o");
+    words = words + others;
     // Clang calls a function of that library where GCC has an instruction.
-    if (rtl_tools().compiler.find("clang") != std::string::npos) link.push_back("-latomic");
-    run(folder, {{link + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
+    if (rtl_tools().compiler.find("clang") != std::string::npos) words.push_back("-latomic");
+    run(folder, {{words + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
 }
 
 /// Leaves the library alone.
@@ -177,7 +194,7 @@ void tidy(const fs::path& folder) {
 std::string ingredients(const Config& config, const std::string& module, Waves waves) {
     std::string all =
         rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
-    for (const Words& flags : {verilator_flags, compiler_flags})
+    for (const Words& flags : {verilator_flags, compiler_flags, start_flags})
         for (const std::string& flag : flags) all += " " + flag;
     for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
     if (waves == Waves::no) return all;
@@ -187,17 +204,36 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
     return all;
 }
 
+std::string support_ingredients() {
+    std::string all;
+    for (const std::string& flag : compiler_flags) all += " " + flag;
+    return all;
+}
+
+void make_support(const fs::path& folder, const Working& working) {
+    compile(folder, {{"support", support_text, {}}}, "the C++ compiler on Verilator's own sources",
+            [&] { working("the C++ compiler", {}); });
+    tidy(folder);
+}
+
 void make_library(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
-                  const Working& working) {
+                  const fs::path& support, const Working& working) {
     // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions.md).
-    constexpr double compiler_share = 6;
+    constexpr double compiler_share = 3;
     const Stopwatch verilating;
     verilate(folder, config, module, waves, [&] { working("Verilator", {}); });
     const double expected = verilating.seconds() * compiler_share;
-    write_parts(folder, config, module, waves);
     const Stopwatch compiling;
-    compile(folder, module, waves,
-            [&] { working("the C++ compiler", std::max(0.0, expected - compiling.seconds())); });
+    const auto meanwhile = [&] {
+        working("the C++ compiler", std::max(0.0, expected - compiling.seconds()));
+    };
+    const std::string what = "the C++ compiler on the verilated " + module;
+    write_text(folder / "abi.hpp", abi_text);
+    if (waves == Waves::yes) write_text(folder / "wave_abi.hpp", wave_abi_text);
+    const std::vector<Source> sources = divided(folder, config, module, waves);
+    compile(folder, sources, what, meanwhile);
+    if (waves == Waves::no) fs::copy_file(support, folder / support_name);
+    link(folder, sources, waves == Waves::no ? Words{support_name} : Words{"-lz"}, what, meanwhile);
     tidy(folder);
 }
 

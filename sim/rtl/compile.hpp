@@ -21,9 +21,15 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
 /// can be guessed.
 using Working = std::function<void(const char* stage, std::optional<double> left)>;
 
-/// Makes module.so in an empty folder, which then holds nothing else. Throws as build_rtl() does.
+/// Verilator's own sources, which all modules need: what goes into them, and how they are compiled, in an
+/// empty folder.
+std::string support_ingredients();
+void make_support(const std::filesystem::path& folder, const Working& working);
+
+/// Makes module.so in an empty folder, which then holds nothing else. `support` is what make_support() has
+/// made. Throws as build_rtl() does.
 void make_library(const std::filesystem::path& folder, const Config& config, const std::string& module,
-                  Waves waves, const Working& working);
+                  Waves waves, const std::filesystem::path& support, const Working& working);
 
 /// Verilator's opinion of the module, made in an empty folder.
 std::string lint_library(const std::filesystem::path& folder, const Config& config,

@@ -37,12 +37,12 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
 }
 
 /// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
-constexpr std::array timing_only{"contexts",    "raygen_queue", "box_queue", "tri_queue", "cache_queue",
-                                 "pipelines",   "tile_bits",    "node_sets", "node_ways", "node_line",
-                                 "node_mshrs",  "prim_sets",    "prim_ways", "prim_line", "prim_mshrs",
-                                 "l2_sets",     "l2_ways",      "l2_line",   "l2_mshrs",  "dram",
-                                 "mem_latency", "mem_interval", "timing",    "lights",    "bounces",
-                                 "shade_queue", "surf_sets",    "surf_ways", "surf_line", "surf_mshrs"};
+constexpr std::array timing_only{
+    "contexts",    "raygen_queue", "box_queue", "tri_queue", "tri_interval", "cache_queue", "pipelines",
+    "tile_bits",   "node_sets",    "node_ways", "node_line", "node_mshrs",   "prim_sets",   "prim_ways",
+    "prim_line",   "prim_mshrs",   "l2_sets",   "l2_ways",   "l2_line",      "l2_mshrs",    "dram",
+    "mem_latency", "mem_interval", "timing",    "lights",    "bounces",      "shade_queue", "surf_sets",
+    "surf_ways",   "surf_line",    "surf_mshrs"};
 
 }   // namespace
 
@@ -50,19 +50,49 @@ Axis parse_axis(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         throw UserError("--axis: " + shown(text) + " is not key=values, for example contexts=16,32,64");
-    const std::string list = text.substr(equals + 1);
-    return {text.substr(0, equals),
-            list.find(':') != std::string::npos ? range(list, text) : split(list, ',')};
+    const std::string key = text.substr(0, equals), list = text.substr(equals + 1);
+    const std::size_t linked = split(key, '/').size();
+    if (linked > 1 && list.find(':') != std::string::npos)
+        throw UserError("--axis: linked parameters have no range, as in " + shown(text) +
+                        "; name the values, for example node_sets/prim_sets=32/64,64/32");
+    const Axis axis{key, list.find(':') != std::string::npos ? range(list, text) : split(list, ',')};
+    for (const std::string& value : axis.values)
+        if (split(value, '/').size() != linked)
+            throw UserError(fmt::format("--axis: {} in {} has {} values for {} parameters", shown(value),
+                                        shown(text), split(value, '/').size(), linked));
+    return axis;
 }
+
+namespace {
+
+/// One point's value of an axis, which may be several parameters' together.
+void set(Point& point, const Axis& axis, const std::string& value, int (*clock)(const std::string&)) {
+    const std::vector<std::string> keys = split(axis.key, '/'), values = split(value, '/');
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        if (keys[k] == "clock")
+            point.khz = clock(values[k]);
+        else
+            set_parameter(point.config, keys[k], values[k], "--axis");
+}
+
+void refuse_twice(const std::vector<Axis>& axes) {
+    std::vector<std::string> keys;
+    for (const Axis& axis : axes)
+        for (const std::string& key : split(axis.key, '/')) {
+            if (std::find(keys.begin(), keys.end(), key) != keys.end())
+                throw UserError("--axis: " + shown(key) + " is given twice");
+            keys.push_back(key);
+        }
+}
+
+}   // namespace
 
 std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base, int khz,
                                int (*clock)(const std::string&)) {
     std::size_t count = 1;
-    for (std::size_t a = 0; a < axes.size(); ++a) {
-        for (std::size_t b = 0; b < a; ++b)
-            if (axes[a].key == axes[b].key)
-                throw UserError("--axis: " + shown(axes[a].key) + " is given twice");
-        count *= axes[a].values.size();
+    refuse_twice(axes);
+    for (const Axis& axis : axes) {
+        count *= axis.values.size();
         if (count > most_points) throw UserError(fmt::format("--axis: more than {} points", most_points));
     }
     std::vector<Point> points;
@@ -74,11 +104,8 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
         std::size_t rest = i;
         for (std::size_t a = axes.size(); a-- > 0; rest /= axes[a].values.size()) {
             index[a] = rest % axes[a].values.size();
-            const std::string& value = point.values[a] = axes[a].values[index[a]];
-            if (axes[a].key == "clock")
-                point.khz = clock(value);
-            else
-                set_parameter(point.config, axes[a].key, value, "--axis");
+            point.values[a] = axes[a].values[index[a]];
+            set(point, axes[a], point.values[a], clock);
         }
         try {
             check_config(point.config, "--axis");

@@ -10,11 +10,11 @@ namespace rayclock::sweep {
 constexpr std::size_t most_points = 10000;
 
 struct Axis {
-    std::string key;   ///< a parameter of the configuration, or clock
-    std::vector<std::string> values;
+    std::string key;                   ///< a parameter of the configuration, or clock; linked ones as a/b
+    std::vector<std::string> values;   ///< of linked ones as 16/32
 };
 
-/// key=1,2,4 or key=12:20:2 (from, to, step). Throws UserError.
+/// key=1,2,4 or key=12:20:2 (from, to, step); a/b=1/8,2/4 changes several together. Throws UserError.
 Axis parse_axis(const std::string& text);
 
 struct Point {

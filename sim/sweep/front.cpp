@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/synth/netlist.hpp"
+
 namespace rayclock::sweep {
 
 namespace {
@@ -27,6 +29,31 @@ std::optional<double> bytes_of(const Result& r) {
 }
 std::optional<double> multipliers_of(const Result& r) {
     return r.complete() && r.multipliers ? std::optional(double(*r.multipliers)) : std::nullopt;
+}
+
+template <std::uint64_t (*figure)(const synth::Count&)> std::optional<double> area_of(const Result& r) {
+    return r.complete() && r.area ? std::optional(double(figure(*r.area))) : std::nullopt;
+}
+std::uint64_t luts(const synth::Count& c) { return c.luts(); }
+std::uint64_t multipliers(const synth::Count& c) { return c.dsp; }
+std::uint64_t block_rams(const synth::Count& c) { return c.bram; }
+std::optional<double> bits_of(const Result& r) {
+    return r.complete() && synth::exists_in_rtl(r.point.config)
+               ? std::optional(double(chip_memory_bits(r.point.config)))
+               : std::nullopt;
+}
+
+Measure measure_of(Cost cost, const std::vector<Result>& results) {
+    switch (cost) {
+        case Cost::lut: return {"chip_luts", 1, area_of<luts>};
+        case Cost::dsp: return {"chip_multipliers", 1, area_of<multipliers>};
+        case Cost::bram: return {"chip_block_rams", 1, area_of<block_rams>};
+        case Cost::bits: return {"chip_memory_bits", 1, bits_of};
+        case Cost::multipliers: break;
+    }
+    const bool netlists = std::any_of(results.begin(), results.end(),
+                                      [](const Result& r) { return multipliers_of(r).has_value(); });
+    return netlists ? Measure{"multipliers", 1, multipliers_of} : Measure{"memory_bytes", 1, bytes_of};
 }
 
 }   // namespace
@@ -76,13 +103,9 @@ std::vector<Figures> figures_in(const std::vector<Result>& results, const std::v
     return points;
 }
 
-Front front_of(const std::vector<Result>& results) {
-    const bool netlists = std::any_of(results.begin(), results.end(),
-                                      [](const Result& r) { return multipliers_of(r).has_value(); });
+Front front_of(const std::vector<Result>& results, Cost cost) {
     Front f;
-    f.measures = {{"pixels_other_primitive", 1, error_of},
-                  netlists ? Measure{"multipliers", 1, multipliers_of} : Measure{"memory_bytes", 1, bytes_of},
-                  {"fps", -1, speed_of}};
+    f.measures = {{"pixels_other_primitive", 1, error_of}, measure_of(cost, results), {"fps", -1, speed_of}};
     const std::vector<Figures> all = figures_in(results, f.measures);
     f.pareto = front(all);
     constexpr std::array<std::array<std::size_t, 2>, 3> planes{{{0, 1}, {0, 2}, {1, 2}}};

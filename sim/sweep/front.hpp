@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/sweep/cost.hpp"
 #include "sim/sweep/run.hpp"
 
 namespace rayclock::sweep {
@@ -32,8 +33,9 @@ struct Measure {
     std::optional<double> (*value)(const Result&);
 };
 
-/// A front over a sweep. Speed is fps, error is pixels_other_primitive, cost is multipliers, or memory_bytes
-/// if no point has multipliers. If some have, those without are no hardware and not on the front.
+/// A front over a sweep. Speed is fps, error is pixels_other_primitive, cost is what was chosen: multipliers,
+/// or memory_bytes if no point has multipliers; or a figure of the chip. If some points have that figure,
+/// those without are no hardware and not on the front.
 struct Front {
     std::vector<Measure> measures;   ///< error, cost, speed
     std::vector<bool> pareto;        ///< [point], in all three measures
@@ -42,7 +44,7 @@ struct Front {
     std::optional<PlaneKnee> knee;
     std::array<std::size_t, 2> plane{};   ///< the pair's measures
 };
-Front front_of(const std::vector<Result>& results);
+Front front_of(const std::vector<Result>& results, Cost cost = Cost::multipliers);
 
 /// Figures of all points in some measures.
 std::vector<Figures> figures_in(const std::vector<Result>& results, const std::vector<Measure>& measures);

@@ -19,6 +19,9 @@ struct Side {
 Side side_of(const Measure& m, double pixels) {
     if (m.key == "pixels_other_primitive") return {"pixels with another primitive, %", 100 / pixels};
     if (m.key == "fps") return {"frames per second", 1};
+    if (m.key == "chip_luts") return {"LUTs of the chip", 1};
+    if (m.key == "chip_block_rams") return {"block RAMs of the chip", 1};
+    if (m.key == "chip_memory_bits") return {"memory on the chip, Mbit", 1e-6};
     if (m.key == "memory_bytes") return {"memory image, MB", 1e-6};
     return {"multipliers, 18x18 bits", 1};
 }

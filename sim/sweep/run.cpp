@@ -82,7 +82,7 @@ public:
         scene_key_ = fmt::format("program {} scene {} {}x{} ", program_stamp(), scene_digest(plan.scene),
                                  plan.size.width, plan.size.height);
         cores_ = jobs::threads_of(plan.threads);
-        for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}});
+        for (const Point& point : plan.points) outcome_.results.push_back({point, nullptr, {}, {}, {}, {}});
     }
 
     Outcome run() {

@@ -5,6 +5,7 @@
 #include "sim/report/json.hpp"
 #include "sim/sweep/axes.hpp"
 #include "sim/jobs/cache.hpp"
+#include "sim/synth/parts.hpp"
 
 namespace rayclock::sweep {
 
@@ -21,7 +22,8 @@ struct Result {
     Point point;
     nlohmann::ordered_json clock;   ///< as clock_json() gives it, or null
     std::optional<PictureFigures> picture;
-    std::optional<std::uint64_t> multipliers, flip_flops;
+    std::optional<std::uint64_t> multipliers, flip_flops;   ///< of all pipelines
+    std::optional<synth::Count> area;                       ///< of the chip, if it was asked for
 
     bool refused() const { return !point.refused.empty(); }
     bool complete() const { return picture && !clock.is_null(); }

@@ -48,12 +48,31 @@ const Column columns[] = {
     {"flip_flops", [](const Result& r) { return count_text(r.flip_flops); }},
 };
 
+std::string area_text(const Result& r, std::uint64_t (*figure)(const synth::Count&)) {
+    return r.area ? std::to_string(figure(*r.area)) : "";
+}
+
+/// After those that were there from the beginning, and after pareto and knee: whose figure it is stands in
+/// its name.
+const Column more_columns[] = {
+    {"clock_is", [](const Result& r) { return r.clock.value("clock_is", std::string()); }},
+    {"pipeline_cache_bytes",
+     [](const Result& r) { return std::to_string(pipeline_cache_bytes(r.point.config)); }},
+    {"chip_cache_bytes", [](const Result& r) { return std::to_string(chip_cache_bytes(r.point.config)); }},
+    {"chip_memory_bits", [](const Result& r) { return std::to_string(chip_memory_bits(r.point.config)); }},
+    {"chip_luts", [](const Result& r) { return area_text(r, [](const auto& c) { return c.luts(); }); }},
+    {"chip_flip_flops", [](const Result& r) { return area_text(r, [](const auto& c) { return c.ff; }); }},
+    {"chip_multipliers", [](const Result& r) { return area_text(r, [](const auto& c) { return c.dsp; }); }},
+    {"chip_block_rams", [](const Result& r) { return area_text(r, [](const auto& c) { return c.bram; }); }},
+};
+
 }   // namespace
 
 std::vector<std::string> cells(const Result& r, bool pareto, bool knee) {
     std::vector<std::string> all;
     for (const Column& column : columns) all.push_back(r.complete() ? column.cell(r) : "");
     for (const bool flag : {pareto, knee}) all.emplace_back(!r.complete() ? "" : flag ? "1" : "0");
+    for (const Column& column : more_columns) all.push_back(r.complete() ? column.cell(r) : "");
     return all;
 }
 
@@ -66,6 +85,7 @@ std::vector<std::string> head(const std::vector<Axis>& axes) {
     for (const Axis& axis : axes) names.push_back(axis.key);
     for (const Column& column : columns) names.emplace_back(column.name);
     names.insert(names.end(), {"pareto", "knee"});
+    for (const Column& column : more_columns) names.emplace_back(column.name);
     return names;
 }
 
@@ -133,6 +153,10 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
             json["flip_flops"] = count(r.flip_flops);
             json["pareto"] = bool(front.pareto[i]);
             json["knee"] = is_knee(front, i);
+            json["pipeline_cache_bytes"] = pipeline_cache_bytes(r.point.config);
+            json["chip_cache_bytes"] = chip_cache_bytes(r.point.config);
+            json["chip_memory_bits"] = chip_memory_bits(r.point.config);
+            json["chip"] = r.area ? synth::count_json(*r.area) : ordered_json(nullptr);
         }
         if (r.refused()) json["refused"] = r.point.refused;
         rows.push_back(std::move(json));

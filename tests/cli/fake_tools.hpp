@@ -26,18 +26,20 @@ public:
 
     /// `rayclock rtl`: builds, or finds what is built.
     Outcome rtl() const { return run_program({"rtl"}, environment()); }
-    /// How often the compiler was called: three times for a library.
+    /// How often the compiler was called to compile or link a library: twice.
     int compilations() const;
-    /// The only entry of the cache.
+    /// The only library of the cache; beside it lie Verilator's own sources, compiled.
     std::string entry() const;
-    /// Names in the cache, without locks.
+    /// Names in the cache, without locks and those sources.
     std::vector<std::string> names() const;
 
     /// As the compiler, says its version and records its arguments, then runs `script`, in which $out is what
     /// it must make.
     static std::string compiler(const std::string& script = "echo built > \"$out\"",
                                 const std::string& version = "12.2.0");
-    static std::string verilator(const std::string& version = "5.006");
+    /// What it makes has so many bytes. One source is enough for a few; of many there are three.
+    static std::string verilator(const std::string& version = "5.006", int bytes = 1);
+    static constexpr int many = 200'000;
 
 private:
     Folder folder_;

@@ -102,3 +102,20 @@ TEST_CASE("rays of tetra are the published ones", "[slow]") {
     CHECK(std::abs(scene["model"]["shadow"].get<double>() / 46112 - 1) < 0.01);
     CHECK(scene["good"] == true);
 }
+
+TEST_CASE("the page of structures has every structure on every scene, and the list on small ones") {
+    const Folder folder;
+    const Outcome outcome = run_program(
+        {"structures", "-o", folder.name("."), "--scenes", "tetra:2", "--size", "32x24", "--no-netlist"});
+    INFO(outcome.err << outcome.out);
+    REQUIRE(outcome.code == 0);
+    const std::string page = bytes_of(folder.name("structures.md"));
+    for (const char* part : {"\n| bvh |", "\n| kd |", "\n| octree |", "| octree, finished |",
+                             "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist"})
+        CHECK(page.find(part) != std::string::npos);
+    CHECK(page.find("is not there") == std::string::npos);
+    CHECK(!bytes_of(folder.name("structures.svg")).empty());
+    check_refused(run_program({"structures"}), {"--output"});
+    check_refused(run_program({"structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
+                  {"structure=kd", "primitive_test"});
+}

@@ -36,19 +36,25 @@ int living(const std::string& file) {
 
 /// A compiler that would take ten minutes, and has a child that does, as the real one has.
 const std::string endless = FakeTools::compiler("/bin/sleep 600 & echo $$ $! >> \"$FAKE/pids\"; wait");
+/// It is quick with Verilator's own sources.
+const std::string endless_on_modules = FakeTools::compiler(
+    "case $out in support.o) echo built > $out; exit;; esac; /bin/sleep 600 & echo $$ $! >> \"$FAKE/pids\"; "
+    "wait");
 
 }   // namespace
 
 TEST_CASE("a build that is stopped takes its compilers with it, and leaves no folder") {
     const int signal = GENERATE(SIGINT, SIGTERM, SIGKILL, SIGHUP);
     const std::string command = GENERATE("rtl", "verify");
+    const bool own = command == "rtl";   // stopped at Verilator's own sources, or at a module
     const FakeTools tools;
-    tools.replace("c++", endless);
+    tools.replace("verilator", FakeTools::verilator("5.006", FakeTools::many));
+    tools.replace("c++", own ? endless : endless_on_modules);
     std::vector<std::string> arguments{command};
     if (command == "verify") arguments.insert(arguments.end(), {"tetra:1", "--size", "8x8"});
     const std::string pids = tools.path("pids");
     const Outcome outcome =
-        run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == 4; });
+        run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == (own ? 2 : 6); });
     INFO(command << " stopped by signal " << signal << ": " << outcome.err);
     CHECK(comes_true([&] { return living(pids) == 0; }));
     CHECK(comes_true([&] { return tools.names().empty(); }));
@@ -64,12 +70,14 @@ TEST_CASE("a build that is stopped takes its compilers with it, and leaves no fo
 
 TEST_CASE("of two compilers the first that fails ends the other") {
     const FakeTools tools;
-    tools.replace("c++", FakeTools::compiler("echo $$ >> \"$FAKE/pids\"; case $out in part0*) exec "
-                                             "/bin/sleep 600;; esac; echo part1.cpp: no; exit 1"));
+    tools.replace("verilator", FakeTools::verilator("5.006", FakeTools::many));
+    tools.replace("c++", FakeTools::compiler("case $out in support.o) echo built > $out; exit;; esac; "
+                                             "echo $$ >> \"$FAKE/pids\"; case $out in part0*) exec "
+                                             "/bin/sleep 600;; esac; echo start.cpp: no; exit 1"));
     const Outcome outcome = tools.rtl();
     CHECK(outcome.code == 1);
     CHECK_THAT(outcome.err,
-               Contains("the C++ compiler on the verilated rc_chip failed") && Contains("part1.cpp: no"));
+               Contains("the C++ compiler on the verilated rc_chip failed") && Contains("start.cpp: no"));
     CHECK(living(tools.path("pids")) == 0);
     CHECK(tools.names().empty());
 }
@@ -145,8 +153,9 @@ TEST_CASE("tools see no path of the user's, and need nothing of the source tree"
     tools.folder().write("my 'odd' $x rtl/a part/rc_odd name.sv", "module rc_odd; endmodule\n");
     environment[2] = "RAYCLOCK_RTL=" + tools.path("my 'odd' $x rtl");
     // What the sources include is there beside them; nothing names the tree that the program was built from.
-    tools.replace("c++", FakeTools::compiler("[ -f abi.hpp ] && ! /bin/grep -rq '" RAYCLOCK_SOURCE_DIR
-                                             "' . && echo built > \"$out\""));
+    tools.replace("c++", FakeTools::compiler(
+                             "[ -f abi.hpp -o $out = support.o ] && ! /bin/grep -rq '" RAYCLOCK_SOURCE_DIR
+                             "' . && echo built > \"$out\""));
     const Outcome outcome = run_program({"rtl"}, environment);
     INFO(outcome.err);
     CHECK(outcome.code == 0);

@@ -45,7 +45,7 @@ TEST_CASE("a sweep gives all figures as table, CSV and JSON, and the same again 
         table.starts_with("coord_bits,clock,cycles,fps,cycles_per_ray,node_hit_rate,prim_hit_rate,bytes_per_"
                           "ray,bound,bound_reached,pixels_other_primitive,"
                           "percent_other_primitive,psnr_db,max_abs_depth,cracks,memory_bytes,multipliers,"
-                          "flip_flops,pareto,knee\n"));
+                          "flip_flops,pareto,knee,clock_is,"));
     const json parsed = json::parse(whole);
     for (const json& point : parsed["points"]) {
         CHECK(point["cracks"] == 0);
@@ -120,6 +120,53 @@ TEST_CASE("values that do not go together are refused in their rows only") {
     const json report = json::parse(outcome.out);
     CHECK(report["points"][3]["refused"].get<std::string>().find("must not exceed 62") != std::string::npos);
     CHECK(report["points"][2].contains("clock"));
+}
+
+TEST_CASE("a sweep weighs what is asked for, over caches of one size") {
+    const Folder folder;
+    const std::string csv = folder.name("a.csv");
+    const std::vector<std::string> caches{"sweep", "tetra:2", "--size",
+                                          "8x8",   "--axis",  "node_sets/prim_sets=16/64,32/32,32/64,64/16"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), caches.begin(), caches.end());
+        return run_program(more, {"RAYCLOCK_CACHE=" + folder.name("cache")});
+    };
+    const Outcome outcome =
+        with({"--cost", "bits", "--cache-bytes", "20480", "--json", folder.name("a.json"), "-o", csv});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.find("front of pixels_other_primitive, chip_memory_bits and fps") != std::string::npos);
+    CHECK(bytes_of(csv).find(",pareto,knee,clock_is,pipeline_cache_bytes,chip_cache_bytes,chip_memory_bits,"
+                             "chip_luts,chip_flip_flops,chip_multipliers,chip_block_rams\n") !=
+          std::string::npos);
+    const json report = json::parse(bytes_of(folder.name("a.json")));
+    CHECK(report["front"]["cost"] == "chip_memory_bits");
+    REQUIRE(report["points"].size() == 2);   // 16/64 and 64/16, of four ways and 64 bytes
+    CHECK(report["points"][1]["node_sets/prim_sets"] == "64/16");
+    for (const json& point : report["points"]) {
+        CHECK(point["pipeline_cache_bytes"] == 20480);
+        CHECK(point["chip_cache_bytes"] == 20480);
+        CHECK(point["chip_memory_bits"] > 8 * 20480);
+        CHECK(point["chip"].is_null());
+    }
+    check_refused(with({"--cache-bytes", "20481"}), {"--cache-bytes", "20481", "16384 to 24576"});
+    check_refused(with({"--cache-bytes", "0"}), {"--cache-bytes", "0"});
+    check_refused(with({"--cost", "luts"}), {"--cost", "'luts'", "did you mean 'lut'"});
+}
+
+TEST_CASE("a sweep weighs the chip's cells", "[slow]") {
+    if (run_program({"doctor", "--json", "-"}).out.find("\"yosys\": null") != std::string::npos) return;
+    const Outcome outcome = run_program({"sweep", "tetra:1", "--size", "8x8", "--config", "small", "--axis",
+                                         "node_sets=16,64", "--cost", "bram", "--json", "-"});
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["front"]["cost"] == "chip_block_rams");
+    for (const json& point : report["points"]) {
+        CHECK(point["chip"]["luts"] > 10000);
+        CHECK(point["chip"]["mult18x18d"] > 50);
+    }
+    CHECK(report["points"][0]["chip"]["dp16kd"] <= report["points"][1]["chip"]["dp16kd"]);
+    CHECK(report["points"][0]["chip"]["luts"] != report["points"][1]["chip"]["luts"]);
 }
 
 TEST_CASE("a sweep draws its front, whole or not at all") {

@@ -143,6 +143,9 @@ TEST_CASE("frames and axes that make no sense") {
            sweep("clock=0", {"--clock", "'0'"}),
            sweep("coord_bits=12:2000000000:1", {"10000"}),
            sweep("dram=ideal,ddr", {"'ddr'"}),
+           sweep("node_sets/prim_sets=16", {"'16'", "1 values for 2"}),
+           sweep("node_sets/prim_sets=16:64", {"no range"}),
+           sweep("node_sets/prim_set=16/16", {"did you mean 'prim_sets'"}),
            {{"sweep", "tetra:1"}, {"--axis"}},
            {{"yardstick"}, {"--output"}},
            {{"yardstick", "-o", "no/such/folder/page.md"}, {"no/such/folder/page.md"}}});

@@ -20,8 +20,8 @@ mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [
   OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
   NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
 mutant(trav_looks_beyond_the_surface FILE rtl/prim/rc_reach.sv TEST unit [trav][shading]
-  OLD [[kept : shadow_q[read_ray_i] ? SurfaceT : '1;]]
-  NEW [[kept : shadow_q[read_ray_i] && read_ray_i[0] ? SurfaceT : '1;]])
+  OLD [[.data_i(shadow_q[read_ray_i])]]
+  NEW [[.data_i(shadow_q[read_ray_i] && read_ray_i[0])]])
 mutant(stack_stop_keeps_the_stack FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
   OLD [[(end_stop || end_height == '0)) begin
       done_o   = 1'b1;

@@ -36,12 +36,27 @@ mutant(model_treelet_early_end_too_early FILE model/kd/treelet.cpp TEST system "
 mutant(kd_clips_inward FILE model/accel/kd/clip.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);]]
   NEW [[constexpr double slack = 1.0 / 1024, outward = -3.0;]])
-mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/build.cpp TEST system "rays of every family hit the same in every structure"
-  OLD [[if (hi > split.plane || (flat && split.flat_above)) take(item, above, upper);]]
-  NEW [[if (hi > split.plane) take(item, above, upper);]])
+mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/cell.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[if (hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
+  NEW [[if (hi > cut.plane) take(item, above, upper);]])
 mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
   NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
+
+# ---- The compiler of octrees: octants in their places, straddlers in every one of them or in the node.
+mutant(octree_octants_change_places FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[beside(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1))]]
+  NEW [[beside(joined(octants + half, above, axis + 1), joined(octants, below, axis + 1))]])
+mutant(octree_straddler_is_on_one_side FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[pieces_.divide(part.items, part.box, cut, lower.items, upper.items);]]
+  NEW [[for (const kd::Item& item : part.items)
+                (item.box.hi[axis] > cut.plane ? upper : lower).items.push_back(item);]])
+mutant(octree_loses_the_straddlers_of_a_node FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[return own.empty() ? std::move(tree) : beside(leaf_of(own), std::move(tree));]]
+  NEW [[return tree;]])
+mutant(octree_cuts_beside_the_middle FILE model/accel/octree/build.cpp TEST accel "an octree halves its cells*"
+  OLD [[(box.lo[axis] + box.hi[axis]) >> 1]]
+  NEW [[(3 * box.lo[axis] + box.hi[axis]) >> 2]])
 
 # ---- none: every page, and no more than the light asks for.
 mutant(none_page_beyond_the_last FILE rtl/none/rc_none.sv TEST system "model and RTL agree on a list of all primitives"

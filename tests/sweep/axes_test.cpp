@@ -19,6 +19,26 @@ TEST_CASE("an axis is a list or a range") {
     }
 }
 
+TEST_CASE("linked parameters change together") {
+    const std::vector<sweep::Point> points =
+        points_of({"node_sets/prim_sets=16/64,32/32,64/16", "contexts/clock=32/66,64/33"});
+    REQUIRE(points.size() == 6);
+    CHECK(points[3].values == Strings{"32/32", "64/33"});
+    CHECK(points[4].config.node_sets == 64);
+    CHECK(points[4].config.prim_sets == 16);
+    CHECK(points[4].config.contexts == 32);
+    CHECK(points[5].khz == 33000);
+    for (const sweep::Point& point : points)
+        CHECK(sweep::pipeline_cache_bytes(point.config) ==
+              64u * 4 * unsigned(point.config.node_sets + point.config.prim_sets));
+    for (const char* bad : {"a/b=1", "a/b=1/2/3", "a/b=1:2", "a=1/2"}) {
+        INFO(bad);
+        CHECK_THROWS_AS(sweep::parse_axis(bad), UserError);
+    }
+    CHECK_THROWS_AS(points_of({"node_sets/contexts=16/64", "contexts=32"}), UserError);
+    CHECK_THROWS_AS(points_of({"node_sets/node_sets=16/64"}), UserError);
+}
+
 TEST_CASE("a grid has every combination, the last axis fastest") {
     const std::vector<sweep::Point> points = points_of({"coord_bits=12,14", "clock=33,66,200"});
     REQUIRE(points.size() == 6);
@@ -50,9 +70,10 @@ TEST_CASE("timing does not make another trace, every width does") {
         const bool is_format = key.ends_with("_bits")
                                    ? key != "tile_bits"
                                    : key == "node_width" || key == "leaf_size" || key == "stack_depth" ||
-                                         key == "primitive_test" || key == "structure" || key == "shading" ||
-                                         key == "spheres" || key == "planes" || key == "smooth" ||
-                                         key == "refraction" || key == "supersampling";
+                                         key == "primitive_test" || key == "structure" ||
+                                         key == "straddlers" || key == "shading" || key == "spheres" ||
+                                         key == "planes" || key == "smooth" || key == "refraction" ||
+                                         key == "supersampling";
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
 }

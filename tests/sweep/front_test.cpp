@@ -1,4 +1,5 @@
 // Fronts and knees of points made by hand.
+#include "model/base/error.hpp"
 #include "tests/sweep/support.hpp"
 
 using namespace rayclock;
@@ -75,6 +76,51 @@ TEST_CASE("cost is multipliers, or bytes where nothing has any") {
     CHECK(bytes.measures[1].key == "memory_bytes");
     CHECK(bytes.pareto == std::vector<bool>{false, true, true});
     CHECK(!bytes.knee);
+}
+
+TEST_CASE("cost is what was chosen") {
+    std::vector<sweep::Result> results{result(10, 50, 90), result(10, 60, 80), result(10, 70, 70),
+                                       result(10, 80, 60)};
+    // In cells of the chip: LUTs fall, multipliers and block RAMs rise with speed; the last was not counted.
+    results[0].area = synth::Count{900, 0, 0, 5, 1, 1};
+    results[1].area = synth::Count{800, 0, 0, 5, 2, 2};
+    results[2].area = synth::Count{100, 50, 100, 5, 3, 2};   // 800 LUTs as well
+    const auto on_front = [&](sweep::Cost cost, const char* key) {
+        const sweep::Front front = sweep::front_of(results, cost);
+        CHECK(front.measures[1].key == key);
+        return front.pareto;
+    };
+    using Flags = std::vector<bool>;
+    CHECK(on_front(sweep::Cost::lut, "chip_luts") == Flags{false, false, true, false});
+    CHECK(on_front(sweep::Cost::dsp, "chip_multipliers") == Flags{true, true, true, false});
+    CHECK(on_front(sweep::Cost::bram, "chip_block_rams") == Flags{true, false, true, false});
+    CHECK(on_front(sweep::Cost::multipliers, "multipliers") == Flags{false, false, false, true});
+    // In memory, which follows from the configuration: software has none.
+    results[0].point.config.node_sets = 16;
+    results[1].point.config.contexts = 128;
+    results[2].point.config.pipelines = 2;
+    results[3].point.config.primitive_test = int(PrimitiveTest::woop);
+    CHECK(on_front(sweep::Cost::bits, "chip_memory_bits") == Flags{true, true, true, false});
+    CHECK_THROWS_AS(sweep::parse_cost("lutt"), UserError);
+    CHECK(sweep::parse_cost("bram") == sweep::Cost::bram);
+}
+
+TEST_CASE("memory on the chip is that of every pipeline, and what they share") {
+    Config one = named_config("small");
+    CHECK(sweep::pipeline_cache_bytes(one) == 2u * 32 * 2 * 64);
+    CHECK(sweep::chip_cache_bytes(one) == sweep::pipeline_cache_bytes(one));
+    const std::uint64_t bits = sweep::chip_memory_bits(one);
+    CHECK(bits > 8 * sweep::chip_cache_bytes(one));
+    Config four = one;
+    four.pipelines = 4;
+    CHECK(sweep::chip_memory_bits(four) == 4 * bits);
+    four.l2_sets = 64;
+    CHECK(sweep::chip_cache_bytes(four) == 4 * sweep::pipeline_cache_bytes(one) + 64u * 4 * 64);
+    CHECK(sweep::chip_memory_bits(four) == 4 * bits + 8u * 64 * 4 * 64);
+    one.shading = 1;
+    CHECK(sweep::pipeline_cache_bytes(one) == 2u * 32 * 2 * 64 + 64u * 4 * 64);
+    one.structure = int(Structure::none);
+    CHECK(sweep::pipeline_cache_bytes(one) == 32u * 2 * 64 + 64u * 4 * 64);
 }
 
 TEST_CASE("without errors that differ the knee is that of speed against cost") {

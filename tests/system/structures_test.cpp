@@ -1,7 +1,8 @@
-// Structures: boxes, planes and a mere list hold the same scene, and no ray can tell which. The RTL of each
-// walks as its model does.
+// Structures: boxes, planes, octants and a mere list hold the same scene, and no ray can tell which. The RTL
+// of each walks as its model does.
 #include <catch2/catch.hpp>
 
+#include <memory>
 #include <tuple>
 
 #include "model/raygen/raygen.hpp"
@@ -21,10 +22,20 @@ Config structured(Config config, Structure structure) {
 }
 
 /// Another structure may need a deeper stack.
-Config kd(const std::string& name) {
-    Config config = structured(quick_config(name), Structure::kd);
+Config deep(const std::string& name, Structure structure) {
+    Config config = structured(quick_config(name), structure);
     config.stack_depth = std::max(config.stack_depth, config.node_width == 2 ? 64 : 32);
     return config;
+}
+Config kd(const std::string& name) { return deep(name, Structure::kd); }
+
+/// Every structure, and every rule by which one of them can be built.
+std::vector<Config> all_structures(const Config& config) {
+    std::vector<Config> all;
+    for (const Structure s : {Structure::none, Structure::bvh, Structure::kd, Structure::octree})
+        all.push_back(structured(config, s));
+    all.push_back(with(all.back(), {{"straddlers", int(Straddlers::inner)}}));
+    return all;
 }
 
 /// All units of a chip that shades, and fast.
@@ -86,14 +97,16 @@ void same_hits(const stress::Family& family, Config config, std::uint64_t seed, 
     for (const oracle::Corners& t : subject.mesh.triangles)
         prims.push_back({t.a, t.b, t.c, std::uint32_t(prims.size()), 0});
     std::erase_if(prims, [&](const PrimData& t) { return !counts(t, config); });
-    Walker boxes(prims, structured(config, Structure::bvh)), planes(prims, structured(config, Structure::kd)),
-        list(prims, structured(config, Structure::none));
+    std::vector<std::unique_ptr<Walker>> walkers;
+    for (const Config& c : all_structures(config)) walkers.push_back(std::make_unique<Walker>(prims, c));
     for (int i = 0; i < rays; ++i) {
         const stress::Shot shot = subject.shoot(rng);
-        const Closest hit = list.closest(shot);
+        const Closest hit = walkers[0]->closest(shot);
         CAPTURE(i, shot.o[0], shot.o[1], shot.o[2], shot.d[0], shot.d[1], shot.d[2]);
-        REQUIRE(same(boxes.closest(shot), hit));
-        REQUIRE(same(planes.closest(shot), hit));
+        for (std::size_t k = 1; k < walkers.size(); ++k) {
+            CAPTURE(k);
+            REQUIRE(same(walkers[k]->closest(shot), hit));
+        }
     }
 }
 
@@ -146,26 +159,28 @@ TEST_CASE("pictures do not depend on the structure", "[structures]") {
     INFO(scene << " " << name);
     const FrameSize size{40, 30};
     std::vector<Trace> traces;
-    for (const Structure structure : {Structure::bvh, Structure::kd, Structure::none}) {
-        Config config = structured(quick_config(name), structure);
+    for (Config config : all_structures(quick_config(name))) {
         config.stack_depth = 64;
         const Job job = make_shot(scene, size, config).job;
         traces.push_back(record_trace(job.image, job.frame, job.config));
     }
-    CHECK(same(traces[1], traces[0]));
-    CHECK(same(traces[2], traces[0]));
-    CHECK(traces[1].triangle_tests < traces[2].triangle_tests);
+    for (std::size_t i = 1; i < traces.size(); ++i) {
+        CAPTURE(i);
+        CHECK(same(traces[i], traces[0]));
+        CHECK(traces[i].triangle_tests < traces[0].triangle_tests);
+    }
 }
 
 TEST_CASE("finished pictures do not depend on the structure", "[structures]") {
     const std::string scene = GENERATE("spheres", "balls:1", "mount:2", "teapot:3", "mirrors", "plane");
     INFO(scene);
     std::vector<Trace> traces;
-    for (const Structure structure : {Structure::bvh, Structure::kd, Structure::none}) {
-        const Job job = finished(scene, {32, 24}, shaded(quick_config("small"), structure));
+    for (const Config& config : all_structures(shaded(quick_config("small"), Structure::bvh))) {
+        const Job job = finished(scene, {32, 24}, config);
         traces.push_back(record_trace(job.image, job.frame, job.config));
     }
     for (std::size_t i = 1; i < traces.size(); ++i) {
+        CAPTURE(i);
         CHECK(same(traces[i], traces[0]));
         CHECK(traces[i].colours == traces[0].colours);
         CHECK(traces[i].signatures == traces[0].signatures);
@@ -176,6 +191,15 @@ TEST_CASE("model and RTL agree on a kd-tree", "[structures]") {
     const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");
     INFO(scene);
     check_lockstep(make_shot(scene, {48, 36}, kd("default")).job);
+}
+
+// The chip is that of a kd-tree.
+TEST_CASE("model and RTL agree on an octree", "[structures]") {
+    const std::string scene = GENERATE("gears:1", "balls:1", "tetra:4"), rule = GENERATE("leaves", "inner");
+    INFO(scene << " " << rule);
+    Config config = deep("default", Structure::octree);
+    set_parameter(config, "straddlers", rule, "test");
+    check_lockstep(make_shot(scene, {24, 18}, config).job);
 }
 
 TEST_CASE("model and RTL agree on finished pictures of a kd-tree", "[structures]") {
@@ -194,12 +218,13 @@ TEST_CASE("model and RTL agree on every structure, other configurations", "[stru
     const std::string name = GENERATE("small", "narrow", "broad", "wide", "saarcor", "rpu", "ulx3s");
     INFO(name);
     check_lockstep(make_shot("gears:2", {48, 36}, kd(name)).job);
+    check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::octree)).job);
     check_lockstep(make_shot("tetra:3", {20, 15}, structured(quick_config(name), Structure::none)).job);
 }
 
 TEST_CASE("model and RTL agree on finished pictures of every structure", "[structures][slow]") {
     const std::string scene = GENERATE("spheres", "mirrors", "teapot:3");
-    for (const Structure structure : {Structure::kd, Structure::none})
+    for (const Structure structure : {Structure::kd, Structure::none, Structure::octree})
         check_lockstep(finished(scene, {16, 12}, shaded(quick_config("default"), structure)));
 }
 
@@ -207,6 +232,8 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
     Config config = structured(quick_config("default"), Structure::kd);
     config.primitive_test = int(PrimitiveTest::moller);
     CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("structure=kd needs primitive_test"));
+    config.structure = int(Structure::octree);
+    CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("structure=octree needs primitive_test"));
     config = kd("default");
     config.stack_depth = 1;
     CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
@@ -216,7 +243,7 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
 }
 
 TEST_CASE("no plane separates primitives that are all the same", "[structures]") {
-    const Config config = structured(lattice_of(18), Structure::kd);
+    const Config config = structured(lattice_of(18), GENERATE(Structure::kd, Structure::octree));
     for (const std::uint32_t n : {1u, 6u, 7u, 1000u}) {
         std::vector<PrimData> prims(n, {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}, 0, 0});
         for (std::uint32_t i = 0; i < n; ++i) prims[i].prim = i;

@@ -136,15 +136,17 @@ TEMPLATE_TEST_CASE("tri takes nothing edge-on, behind, or at its origin", "[tri]
 }
 
 TEMPLATE_TEST_CASE("tri answers after exactly its latency", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default", "sheared:wide",
-                                          "fast:default", "fast:narrow", "fast:sheared:default"));
+    const Config config =
+        format(GENERATE("default", "narrow", "wide", "sheared:default", "sheared:wide", "fast:default",
+                        "fast:narrow", "fast:sheared:default", "every2:default", "every4:fast:default"));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("tri takes a triangle in every cycle", "[tri]", Model<TriUnit>, Rtl<TriUnit>) {
-    const Config config =
-        format(GENERATE("default", "wide", "sheared:default", "sheared:wide", "fast:default"));
+TEMPLATE_TEST_CASE("tri takes a triangle in every cycle, or every few", "[tri]", Model<TriUnit>,
+                   Rtl<TriUnit>) {
+    const Config config = format(GENERATE("default", "wide", "sheared:default", "sheared:wide",
+                                          "fast:default", "every2:default", "every4:fast:default"));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_tri_req(draw, config); });
 }
@@ -164,6 +166,25 @@ TEST_CASE("model and rtl of a fast tri make the same moves in every cycle", "[tr
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
                                     [&](Draw& draw) { return random_tri_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in every cycle",
+          "[tri][lockstep][interval]") {
+    const Config config = format(GENERATE("every2:default", "every4:fast:default"));
+    for (const Flow& flow : flows)
+        check_lockstep<TriUnit>(config, {}, flow, 17, 1500 * config.tri_interval,
+                                [&](Draw& draw) { return random_tri_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of a tri that shares multipliers make the same moves in every format",
+          "[tri][lockstep][interval][slow]") {
+    const Config config =
+        format(GENERATE("every4:default", "every2:fast:default", "every2:fast:small", "every4:fast:small",
+                        "every2:narrow", "every4:narrow", "every4:fast:narrow", "every2:wide", "every4:wide",
+                        "every4:fast:wide", "every2:sheared:default", "every4:fast:sheared:default"));
+    for (const Flow& flow : flows)
+        check_lockstep<TriUnit>(config, {}, flow, 17, 1500 * config.tri_interval,
+                                [&](Draw& draw) { return random_tri_req(draw, config); });
 }
 
 TEST_CASE("model and rtl of the sheared tri make the same moves in every cycle", "[tri][lockstep][sheared]") {

@@ -14,19 +14,8 @@ constexpr std::size_t few = 512;         // up to here all ends are tried
 constexpr std::size_t parallel = 4096;   // from here on both sides are worked on at once
 constexpr std::int32_t bins = 64;        // planes that are tried beyond that
 
-struct Item {
-    std::uint32_t prim = 0;
-    LatticeBox box;   ///< of what lies in the cell
-};
-using Items = std::vector<Item>;
-
-/// A primitive is below a plane if some of it is strictly below, and above likewise. What lies in the plane
-/// goes to one side: a ray that meets it there is on both.
-struct Split {
+struct Split : Cut {
     double cost = 0;
-    std::size_t axis = no_axis;
-    std::int32_t plane = 0;
-    bool flat_above = false;
 };
 
 /// The cost of planes on one axis of a cell.
@@ -41,7 +30,7 @@ public:
         const double tests =
             test_cost * (lower.area() * double(below) + upper.area() * double(above)) / area_;
         const double cost = (visit_cost + tests) * (below == 0 || above == 0 ? empty_factor : 1);
-        if (cost < best.cost) best = {cost, axis_, plane, flat_above};
+        if (cost < best.cost) best = {{axis_, plane, flat_above}, cost};
     }
 
 private:
@@ -121,34 +110,26 @@ void try_bins(const Items& items, const LatticeBox& cell, std::size_t axis, Spli
 
 class Builder {
 public:
-    Builder(const std::vector<PrimData>& prims, const Config& config) {
-        clippers_.reserve(prims.size());
-        for (const PrimData& p : prims)
-            clippers_.emplace_back(p, config.coord_bits, config.is_sheared() ? 1 : 0);
+    Builder(const Pieces& pieces, const Config& config) : pieces_(pieces) {
         for (int width = config.node_width; width > 1; width /= 2) ++levels_;
     }
 
     /// `level` planes lie above it; below it at most `depth`.
-    std::unique_ptr<Cell> cell(Items items, LatticeBox box, int level, int depth, double budget) const {
+    CellPtr cell(Items items, LatticeBox box, int level, int depth, double budget) const {
         auto cell = std::make_unique<Cell>();
-        for (const Item& item : items) cell->bounds.add(item.box);
+        cell->bounds = bounds_of(items);
         if (level % levels_ == 0 && !items.empty()) box = cell->bounds;   // a treelet: nothing else is met
         const Split split = best_split(items, box, depth);
         Items lower, upper;
-        LatticeBox below = box, above = box;
-        if (split.axis != no_axis) {
-            below.hi[split.axis] = above.lo[split.axis] = split.plane;
-            divide(items, split, below, above, lower, upper);
-        }
+        if (split.axis != no_axis) pieces_.divide(items, box, split, lower, upper);
         const double given = double(lower.size() + upper.size());
-        if (split.axis == no_axis || given > std::max(budget, double(items.size()))) {
-            for (const Item& item : items) cell->prims.push_back(item.prim);
-            return cell;
-        }
+        if (split.axis == no_axis || given > std::max(budget, double(items.size()))) return leaf_of(items);
         const bool both = items.size() >= parallel;
         Items().swap(items);
         cell->axis = std::uint32_t(split.axis);
         cell->at = split.plane;
+        LatticeBox below = box, above = box;
+        below.hi[split.axis] = above.lo[split.axis] = split.plane;
         const double share = given > 0 ? budget / given : 0, for_lower = share * double(lower.size()),
                      for_upper = share * double(upper.size());
         const auto go_lower = [&] {
@@ -164,20 +145,9 @@ public:
         return cell;
     }
 
-    /// What of an item lies in a part of its cell.
-    void take(const Item& item, const LatticeBox& box, Items& out) const {
-        bool inside = true;
-        for (std::size_t k = 0; k < 3; ++k)
-            inside = inside && item.box.lo[k] >= box.lo[k] && item.box.hi[k] <= box.hi[k];
-        if (inside)
-            out.push_back(item);
-        else if (const auto clipped = clippers_[item.prim](box))
-            out.push_back({item.prim, *clipped});
-    }
-
 private:
     Split best_split(const Items& items, const LatticeBox& box, int depth) const {
-        Split best{test_cost * double(items.size()), no_axis, 0, false};
+        Split best{{}, test_cost * double(items.size())};
         if (depth == 0 || items.empty()) return best;
         Ends ends;
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -187,43 +157,21 @@ private:
                 try_bins(items, box, axis, best);
         return best;
     }
-    void divide(const Items& items, const Split& split, const LatticeBox& below, const LatticeBox& above,
-                Items& lower, Items& upper) const {
-        for (const Item& item : items) {
-            const std::int32_t lo = item.box.lo[split.axis], hi = item.box.hi[split.axis];
-            const bool flat = lo == split.plane && hi == split.plane;
-            if (lo < split.plane || (flat && !split.flat_above)) take(item, below, lower);
-            if (hi > split.plane || (flat && split.flat_above)) take(item, above, upper);
-        }
-    }
 
-    std::vector<Clipper> clippers_;
+    const Pieces& pieces_;
     int levels_ = 0;   // of a treelet
 };
 
 }   // namespace
 
-std::unique_ptr<Cell> build(const std::vector<PrimData>& prims, const Config& config) {
-    const std::int32_t far = (1 << (config.coord_bits - 1)) - 1;
-    const LatticeBox space{{-far, -far, -far}, {far, far, far}};
-    const Builder builder(prims, config);
-    Items inside;
-    std::vector<std::uint32_t> endless;
-    for (std::uint32_t i = 0; i < prims.size(); ++i)
-        if (PrimKind(prims[i].kind) == PrimKind::plane)
-            endless.push_back(i);
-        else
-            builder.take({i, {{-far - 1, -far, -far}, {far, far, far}}}, space, inside);
-    const double n = double(inside.size());
+CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
+    const Pieces pieces(prims, config);
+    Items items = pieces.all();
+    const double n = double(items.size());
     const int depth = std::min(34, 8 + int(1.3 * std::log2(std::max(1.0, n))));
-    std::unique_ptr<Cell> tree =
-        builder.cell(std::move(inside), space, endless.empty() ? 0 : 1, depth, most_references * n);
-    if (endless.empty()) return tree;
-    auto root = std::make_unique<Cell>();
-    root->lower = std::make_unique<Cell>();
-    root->lower->prims = std::move(endless);
-    root->upper = std::move(tree);
-    return root;
+    return pieces.with_endless(Builder(pieces, config)
+                                   .cell(std::move(items), pieces.space(), pieces.has_endless() ? 1 : 0,
+                                         depth, most_references * n));
 }
 
 }   // namespace rayclock::kd

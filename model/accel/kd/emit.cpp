@@ -1,7 +1,8 @@
-// Layout: the kd-tree as memory lines, treelet by treelet.
+// Layout: cells of space as memory lines, treelet by treelet.
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/kd/build.hpp"
+#include "model/accel/octree/build.hpp"
 #include "model/accel/written.hpp"
 
 namespace rayclock {
@@ -108,9 +109,9 @@ private:
 
 }   // namespace
 
-void emit_kd(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
-             MemoryImage& image) {
-    const std::unique_ptr<Cell> root = kd::build(prims, config);
+void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
+                MemoryImage& image) {
+    const kd::CellPtr root = (config.is_octree() ? octree::build : kd::build)(prims, config);
     Emitter{*root, prims, config, name, image}.run();
 }
 

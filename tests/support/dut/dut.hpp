@@ -93,8 +93,17 @@ struct TriUnit {
     static constexpr bool has_frame = false;
     static int latency(const Config& c) { return c.tri_latency(); }
     static int queue(const Config& c) { return c.tri_queue; }
+    static int interval(const Config& c) { return c.tri_interval; }
     static TriRsp answer(const TriReq& req, const Frame&, const Config& c) { return tri(req, c); }
 };
+
+/// Cycles from a request that a unit takes to the next, at least.
+template <class U> int interval_of(const Config& config) {
+    if constexpr (requires { U::interval(config); })
+        return U::interval(config);
+    else
+        return 1;
+}
 
 template <class U> class Model {
 public:
@@ -106,12 +115,13 @@ public:
     explicit Model(const Config& config, const Frame& frame = {}, int = 1)
         : config_(config), frame_(frame), pipe_(U::latency(config), U::queue(config)) {}
     void eval() {
-        in.ready = pipe_.ready();
+        in.ready = pipe_.ready() && now_ >= opens_;
         out.offer.reset();
         if (pipe_.valid(now_)) out.offer = pipe_.front();
     }
     void commit() {
         const bool asked = in.fires();
+        if (asked) opens_ = now_ + std::uint64_t(interval_of<U>(config_));
         pipe_.clock(now_++, out.fires(), asked, asked ? U::answer(*in.offer, frame_, config_) : Rsp{});
     }
 
@@ -119,7 +129,7 @@ private:
     Config config_;
     Frame frame_;
     Pipe<Rsp> pipe_;
-    std::uint64_t now_ = 0;
+    std::uint64_t now_ = 0, opens_ = 0;
 };
 
 /// The links of a verilated unit.
@@ -210,8 +220,14 @@ private:
 /// the widest; each also as "sheared:..." with that primitive test, one whose reciprocals are longer than its
 /// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, as
 /// "samples:..." of one with several samples in a pixel and triangles only, and as "fast:..." with its paths
-/// cut for a fast clock.
+/// cut for a fast clock, and as "every2:..." or "every4:..." of one whose tri takes a primitive every so many
+/// cycles.
 inline Config format(const std::string& name) {
+    if (name.starts_with("every2:") || name.starts_with("every4:")) {
+        Config config = format(name.substr(7));
+        config.tri_interval = name[5] - '0';
+        return config;
+    }
     if (name.starts_with("fast:")) {
         Config config = format(name.substr(5));
         config.timing = int(Timing::fast);

@@ -111,27 +111,28 @@ template <class Dut, class Make> void check_latency(Dut& dut, const Config& conf
     }
 }
 
-/// n requests take n + latency + 1 cycles when nobody stalls; with a sink that takes nothing, as many get in
-/// as the queue holds.
+/// n requests take n + latency + 1 cycles when nobody stalls, if the unit takes one in every cycle; with a
+/// sink that takes nothing, as many get in as the queue holds.
 template <class Dut, class Make> void check_throughput(Dut& dut, const Config& config, Make make) {
     Draw draw{5};
     constexpr int n = 1000;
+    const int every = interval_of<typename Dut::Unit>(config), last = (n - 1) * every;
     int received = 0, cycle = 0;
     dut.out.ready = true;
     for (; received < n; ++cycle) {
-        REQUIRE(cycle < 3 * n);
+        REQUIRE(cycle < 3 * n * every);
         dut.in.offer.reset();
-        if (cycle < n) dut.in.offer = make(draw);
+        if (cycle <= last) dut.in.offer = make(draw);
         dut.eval();
-        if (cycle < n) REQUIRE(dut.in.ready);
+        if (cycle <= last) REQUIRE(dut.in.ready == (cycle % every == 0));
         received += dut.out.fires();
         dut.commit();
     }
-    REQUIRE(cycle == n + Dut::Unit::latency(config) + 1);
+    REQUIRE(cycle == last + 1 + Dut::Unit::latency(config) + 1);
 
     dut.out.ready = false;
     int admitted = 0;
-    for (int i = 0; i < 3 * Dut::Unit::queue(config); ++i) {
+    for (int i = 0; i < 3 * every * Dut::Unit::queue(config); ++i) {
         dut.in.offer = make(draw);
         dut.eval();
         admitted += dut.in.fires();
@@ -163,7 +164,7 @@ template <class Unit, class Make> void check_lockstep(const Config& config, cons
         model.commit();
         rtl.commit();
     }
-    REQUIRE(moved > cycles / 5);
+    REQUIRE(moved > cycles / (5 * interval_of<Unit>(config)));
 }
 
 }   // namespace rayclock::test

@@ -1,0 +1,69 @@
+#pragma once
+// Cells of space, and what of the primitives lies in them: what every structure of planes is built of.
+#include <memory>
+#include <vector>
+
+#include "model/accel/kd/clip.hpp"
+
+namespace rayclock::kd {
+
+/// A cell of space: cut by a plane, not cut but walked in two parts (no_axis), or a leaf.
+struct Cell {
+    std::uint32_t axis = no_axis;   ///< if there are parts
+    std::int32_t at = 0;
+    LatticeBox bounds;   ///< of what is in it; inverted if nothing is, or it has no end
+    std::unique_ptr<Cell> lower, upper;
+    std::vector<std::uint32_t> prims;   ///< of a leaf: which of those given to the builder
+    bool is_leaf() const { return !lower; }
+};
+using CellPtr = std::unique_ptr<Cell>;
+
+struct Item {
+    std::uint32_t prim = 0;
+    LatticeBox box;   ///< of what lies in the cell
+};
+using Items = std::vector<Item>;
+
+inline LatticeBox bounds_of(const Items& items) {
+    LatticeBox bounds;
+    for (const Item& item : items) bounds.add(item.box);
+    return bounds;
+}
+/// A cell that is not cut.
+CellPtr leaf_of(const Items& items);
+
+/// A plane cuts a cell in two.
+struct Cut {
+    std::size_t axis = no_axis;
+    std::int32_t plane = 0;
+    bool flat_above = false;   ///< on which side is what lies in the plane
+};
+
+/// The primitives of a scene, as far as they have an end.
+class Pieces {
+public:
+    Pieces(const std::vector<PrimData>& prims, const Config& config);
+    /// All of them, in all of space.
+    Items all() const;
+    const LatticeBox& space() const { return space_; }
+    /// What lies on both sides of a cut through `box`. A primitive is below a plane if some of it is strictly
+    /// below, and above likewise. What lies in the plane goes to one side: a ray that meets it there is on
+    /// both.
+    void divide(const Items& items, const LatticeBox& box, const Cut& cut, Items& lower, Items& upper) const;
+    /// The tree over all of them, with the planes without end beside it in a part of their own.
+    CellPtr with_endless(CellPtr tree) const;
+    bool has_endless() const { return !endless_.empty(); }
+
+private:
+    void take(const Item& item, const LatticeBox& box, Items& out) const;
+
+    std::vector<Clipper> clippers_;
+    std::vector<std::uint32_t> endless_;
+    LatticeBox space_;
+};
+
+/// References are bounded: every primitive brings so many, which are given down to all parts of a cell in
+/// proportion to what lies there. A cell that has not enough for a cut remains a leaf.
+constexpr double most_references = 8;
+
+}   // namespace rayclock::kd

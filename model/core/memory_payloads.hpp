@@ -1,0 +1,102 @@
+#pragma once
+// The payloads of links to memory and back: requests of trav, list and shade, what their caches answer, and
+// lines between caches and the DRAM. Symbols as in payloads.hpp.
+#include <cstdint>
+
+#include "model/core/config.hpp"
+#include "model/core/layout.hpp"
+#include "model/core/lines.hpp"
+
+namespace rayclock {
+
+/// trav -> node memory; address in lines of 64 bytes.
+struct NodeReq {
+    std::uint32_t ray = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("addr", addr, c.addr_bits);
+    }
+};
+
+/// list -> primitive memory; address in half lines of 32 bytes.
+struct PrimReq {
+    std::uint32_t ray = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("addr", addr, c.addr_bits + 1);
+    }
+};
+
+/// node memory -> trav.
+struct NodeRsp {
+    std::uint32_t ray = 0;
+    Node node;
+    Treelet treelet;   ///< takes the place of node in a kd-tree
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        if (c.has_treelets())
+            treelet.fields(v, c);
+        else
+            node.fields(v, c);
+    }
+};
+
+/// primitive memory -> list.
+struct PrimRsp {
+    std::uint32_t ray = 0;
+    PrimData triangle;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        triangle.fields(v, c);
+    }
+};
+
+/// shade -> surface memory; address in lines.
+struct SurfReq {
+    std::uint32_t ray = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("addr", addr, c.addr_bits);
+    }
+};
+
+/// surface memory -> shade.
+struct SurfRsp {
+    std::uint32_t ray = 0;
+    Surface surface;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        surface.fields(v, c);
+    }
+};
+
+/// A cache -> memory: a word of a line that is not there. `id` tells the requests under way apart; see
+/// model/mem/cache.hpp.
+template <int (Config::*id_bits)() const> struct LineReq {
+    std::uint32_t id = 0, addr = 0;
+    template <class V> void fields(V& v, const Config& c) {
+        v("id", id, (c.*id_bits)());
+        v("addr", addr, c.addr_bits);
+    }
+};
+/// Memory -> a cache.
+template <int (Config::*id_bits)() const> struct LineRsp {
+    std::uint32_t id = 0;
+    Line line{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("id", id, (c.*id_bits)());
+        v("line", line, 32, 16);
+    }
+};
+using NodeMiss = LineReq<&Config::node_miss_bits>;
+using NodeFill = LineRsp<&Config::node_miss_bits>;
+using PrimMiss = LineReq<&Config::prim_miss_bits>;
+using PrimFill = LineRsp<&Config::prim_miss_bits>;
+using SurfMiss = LineReq<&Config::surf_miss_bits>;
+using SurfFill = LineRsp<&Config::surf_miss_bits>;
+using L2Req = LineReq<&Config::client_id_bits>;   ///< arbiter -> shared cache, or memory if there is none
+using L2Rsp = LineRsp<&Config::client_id_bits>;
+using MemReq = LineReq<&Config::mem_id_bits>;   ///< chip -> DRAM
+using MemRsp = LineRsp<&Config::mem_id_bits>;
+
+}   // namespace rayclock

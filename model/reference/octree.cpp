@@ -1,0 +1,136 @@
+#include "model/reference/octree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace rayclock {
+
+namespace {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+Corners corners_of(const Scene& scene, const Triangle& t) {
+    return {scene.vertices[t.vertex[0]], scene.vertices[t.vertex[1]], scene.vertices[t.vertex[2]]};
+}
+
+/// Whether two triangles are halves of a parallelogram: three corners of one and the fourth of the other.
+bool are_halves(const Corners& a, const Corners& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            const glm::dvec3 &p = a[(i + 1) % 3], &q = a[(i + 2) % 3];   // the diagonal, a[i] opposite
+            if (b[(j + 2) % 3] != p || b[(j + 1) % 3] != q) continue;
+            return glm::length(a[i] + b[j] - p - q) <= 1e-12 * glm::length(p - q);
+        }
+    return false;
+}
+
+}   // namespace
+
+RefOctree::RefOctree(const Scene& scene, int depth) : boxes_(objects_of(scene)) {
+    root_ = boxes_.at(0);
+    std::vector<std::uint32_t> all(boxes_.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        all[i] = i;
+        root_ = {glm::min(root_.lo, boxes_[i].lo), glm::max(root_.hi, boxes_[i].hi)};
+    }
+    const glm::dvec3 side = root_.hi - root_.lo;
+    const double room = std::ldexp(std::max({side.x, side.y, side.z}), -20);
+    root_ = {root_.lo - room, root_.hi + room};
+    nodes_.emplace_back();
+    build(0, root_, all, depth);
+}
+
+std::vector<RefOctree::Box> RefOctree::objects_of(const Scene& scene) {
+    std::vector<Box> boxes;
+    bool is_whole = true;   // the triangle before is no half of a parallelogram that has just begun
+    Corners before{};
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+        const Corners corners = corners_of(scene, scene.triangles[i]);
+        const bool goes_on = i > 0 && !is_whole &&
+                             scene.triangles[i].material == scene.triangles[i - 1].material &&
+                             are_halves(before, corners);
+        if (!goes_on) boxes.push_back({corners[0], corners[0]});
+        for (const glm::dvec3& p : corners)
+            boxes.back() = {glm::min(boxes.back().lo, p), glm::max(boxes.back().hi, p)};
+        is_whole = goes_on;
+        before = corners;
+    }
+    for (const Sphere& s : scene.spheres) boxes.push_back({s.centre - s.radius, s.centre + s.radius});
+    return boxes;
+}
+
+void RefOctree::build(std::uint32_t node, const Box& box, const std::vector<std::uint32_t>& objects,
+                      int depth) {
+    if (objects.size() <= 1 || depth == 0) {
+        nodes_[node].objects = std::uint32_t(objects.size());
+        ++size_.leaves;
+        size_.empty += objects.empty();
+        size_.references += objects.size();
+        return;
+    }
+    ++size_.inner;
+    const auto first = std::uint32_t(nodes_.size());
+    nodes_[node].first = first;
+    nodes_.resize(nodes_.size() + 8);
+    const glm::dvec3 middle = 0.5 * (box.lo + box.hi);
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+        Box part = box;
+        for (int k = 0; k < 3; ++k) (octant >> k & 1 ? part.lo : part.hi)[k] = middle[k];
+        std::vector<std::uint32_t> inside;
+        for (const std::uint32_t o : objects)
+            if (glm::all(glm::lessThanEqual(boxes_[o].lo, part.hi)) &&
+                glm::all(glm::greaterThanEqual(boxes_[o].hi, part.lo)))
+                inside.push_back(o);
+        build(first + octant, part, inside, depth - 1);
+    }
+}
+
+void RefOctree::walk(const glm::dvec3& from, const glm::dvec3& direction, double reach,
+                     OctreeWork& work) const {
+    ++work.rays;
+    double begin = 0, end = reach;
+    for (int k = 0; k < 3; ++k) {
+        if (direction[k] == 0) {
+            if (from[k] < root_.lo[k] || from[k] > root_.hi[k]) return;
+            continue;
+        }
+        const double a = (root_.lo[k] - from[k]) / direction[k], b = (root_.hi[k] - from[k]) / direction[k];
+        begin = std::max(begin, std::min(a, b));
+        end = std::min(end, std::max(a, b));
+    }
+    if (begin <= end) visit({from, direction, work}, 0, root_, begin, end);
+}
+
+void RefOctree::visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const {
+    if (nodes_[node].first > 0) return halve(way, nodes_[node].first, box, 0, begin, end);
+    ++way.work.leaves;
+    way.work.empty += nodes_[node].objects == 0;
+    way.work.tests += nodes_[node].objects;
+}
+
+/// The stretch begin..end of a ray in a box that is still to be halved on `axis` and those after it.
+void RefOctree::halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
+                      double end) const {
+    if (axis == 3) return visit(way, octant, box, begin, end);
+    const double middle = 0.5 * (box.lo[axis] + box.hi[axis]);
+    Box half[2] = {box, box};
+    half[0].hi[axis] = half[1].lo[axis] = middle;
+    const double d = way.direction[axis], ahead = middle - way.from[axis];
+    const double at = d == 0 ? HUGE_VAL : ahead / d;
+    const auto go = [&](int side, double from, double to) {
+        halve(way, octant + (std::uint32_t(side) << axis), half[side], axis + 1, from, to);
+    };
+    // The side on which the stretch begins, and the other.
+    const int first = d == 0 || at > begin ? (d == 0 ? ahead <= 0 : d < 0) : d > 0;
+    if (d == 0 || at <= begin || at >= end) {
+        go(first, begin, end);
+        return;
+    }
+    go(first, begin, at);
+    go(1 - first, at, end);
+}
+
+}   // namespace rayclock

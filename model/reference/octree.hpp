@@ -1,0 +1,72 @@
+#pragma once
+// An octree over the scene as given, by published rules, and what rays would do in it. It is nothing that the
+// machine walks: it says whether our scenes, rays and words are those of others.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "model/scene/scene.hpp"
+
+namespace rayclock {
+
+/// What a tree consists of.
+struct OctreeSize {
+    std::uint64_t inner = 0, leaves = 0, empty = 0;   ///< empty: of the leaves
+    std::uint64_t references = 0;                     ///< to objects, in leaves
+};
+
+/// What rays did in it.
+struct OctreeWork {
+    std::uint64_t rays = 0, tests = 0, leaves = 0, empty = 0;   ///< leaves that were visited, empty ones
+    OctreeWork& operator+=(const OctreeWork& o) {
+        rays += o.rays, tests += o.tests, leaves += o.leaves, empty += o.empty;
+        return *this;
+    }
+};
+
+/// The rules of "Octree84" in V. Havran, "Comparison of Octree Traversal Algorithms", 1999 (Ray Tracing News
+/// 12(2)), after Glassner 1984, "Space subdivision for fast ray tracing": the root is the scene's bounding
+/// box; a node is cut in the middle of all three axes, unless it holds at most one object or has the
+/// greatest depth; an object is in every leaf that its *bounding box* meets, boundaries included. The root is
+/// made larger by 2^-20 of its longest side on all sides, so that nothing lies in its faces.
+///
+/// An object is a sphere, a triangle, or a parallelogram: two triangles of a scene that follow each other,
+/// have the same material and are its halves were given as one polygon.
+///
+/// A ray visits the leaves on its way from its origin, or from where it enters the root, to its end, and
+/// tests all that each of them holds; an object in several leaves is tested several times.
+class RefOctree {
+public:
+    RefOctree(const Scene& scene, int depth);
+    const OctreeSize& size() const { return size_; }
+    std::size_t objects() const { return boxes_.size(); }
+    /// One ray from `from` to from + `reach` * `direction`.
+    void walk(const glm::dvec3& from, const glm::dvec3& direction, double reach, OctreeWork& work) const;
+
+private:
+    struct Box {
+        glm::dvec3 lo, hi;
+    };
+    struct Node {
+        std::uint32_t first = 0;     ///< of its eight children, or 0: a leaf
+        std::uint32_t objects = 0;   ///< of a leaf
+    };
+    struct Way {
+        const glm::dvec3 from, direction;
+        OctreeWork& work;
+    };
+    std::vector<Box> objects_of(const Scene& scene);
+    void build(std::uint32_t node, const Box& box, const std::vector<std::uint32_t>& objects, int depth);
+    void visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const;
+    void halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
+               double end) const;
+
+    std::vector<Box> boxes_;   ///< of all objects
+    std::vector<Node> nodes_;
+    Box root_;
+    OctreeSize size_;
+};
+
+}   // namespace rayclock

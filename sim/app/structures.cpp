@@ -1,0 +1,98 @@
+// rayclock structures: the page docs/structures.md with its picture.
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "sim/app/commands.hpp"
+#include "sim/app/options.hpp"
+#include "sim/image/image.hpp"
+#include "sim/pages/structures/page.hpp"
+#include "sim/pages/typed.hpp"
+#include "sim/report/text.hpp"
+#include "sim/rtl/builder.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr const char* usual_size = "256x192";
+constexpr FrameSize size_of_small{64, 48};
+
+struct Options {
+    ConfigChoice config;
+    std::string output, size = usual_size;
+    std::vector<std::string> scenes = structures::large_scenes();
+    bool fresh = false, no_netlist = false;
+    int threads = 0;
+};
+
+void declare(Parser& parser, Options& o) {
+    config_options(parser, o.config);
+    parser.option("-o,--output", o.output, "folder for structures.md and its picture").required();
+    parser.option("--scenes", o.scenes, "scenes, separated by commas").by_commas().with_default();
+    parser.option("--size", o.size, "size of the pictures, WIDTHxHEIGHT").with_default();
+    fresh_option(parser, o.fresh);
+    netlist_option(parser, o.no_netlist);
+    threads_option(parser, o.threads);
+}
+
+std::string command_of(const Options& o) {
+    std::string text = "rayclock structures -o " + told_path(o.output);
+    if (o.config.name != ConfigChoice{}.name) text += " --config " + told_path(o.config.name);
+    for (const std::string& item : o.config.set) text += " --set " + item;
+    if (o.scenes != structures::large_scenes()) text += fmt::format(" --scenes {}", fmt::join(o.scenes, ","));
+    if (o.size != usual_size) text += " --size " + o.size;
+    return text + (o.no_netlist ? " --no-netlist" : "");
+}
+
+/// One pipeline of each structure's machine; those of one engine are the same.
+std::vector<area::Count> counts_of(const std::vector<structures::Kind>& kinds, const Options& o,
+                                   const Progress& progress) {
+    std::vector<area::Variant> variants;
+    for (const structures::Kind& kind : kinds) variants.push_back({kind.name, kind.config});
+    jobs::Cache cache(rtl_cache() / "area", o.fresh);
+    const area::Areas areas = area::run(std::move(variants), {}, o.threads, cache, progress);
+    if (areas.partial)
+        throw UserError("interrupted: no page was written; the same command goes on where it was");
+    std::vector<area::Count> counts;
+    for (std::size_t i = 0; i < kinds.size(); ++i) counts.push_back(area::pipeline_count(areas, i));
+    return counts;
+}
+
+int run(const Options& o) {
+    catch_interrupts();
+    structures::Study study{load_config(o.config), parse_size(o.size), o.scenes, o.threads};
+    const auto kinds = structures::trees(study.base);
+    for (const structures::Kind& kind : kinds) check_config(kind.config, "structures");
+    const std::filesystem::path folder(o.output);
+    const std::string path = (folder / "structures.md").string(), plot = (folder / "structures").string();
+    check_writable(path);
+    plot::check_plot_path(plot);
+    const Progress progress = terminal_progress();
+    structures::Figures figures;
+    if (!o.no_netlist) figures.counts = counts_of(kinds, o, progress);
+    for (const std::string& scene : study.scenes)
+        figures.large.push_back(structures::measure(scene, kinds, study, true, progress));
+    study.size = size_of_small;
+    auto all = kinds;
+    all.push_back(structures::inner_octree(study.base));
+    all.push_back(structures::list(study.base));
+    for (const std::string& scene : structures::small_scenes())
+        figures.small.push_back(structures::measure(scene, all, study, false, progress));
+    study.size = parse_size(o.size);
+    plot::write_plot(plot, structures::picture(figures, study));
+    write_file(path, structures::page(figures, study, command_of(o), "structures"));
+    fmt::print("{} written\n", printable(path));
+    return 0;
+}
+
+}   // namespace
+
+Command structures_command() {
+    return command("structures",
+                   "the page that sets all structures beside each other on one machine: work, cycles, area",
+                   "rayclock structures -o docs", declare, run);
+}
+
+}   // namespace rayclock
