@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/image/image.hpp"
@@ -46,7 +47,7 @@ std::string command_of(const Options& o) {
     return text + (o.no_netlist ? " --no-netlist" : "");
 }
 
-/// One pipeline of each structure's machine; those of one engine are the same.
+/// One pipeline of each structure's machine.
 std::vector<area::Count> counts_of(const std::vector<structures::Kind>& kinds, const Options& o,
                                    const Progress& progress) {
     std::vector<area::Variant> variants;
@@ -71,7 +72,9 @@ int run(const Options& o) {
     plot::check_plot_path(plot);
     const Progress progress = terminal_progress();
     structures::Figures figures;
-    if (!o.no_netlist) figures.counts = counts_of(kinds, o, progress);
+    auto machines = kinds;
+    machines.push_back(structures::list(study.base));
+    if (!o.no_netlist) figures.counts = counts_of(machines, o, progress);
     for (const std::string& scene : study.scenes)
         figures.large.push_back(structures::measure(scene, kinds, study, true, progress));
     study.size = size_of_small;

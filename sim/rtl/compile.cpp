@@ -233,7 +233,7 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     const std::vector<Source> sources = divided(folder, config, module, waves);
     compile(folder, sources, what, meanwhile);
     if (waves == Waves::no) fs::copy_file(support, folder / support_name);
-    link(folder, sources, waves == Waves::no ? Words{support_name} : Words{"-lz"}, what, meanwhile);
+    link(folder, sources, what, waves == Waves::no ? Words{support_name} : Words{"-lz"}, meanwhile);
     tidy(folder);
 }
 

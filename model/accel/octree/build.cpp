@@ -133,8 +133,7 @@ CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
     Items items = pieces.all();
     const double most = kd::most_references * double(items.size());
     const LatticeBox box = kd::bounds_of(items);
-    return pieces.with_endless(
-        Builder(pieces, config).node({std::move(items), box}, most_depth, most));
+    return pieces.with_endless(Builder(pieces, config).node({std::move(items), box}, most_depth, most));
 }
 
 }   // namespace rayclock::octree

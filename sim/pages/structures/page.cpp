@@ -135,9 +135,10 @@ Table list_table(const std::vector<SceneCells>& scenes) {
 
 constexpr const char* intro = R"(# Structures on one machine
 
-Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches: {}x{} pixels of camera rays, scenes in
-triangles; finished pictures (`--depth 4`) have half as many columns and rows, and true spheres where the scene
-has them. All structures give the same picture, bit for bit ([planes.md](planes.md), [boxes.md](boxes.md)).
+Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches:
+{}x{} pixels of camera rays, scenes in triangles; finished pictures (`--depth 4`) have half as many columns
+and rows, and true spheres where the scene has them. fps are of these pictures. All structures give the same
+picture, bit for bit ([planes.md](planes.md), [boxes.md](boxes.md)).
 An octree uses the engine of kd, to the gate ([configurations.md](configurations.md#structures)).
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
@@ -188,15 +189,20 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
     std::string text = fmt::format(fmt::runtime(intro), command, study.base.name, default_khz / 1e3,
                                    study.size.width, study.size.height);
     text += "## In short\n\n" + area_table(figures).markdown() + area_words;
+    if (figures.counts)
+        text += fmt::format("A pipeline that walks a mere list takes {} LUTs and {} multipliers.\n",
+                            grouped(figures.counts->back().luts()), grouped(figures.counts->back().dsp));
     if (figures.counts) text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
     text += fmt::format(fmt::runtime(cache_words), fmt::join(cache_sets(), ", "), fmt::join(names, " / "));
     text += cache_table(figures.large, study.base).markdown();
+    const bool is_usual = study.base.name == "default" && study.scenes == large_scenes();
+    if (is_usual) text += fmt::format("\n{}\n", reason(""));
     for (const SceneCells& scene : figures.large) {
         text += fmt::format("\n## {}\n\n{} primitives.\n\n", scene.name, grouped(scene.primitives));
         text += tree_table(scene).markdown() + "\n" + frame_table(scene).markdown();
         for (const Cell& c : scene.cells)
             if (!c.refused.empty()) text += fmt::format("\n{} is not there: {}.\n", c.structure, c.refused);
-        if (const std::string why = reason(scene.name); !why.empty()) text += "\n" + why + "\n";
+        if (const std::string why = reason(scene.name); is_usual && !why.empty()) text += "\n" + why + "\n";
     }
     return text + list_words + list_table(figures.small).markdown();
 }

@@ -15,7 +15,7 @@ const std::vector<std::string>& small_scenes();
 /// What the page says.
 struct Figures {
     std::vector<SceneCells> large, small;
-    std::optional<std::vector<area::Count>> counts;   ///< of one pipeline, by structure as in trees()
+    std::optional<std::vector<area::Count>> counts;   ///< of one pipeline: as in trees(), then the list's
 };
 
 /// As Markdown, with `picture` beside it. `command` is what to type for it.
@@ -23,7 +23,8 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
                  const std::string& picture);
 plot::Drawing picture(const Figures& figures, const Study& study);
 
-/// Why the figures of a scene are what they are, in a paragraph; empty if nobody has looked at the scene.
+/// Why the figures of a scene are what they are, in a paragraph; empty if nobody has looked at the scene. Of
+/// the empty name: of all scenes of the page in docs/ together.
 const char* reason(const std::string& scene);
 
 }   // namespace rayclock::structures
