@@ -86,6 +86,35 @@ TEST_CASE("a damaged entry of the RTL cache is built again, once") {
     CHECK(tools.compilations() == 2 * int(1 + damages.size()));
 }
 
+TEST_CASE("Verilator's own sources are compiled once for all RTL, and again if they are damaged") {
+    const FakeTools tools;
+    const auto compiled = [&] {
+        const std::string calls = bytes_of(tools.path("calls"));
+        int count = 0;
+        for (std::size_t at = 0; (at = calls.find("-o support.o", at)) != std::string::npos; ++at) ++count;
+        return count;
+    };
+    const auto own = [&] {
+        for (const auto& entry : fs::directory_iterator(tools.cache()))
+            if (entry.path().filename().string().starts_with("rc_verilated-"))
+                return entry.path().string() + "/support.o";
+        return std::string();
+    };
+    check_built(tools, true);
+    CHECK(compiled() == 1);
+    fs::remove_all(tools.entry());
+    check_built(tools, true);
+    CHECK(compiled() == 1);
+    REQUIRE(bytes_of(own()) == "built\n");
+    write(own(), "buiLt\n");
+    check_built(tools, false);   // a library that is there needs them no more
+    CHECK(compiled() == 1);
+    fs::remove_all(tools.entry());
+    check_built(tools, true);
+    CHECK(compiled() == 2);
+    CHECK(bytes_of(own()) == "built\n");
+}
+
 TEST_CASE("whatever stands where the lock should be is no hindrance") {
     const FakeTools tools;
     check_built(tools, true);
