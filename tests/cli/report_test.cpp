@@ -244,16 +244,16 @@ TEST_CASE("render writes what it says, in place of what was there, and nothing e
 
 TEST_CASE("a printed configuration can be given back, and gives the same frame") {
     const Folder folder;
-    const Outcome printed = run_program({"config", "small", "--set", "mem_latency=21"});
+    const Outcome printed = run_program({"config", "small", "--set", "contexts=8"});
     CHECK(printed.code == 0);
     const std::string file = folder.write("mine.json", printed.out);
     const json a =
         parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", file, "--json", "-"}));
     const json b = parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", "small", "--set",
-                                       "mem_latency=21", "--json", "-"}));
+                                       "contexts=8", "--json", "-"}));
     CHECK(a["digest"] == b["digest"]);
-    CHECK(a["config"]["mem_latency"] == 21);
-    const std::string like = folder.write("like.json", R"({"like": "small", "mem_latency": 21})");
+    CHECK(a["config"]["contexts"] == 8);
+    const std::string like = folder.write("like.json", R"({"like": "small", "contexts": 8})");
     CHECK(parsed(run_program({"simulate", "tetra:3", "--size", "16x12", "--config", like, "--json",
                               "-"}))["digest"] == a["digest"]);
 }

@@ -107,7 +107,7 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
                                                                                     // holds a step up
     const std::uint64_t nodes = config.is_list() ? 0 : run.visits;                  // pages are no nodes
     CHECK(code(Unit::box, 0) + code(Unit::treelet, 0) == nodes);
-    CHECK(code(Unit::tri, 0) == run.triangle_tests);
+    CHECK(code(Unit::tri, 0) == config.tri_interval * run.triangle_tests);
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == nodes);
     CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) ==
           run.triangle_tests);

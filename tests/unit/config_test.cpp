@@ -106,7 +106,7 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves full: 6 half lines each
         REQUIRE(c.leaf_size + 1 < 1 << count_bits);
     }
-    REQUIRE(legal > 1000);
+    REQUIRE(legal > 900);   // of the 20,000
 }
 
 TEST_CASE("widths that do not fit together are refused with the rule", "[config]") {

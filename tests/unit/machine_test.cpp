@@ -133,7 +133,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
                                                                                                     // step up
     REQUIRE(frame.trace.turns > 0);
     REQUIRE(code(Unit::box, 0) == count(Link::box_req));
-    REQUIRE(code(Unit::tri, 0) == count(Link::tri_req));
+    REQUIRE(code(Unit::tri, 0) == job.config.tri_interval * count(Link::tri_req));
     REQUIRE(code(Unit::dispatch, 0) == count(Link::tile));
     REQUIRE(code(Unit::memport, 0) == count(asked));
     for (const auto& [cache, request, miss, line] :
