@@ -38,7 +38,7 @@ namespace packet {   // TracePacket
 constexpr std::uint32_t timestamp = 8, sequence = 10, event = 11, track = 60;
 }
 namespace track {   // TrackDescriptor, ProcessDescriptor, ThreadDescriptor
-constexpr std::uint32_t uuid = 1, name = 2, process = 3, thread = 4, parent = 5;
+constexpr std::uint32_t uuid = 1, process = 3, thread = 4, parent = 5;
 constexpr std::uint32_t process_pid = 1, process_name = 6, thread_pid = 1, thread_tid = 2, thread_name = 5;
 }   // namespace track
 namespace event {   // TrackEvent, DebugAnnotation
