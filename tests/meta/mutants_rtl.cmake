@@ -55,19 +55,6 @@ mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
   OLD [[.u_i(pre_u), .v_i(pre_v),]]
   NEW [[.u_i(pre_v), .v_i(pre_u),]])
 
-# ---- tri that takes a primitive every few cycles: products and quotients one after the other.
-mutant(shared_second_operands_stay FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
-  OLD [[: a_q >> AW;]]
-  NEW [[: a_q;]])
-mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
-  OLD [[.Stages(Share - 1 - i)) u_early]]
-  NEW [[.Stages(Own - 1)) u_early]])
-mutant(shared_v_before_u FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
-  OLD [[assign rem = u_goes ? u_rem : v_rem_q;]]
-  NEW [[assign rem = u_goes ? v_rem_q : u_rem;]])
-mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][interval]
-  OLD [[|valid_q[Interval-2:0];]]
-  NEW [[|valid_q[(Interval-1)/2:0];]])
 
 # ---- tri, sheared, and the slopes that raygen makes for it.
 mutant(shear_half_forgotten FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]

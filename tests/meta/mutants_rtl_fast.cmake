@@ -1,4 +1,5 @@
-# Faults in what only a fast chip has (timing=fast): registers, and what passes by them.
+# Faults in what only a fast chip has (timing=fast): registers, and what passes by them. At the end, those of a tri that shares
+# its multipliers (tri_interval).
 
 # ---- A register is taken away.
 mutant(fast_hitdiv_loses_a_stage QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
@@ -40,3 +41,17 @@ mutant(mshr_fast_new_line_is_not_waited_for QUICK FILE rtl/mem/rc_mshr.sv TEST u
 mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
   OLD [[assign load        = !valid_q || pop;]]
   NEW [[assign load        = !valid_q || pop || full;]])
+
+# ---- tri that takes a primitive every few cycles: products and quotients one after the other.
+mutant(shared_second_operands_stay FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
+  OLD [[: a_q >> AW;]]
+  NEW [[: a_q;]])
+mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
+  OLD [[.Stages(Share - 1 - i)) u_early]]
+  NEW [[.Stages(Own - 1)) u_early]])
+mutant(shared_v_before_u FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
+  OLD [[assign rem = u_goes ? u_rem : v_rem_q;]]
+  NEW [[assign rem = u_goes ? v_rem_q : u_rem;]])
+mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][interval]
+  OLD [[|valid_q[Interval-2:0];]]
+  NEW [[|valid_q[(Interval-1)/2:0];]])
