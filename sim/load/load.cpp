@@ -6,6 +6,7 @@
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/files/input.hpp"
+#include "sim/image/average.hpp"
 #include "sim/load/json_scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh_file.hpp"
@@ -30,14 +31,16 @@ JsonLoad load_file(const std::string& spec, Loading& loading) {
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);   // a directory or an unreadable file gets its own sentence
     Place{spec}.refuse(
-        "is not a kind of file that can be loaded (.obj .ply .stl .glb .gltf .json), nor a built-in scene");
+        "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, these also with "
+        ".gz "
+        "behind, .json), nor a built-in scene");
 }
 
 }   // namespace
 
 Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
                  std::vector<std::string>* notes) {
-    Loading loading(progress);
+    Loading loading(progress, {}, average_colour);
     if (spec.empty()) throw UserError("the name of the scene is empty");
     if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
     try {
