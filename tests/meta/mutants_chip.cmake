@@ -20,10 +20,10 @@ mutant(chip_full_device_is_too_small FILE sim/chip/run.cpp TEST chip "what does 
 mutant(balance_takes_what_is_too_large FILE sim/balance/search.cpp TEST sweep "what the search finds*"
   OLD [[return use.*resource.member <= room.*resource.member;]]
   NEW [[return use.*resource.member <= room.*resource.member + room.*resource.member / 8;]])
-mutant(balance_never_exchanges FILE sim/balance/search.cpp TEST sweep "what the search finds*"
+mutant(balance_never_exchanges FILE sim/balance/search.cpp TEST sweep "a step is given back*"
   OLD [[if (up.ladder != down.ladder)]]
   NEW [[if (up.ladder == down.ladder)]])
-mutant(balance_keeps_what_brings_nothing FILE sim/balance/search.cpp TEST sweep "what the search finds*"
+mutant(balance_keeps_what_brings_nothing FILE sim/balance/search.cpp TEST sweep "a step is given back*"
   OLD [[return gain(m) < 0;]]
   NEW [[return gain(m) < 10;]])
 mutant(balance_stays_with_one_pipeline FILE sim/balance/search.cpp TEST sweep "the brute-force best*"

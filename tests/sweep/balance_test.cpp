@@ -1,5 +1,7 @@
 // The search for the fastest machine that fits, on machines whose speed and size are formulas.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -55,6 +57,29 @@ std::vector<Config> steps(const Config& config, int by) {
     return all;
 }
 
+/// The same as fits(), said once more.
+bool inside(const Use& use, const Use& room) {
+    return use.lut <= room.lut && use.ff <= room.ff && use.dsp <= room.dsp && use.bram <= room.bram;
+}
+
+/// Machines that differ in three steps only, node_sets (1), prim_sets (2) and node_mshrs (4): frames per
+/// second by the steps that were taken, and five block RAMs for each.
+Doors three_steps(const std::array<double, 8>& speeds) {
+    const auto taken = [](const Config& c) {
+        return std::size_t(c.node_sets > 32) + 2 * std::size_t(c.prim_sets > 32) +
+               4 * std::size_t(c.node_mshrs > 4);
+    };
+    return {[=](std::vector<Machine>& machines) {
+                for (Machine& m : machines) m.fps = speeds[taken(m.config)];
+                return true;
+            },
+            [=](std::vector<Machine>& machines) {
+                for (Machine& m : machines)
+                    m.use = Use{0, 0, 0, 5 * std::uint64_t(std::popcount(taken(m.config)))};
+                return true;
+            }};
+}
+
 constexpr Use rooms[] = {{12000, 90000, 60, 20},   {20000, 90000, 100, 40}, {40000, 90000, 100, 60},
                          {75000, 90000, 140, 180}, {75000, 90000, 50, 180}, {400000, 90000, 900, 900}};
 
@@ -67,10 +92,10 @@ TEST_CASE("what the search finds fits, and no step, pair or exchange that fits i
         REQUIRE(found);
         const Config& best = found->best().config;
         INFO(room.lut << " LUTs, " << room.dsp << " multipliers:\n" << text(*found, room));
-        REQUIRE(fits(size(best), room));
+        REQUIRE(inside(size(best), room));
         CHECK(*found->best().fps == speed(best));
         const auto better = [&](const Config& c) {
-            return fits(size(c), room) && speed(c) >= (1 + least_gain) * speed(best);
+            return inside(size(c), room) && speed(c) >= (1 + least_gain) * speed(best);
         };
         for (const Config& up : steps(best, 1)) {
             CHECK_FALSE(better(up));
@@ -107,7 +132,7 @@ TEST_CASE("the path goes from the least machine to the best, and each machine on
         }
         for (const Ladder& ladder : ladders()) CHECK(at.*ladder.member == machine.config.*ladder.member);
         CHECK(*machine.fps >= fps);
-        CHECK(fits(*machine.use, rooms[3]));
+        CHECK(inside(*machine.use, rooms[3]));
         fps = *machine.fps;
     }
     CHECK(found->path.size() >= 5);
@@ -127,7 +152,7 @@ TEST_CASE("the brute-force best of small devices is met") {
                     for (c.node_sets = 32; c.node_sets <= 512; c.node_sets *= 2)
                         for (c.prim_sets = 32; c.prim_sets <= 512; c.prim_sets *= 2)
                             for (c.pipelines = 1; c.pipelines <= 8; c.pipelines *= 2)
-                                if (fits(size(c), room)) most = std::max(most, speed(c));
+                                if (inside(size(c), room)) most = std::max(most, speed(c));
         Formulas formulas;
         const std::optional<Found> found = search(named_config("default"), room, formulas.doors());
         REQUIRE(found);
@@ -135,6 +160,24 @@ TEST_CASE("the brute-force best of small devices is met") {
         CHECK(*found->best().fps >= 0.98 * most);   // a local best may miss the best of all by a little
         CHECK(*found->best().fps <= most);
     }
+}
+
+TEST_CASE("a step is given back for a better one, and when it has become useless") {
+    // The first is best alone; beside the second the third is better, and there is room for two.
+    const Use two{0, 0, 0, 10};
+    const std::optional<Found> exchanged =
+        search(named_config("default"), two, three_steps({100, 130, 125, 140, 110, 135, 150, 160}));
+    REQUIRE(exchanged);
+    CHECK(exchanged->best().config.node_sets == 32);
+    CHECK(*exchanged->best().fps == 150);
+    // There is room for all, and with the two others the first brings nothing.
+    const Use all{0, 0, 0, 15};
+    const std::optional<Found> given_back =
+        search(named_config("default"), all, three_steps({100, 130, 125, 150, 100, 131, 170, 170}));
+    REQUIRE(given_back);
+    CHECK(given_back->best().config.node_sets == 32);
+    CHECK(*given_back->best().fps == 170);
+    CHECK(given_back->best().use->bram == 10);
 }
 
 TEST_CASE("a device without room for the least machine, and an interrupted search") {
