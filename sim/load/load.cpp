@@ -24,7 +24,7 @@ bool is_file_name(const std::string& spec) {
 JsonLoad load_file(const std::string& spec, Loading& loading) {
     const std::filesystem::path path(spec);
     if (extension(path) == "json") return load_json_scene(path, loading);
-    if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
+    if (is_mesh_file(path)) return {{load_mesh_file(path, loading), {}, {}}, false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
@@ -42,11 +42,12 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
     if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
     try {
         const bool is_made = is_builtin(spec) || !is_file_name(spec);
-        JsonLoad load = is_made ? JsonLoad{make_builtin(spec, primitives), true} : load_file(spec, loading);
-        check_scene(load.scene, printable(spec));
+        JsonLoad load = is_made ? JsonLoad{make_placed(spec, primitives), true} : load_file(spec, loading);
+        Scene scene = flattened(std::move(load.scene));
+        check_scene(scene, printable(spec));
         if (notes) *notes = loading.notes();
-        if (!load.has_lights) add_missing_lights(load.scene);
-        return std::move(load.scene);
+        if (!load.has_lights) add_missing_lights(scene);
+        return scene;
     } catch (const std::bad_alloc&) {
         Place{spec}.refuse("the scene does not fit in memory");
     } catch (const std::filesystem::filesystem_error& error) {
