@@ -61,13 +61,17 @@ struct LevelWay {
 /// What a ray took.
 struct LevelCounts {
     std::uint64_t visits = 0, changes = 0, tests = 0;   ///< nodes of both levels; instances; primitives
+    LevelCounts& operator+=(const LevelCounts& other) {
+        visits += other.visits, changes += other.changes, tests += other.tests;
+        return *this;
+    }
 };
 
 /// Rays, one after the other.
 class LevelWalk {
 public:
-    LevelWalk(const MemoryImage& image, const Config& config)
-        : decoder_(image, config), way_{config, image, decoder_, tri_test_of(config)}, stack_(config) {}
+    LevelWalk(const MemoryImage& image, const Decoder& decoder, const Config& config)
+        : way_{config, image, decoder, tri_test_of(config)}, stack_(config) {}
     LevelWalk(const LevelWalk&) = delete;
 
     Closest trace(const Ray& ray) {
@@ -89,7 +93,6 @@ public:
     void decided(std::uint32_t, bool) {}
 
 private:
-    Decoder decoder_;
     LevelWay way_;
     Stack stack_;
     WalkRoom<ByDistance> room_;

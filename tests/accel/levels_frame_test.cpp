@@ -3,26 +3,13 @@
 
 #include "model/accel/levels/levels.hpp"
 #include "model/base/error.hpp"
-#include "model/raygen/raygen.hpp"
 #include "model/trace/trace.hpp"
-#include "model/xform/walk.hpp"
+#include "model/xform/picture.hpp"
 #include "tests/accel/solids.hpp"
 
 using namespace rayclock;
 
 namespace {
-
-/// What the camera rays of a frame hit, walked in two levels; and in one.
-std::vector<Closest> walked(const LevelsImage& levels, const Frame& frame, const Config& config,
-                            LevelCounts* counts = nullptr) {
-    LevelWalk walk(levels.image, config);
-    std::vector<Closest> hits;
-    for (std::uint32_t y = 0; y < frame.height; ++y)
-        for (std::uint32_t x = 0; x < frame.width; ++x)
-            hits.push_back(walk.trace(raygen({0, x, y}, frame, config)));
-    if (counts) *counts = walk.counts();
-    return hits;
-}
 
 constexpr FrameSize size{64, 48};
 
@@ -62,7 +49,7 @@ TEST_CASE("where a map is exact on the lattice, two levels are one, bit for bit"
         CHECK(levels.image.lattice.pitch == image.lattice.pitch);
         const Frame frame = make_frame(camera, size, image, config);
         const Trace trace = record_trace(image, frame, config, 1);
-        const std::vector<Closest> hits = walked(levels, frame, config);
+        const std::vector<Closest> hits = trace_levels(levels, camera, size, config, 1).answers;
         std::size_t wrong = 0, found = 0;
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const Closest &a = hits[i], &b = trace.hits[i];
@@ -85,10 +72,10 @@ TEST_CASE("the gearbox in two levels is small, and has the hits of the gears", "
     const MemoryImage image = compile_scene(gears, gears.camera->eye, config);
     CHECK(levels.image.words.size() * 20 <= image.words.size());
 
-    const Frame frame = make_frame(*gears.camera, size, levels.image.lattice, config);
     const Trace trace = record_trace(image, make_frame(*gears.camera, size, image, config), config, 1);
-    LevelCounts counts;
-    const std::vector<Closest> hits = walked(levels, frame, config, &counts);
+    const LevelsPicture picture = trace_levels(levels, *gears.camera, size, config, 1);
+    const std::vector<Closest>& hits = picture.answers;
+    const LevelCounts& counts = picture.counts;
     std::size_t other = 0, found = 0;
     std::int64_t off = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -106,11 +93,12 @@ TEST_CASE("the order of instances does not change what is hit", "[levels]") {
     const Config config = format(16, 18);
     PlacedScene scene = solids(20, 11, 0.5, 0.5, 0);
     const Camera camera{{9, 7, 8}, {0, 0, 0}, {0, 1, 0}, 60};
-    const LevelsImage one = compile_levels(scene, camera.eye, config);
-    const Frame frame = make_frame(camera, size, one.image.lattice, config);
-    const std::vector<Closest> before = walked(one, frame, config);
+    const auto answers = [&](int threads) {
+        return trace_levels(compile_levels(scene, camera.eye, config), camera, size, config, threads).answers;
+    };
+    const std::vector<Closest> before = answers(1);
     std::reverse(scene.instances.begin(), scene.instances.end());
-    const std::vector<Closest> after = walked(compile_levels(scene, camera.eye, config), frame, config);
+    const std::vector<Closest> after = answers(2);
     std::size_t wrong = 0, found = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const std::uint32_t turned = same_in_reverse(scene, after[i].prim);

@@ -165,7 +165,8 @@ Tally judge(const PlacedScene& scene, const Config& config, const glm::dvec3& ey
             std::uint32_t seed) {
     const LevelsImage levels = compile_levels(scene, eye, config);
     const Truth truth(scene, levels, config);
-    LevelWalk walk(levels.image, config);
+    const Decoder decoder(levels.image, config);
+    LevelWalk walk(levels.image, decoder, config);
     Tally tally;
     const Vec3i o = levels.image.lattice.snap(eye);
     Aim aim(scene, levels, o, config, seed);

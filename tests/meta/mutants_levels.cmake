@@ -34,12 +34,6 @@ mutant(levels_boxes_without_what_is_rounded FILE model/accel/levels/maps.cpp TES
 mutant(levels_boxes_forget_the_direction FILE model/accel/levels/maps.cpp TEST accel [levels]
   OLD [[map.is_whole ? 0 : 0.5 + 0.5 * last;]]
   NEW [[map.is_whole ? 0 : 0.5 + 0 * last;]])
-mutant(levels_map_by_the_transposed FILE model/accel/levels/maps.cpp TEST accel [levels]
-  OLD [[= back[k][i] * lattice]]
-  NEW [[= back[i][k] * lattice]])
 mutant(levels_all_in_one_class FILE model/accel/levels/maps.cpp TEST accel [levels]
   OLD [[lessThanEqual(most, 2.0 * least)]]
   NEW [[lessThanEqual(most, 2e9 * least)]])
-mutant(levels_need_a_lower_stack FILE model/accel/levels/compile.cpp TEST accel [levels]
-  OLD [[return need + (found.size() >= 2);]]
-  NEW [[return need + (found.size() >= 20);]])

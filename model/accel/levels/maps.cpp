@@ -57,6 +57,10 @@ public:
             if (written_out_) continue;   // once more, with more instances written out
             if (beyond <= 0) return std::move(maps_);
             margin += beyond + 1;
+            if (margin < largest_ / 4) continue;
+            // Not seen yet. What is written out rounds nothing and needs no margin.
+            is_out_.assign(is_out_.size(), true);
+            margin = 0;
         }
     }
 
