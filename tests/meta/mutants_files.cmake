@@ -44,3 +44,14 @@ mutant(load_spots_end_too_soon FILE sim/load/triangulate.cpp TEST load "polygons
 mutant(load_ear_looks_at_an_old_triangle FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
   OLD [[corners_[side].looked_at = 0;]]
   NEW [[]])
+
+# ---- Instances.
+mutant(load_instance_outside_of_its_object FILE sim/load/json_scene.cpp TEST load "json:*"
+  OLD [[transform * transform_of(instance)]]
+  NEW [[transform_of(instance) * transform]])
+mutant(load_graph_forgets_a_level FILE sim/load/json_scene.cpp TEST load "json: a graph*"
+  OLD [[transform * inner.place]]
+  NEW [[inner.place]])
+mutant(load_instance_keeps_its_meshs_material FILE model/scene/placed.cpp TEST load "json:*"
+  OLD [[t.material = material ? *material : t.material + material_base;]]
+  NEW [[t.material += material_base;]])
