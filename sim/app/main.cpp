@@ -58,7 +58,7 @@ constexpr const char* help_footer =
     "or ~/.cache/rayclock\n"
     "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
-    "  RAYCLOCK_VEGA   folder with Vega's modules for simulate --report; otherwise that of Debian's "
+    "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's "
     "libjs-vega\n"
     "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete\n"
     "Start with: rayclock verify gears:4 -o out";

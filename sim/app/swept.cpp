@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include "model/base/quote.hpp"
+#include "sim/app/command_line.hpp"
+#include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
+#include "sim/report_page/frame.hpp"
 #include "sim/report/text.hpp"
 #include "sim/sweep/cost.hpp"
+#include "sim/sweep/page.hpp"
 #include "sim/sweep/plot.hpp"
 #include "sim/sweep/table.hpp"
 
@@ -15,6 +19,8 @@ void sweep_outputs(Parser& parser, SweepOutputs& o) {
     parser.option("-o,--output", o.table, "table as CSV");
     parser.option("--plot", o.plot,
                   "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
+    parser.option("--report", o.report,
+                  "one HTML file: all points in linked charts, fronts, each axis alone");
     json_option(parser, o.json);
 }
 
@@ -22,6 +28,9 @@ void check_outputs(const SweepOutputs& o) {
     o.json.check();
     if (!o.table.empty()) check_writable(o.table);
     if (!o.plot.empty()) plot::check_plot_path(o.plot);
+    if (o.report.empty()) return;
+    check_writable(o.report);
+    check_page_library();
 }
 
 int axis_clock(const std::string& value) { return parse_clocks(value).at(0); }
@@ -40,6 +49,11 @@ void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::s
     }
     if (!o.table.empty()) write_file(o.table, sweep::csv(axes, results, front));
     if (!o.plot.empty()) plot::write_plot(o.plot, sweep::front_plot(scene, swept.size, axes, results, front));
+    if (!o.report.empty()) {
+        std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
+        for (auto& version : versions()) origin.push_back(std::move(version));
+        write_bytes(o.report, sweep::sweep_page(swept, front, origin));
+    }
     o.json.write({{"scene", swept.scene},
                   {"config", config_json_object(swept.config)},
                   {"frame", {{"width", swept.size.width}, {"height", swept.size.height}}},

@@ -6,7 +6,7 @@
 namespace rayclock {
 
 struct SweepOutputs {
-    std::string table, plot;
+    std::string table, plot, report;
     JsonOutput json;
 };
 void sweep_outputs(Parser& parser, SweepOutputs& o);

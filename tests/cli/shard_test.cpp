@@ -2,12 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/browser.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;
@@ -48,10 +47,6 @@ struct Place {
         return folder.write("changed.json", report.dump());
     }
 };
-
-bool is_installed(const std::string& program) {
-    return std::system(("PATH=$PATH:/usr/sbin command -v " + program + " > /dev/null 2>&1").c_str()) == 0;
-}
 
 }   // namespace
 
