@@ -21,6 +21,7 @@ Command yardstick_command();
 Command figures_command();
 Command counts_command();
 Command structures_command();
+Command gigahertz_command();
 Command area_command();
 Command chip_command();
 Command bench_command();

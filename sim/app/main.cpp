@@ -27,11 +27,11 @@ struct Added {
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (Command (*make)() :
-         {scenes_command,     render_command,   simulate_command,  verify_command,  explain_command,
-          trace_command,      compare_command,  stress_command,    sweep_command,   merge_command,
-          fit_command,        tradeoff_command, yardstick_command, figures_command, counts_command,
-          structures_command, area_command,     chip_command,      bench_command,   export_command,
-          config_command,     rtl_command,      doctor_command})
+         {scenes_command,     render_command,    simulate_command,  verify_command,  explain_command,
+          trace_command,      compare_command,   stress_command,    sweep_command,   merge_command,
+          fit_command,        tradeoff_command,  yardstick_command, figures_command, counts_command,
+          structures_command, gigahertz_command, area_command,      chip_command,    bench_command,
+          export_command,     config_command,    rtl_command,       doctor_command})
         all.push_back(make());
     return all;
 }

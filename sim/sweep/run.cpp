@@ -10,6 +10,7 @@
 
 #include "model/base/error.hpp"
 #include "model/reference/reference.hpp"
+#include "sim/memory/memory_file.hpp"
 #include "sim/sweep/cracks.hpp"
 #include "sim/sweep/key.hpp"
 #include "sim/sweep/table.hpp"
@@ -60,7 +61,7 @@ std::variant<ordered_json, std::string> frame_of(const ordered_json& json) {
 std::string timing_of(const Config& config) {
     std::string text;
     for (const Parameter& p : parameters()) text += fmt::format("{}={} ", p.key, value_text(config, p));
-    return text;
+    return text + own_memory_text(config);
 }
 
 /// Points that share a trace.
