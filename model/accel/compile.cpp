@@ -81,6 +81,8 @@ void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Con
                         ": --set prim_bits=" + std::to_string(need));
 }
 
+}   // namespace
+
 void check_stack(int need, const Config& config, const std::string& name) {
     if (need <= config.stack_depth) return;
     const std::string begin =
@@ -94,8 +96,6 @@ void check_stack(int need, const Config& config, const std::string& name) {
                     ": --set stack_depth=" + std::to_string(depth));
 }
 
-}   // namespace
-
 bool counts(const PrimData& t, const Config& config) {
     if (PrimKind(t.kind) == PrimKind::sphere) return radius_squared(t, config.coord_bits) > 0;
     return config.is_sheared() ? t.a != t.b && t.b != t.c && t.c != t.a : has_area(t);
@@ -108,12 +108,12 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     };
     MemoryImage image;
     tell(1);
-    if (config.is_bvh()) {
+    if (config.is_bvh() || config.has_globes()) {
         BinaryTree tree = build_tree(boxes_of(triangles, config));
         tell(2);
         optimise_tree(tree);
         tell(3);
-        emit_image(tree, triangles, config, name, image);
+        (config.is_bvh() ? emit_boxes : emit_globes)(tree, triangles, config, name, image);
         image.report.references = triangles.size();
     } else {
         (config.has_treelets() ? emit_cells : emit_list)(triangles, config, name, image);

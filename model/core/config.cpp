@@ -65,7 +65,7 @@ const std::vector<std::string>& dram_names() {
 }
 
 const std::vector<std::string>& structure_names() {
-    static const std::vector<std::string> names{"bvh", "kd", "none", "octree"};
+    static const std::vector<std::string> names{"bvh", "kd", "none", "octree", "spheres"};
     return names;
 }
 
@@ -108,7 +108,8 @@ const std::vector<Parameter>& parameters() {
          &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"structure", &Config::structure, 0, int(structure_names().size()) - 1, false,
-         "what holds the scene: bvh, kd, octree, or none (a list of all primitives)", &structure_names()},
+         "what holds the scene: bvh, spheres, kd, octree, or none (a list of all primitives)",
+         &structure_names()},
         {"straddlers", &Config::straddlers, 0, int(straddlers_names().size()) - 1, false,
          "of an octree: where it has what a plane cuts, leaves or inner (the inner node)",
          &straddlers_names()},
@@ -302,7 +303,7 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
-    if (c.has_treelets() && c.test() != PrimitiveTest::exact && !c.is_sheared())
+    if ((c.has_treelets() || c.has_globes()) && c.test() != PrimitiveTest::exact && !c.is_sheared())
         refuse("structure=" + structure_names()[std::size_t(c.structure)] +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");

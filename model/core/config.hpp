@@ -13,7 +13,7 @@ enum class Timing { relaxed, fast };
 /// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/bvh), space cut
 /// by planes (model/kd), or nothing but a list of all primitives (model/none). An octree is cut by planes in
 /// the middle of its cells, and walked by the engine of kd.
-enum class Structure { bvh, kd, none, octree };
+enum class Structure { bvh, kd, none, octree, spheres };
 
 /// Where an octree has what lies on both sides of a cut, by the value of Config::straddlers: in every leaf
 /// that it reaches into, or in the inner node.
@@ -28,6 +28,8 @@ constexpr int max_addr_bits = 24;     ///< of Config::addr_bits
 constexpr int max_pixel_bits = 14;    ///< of Config::pixel_bits
 constexpr int exp_bits = 5;           ///< box exponent, and bit length of a direction component
 constexpr int max_prim_bits = 32;     ///< of Config::prim_bits
+constexpr int globe_bits = 12;        ///< of a globe's centre on each axis, and of its radius
+constexpr int toward_bits = 18;       ///< of a component of a ray's direction, as globes are tested with it
 constexpr int offset_bits = 6;        ///< child within its block, in steps of 32 bytes
 constexpr int count_bits = 3;         ///< triangles of a leaf, 1..6; 0 for an inner node
 constexpr int line_bits = 512;        ///< a memory line, one node
@@ -135,6 +137,7 @@ struct Config {
     bool is_bvh() const { return Structure(structure) == Structure::bvh; }
     bool is_list() const { return Structure(structure) == Structure::none; }
     bool has_treelets() const { return engine() == Structure::kd; }
+    bool has_globes() const { return Structure(structure) == Structure::spheres; }
     bool is_octree() const { return Structure(structure) == Structure::octree; }
     Structure engine() const {
         return is_octree() ? Structure::kd : Structure(structure);
@@ -177,8 +180,9 @@ struct Config {
     int raygen_latency() const;
     int box_latency() const;
     int treelet_latency() const;
+    int globe_latency() const;
     int node_latency() const {
-        return has_treelets() ? treelet_latency() : box_latency();
+        return has_treelets() ? treelet_latency() : has_globes() ? globe_latency() : box_latency();
     }                                                       ///< of the unit that decides a node
     int planes_of_node() const { return node_width - 1; }   ///< of a treelet
     int tri_latency() const;

@@ -14,6 +14,7 @@ Command explain_command();
 Command trace_command();
 Command compare_command();
 Command sweep_command();
+Command merge_command();
 Command fit_command();
 Command tradeoff_command();
 Command yardstick_command();

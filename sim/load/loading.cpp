@@ -63,4 +63,15 @@ std::uint64_t bytes_of(const Scene& scene) {
            sizeof(Plane) * scene.planes.size() + sizeof(Material) * scene.materials.size();
 }
 
+std::uint64_t bytes_of(const SharedMesh& mesh) {
+    return sizeof(glm::dvec3) * (mesh.vertices.size() + mesh.normals.size()) +
+           sizeof(Triangle) * mesh.triangles.size();
+}
+
+std::uint64_t bytes_of(const PlacedScene& scene) {
+    std::uint64_t bytes = bytes_of(scene.own);
+    for (const SharedMesh& mesh : scene.meshes) bytes += bytes_of(mesh);
+    return bytes;
+}
+
 }   // namespace rayclock

@@ -12,7 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/base/progress.hpp"
-#include "model/scene/scene.hpp"
+#include "model/scene/placed.hpp"
 
 namespace rayclock {
 
@@ -80,5 +80,7 @@ bool leaves_folder(const std::filesystem::path& name);
 
 /// Bytes that a scene's primitives, vertices and materials take.
 std::uint64_t bytes_of(const Scene& scene);
+std::uint64_t bytes_of(const SharedMesh& mesh);
+std::uint64_t bytes_of(const PlacedScene& scene);   ///< of its own and its meshes', each once
 
 }   // namespace rayclock

@@ -50,7 +50,7 @@ std::size_t Assembly::add(PartBuilder part) {
 void Assembly::make_alike(bool must_have) {
     const auto is_smooth = [](const Scene& part) { return !part.normals.empty(); };
     if (must_have || std::any_of(parts_.begin(), parts_.end(), is_smooth))
-        std::for_each(parts_.begin(), parts_.end(), make_smooth);
+        for (Scene& part : parts_) make_smooth(part);
 }
 
 void Assembly::place(std::size_t number, const glm::dmat4& place, std::uint64_t material,

@@ -16,6 +16,7 @@ std::uint64_t count_of(Unit unit, const FrameRun& run) {
         case Unit::node_cache:
         case Unit::box:
         case Unit::treelet:
+        case Unit::globe:
         case Unit::list: return run.visits;
         case Unit::prim_cache:
         case Unit::tri: return run.triangle_tests;

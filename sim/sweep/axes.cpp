@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,10 +16,15 @@ namespace rayclock::sweep {
 
 namespace {
 
-int whole(const std::string& text, const std::string& axis) {
+std::optional<int> whole(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{} && end == text.data() + text.size()) return value;
+    return std::nullopt;
+}
+
+int whole(const std::string& text, const std::string& axis) {
+    if (const auto value = whole(text)) return *value;
     throw UserError("--axis: " + shown(text) + " in " + shown(axis) + " is not a whole number");
 }
 
@@ -138,5 +144,18 @@ std::string trace_format(const Config& config) {
             text += fmt::format("{}={} ", p.key, value_text(config, p));
     return text;
 }
+
+Shard parse_shard(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const auto part = whole(text.substr(0, slash));
+    const auto of = slash == text.npos ? std::nullopt : whole(text.substr(slash + 1));
+    if (!part || !of) throw UserError("--shard: " + shown(text) + " is not PART/PARTS, for example 2/4");
+    if (*of < 1 || *part < 1 || *part > *of)
+        throw UserError(
+            fmt::format("--shard: there is no part {} of {}; parts are counted from 1", *part, *of));
+    return {*part, *of};
+}
+
+std::string name_of(const Shard& shard) { return fmt::format("{}/{}", shard.part, shard.of); }
 
 }   // namespace rayclock::sweep

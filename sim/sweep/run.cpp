@@ -22,15 +22,6 @@ namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
 
-namespace {
-
-ordered_json picture_json(const PictureFigures& p) {
-    ordered_json json = error_json(p.error, std::nullopt);
-    json["cracks"] = p.cracks;
-    json["memory_bytes"] = p.memory_bytes;
-    return json;
-}
-
 PictureFigures picture_of(const ordered_json& json) {
     PictureFigures p;
     p.error.pixels = json.at("pixels").get<std::uint64_t>();
@@ -42,6 +33,15 @@ PictureFigures picture_of(const ordered_json& json) {
     p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
     return p;
+}
+
+namespace {
+
+ordered_json picture_json(const PictureFigures& p) {
+    ordered_json json = error_json(p.error, std::nullopt);
+    json["cracks"] = p.cracks;
+    json["memory_bytes"] = p.memory_bytes;
+    return json;
 }
 
 synth::Netlist netlist_of(const ordered_json& json) {

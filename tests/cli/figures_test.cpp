@@ -110,14 +110,14 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     const std::string page = bytes_of(folder.name("structures.md"));
-    for (const char* part : {"\n| bvh |", "\n| kd |", "\n| octree |", "| octree, finished |",
+    for (const char* part : {"\n| bvh |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished |",
                              "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist"})
         CHECK(page.find(part) != std::string::npos);
     CHECK(page.find("is not there") == std::string::npos);
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"structures"}), {"--output"});
     check_refused(run_program({"structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
-                  {"structure=kd", "primitive_test"});
+                  {"structure=spheres", "primitive_test"});
 }
 
 TEST_CASE("the page of gigahertz has every memory at every clock, says where the wall is, and answers") {

@@ -56,3 +56,14 @@ mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: dam
 mutant(files_memory_time_is_rounded FILE sim/memory/memory_file.cpp TEST unit "a memory that is written*"
   OLD [[const double ps = std::round(ns * 1000);]]
   NEW [[const double ps = std::round(ns * 100) * 10;]])
+
+# ---- Instances.
+mutant(load_instance_outside_of_its_object FILE sim/load/json_scene.cpp TEST load "json:*"
+  OLD [[transform * transform_of(instance)]]
+  NEW [[transform_of(instance) * transform]])
+mutant(load_graph_forgets_a_level FILE sim/load/json_scene.cpp TEST load "json: a graph*"
+  OLD [[transform * inner.place]]
+  NEW [[inner.place]])
+mutant(load_instance_keeps_its_meshs_material FILE model/scene/placed.cpp TEST load "json:*"
+  OLD [[t.material = material ? *material : t.material + material_base;]]
+  NEW [[t.material += material_base;]])
