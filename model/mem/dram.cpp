@@ -88,9 +88,12 @@ void Dram::accept(const Answer& request) {
     const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes),
                         groups = std::uint32_t(part_.bank_groups),
                         banks = std::uint32_t(part_.banks) / groups;   // of a group
-    const std::uint32_t group = request.addr % groups, word = request.addr / groups;
-    entry.bank = int(word / words % banks * groups + group);
-    entry.row = word / words / banks;
+    const bool has_groups = groups > 1;
+    const std::uint32_t group = has_groups ? request.addr % groups : 0,
+                        word = has_groups ? request.addr / groups : request.addr;
+    const std::uint32_t page = word / words;
+    entry.bank = int(page % banks * groups + group);
+    entry.row = page / banks;
     entry.left = part_.bursts();
     const std::uint64_t arrival = (time_ + std::uint64_t(part_.request_ps) + tck_ - 1) / tck_;
     entry.arrival = std::int64_t(arrival);

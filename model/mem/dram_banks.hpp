@@ -44,8 +44,12 @@ private:
     struct Group {
         Clock activate = 0, read = 0;   // first clock that its own gates allow
     };
-    Group& group_of(int bank) { return groups_[std::size_t(bank) % groups_.size()]; }
-    const Group& group_of(int bank) const { return groups_[std::size_t(bank) % groups_.size()]; }
+    // Most memories have no groups: they shall not divide.
+    std::size_t group_index(int bank) const {
+        return groups_.size() == 1 ? 0 : std::size_t(bank) % groups_.size();
+    }
+    Group& group_of(int bank) { return groups_[group_index(bank)]; }
+    const Group& group_of(int bank) const { return groups_[group_index(bank)]; }
 
     std::vector<Bank> banks_;
     std::vector<Group> groups_;

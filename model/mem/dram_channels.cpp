@@ -49,6 +49,7 @@ void DramChannels::gather() {
 }
 
 bool DramChannels::rests() const {
+    if (count_ == 1) return channels_[0].rests();
     return !valid_ && waiting_.empty() &&
            std::all_of(channels_.begin(), channels_.end(), [](const Dram& d) { return d.rests(); });
 }
@@ -59,6 +60,7 @@ bool DramChannels::idle() const {
 }
 
 std::uint64_t DramChannels::quiet_until() const {
+    if (count_ == 1) return channels_[0].quiet_until();
     if (valid_ || !waiting_.empty()) return now() + 1;
     std::uint64_t until = channels_[0].quiet_until();
     for (const Dram& channel : channels_) until = std::min(until, channel.quiet_until());
