@@ -81,6 +81,8 @@ void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Con
                         ": --set prim_bits=" + std::to_string(need));
 }
 
+}   // namespace
+
 void check_stack(int need, const Config& config, const std::string& name) {
     if (need <= config.stack_depth) return;
     const std::string begin =
@@ -93,8 +95,6 @@ void check_stack(int need, const Config& config, const std::string& name) {
     throw UserError(begin + "stack_depth is " + std::to_string(config.stack_depth) +
                     ": --set stack_depth=" + std::to_string(depth));
 }
-
-}   // namespace
 
 bool counts(const PrimData& t, const Config& config) {
     if (PrimKind(t.kind) == PrimKind::sphere) return radius_squared(t, config.coord_bits) > 0;

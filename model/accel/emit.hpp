@@ -25,6 +25,9 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
 
+/// Throws UserError if the configuration's stack cannot hold so many groups of siblings.
+void check_stack(int need, const Config& config, const std::string& name);
+
 /// Throws UserError if `lines` memory lines cannot be addressed.
 void check_lines(std::uint64_t lines, const Config& config, const std::string& name);
 

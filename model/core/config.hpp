@@ -1,8 +1,11 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace rayclock {
+
+struct DramPart;
 
 /// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
 enum class Timing { relaxed, fast };
@@ -82,7 +85,7 @@ struct Config {
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
     int tri_interval = 1;    ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int pipelines = 1;       ///< P: pipelines of one machine
+    int pipelines = 1;       ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row
     int node_sets = 64;   ///< node cache of a pipeline: sets,
@@ -116,7 +119,10 @@ struct Config {
     int surf_mshrs = 8;
 
     // Beside the chip.
-    int dram = 2;           ///< memory, see dram_names()
+    int dram = 2;                               ///< memory, see dram_names()
+    std::shared_ptr<const DramPart> own_dram;   ///< a memory that somebody described; if it is there, `dram`
+                                                ///< says nothing
+    int dram_channels = 1;                      ///< such memories side by side; the ideal one has no channels
     int mem_latency = 8;    ///< cycles from a request to its answer, if the memory is `ideal`
     int mem_interval = 1;   ///< cycles between two requests, if the memory is `ideal`
 
@@ -136,6 +142,8 @@ struct Config {
     Structure engine() const {
         return is_octree() ? Structure::kd : Structure(structure);
     }   ///< the structure for which the RTL is built
+    /// What lies beside the chip; null if it is the ideal memory.
+    const DramPart* dram_part() const;
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
     int edge_bits() const;   ///< signed edge function and determinant of a hit
     int num_bits() const {

@@ -10,6 +10,7 @@
 #include "model/base/nearest.hpp"
 #include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
+#include "model/scene/placed.hpp"
 
 namespace rayclock {
 namespace {
@@ -19,6 +20,9 @@ template <std::uint64_t (*triangles)(int)> PrimitiveCounts all_triangles(int siz
     return {.triangles = triangles(size)};
 }
 template <Scene (*make)(int)> Scene one_form(int size, Primitives) { return make(size); }
+template <PlacedScene (*make)(int)> Scene one_flat_form(int size, Primitives) {
+    return flattened(make(size));
+}
 
 PrimitiveCounts spheres_counts(int, Primitives) { return {.spheres = spheres_spheres, .planes = 1}; }
 PrimitiveCounts plane_counts(int, Primitives) { return {.planes = 1}; }
@@ -32,7 +36,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 13> all{{
+constexpr std::array<Builtin, 14> all{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -57,7 +61,16 @@ constexpr std::array<Builtin, 13> all{{
      all_triangles<mirrors_triangles>, one_form<make_mirrors>},
     {"square", 1, 1, "white square on black, slightly turned: how edges look",
      all_triangles<square_triangles>, one_form<make_square>},
+    {"gearbox", 4, 25, "the gears again, placed: one gear and its instances", all_triangles<gears_triangles>,
+     one_flat_form<make_gearbox>},
 }};
+
+/// Scenes that are made of instances.
+struct Placed {
+    std::string_view name;
+    PlacedScene (*make)(int size);
+};
+constexpr std::array<Placed, 1> placed{{{"gearbox", make_gearbox}}};
 
 std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.find(':')); }
 
@@ -129,16 +142,26 @@ PrimitiveCounts builtin_counts(std::string_view text, Primitives primitives) {
     return counts;
 }
 
-Scene make_builtin(std::string_view text, Primitives primitives) {
+PlacedScene make_placed(std::string_view text, Primitives primitives) {
     const Builtin& builtin = named(text);
     const Spec spec = parsed(builtin, text);
     builtin_counts(text, primitives);   // not too many
-    Scene scene = spec.cut ? spec.cut->generate(spec.size, primitives, spec.sides)
-                           : builtin.make(spec.size, primitives);
-    scene.name = builtin.name;
-    if (builtin.max_size > 1) scene.name += ":" + std::to_string(spec.size);
-    if (spec.cut) scene.name += ":" + std::to_string(spec.sides);
+    const auto instanced =
+        std::find_if(placed.begin(), placed.end(), [&](const Placed& p) { return p.name == builtin.name; });
+    PlacedScene scene;
+    if (instanced != placed.end())
+        scene = instanced->make(spec.size);
+    else
+        scene.own = spec.cut ? spec.cut->generate(spec.size, primitives, spec.sides)
+                             : builtin.make(spec.size, primitives);
+    scene.own.name = builtin.name;
+    if (builtin.max_size > 1) scene.own.name += ":" + std::to_string(spec.size);
+    if (spec.cut) scene.own.name += ":" + std::to_string(spec.sides);
     return scene;
+}
+
+Scene make_builtin(std::string_view text, Primitives primitives) {
+    return flattened(make_placed(text, primitives));
 }
 
 }   // namespace rayclock

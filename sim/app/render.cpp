@@ -7,6 +7,7 @@
 #include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
+#include "model/xform/picture.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/engine/engine.hpp"
@@ -14,6 +15,7 @@
 #include "sim/report/json.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/request/placed.hpp"
 
 namespace rayclock {
 
@@ -33,7 +35,7 @@ struct Options {
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
-    int threads = 0;
+    int threads = 0, levels = 1;
     JsonOutput json;
 };
 
@@ -46,6 +48,13 @@ void declare(Parser& parser, Options& o) {
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
     parser.option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number")
         .required();
+    parser
+        .option(
+            "--levels", o.levels,
+            "1: instances are written out as triangles; 2: a tree over instances, each mesh once (what the "
+            "camera rays hit, by the model; cycles are not known yet)")
+        .within(1, 2)
+        .with_default();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
@@ -55,6 +64,7 @@ struct Drawn {
     HitFrame hits;
     Picture picture;
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    double seconds = 0;   ///< without loading
 };
 
 Drawn draw_reference(const Request& request, FrameSize size, int threads, const Progress& progress) {
@@ -86,6 +96,49 @@ Drawn draw_machine(const Request& request, FrameSize size, bool is_rtl, const Pr
     return drawn;
 }
 
+/// Two levels: what every camera ray does is there, when it does it is not.
+Drawn draw_levels(const Options& o, FrameSize size, const Config& config, Scene& scene,
+                  const Progress& progress) {
+    const PlacedScene placed = told_placed(o.scene, progress);
+    scene = flattened(placed);
+    look(scene, size, o.view);
+    const Stopwatch watch;
+    const LevelsImage levels = compile_levels(placed, scene.camera->eye, config);
+    const LevelsPicture picture = trace_levels(levels, *scene.camera, size, config, o.threads, progress);
+    Drawn drawn;
+    drawn.picture = shade(scene, picture.hits);
+    drawn.hits = picture.hits;
+    drawn.json["config"] = config_json_object(config);
+    drawn.json["levels"] = {
+        {"instances", levels.maps.instances.size()},   {"meshes", levels.maps.classes.size()},
+        {"bytes", levels.image.report.bytes},          {"node_steps", picture.counts.visits},
+        {"instances_entered", picture.counts.changes}, {"triangle_tests", picture.counts.tests}};
+    drawn.json["digest"] = digest_text(rayclock::digest_of(picture.answers, 0));
+    drawn.seconds = watch.seconds();
+    return drawn;
+}
+
+/// The machine that walks two levels, or a sentence why there is none.
+Config config_of_levels(const Options& o) {
+    if (o.engine != "model")
+        throw UserError("--levels 2 is drawn by --engine model only; the others see instances as triangles");
+    if (o.finish.is_asked())
+        throw UserError("--levels 2 draws what camera rays hit; a finished picture needs --levels 1");
+    return load_config(o.config);
+}
+
+Drawn draw(const Options& o, FrameSize size, Scene& scene, const Progress& progress) {
+    if (o.levels == 2) return draw_levels(o, size, config_of_levels(o), scene, progress);
+    Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
+    if (o.engine == "rtl") check_rtl(request.config);
+    const Stopwatch watch;
+    Drawn drawn = o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
+                                          : draw_machine(request, size, o.engine == "rtl", progress);
+    drawn.seconds = watch.seconds();
+    scene = std::move(request.scene);
+    return drawn;
+}
+
 int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
@@ -93,14 +146,8 @@ int run(const Options& o) {
     check_picture_path(o.output);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
-    const Scene& scene = request.scene;
-    if (o.engine == "rtl") check_rtl(request.config);
-
-    const Stopwatch watch;
-    const Drawn drawn = o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
-                                                : draw_machine(request, size, o.engine == "rtl", progress);
-    const double seconds = watch.seconds();
+    Scene scene;
+    const Drawn drawn = draw(o, size, scene, progress);
     write_picture(o.output, drawn.picture, drawn.hits);
     if (!o.json.is_alone())
         fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height,
@@ -109,7 +156,7 @@ int run(const Options& o) {
                                 {"frame", {{"width", size.width}, {"height", size.height}}},
                                 {"engine", o.engine}};
     json.update(drawn.json);
-    json["host"] = {{"seconds", seconds}};
+    json["host"] = {{"seconds", drawn.seconds}};
     o.json.write(json);
     return 0;
 }

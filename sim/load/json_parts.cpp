@@ -42,18 +42,6 @@ glm::dvec3 side(const JsonValue& in) {
     return v;
 }
 
-/// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths
-/// beyond any use are refused with it: their products would leave the range of a double.
-bool is_singular(const glm::dmat4& m) {
-    glm::dmat3 directions(m);
-    for (int i = 0; i < 3; ++i) {
-        const double length = glm::length(directions[i]);
-        if (!(length > 1e-100 && length < 1e100)) return true;
-        directions[i] /= length;
-    }
-    return !(std::abs(glm::determinant(directions)) > 1e-9);
-}
-
 glm::dmat4 matrix(const JsonValue& in) {
     if (!in.raw().is_array() || in.size() != 16) in.expected("16 numbers, row by row");
     glm::dmat4 m;
@@ -84,6 +72,18 @@ glm::dmat4 scaling(const JsonValue& in) {
 }
 
 }   // namespace
+
+// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths
+// beyond any use are refused with it: their products would leave the range of a double.
+bool is_singular(const glm::dmat4& m) {
+    glm::dmat3 directions(m);
+    for (int i = 0; i < 3; ++i) {
+        const double length = glm::length(directions[i]);
+        if (!(length > 1e-100 && length < 1e100)) return true;
+        directions[i] /= length;
+    }
+    return !(std::abs(glm::determinant(directions)) > 1e-9);
+}
 
 Camera camera_of(const JsonValue& in) {
     in.only_keys({"eye", "at", "up", "fov_degrees"});

@@ -26,6 +26,9 @@ Scene inline_mesh(const JsonValue& in);
 /// translate * rotate * scale, or "matrix". Refuses what flattens or blows up a mesh.
 glm::dmat4 transform_of(const JsonValue& object);
 
+/// A map that makes solids flat, or has lengths that are beyond any use.
+bool is_singular(const glm::dmat4& m);
+
 /// True if it keeps all angles, so that a sphere stays one.
 bool keeps_spheres(const glm::dmat4& place);
 

@@ -19,7 +19,7 @@
 namespace rayclock {
 namespace {
 
-using Part = std::shared_ptr<Scene>;
+using Part = std::shared_ptr<PlacedScene>;
 
 /// All files of one load: each is read once, and none may contain itself.
 class Library {
@@ -62,7 +62,7 @@ public:
         if (!has_others || in_.find("objects")) objects(in_.at("objects").array());
         if (const auto spheres = in_.find("spheres")) read_each(spheres->array(), sphere_of, scene_.spheres);
         if (const auto planes = in_.find("planes")) read_each(planes->array(), plane_of, scene_.planes);
-        return {std::move(scene_), lights.has_value()};
+        return {std::move(placed_), lights.has_value()};
     }
 
 private:
@@ -71,9 +71,12 @@ private:
         if (!library_.loading().may_make(bytes)) from.refuse(library_.loading().too_much());
     }
 
-    struct Mesh {
+    /// A named mesh, and where its parts are in the scene once they are needed there.
+    struct Named {
         Part part;
-        std::optional<std::uint32_t> material_base;   ///< set once its own materials are in the scene
+        std::optional<std::uint32_t> material_base;   ///< of its own materials
+        std::optional<std::uint32_t> shared;          ///< of its own triangles as a mesh
+        std::optional<std::uint32_t> mesh_base;       ///< of the meshes that it places itself
     };
 
     template <class Map> static auto& known(Map& map, const JsonValue& name, std::string_view what) {
@@ -110,7 +113,8 @@ private:
     }
 
     void read_meshes(const JsonValue& list) {
-        for (const auto& [name, ignored] : list.raw().items()) meshes_[name] = {mesh(list.at(name)), {}};
+        for (const auto& [name, ignored] : list.raw().items())
+            meshes_[name] = {mesh(list.at(name)), {}, {}, {}};
     }
 
     Part mesh(const JsonValue& in) {
@@ -126,7 +130,7 @@ private:
             return library_.builtin(builtin->string(),
                                     flag_or(in, "native", false) ? Primitives::native : Primitives::triangles,
                                     *builtin);
-        const auto part = std::make_shared<Scene>(inline_mesh(in));
+        const auto part = std::make_shared<PlacedScene>(PlacedScene{inline_mesh(in), {}, {}});
         make_room(in, bytes_of(*part));
         return part;
     }
@@ -138,52 +142,139 @@ private:
         bool any_smooth = false;
         std::uint64_t primitives = 0;
         for (std::size_t i = 0; i < list.size(); ++i) {
-            const Scene& part = *named(list[i]).part;
-            any_smooth = any_smooth || !part.normals.empty();
-            if ((primitives += primitive_count(part)) > max_triangles)
+            const PlacedScene& part = *named(list[i]).part;
+            any_smooth = any_smooth || has_normals(part);
+            const std::uint64_t one = primitive_count(part), copies = copies_of(list[i]);
+            if (one > 0 && copies > (max_triangles - std::min(primitives, max_triangles)) / one)
                 list[i].refuse(fmt::format("brings the scene above {} triangles", max_triangles));
+            primitives += one * copies;
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
             library_.loading().tell("placing", i, list.size());
-            place(list[i], any_smooth);
+            object(list[i], any_smooth);
         }
     }
 
-    Mesh& named(const JsonValue& object) {
-        object.only_keys({"mesh", "material", "translate", "rotate", "scale", "matrix"});
+    Named& named(const JsonValue& object) {
+        object.only_keys({"mesh", "material", "translate", "rotate", "scale", "matrix", "instances"});
         return known(meshes_, object.at("mesh"), "mesh");
     }
 
-    void place(const JsonValue& object, bool is_smooth) {
-        Mesh& mesh = named(object);
-        if (is_smooth && mesh.part->normals.empty()) {
-            make_room(object, bytes_of(*mesh.part));
-            mesh.part = std::make_shared<Scene>(*mesh.part);   // others may share it
+    std::size_t copies_of(const JsonValue& object) {
+        const auto instances = object.find("instances");
+        if (instances && instances->array().size() == 0)
+            instances->refuse("is empty: there is nothing to place");
+        return instances ? instances->size() : 1;
+    }
+
+    std::optional<std::uint32_t> material_named(const JsonValue& in) {
+        if (const auto name = in.find("material")) return known(material_numbers_, *name, "material");
+        return {};
+    }
+
+    void object(const JsonValue& in, bool is_smooth) {
+        Named& mesh = named(in);
+        if (is_smooth && !has_normals(*mesh.part)) {
+            make_room(in, bytes_of(*mesh.part));
+            mesh.part = std::make_shared<PlacedScene>(*mesh.part);   // others may share it
             make_smooth(*mesh.part);
-            make_room(object, bytes_of(*mesh.part));
+            make_room(in, bytes_of(*mesh.part));
         }
-        std::optional<std::uint32_t> material;
-        if (const auto name = object.find("material")) material = known(material_numbers_, *name, "material");
-        if (!material && !mesh.material_base) {
-            make_room(object, mesh.part->materials.size() * sizeof(Material));
+        const std::optional<std::uint32_t> material = material_named(in);
+        const glm::dmat4 transform = transform_of(in);
+        const auto instances = in.find("instances");
+        if (!instances) return copy(in, mesh, transform, material);
+        for (std::size_t i = 0; i < instances->size(); ++i) {
+            const JsonValue instance = (*instances)[i];
+            instance.only_keys({"material", "translate", "rotate", "scale", "matrix"});
+            const std::optional<std::uint32_t> own = material_named(instance);
+            share(instance, mesh, transform * transform_of(instance), own ? own : material);
+        }
+    }
+
+    std::uint32_t material_base(const JsonValue& from, Named& mesh) {
+        if (!mesh.material_base) {
+            const std::vector<Material>& materials = mesh.part->own.materials;
+            make_room(from, materials.size() * sizeof(Material));
             mesh.material_base = static_cast<std::uint32_t>(scene_.materials.size());
-            scene_.materials.insert(scene_.materials.end(), mesh.part->materials.begin(),
-                                    mesh.part->materials.end());
+            scene_.materials.insert(scene_.materials.end(), materials.begin(), materials.end());
         }
-        const glm::dmat4 transform = transform_of(object);
-        if (!mesh.part->spheres.empty() && !keeps_spheres(transform))
-            object.refuse("stretches spheres, which can only be scaled alike in all directions");
-        make_room(object, bytes_of(*mesh.part) - mesh.part->materials.size() * sizeof(Material));
-        append(scene_, *mesh.part, transform, material, mesh.material_base.value_or(0));
+        return *mesh.material_base;
+    }
+
+    void check_spheres(const JsonValue& from, const PlacedScene& part, const glm::dmat4& transform) {
+        if (!part.own.spheres.empty() && !keeps_spheres(transform))
+            from.refuse("stretches spheres, which can only be scaled alike in all directions");
+    }
+
+    /// Primitives of its own; what the part places, it places as well.
+    void copy(const JsonValue& from, Named& mesh, const glm::dmat4& transform,
+              std::optional<std::uint32_t> material) {
+        const PlacedScene& part = *mesh.part;
+        const std::uint32_t base = material ? 0 : material_base(from, mesh);
+        check_spheres(from, part, transform);
+        make_room(from, bytes_of(part.own) - part.own.materials.size() * sizeof(Material));
+        append(scene_, part.own, transform, material, base);
+        compose(from, mesh, transform, material);
+    }
+
+    /// Triangles that all its instances share. True spheres and planes are copied.
+    void share(const JsonValue& from, Named& mesh, const glm::dmat4& transform,
+               std::optional<std::uint32_t> material) {
+        const PlacedScene& part = *mesh.part;
+        check_spheres(from, part, transform);
+        if (!part.own.triangles.empty()) {
+            if (!mesh.shared)
+                mesh.shared = add_mesh(from, {"", part.own.vertices, part.own.normals, part.own.triangles},
+                                       material_base(from, mesh));
+            instance(from, *mesh.shared, transform, material);
+        }
+        Scene round;
+        round.spheres = part.own.spheres, round.planes = part.own.planes;
+        const std::uint32_t base = material ? 0 : material_base(from, mesh);
+        make_room(from, bytes_of(round));
+        append(scene_, round, transform, material, base);
+        compose(from, mesh, transform, material);
+    }
+
+    /// The instances that the part has itself: a graph of any depth becomes one level.
+    void compose(const JsonValue& from, Named& mesh, const glm::dmat4& transform,
+                 std::optional<std::uint32_t> material) {
+        const PlacedScene& part = *mesh.part;
+        if (part.instances.empty()) return;
+        const std::uint32_t materials = material_base(from, mesh);
+        if (!mesh.mesh_base) {
+            mesh.mesh_base = static_cast<std::uint32_t>(placed_.meshes.size());
+            for (const SharedMesh& shared : part.meshes) add_mesh(from, shared, materials);
+        }
+        for (const Instance& inner : part.instances) {
+            const auto own = inner.material ? std::optional(*inner.material + materials) : std::nullopt;
+            instance(from, *mesh.mesh_base + inner.mesh, transform * inner.place, material ? material : own);
+        }
+    }
+
+    std::uint32_t add_mesh(const JsonValue& from, SharedMesh mesh, std::uint32_t material_base) {
+        make_room(from, bytes_of(mesh));
+        for (Triangle& triangle : mesh.triangles) triangle.material += material_base;
+        placed_.meshes.push_back(std::move(mesh));
+        return static_cast<std::uint32_t>(placed_.meshes.size() - 1);
+    }
+
+    void instance(const JsonValue& from, std::uint32_t mesh, const glm::dmat4& place,
+                  std::optional<std::uint32_t> material) {
+        if (is_singular(place)) from.refuse("flattens its mesh, or blows it up, with what it is placed in");
+        make_room(from, sizeof(Instance) + bytes_of(placed_.meshes[mesh]));
+        placed_.instances.push_back({from.path(), mesh, place, material});
     }
 
     JsonValue in_;
     std::filesystem::path path_;
     Library& library_;
-    Scene scene_;
+    PlacedScene placed_;
+    Scene& scene_ = placed_.own;
     std::map<std::string, std::uint32_t> material_numbers_;
     std::optional<std::uint32_t> grey_;
-    std::map<std::string, Mesh> meshes_;
+    std::map<std::string, Named> meshes_;
 };
 
 JsonLoad Library::json(const std::filesystem::path& path, std::string_view text) {
@@ -205,9 +296,13 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     if (part) return part;
     if (extension(path) == "json")
         return known_[real.string()] =
-                   std::make_shared<Scene>(json(path, loading_.read(path, from.where())).scene);
-    if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
-    return part = std::make_shared<Scene>(load_mesh_file(path, loading_, from.where()));
+                   std::make_shared<PlacedScene>(json(path, loading_.read(path, from.where())).scene);
+    if (!is_mesh_file(path))
+        from.expected(
+            "a file of the kind .obj, .ply, .stl, .off, .3ds, .dae, .glb, .gltf (with .gz or without) or "
+            ".json");
+    return part = std::make_shared<PlacedScene>(
+               PlacedScene{load_mesh_file(path, loading_, from.where()), {}, {}});
 }
 
 Part Library::builtin(const std::string& spec, Primitives primitives, const JsonValue& from) {
@@ -219,7 +314,7 @@ Part Library::builtin(const std::string& spec, Primitives primitives, const Json
         if (!loading_.may_make(count.triangles * (sizeof(Triangle) + sizeof(glm::dvec3)) +
                                count.spheres * sizeof(Sphere)))
             throw UserError(loading_.too_much());
-        return part = std::make_shared<Scene>(make_builtin(spec, primitives));
+        return part = std::make_shared<PlacedScene>(make_placed(spec, primitives));
     } catch (const UserError& error) {
         from.refuse(std::string("cannot be made: ") + error.what());
     }

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <string_view>
 
-#include "model/scene/scene.hpp"
+#include "model/scene/placed.hpp"
 #include "sim/load/loading.hpp"
 
 namespace rayclock {
 
 struct JsonLoad {
-    Scene scene;
+    PlacedScene scene;
     bool has_lights;   ///< the file has the key "lights", though the list may be empty: then it is to be as
                        ///< dark as that
 };

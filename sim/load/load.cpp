@@ -1,4 +1,5 @@
 #include "sim/load/load.hpp"
+#include "sim/load/placed.hpp"
 
 #include <filesystem>
 #include <new>
@@ -6,6 +7,7 @@
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/files/input.hpp"
+#include "sim/image/average.hpp"
 #include "sim/load/json_scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh_file.hpp"
@@ -24,34 +26,61 @@ bool is_file_name(const std::string& spec) {
 JsonLoad load_file(const std::string& spec, Loading& loading) {
     const std::filesystem::path path(spec);
     if (extension(path) == "json") return load_json_scene(path, loading);
-    if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
+    if (is_mesh_file(path)) return {{load_mesh_file(path, loading), {}, {}}, false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);   // a directory or an unreadable file gets its own sentence
     Place{spec}.refuse(
-        "is not a kind of file that can be loaded (.obj .ply .stl .glb .gltf .json), nor a built-in scene");
+        "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, these also with "
+        ".gz "
+        "behind, .json), nor a built-in scene");
+}
+
+/// What was asked for, and whether the lights in it are all there shall be.
+JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& loading) {
+    if (spec.empty()) throw UserError("the name of the scene is empty");
+    if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
+    const bool is_made = is_builtin(spec) || !is_file_name(spec);
+    return is_made ? JsonLoad{make_placed(spec, primitives), true} : load_file(spec, loading);
+}
+
+/// `finish` makes of the load what is asked for.
+template <class Finish> auto loaded(const std::string& spec, const Progress& progress, Primitives primitives,
+                                    std::vector<std::string>* notes, const Finish& finish) {
+    Loading loading(progress, {}, average_colour);
+    try {
+        auto made = finish(load_anything(spec, primitives, loading));
+        if (notes) *notes = loading.notes();
+        return made;
+    } catch (const std::bad_alloc&) {
+        Place{spec}.refuse("the scene does not fit in memory");
+    } catch (const std::filesystem::filesystem_error& error) {
+        Place{spec}.refuse("cannot be read (" + error.code().message() + ")");
+    }
 }
 
 }   // namespace
 
 Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
                  std::vector<std::string>* notes) {
-    Loading loading(progress);
-    if (spec.empty()) throw UserError("the name of the scene is empty");
-    if (spec.find('\0') != spec.npos) throw UserError("the name of the scene has a zero byte in it");
-    try {
-        const bool is_made = is_builtin(spec) || !is_file_name(spec);
-        JsonLoad load = is_made ? JsonLoad{make_builtin(spec, primitives), true} : load_file(spec, loading);
-        check_scene(load.scene, printable(spec));
-        if (notes) *notes = loading.notes();
-        if (!load.has_lights) add_missing_lights(load.scene);
+    return loaded(spec, progress, primitives, notes, [&](JsonLoad load) {
+        Scene scene = flattened(std::move(load.scene));
+        check_scene(scene, printable(spec));
+        if (!load.has_lights) add_missing_lights(scene);
+        return scene;
+    });
+}
+
+PlacedScene load_placed(const std::string& spec, const Progress& progress, Primitives primitives,
+                        std::vector<std::string>* notes) {
+    return loaded(spec, progress, primitives, notes, [&](JsonLoad load) {
+        Scene flat = flattened(load.scene);
+        check_scene(flat, printable(spec));
+        if (!load.has_lights) add_missing_lights(flat);
+        load.scene.own.lights = std::move(flat.lights);
         return std::move(load.scene);
-    } catch (const std::bad_alloc&) {
-        Place{spec}.refuse("the scene does not fit in memory");
-    } catch (const std::filesystem::filesystem_error& error) {
-        Place{spec}.refuse("cannot be read (" + error.code().message() + ")");
-    }
+    });
 }
 
 }   // namespace rayclock

@@ -6,21 +6,11 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-
-#include "model/base/error.hpp"
 
 namespace rayclock {
 namespace {
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
-
-/// Room for `more`, at least doubled when it is not there: an exact reserve() for each of many copies would
-/// move all of them.
-template <class Item> void make_room(std::vector<Item>& list, std::size_t more) {
-    if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.size()));
-}
 
 /// -0 becomes +0, so that equal numbers have equal bits.
 glm::dvec3 tidy(glm::dvec3 v) { return v + glm::dvec3(0); }
@@ -34,17 +24,9 @@ std::uint64_t hash(const glm::dvec3& p, const glm::dvec3& n) {
     return h;
 }
 
-/// The unit vector, or nothing for a vector without a direction. Scaled first: no square over- or underflows.
-glm::dvec3 unit(glm::dvec3 v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);
-    v = v / largest;
-    return v / std::sqrt(glm::dot(v, v));
-}
-
 /// A triangle without area has no normal; any will do, for no ray meets it.
 glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 n = unit(glm::cross(unit(b - a), unit(c - a)));
+    const glm::dvec3 n = unit_or_zero(glm::cross(unit_or_zero(b - a), unit_or_zero(c - a)));
     return n == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : n;
 }
 
@@ -91,7 +73,7 @@ void PartBuilder::add(const Corner& a, const Corner& b, const Corner& c, std::ui
     const Corner* corners[3] = {&a, &b, &c};
     for (std::size_t i = 0; i < 3; ++i) {
         Corner corner{tidy(corners[i]->position), glm::dvec3(0)};
-        if (is_smooth_) corner.normal = tidy(unit(corners[i]->normal));
+        if (is_smooth_) corner.normal = tidy(unit_or_zero(corners[i]->normal));
         if (is_smooth_ && corner.normal == glm::dvec3(0))
             corner.normal = tidy(facet_normal(a.position, b.position, c.position));
         triangle.vertex[i] = vertex(corner);
@@ -111,40 +93,22 @@ void make_smooth(Scene& part) {
     part.triangles = std::move(smooth.triangles);
 }
 
-void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
-            std::uint32_t material_base) {
-    if (scene.vertices.size() + part.vertices.size() > no_vertex)
-        throw UserError("more than 2^32 - 1 vertices");
-    const auto base = static_cast<std::uint32_t>(scene.vertices.size());
-    const glm::dmat3 linear(place);
-    const double volume = glm::determinant(linear);
-    make_room(scene.vertices, part.vertices.size());
-    make_room(scene.normals, part.normals.size());
-    make_room(scene.triangles, part.triangles.size());
-    for (const glm::dvec3& v : part.vertices) scene.vertices.push_back(glm::dvec3(place * glm::dvec4(v, 1)));
-    if (!part.normals.empty()) {
-        // Cofactors instead of the inverse: the same directions, and no division by a small volume.
-        const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                                   glm::cross(linear[0], linear[1]));
-        for (const glm::dvec3& n : part.normals) {
-            const glm::dvec3 turned = unit((volume < 0 ? -1.0 : 1.0) * (cofactors * n));
-            scene.normals.push_back(turned == glm::dvec3(0) ? n : turned);
-        }
+void make_smooth(PlacedScene& part) {
+    make_smooth(part.own);
+    for (SharedMesh& mesh : part.meshes) {
+        Scene alone;
+        alone.vertices.swap(mesh.vertices), alone.normals.swap(mesh.normals);
+        alone.triangles.swap(mesh.triangles);
+        make_smooth(alone);
+        alone.vertices.swap(mesh.vertices), alone.normals.swap(mesh.normals);
+        alone.triangles.swap(mesh.triangles);
     }
-    for (Triangle t : part.triangles) {
-        for (std::uint32_t& v : t.vertex) v += base;
-        if (volume < 0) std::swap(t.vertex[1], t.vertex[2]);
-        t.material = material ? *material : t.material + material_base;
-        scene.triangles.push_back(t);
-    }
-    const auto moved = [&](const glm::dvec3& p) { return glm::dvec3(place * glm::dvec4(p, 1)); };
-    const auto material_of = [&](const auto& primitive) {
-        return material ? *material : primitive.material + material_base;
-    };
-    for (const Sphere& s : part.spheres)
-        scene.spheres.push_back({moved(s.centre), s.radius * glm::length(linear[0]), material_of(s)});
-    for (const Plane& p : part.planes)
-        scene.planes.push_back({moved(p.point), linear * p.u, linear * p.v, material_of(p)});
+}
+
+bool has_normals(const PlacedScene& part) {
+    return !part.own.normals.empty() ||
+           std::any_of(part.meshes.begin(), part.meshes.end(),
+                       [](const SharedMesh& mesh) { return !mesh.normals.empty(); });
 }
 
 }   // namespace rayclock

@@ -1,13 +1,12 @@
-// Putting a part into a scene: transforms, mirror images, flat and smooth parts side by side, exact joining.
+// Making the parts of a scene: flat and smooth ones side by side, exact joining. How they are put in their
+// places is model/scene/placed.hpp.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "model/scene/scene.hpp"
+#include "model/scene/placed.hpp"
 
 namespace rayclock {
 
@@ -39,10 +38,9 @@ private:
 /// Gives a flat part its facets' normals, so that it can stand beside smooth ones and stay flat.
 void make_smooth(Scene& part);
 
-/// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror
-/// image is turned inside out again; normals go by the inverse transpose. Materials: `material` for all, or
-/// the part's own plus `material_base`. Both must have normals or both none, unless `scene` is still empty.
-void append(Scene& scene, const Scene& part, const glm::dmat4& place, std::optional<std::uint32_t> material,
-            std::uint32_t material_base);
+/// The same of a part with instances.
+void make_smooth(PlacedScene& part);
+/// Something in it has normals, so that all must have some.
+bool has_normals(const PlacedScene& part);
 
 }   // namespace rayclock

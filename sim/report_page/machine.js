@@ -85,13 +85,5 @@ async function showAll() {
   await show("bandwidth", linesSpec("Memory", "GB/s", windowRows(w => ({ "data read": w.gb_per_s,
     "from open rows": w.reads ? w.gb_per_s * w.row_hits / w.reads : 0 })), ""));
   await show("tiles", tilesSpec());
-  document.body.dataset.shown = "yes";
 }
-showAll().catch(error => {
-  document.body.dataset.shown = "no";
-  const note = document.createElement("p");
-  note.className = "note";
-  note.textContent = `The charts cannot be drawn by this browser (${error.message}); pictures and tables are below.`;
-  document.querySelector("main").prepend(note);
-  console.error(error);
-});
+showPage(showAll);

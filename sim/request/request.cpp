@@ -7,8 +7,9 @@
 
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
-#include "sim/load/load.hpp"
+#include "sim/load/placed.hpp"
 #include "sim/request/idle.hpp"
+#include "sim/request/placed.hpp"
 
 namespace rayclock {
 
@@ -29,22 +30,32 @@ Whitted settings_of(const Finish& f, std::uint64_t seed) {
     return w;
 }
 
-/// The scene has a camera from here on, and looks as it was asked to.
+void tell(const std::vector<std::string>& notes) {
+    constexpr std::size_t most = 20;
+    for (std::size_t i = 0; i < std::min(notes.size(), most); ++i)
+        std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
+    if (notes.size() > most)
+        std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
+}
+
+}   // namespace
+
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
     if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
 }
 
-}   // namespace
-
 Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
-    constexpr std::size_t most = 20;
     std::vector<std::string> notes;
     Scene scene = load_scene(spec, progress, primitives, &notes);
-    for (std::size_t i = 0; i < std::min(notes.size(), most); ++i)
-        std::fprintf(stderr, "rayclock: warning: %s\n", notes[i].c_str());
-    if (notes.size() > most)
-        std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
+    tell(notes);
+    return scene;
+}
+
+PlacedScene told_placed(const std::string& spec, const Progress& progress) {
+    std::vector<std::string> notes;
+    PlacedScene scene = load_placed(spec, progress, Primitives::triangles, &notes);
+    tell(notes);
     return scene;
 }
 
@@ -73,8 +84,9 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
         const Config fitted = fitted_config(r.scene, r.settings, r.config);
         r.config = with_settings(fitted, config.set, fitted.name);
     }
-    for (const std::string& sentence : idle_settings(r.config, config.set))
-        std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
+    std::vector<std::string> idle = idle_settings(r.config, config.set);
+    for (const std::string& sentence : idle_finish(finish, r.settings)) idle.push_back(sentence);
+    for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
     return r;
 }
 

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <string>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "model/scene/generate/generate.hpp"
 #include "model/scene/generate/mesh_writer.hpp"
 
@@ -91,21 +93,13 @@ Material gear_material(int x, int y, int z) {
     return material;
 }
 
-}   // namespace
-
-std::uint64_t gears_triangles(int size) {
-    const auto n = static_cast<std::uint64_t>(size);
-    return n * n * n * triangles_per_gear + 2;
-}
-
-Scene make_gears(int size) {
-    Scene scene;
+/// Camera, lights and ground; room for so much beside.
+MeshWriter begin_gears(Scene& scene, std::uint64_t vertices, std::uint64_t triangles) {
     scene.camera = Camera{{-1.1, -2.1, 2.6}, {0, 0, 0}, {0, 0, 1}, 45};
     scene.lights =
         white_lights({{2, 4, 4}, {-2, 4, 3}, {2, -2.5, 2.5}, {-1, -4, 2}, {-1.111, -2.121, 2.626}});
     MeshWriter mesh(scene);
-    mesh.reserve((gears_triangles(size) - 2) / triangles_per_gear * 2 * corners + 4,
-                 {.triangles = gears_triangles(size)}, false);
+    mesh.reserve(vertices + 4, {.triangles = triangles + 2}, false);
     mesh.material({.name = "ground",
                    .colour{1, 0.85, 0.7},
                    .ambient = 0.15,
@@ -117,17 +111,55 @@ Scene make_gears(int size) {
     for (const glm::dvec3& corner : {glm::dvec3(-2, 2, 0), {-2, -2, 0}, {2, -2, 0}}) mesh.vertex(corner);
     mesh.triangle(ground, ground + 1, ground + 2);
     mesh.triangle(ground + 2, ground + 3, ground);
+    return mesh;
+}
 
-    const GearShape shape(size);
+/// Of each gear in turn: its centre, how far it is turned, its material.
+template <class See> void each_gear(int size, const GearShape& shape, const See& see) {
     for (int z = 0; z < size; ++z)
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const double r = shape.spacing;
                 const glm::dvec3 centre(-1 + r + 1.9 * r * x, -1 + r + 1.9 * r * y,
                                         1 - static_cast<double>(z) / size);
-                mesh.material(gear_material(x, y, z));
-                gear(mesh, shape, centre, std::numbers::pi / 36 * ((x + y + z) % 2));
+                see(centre, std::numbers::pi / 36 * ((x + y + z) % 2), gear_material(x, y, z));
             }
+}
+
+}   // namespace
+
+std::uint64_t gears_triangles(int size) {
+    const auto n = static_cast<std::uint64_t>(size);
+    return n * n * n * triangles_per_gear + 2;
+}
+
+Scene make_gears(int size) {
+    Scene scene;
+    const std::uint64_t triangles = gears_triangles(size) - 2;
+    MeshWriter mesh = begin_gears(scene, triangles / triangles_per_gear * 2 * corners, triangles);
+    const GearShape shape(size);
+    each_gear(size, shape, [&](const glm::dvec3& centre, double phase, const Material& material) {
+        mesh.material(material);
+        gear(mesh, shape, centre, phase);
+    });
+    return scene;
+}
+
+PlacedScene make_gearbox(int size) {
+    PlacedScene scene;
+    begin_gears(scene.own, 0, 0);
+    const GearShape shape(size);
+    Scene alone;
+    MeshWriter writer(alone);
+    writer.reserve(2 * corners, {.triangles = triangles_per_gear}, false);
+    gear(writer, shape, glm::dvec3(0), 0);
+    scene.meshes.push_back({"gear", std::move(alone.vertices), {}, std::move(alone.triangles)});
+    each_gear(size, shape, [&](const glm::dvec3& centre, double phase, Material material) {
+        const glm::dmat4 place = glm::rotate(glm::translate(glm::dmat4(1), centre), phase, {0, 0, 1});
+        scene.instances.push_back(
+            {material.name, 0, place, static_cast<std::uint32_t>(scene.own.materials.size())});
+        scene.own.materials.push_back(std::move(material));
+    });
     return scene;
 }
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "model/scene/builtin.hpp"
-#include "model/scene/scene.hpp"
+#include "model/scene/placed.hpp"
 
 namespace rayclock {
 
@@ -18,6 +18,7 @@ Scene make_balls(int size, Primitives primitives);
 
 std::uint64_t gears_triangles(int size);
 Scene make_gears(int size);
+PlacedScene make_gearbox(int size);   ///< the same, of one gear
 
 PrimitiveCounts mount_counts(int size, Primitives primitives);
 Scene make_mount(int size, Primitives primitives);
