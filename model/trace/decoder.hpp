@@ -35,12 +35,14 @@ public:
         return globes_.get(
             line, [&] { return widen(unpack<GlobeNode>(image_.line(line), config_), config_.node_width); });
     }
-    /// How many children or exits the node in a line has.
-    std::uint32_t children(std::uint32_t line) const {
-        return config_.has_treelets() ? treelet(line).exits.children
-               : config_.has_globes() ? globes(line).children.children
-                                      : node(line).children;
+    /// Of any tree: what the node in a line says of its children, where they lie and how many there are.
+    const WideNode& below(std::uint32_t line) const {
+        return config_.has_treelets() ? treelet(line).exits
+               : config_.has_globes() ? globes(line).children
+                                      : node(line);
     }
+    /// How many children or exits the node in a line has.
+    std::uint32_t children(std::uint32_t line) const { return below(line).children; }
     /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
     WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
     std::uint32_t next_page(std::uint32_t line) const {

@@ -1,5 +1,5 @@
 // What every unit that decides nodes does at its end: it puts the children that are met in order,
-// and keeps its answers in a queue until trav takes them. Part of rc_globe.
+// and keeps its answers in a queue until trav takes them. Part of rc_box, rc_treelet and rc_globe.
 //
 // The unit's stages are counted as its valid bits are. A node's ray, base and kinds come with
 // stage In, which children are met and from when on with stage Latency - RankStages - 1. Model:
@@ -64,10 +64,11 @@ module rc_answer #(
     .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
 
-  logic queue_ready;
+  logic                       queue_ready;
+  logic [rc_pkg::BoxRspW-1:0] queue_data;
+  assign queue_data = {end_whose, end_inner, end_leaves, end_entries};
   rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready),
-    .data_i({end_whose, end_inner, end_leaves, end_entries}),
+    .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
 
 `ifndef SYNTHESIS

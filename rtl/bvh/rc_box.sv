@@ -24,17 +24,10 @@ module rc_box (
   localparam int unsigned E  = rc_pkg::ExpBits;
   localparam int unsigned T  = rc_pkg::TBits;
   localparam int unsigned TW = (T + 31) / 32 * 32;   // as rc_slab gives them
-  localparam int unsigned C  = rc_pkg::CountBits;
-  localparam int unsigned O  = rc_pkg::OffsetBits;
-  localparam int unsigned I  = rc_pkg::RayBits;
-  localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned G  = rc_pkg::GroupBits;
-  localparam int unsigned EntryW  = T + O + C;
   localparam int unsigned L  = rc_pkg::BoxLatency;
-  // Stages: a node comes in, its children's intervals are there, those hit are put in order.
+  // Stages: a node comes in, its children's intervals are there.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::SlabStages;
-  localparam int unsigned Rank = Meet + rc_pkg::MeetStages;
 
   logic admit;
   assign admit = req_valid_i && req_ready_o;
@@ -97,19 +90,9 @@ module rc_box (
       .near_o(near[k*W*TW +: W*TW]), .far_o(far[k*W*TW +: W*TW]), .miss_o(miss[k*W +: W]));
   end
 
-  // Ray and base wait until the end, kinds until the intervals meet and are put in order.
-  logic [I+A-1:0] end_whose;   // {ray, base}
-  logic [W*C-1:0] meet_kind, rank_kind;
-  rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
-    .clk_i, .valid_i(moves[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
-  rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
-    .clk_i, .valid_i(moves[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
-  rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
-    .clk_i, .valid_i(moves[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
-
   // The intervals' intersection: the farthest of the near ends, the nearest of the far ones.
-  logic [W-1:0]   hit_q;
-  logic [W*T-1:0] near_q;
+  logic [W-1:0]   met;
+  logic [W*T-1:0] near_t;
   for (genvar i = 0; i < W; i++) begin : gen_child
     logic [T-1:0] nx, ny, nz, fx, fy, fz, nxy, fxy, nxy_q, fxy_q;
     logic [T-1:0] nz_q, fz_q, first, last, enter, leave;
@@ -133,36 +116,18 @@ module rc_box (
     rc_cut #(.Width(T)) u_enter (.clk_i, .data_i(first), .data_o(enter));
     rc_cut #(.Width(T)) u_leave (.clk_i, .data_i(last), .data_o(leave));
     rc_cut u_may_hit (.clk_i, .data_i(there_q), .data_o(may_hit));
-    always_ff @(posedge clk_i) begin
-      if (moves[Rank-1]) begin
-        hit_q[i] <= enter <= leave && may_hit && meet_kind[i*C +: C] != '0;
-        near_q[i*T +: T] <= enter;
-      end
-    end
+    assign met[i]           = enter <= leave && may_hit;
+    assign near_t[i*T +: T] = enter;
   end
 
-  logic [G-1:0]        end_inner, end_leaves;
-  logic [W*EntryW-1:0] end_entries;
-  rc_rank u_rank (
-    .clk_i, .valid_i(moves[L-1:Rank]),
-    .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
-    .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
-
-  logic                       queue_ready;
-  logic [rc_pkg::BoxRspW-1:0] queue_data, rsp_data;
-  assign queue_data = {end_whose, end_inner, end_leaves, end_entries};
-  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
-    .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));
-  assign rsp_o = rsp_data;
-
-`ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      valid_q[L-1] |-> queue_ready)
-    else $error("an answer met a full queue");
-`endif
+  logic [rc_pkg::BoxRspW-1:0] rsp;
+  rc_answer #(.Latency(L)) u_answer (
+    .clk_i, .rst_ni, .moves_i(moves[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
+    .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
+    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+  assign rsp_o = rsp;
 
   logic unused;
-  assign unused = ^{queue_ready, near, far, valid[L], moves[L]};
+  assign unused = ^{near, far, valid[L], moves[L]};
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // Puts the children that were hit in order: inner children first, then leaves, each by
-// (t_near, offset); entries beyond are zero. Part of rc_box, where inner children come first,
-// and of rc_treelet, where exits come in any order: hits and distances come with valid_i[0],
-// ordered entries rc_pkg::RankStages later. Offsets differ, so the order is total.
+// (t_near, offset); entries beyond are zero. Part of rc_answer. Inner children of boxes and globes
+// come first, exits of treelets in any order: hits and distances come with valid_i[0], ordered
+// entries rc_pkg::RankStages later. Offsets differ, so the order is total.
 //
 // A bitonic network (Batcher 1968) of six levels for eight children: in a relaxed chip three in
 // a stage, in a fast one a level in each. Model: the end of box_children() in model/bvh/box.cpp.

@@ -108,6 +108,7 @@ module rc_sight #(
   localparam int unsigned Least = 2 + ((1 + (Shades ? 14 : 0)) << Drop);
   logic [3*Sum-1:0] size, size_q;
   logic [Sum-1:0]   first, rest, first_q, rest_q, away;
+  logic [N+3:0]     slack_steps, slack;
   logic [E-1:0]     slack_exp;
   for (genvar k = 0; k < 3; k++) begin : gen_size
     logic signed [Sum-1:0] axis;
@@ -122,8 +123,9 @@ module rc_sight #(
   rc_cut #(.Width(Sum)) u_away (.clk_i, .data_i(first_q + rest_q), .data_o(away));
   rc_cut #(.Width(E), .Stages(3 * Cut)) u_slack_exp (
     .clk_i, .data_i(exp_q), .data_o(slack_exp));
-  rc_cut #(.Width(N + 4)) u_slack (
-    .clk_i, .data_i((N + 4)'(away >> Drop) >> slack_exp), .data_o(slack_o));
+  assign slack_steps = (N + 4)'(away >> Drop);
+  assign slack       = slack_steps >> slack_exp;
+  rc_cut #(.Width(N + 4)) u_slack (.clk_i, .data_i(slack), .data_o(slack_o));
 
   // The square of the direction, and its inverse.
   logic [3*2*G-1:0] squares;

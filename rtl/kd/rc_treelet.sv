@@ -20,18 +20,11 @@ module rc_treelet (
   localparam int unsigned Q  = rc_pkg::NodePlanes;
   localparam int unsigned N  = rc_pkg::CoordBits;
   localparam int unsigned T  = rc_pkg::TBits;
-  localparam int unsigned C  = rc_pkg::CountBits;
-  localparam int unsigned O  = rc_pkg::OffsetBits;
-  localparam int unsigned I  = rc_pkg::RayBits;
-  localparam int unsigned A  = rc_pkg::AddrBits;
-  localparam int unsigned G  = rc_pkg::GroupBits;
-  localparam int unsigned EntryW  = T + O + C;
   localparam int unsigned L  = rc_pkg::TreeletLatency;
   localparam int unsigned Levels = $clog2(W);
-  // Stages: a treelet comes in, its planes' times are there, the exits met are put in order.
+  // Stages: a treelet comes in, its planes' times are there.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::PlaneStages;
-  localparam int unsigned Rank = Meet + rc_pkg::ExitStages;
 
   logic admit;
   assign admit = req_valid_i && req_ready_o;
@@ -96,16 +89,6 @@ module rc_treelet (
       .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
   end
 
-  // Ray and base wait until the end, kinds until the exits are put in order.
-  logic [I+A-1:0] end_whose;   // {ray, base}
-  logic [W*C-1:0] meet_kind, rank_kind;
-  rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
-    .clk_i, .valid_i(valid[L-1:In]), .data_i({in.ray, in.base}), .data_o(end_whose));
-  rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
-    .clk_i, .valid_i(valid[Rank-2:In]), .data_i(in.kind), .data_o(meet_kind));
-  rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
-    .clk_i, .valid_i(valid[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
-
   // The latest entry and the earliest end, of the box and on the way to each exit: of two axes or
   // levels, of the third, then of both.
   logic [T-1:0] box_enter, box_leave;
@@ -115,8 +98,8 @@ module rc_treelet (
     .from_o(box_enter), .to_o(box_leave), .there_o(box_met));
 
   // On a plane's upper side the ray is first if it is turned.
-  logic [W-1:0]   hit_q;
-  logic [W*T-1:0] near_q;
+  logic [W-1:0]   met;
+  logic [W*T-1:0] near_t;
   for (genvar i = 0; i < W; i++) begin : gen_exit
     logic [3*T-1:0] from, to;
     logic [2:0]     there;
@@ -145,36 +128,18 @@ module rc_treelet (
     assign last  = way_leave < box_leave ? way_leave : box_leave;
     rc_cut #(.Width(2 * T + 1)) u_both (
       .clk_i, .data_i({first, last, way_met && box_met}), .data_o({enter, leave, may_meet}));
-    always_ff @(posedge clk_i) begin
-      if (valid[Rank-1]) begin
-        hit_q[i] <= enter <= leave && may_meet && meet_kind[i*C +: C] != '0;
-        near_q[i*T +: T] <= enter;
-      end
-    end
+    assign met[i]           = enter <= leave && may_meet;
+    assign near_t[i*T +: T] = enter;
   end
 
-  logic [G-1:0]        end_inner, end_leaves;
-  logic [W*EntryW-1:0] end_entries;
-  rc_rank u_rank (
-    .clk_i, .valid_i(valid[L-1:Rank]),
-    .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
-    .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
-
-  logic                           queue_ready;
-  logic [rc_pkg::TreeletRspW-1:0] queue_data, rsp_data;
-  assign queue_data = {end_whose, end_inner, end_leaves, end_entries};
-  rc_fifo #(.Width(rc_pkg::TreeletRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),
-    .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_data));
-  assign rsp_o = rsp_data;
-
-`ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      valid_q[L-1] |-> queue_ready)
-    else $error("an answer met a full queue");
-`endif
+  logic [rc_pkg::TreeletRspW-1:0] rsp;
+  rc_answer #(.Latency(L)) u_answer (
+    .clk_i, .rst_ni, .moves_i(valid[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
+    .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
+    .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));
+  assign rsp_o = rsp;
 
   logic unused;
-  assign unused = queue_ready;
+  assign unused = valid[L];
 endmodule
 `default_nettype wire

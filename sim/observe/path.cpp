@@ -54,8 +54,7 @@ int parent_of(const Decoder& decoder, const Config& config, const std::vector<Vi
     if (config.is_list() || visits.empty()) return int(visits.size()) - 1;
     for (std::size_t v = visits.size(); v-- > 0;) {
         const std::uint32_t at = visits[v].line;
-        const std::uint32_t base =
-            config.has_treelets() ? decoder.treelet(at).exits.base : decoder.node(at).base;
+        const std::uint32_t base = decoder.below(at).base;
         if (base <= line && line < base + std::uint32_t(visits[v].children)) return int(v);
     }
     return int(visits.size()) - 1;

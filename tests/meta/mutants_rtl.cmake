@@ -5,8 +5,8 @@
 
 # ---- box: conservative slabs, total order.
 mutant(box_near_below_far QUICK FILE rtl/bvh/rc_box.sv TEST unit [box][lockstep]
-  OLD [[hit_q[i] <= enter <= leave &&]]
-  NEW [[hit_q[i] <= enter < leave &&]])
+  OLD [[= enter <= leave &&]]
+  NEW [[= enter < leave &&]])
 mutant(slab_far_rounded_down QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[assign placed_up    = ~({R1{1'b1}} << placed_right);]]
   NEW [[assign placed_up    = placed_right == '1 ? '1 : '0;]])
@@ -225,13 +225,13 @@ mutant(raygen_one_cycle_late FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][loc
   end
   rc_fifo #(.Width(rc_pkg::RayW), .Depth(rc_pkg::RaygenQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
-mutant(box_one_cycle_late FILE rtl/bvh/rc_box.sv TEST unit [box][lockstep]
+mutant(box_one_cycle_late FILE rtl/bvh/rc_answer.sv TEST unit [box][lockstep]
   OLD [[  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
-    .clk_i, .rst_ni, .valid_i(valid_q[L-1]), .ready_o(queue_ready), .data_i(queue_data),]]
+    .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready), .data_i(queue_data),]]
   NEW [[  logic late_q;
   logic [rc_pkg::BoxRspW-1:0] late_data_q;
   always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && valid_q[L-1];
+    late_q      <= rst_ni && end_valid_i;
     late_data_q <= queue_data;
   end
   rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (

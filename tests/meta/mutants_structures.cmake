@@ -52,8 +52,8 @@ mutant(treelet_exits_in_another_order FILE rtl/kd/rc_treelet.sv TEST unit [treel
   OLD [[localparam int unsigned Upper = (i >> (Levels - 1 - l)) & 1;]]
   NEW [[localparam int unsigned Upper = (i >> l) & 1;]])
 mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
-  OLD [[hit_q[i] <= enter <= leave &&]]
-  NEW [[hit_q[i] <= enter < leave &&]])
+  OLD [[= enter <= leave &&]]
+  NEW [[= enter < leave &&]])
 mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
   OLD [[assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;]]
   NEW [[assign box_there[k]       = k == 1 || (turned_lo ? near_lo && far_hi : far_lo && near_hi);]])
