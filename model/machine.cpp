@@ -30,13 +30,14 @@ void Machine::start(const Frame& frame, const Trace& trace) {
 // Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the
 // cache that asked. All of it follows from registered state.
 void Machine::settle_shared() {
-    std::uint32_t want = 0, misses = 0;
+    std::uint32_t want = 0;
+    std::uint64_t misses = 0;
     for (std::uint32_t p = 0; p < pipelines_.size(); ++p) {
         const Pipeline& pipeline = pipelines_[p];
         want |= std::uint32_t(pipeline.tile_ready()) << p;
         misses |=
-            (std::uint32_t(pipeline.node_miss_valid()) | std::uint32_t(pipeline.prim_miss_valid()) << 1 |
-             std::uint32_t(pipeline.surf_miss_valid()) << 2)
+            (std::uint64_t(pipeline.node_miss_valid()) | std::uint64_t(pipeline.prim_miss_valid()) << 1 |
+             std::uint64_t(pipeline.surf_miss_valid()) << 2)
             << clients_ * p;
         shared_moves_[p] = {};
     }

@@ -107,8 +107,9 @@ private:
     std::vector<Masks> masks_;
     std::uint32_t valid_ = 0, fire_ = 0;   // of the shared links
     int granted_ = -1, client_ = -1,
-        fill_client_ = -1;   // pipeline that gets a tile; caches that ask for and that get a word
-    std::uint32_t client_valid_ = 0, fill_id_ = 0;
+        fill_client_ = -1;             // pipeline that gets a tile; caches that ask for and that get a word
+    std::uint64_t client_valid_ = 0;   ///< caches that ask
+    std::uint32_t fill_id_ = 0;
     Cache::Request client_request_{}, l2_miss_{};
 
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;

@@ -6,8 +6,8 @@ namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : shading_(config.shading != 0),
-      kd_(config.has_treelets()),
       lists_(config.is_list()),
+      decides_(node_unit(config)),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),
       trav_(config),
@@ -55,7 +55,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::shade:
                 if (shading_) clock_shade(moves_, now);
                 break;
-            default: break;   // treelet is clocked as box is: one of them is there
+            default: break;   // treelet and globe are clocked as box is: one of them is there
         }
     account_caches();
 }
@@ -131,7 +131,7 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
     return raygen_.contains(RayNumber(ray))                ? "raygen"
-           : box_.contains(RayNumber(ray), now)            ? (kd_ ? "treelet" : "box")
+           : box_.contains(RayNumber(ray), now)            ? unit_infos[index(decides_.unit)].name
            : tri_.contains(RayNumber(ray), now)            ? "tri"
            : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at a node's answer"
            : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
@@ -148,7 +148,7 @@ Accounts Pipeline::accounts() const {
         add(Unit::sched, i & 3, units_[i]);
         add(Unit::raygen, i >> 2 & 3, units_[i]);
         add(Unit::trav, i >> 4 & 3, units_[i]);
-        if (!lists_) add(kd_ ? Unit::treelet : Unit::box, i >> 6 & 3, units_[i]);
+        if (!lists_) add(decides_.unit, i >> 6 & 3, units_[i]);
         add(Unit::list, i >> 8 & 1, units_[i]);
         add(Unit::tri, i >> 9 & 3, units_[i]);
     }

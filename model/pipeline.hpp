@@ -127,12 +127,11 @@ private:
     };
     /// box's links are those of the unit that decides nodes, whichever it is.
     static constexpr Link inside(Link link) {
-        return link == Link::treelet_req ? Link::box_req : link == Link::treelet_rsp ? Link::box_rsp : link;
+        return asks_of_node(link) ? Link::box_req : tells_of_node(link) ? Link::box_rsp : link;
     }
     /// And as they are called outside.
     Link outside(Link link) const {
-        if (!kd_) return link;
-        return link == Link::box_req ? Link::treelet_req : link == Link::box_rsp ? Link::treelet_rsp : link;
+        return link == Link::box_req ? decides_.req : link == Link::box_rsp ? decides_.rsp : link;
     }
     template <bool shades> void settle(Moves& m, std::uint64_t now) const;
     template <bool shades> void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
@@ -157,7 +156,8 @@ private:
     void clock_surf_cache(const Moves& m, const SharedMoves& shared);
     void clock_shade(const Moves& m, std::uint64_t now);
 
-    bool shading_, kd_, lists_;   // lists_: there are no nodes
+    bool shading_, lists_;   // lists_: there are no nodes
+    NodeUnit decides_;       // what node is met
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;

@@ -90,6 +90,8 @@ package rc_pkg;
   localparam int unsigned ExpBits = 5;
   localparam int unsigned OffsetBits = 6;
   localparam int unsigned CountBits = 3;
+  localparam int unsigned GlobeBits = 12;
+  localparam int unsigned TowardBits = 18;
   localparam int unsigned NodeBits = 501;
   localparam int unsigned NodeReqBits = 630;
   localparam int unsigned NodePlanes = 7;
@@ -106,6 +108,7 @@ package rc_pkg;
   localparam int unsigned RankStages = 2;
   localparam int unsigned PlaneStages = 3;
   localparam int unsigned ExitStages = 2;
+  localparam int unsigned GlobeStages = 7;
   localparam int unsigned QuotientBits = 2;
   localparam int unsigned CrossShare = 1;
   localparam int unsigned DotShare = 1;
@@ -122,6 +125,7 @@ package rc_pkg;
   localparam int unsigned RaygenLatency = 12;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TreeletLatency = 7;
+  localparam int unsigned GlobeLatency = 9;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
@@ -131,7 +135,8 @@ package rc_pkg;
   typedef enum logic [31:0] {
     StructureBvh = 32'd0,
     StructureKd = 32'd1,
-    StructureNone = 32'd2
+    StructureNone = 32'd2,
+    StructureSpheres = 32'd4
   } structure_e;
 
   // What a ray is for, what a primitive is, which test tri makes.
@@ -225,6 +230,12 @@ package rc_pkg;
     TreeletStarvedTrav = 3'd2,
     TreeletStalledTrav = 3'd3
   } treelet_cause_e;
+  typedef enum logic [2:0] {
+    GlobeBusyWork = 3'd0,
+    GlobeStarvedMemory = 3'd1,
+    GlobeStarvedTrav = 3'd2,
+    GlobeStalledTrav = 3'd3
+  } globe_cause_e;
   typedef enum logic [2:0] {
     DispatchBusyWork = 3'd0,
     DispatchStarvedFrame = 3'd1,
@@ -321,6 +332,50 @@ package rc_pkg;
     28'h7603a8c, 28'h76a7a90, 28'h774ca94, 28'h77f2697, 28'h789929b, 28'h7940e9f, 28'h79e96a2, 28'h7a92ea6,
     28'h7b3d6aa, 28'h7be8aad, 28'h7c94eb1, 28'h7d41eb4, 28'h7df02b9, 28'h7e9f2bc, 28'h7f4f2c0, 28'h80002c4};
 
+  // Tables of the unit globe: model/globe/tables.hpp.
+  localparam logic [3455:0] NearInverse = {
+    27'h403f901, 27'h4080503, 27'h40c1905, 27'h4103507, 27'h4145909, 27'h418890c, 27'h41cbd0d, 27'h420fd10,
+    27'h4254512, 27'h4299514, 27'h42ded16, 27'h4325119, 27'h436bd1b, 27'h43b311d, 27'h43fb120, 27'h4443922,
+    27'h448c924, 27'h44d6527, 27'h4520d2a, 27'h456b92c, 27'h45b752e, 27'h4603931, 27'h4650934, 27'h469e136,
+    27'h46ec539, 27'h473b53c, 27'h478b13f, 27'h47db541, 27'h482c544, 27'h487e147, 27'h48d094a, 27'h4923d4d,
+    27'h4977d50, 27'h49cc553, 27'h4a21d56, 27'h4a78159, 27'h4acf15c, 27'h4b2715f, 27'h4b7fd63, 27'h4bd9566,
+    27'h4c33969, 27'h4c8ed6d, 27'h4cea970, 27'h4d47973, 27'h4da5577, 27'h4e0417b, 27'h4e6397e, 27'h4ec4182,
+    27'h4f25986, 27'h4f87d89, 27'h4feb18e, 27'h504f591, 27'h50b4995, 27'h511ad99, 27'h518259d, 27'h51ea9a1,
+    27'h52541a6, 27'h52be5aa, 27'h5329dae, 27'h53969b2, 27'h54045b7, 27'h54731bc, 27'h54e31c0, 27'h55545c5,
+    27'h55c69c9, 27'h563a5ce, 27'h56af1d4, 27'h57251d8, 27'h579c5dd, 27'h5814de2, 27'h588ede8, 27'h590a1ed,
+    27'h59869f2, 27'h5a049f8, 27'h5a83dfd, 27'h5b04a03, 27'h5b86e09, 27'h5c0a60e, 27'h5c8fa15, 27'h5d1621a,
+    27'h5d9e621, 27'h5e28227, 27'h5eb362d, 27'h5f40634, 27'h5fcee3a, 27'h605f241, 27'h60f1248, 27'h6184e4f,
+    27'h621a656, 27'h62b1a5d, 27'h634ae65, 27'h63e5e6c, 27'h6482a73, 27'h6521a7c, 27'h65c2683, 27'h666528b,
+    27'h670a294, 27'h67b0e9b, 27'h685a2a5, 27'h69056ad, 27'h69b2eb6, 27'h6a626be, 27'h6b146c8, 27'h6bc8ed2,
+    27'h6c7fadb, 27'h6d38ae4, 27'h6df46ef, 27'h6eb2af9, 27'h6f73703, 27'h7036b0e, 27'h70fcf18, 27'h71c5b24,
+    27'h729172e, 27'h735ff3a, 27'h7431746, 27'h7505f52, 27'h75dd75e, 27'h76b836b, 27'h7795f77, 27'h7876f85,
+    27'h795b391, 27'h7a433a0, 27'h7b2e7ad, 27'h7c1d7bc, 27'h7d0ffca, 27'h7e063d9, 27'h7f003e8, 27'h7ffe7f9};
+  localparam logic [1919:0] RootUp = {
+    10'h200, 10'h1ff, 10'h1fe, 10'h1fd, 10'h1fc, 10'h1fb, 10'h1fa, 10'h1f9,
+    10'h1f8, 10'h1f7, 10'h1f6, 10'h1f5, 10'h1f4, 10'h1f3, 10'h1f2, 10'h1f1,
+    10'h1f0, 10'h1ef, 10'h1ee, 10'h1ed, 10'h1ec, 10'h1eb, 10'h1ea, 10'h1e9,
+    10'h1e8, 10'h1e7, 10'h1e6, 10'h1e5, 10'h1e4, 10'h1e3, 10'h1e2, 10'h1e0,
+    10'h1df, 10'h1de, 10'h1dd, 10'h1dc, 10'h1db, 10'h1da, 10'h1d9, 10'h1d8,
+    10'h1d7, 10'h1d6, 10'h1d5, 10'h1d4, 10'h1d2, 10'h1d1, 10'h1d0, 10'h1cf,
+    10'h1ce, 10'h1cd, 10'h1cc, 10'h1cb, 10'h1ca, 10'h1c8, 10'h1c7, 10'h1c6,
+    10'h1c5, 10'h1c4, 10'h1c3, 10'h1c2, 10'h1c0, 10'h1bf, 10'h1be, 10'h1bd,
+    10'h1bc, 10'h1bb, 10'h1ba, 10'h1b8, 10'h1b7, 10'h1b6, 10'h1b5, 10'h1b4,
+    10'h1b3, 10'h1b1, 10'h1b0, 10'h1af, 10'h1ae, 10'h1ad, 10'h1ab, 10'h1aa,
+    10'h1a9, 10'h1a8, 10'h1a7, 10'h1a5, 10'h1a4, 10'h1a3, 10'h1a2, 10'h1a0,
+    10'h19f, 10'h19e, 10'h19d, 10'h19c, 10'h19a, 10'h199, 10'h198, 10'h197,
+    10'h195, 10'h194, 10'h193, 10'h191, 10'h190, 10'h18f, 10'h18e, 10'h18c,
+    10'h18b, 10'h18a, 10'h188, 10'h187, 10'h186, 10'h184, 10'h183, 10'h182,
+    10'h180, 10'h17f, 10'h17e, 10'h17c, 10'h17b, 10'h17a, 10'h178, 10'h177,
+    10'h176, 10'h174, 10'h173, 10'h172, 10'h170, 10'h16f, 10'h16d, 10'h16c,
+    10'h16b, 10'h169, 10'h168, 10'h166, 10'h165, 10'h163, 10'h162, 10'h160,
+    10'h15f, 10'h15e, 10'h15c, 10'h15b, 10'h159, 10'h158, 10'h156, 10'h155,
+    10'h153, 10'h152, 10'h150, 10'h14f, 10'h14d, 10'h14c, 10'h14a, 10'h148,
+    10'h147, 10'h145, 10'h144, 10'h142, 10'h140, 10'h13f, 10'h13d, 10'h13c,
+    10'h13a, 10'h138, 10'h137, 10'h135, 10'h133, 10'h132, 10'h130, 10'h12e,
+    10'h12d, 10'h12b, 10'h129, 10'h128, 10'h126, 10'h124, 10'h122, 10'h120,
+    10'h11f, 10'h11d, 10'h11b, 10'h119, 10'h117, 10'h116, 10'h114, 10'h112,
+    10'h110, 10'h10e, 10'h10c, 10'h10a, 10'h108, 10'h106, 10'h104, 10'h102};
+
   // The host's registers: sim/gen/registers.hpp, docs/chip.md.
   localparam int unsigned Magic = 1380142155;
   localparam int unsigned Version = 1;
@@ -350,11 +405,11 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 11;
+  localparam int unsigned PipelineUnits = 12;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [10:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1,
-    1'd1, 1'd1, 1'd1};
+  localparam logic [11:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1,
+    1'd1, 1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -452,6 +507,31 @@ package rc_pkg;
     logic [23:0] count;
   } treelet_rsp_t;
   localparam int unsigned TreeletRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [53:0] toward;
+    logic [4:0] len;
+    logic [53:0] org;
+    logic [4:0] exp;
+    logic [23:0] base;
+    logic [23:0] kind;
+    logic [287:0] centre;
+    logic [95:0] radius;
+  } globe_req_t;
+  localparam int unsigned GlobeReqW = 610;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } globe_rsp_t;
+  localparam int unsigned GlobeRspW = 302;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -769,6 +849,16 @@ package rc_pkg;
     logic [23:0] kind;
   } treelet_t;
   localparam int unsigned TreeletW = 297;
+
+  typedef struct packed {
+    logic [53:0] org;
+    logic [4:0] exp;
+    logic [23:0] base;
+    logic [23:0] kind;
+    logic [287:0] centre;
+    logic [95:0] radius;
+  } globe_node_t;
+  localparam int unsigned GlobeNodeW = 491;
 
   typedef struct packed {
     logic [53:0] a;

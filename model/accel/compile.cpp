@@ -108,12 +108,12 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     };
     MemoryImage image;
     tell(1);
-    if (config.is_bvh()) {
+    if (config.is_bvh() || config.has_globes()) {
         BinaryTree tree = build_tree(boxes_of(triangles, config));
         tell(2);
         optimise_tree(tree);
         tell(3);
-        emit_image(tree, triangles, config, name, image);
+        (config.is_bvh() ? emit_boxes : emit_globes)(tree, triangles, config, name, image);
         image.report.references = triangles.size();
     } else {
         (config.has_treelets() ? emit_cells : emit_list)(triangles, config, name, image);

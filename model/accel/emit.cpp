@@ -1,6 +1,8 @@
 #include "model/accel/emit.hpp"
 
 #include "model/accel/encode.hpp"
+#include "model/accel/globe/around.hpp"
+#include "model/accel/globe/encode.hpp"
 #include "model/accel/written.hpp"
 #include "model/base/error.hpp"
 
@@ -8,20 +10,54 @@ namespace rayclock {
 
 namespace {
 
-class Emitter {
+/// How a node is written of which the children are known: as boxes,
+class Boxes {
 public:
-    Emitter(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
-            const std::string& name, MemoryImage& image)
-        : tree_(tree),
+    Boxes(const BinaryTree& tree, const Config& config) : tree_(tree), config_(config) {}
+    void clear() { children_.clear(); }
+    void add(const WideChild& child, std::uint32_t primitives) {
+        children_.push_back({tree_.nodes[child.node].box, primitives});
+    }
+    Node node(std::uint32_t base) const { return encode_node(children_, base, config_); }
+
+private:
+    const BinaryTree& tree_;
+    const Config& config_;
+    std::vector<NodeChild> children_;
+};
+
+/// or as globes.
+class Globes {
+public:
+    Globes(const GlobesAround& around, const Config& config) : around_(around), config_(config) {}
+    void clear() { children_.clear(); }
+    void add(const WideChild& child, std::uint32_t primitives) {
+        children_.push_back({around_[child.node], primitives});
+    }
+    GlobeNode node(std::uint32_t base) const { return encode_globes(children_, base, config_); }
+
+private:
+    const GlobesAround& around_;
+    const Config& config_;
+    std::vector<GlobeChild> children_;
+};
+
+template <class Children> class Emitter {
+public:
+    Emitter(const Collapse& collapse, std::uint32_t root, Children children,
+            const std::vector<PrimData>& triangles, const Config& config, const std::string& name,
+            MemoryImage& image)
+        : root_(root),
           triangles_(triangles),
           config_(config),
-          collapse_(tree, config),
+          collapse_(collapse),
+          children_(std::move(children)),
           name_(name),
           image_(image) {}
 
     void run() {
         image_.words.assign(words_per_line, 0);
-        pending_.push_back({tree_.root, 0, 0});
+        pending_.push_back({root_, 0, 0});
         // Last in, first out, inner children pushed from the last to the first: depth-first.
         while (!pending_.empty()) {
             const Pending next = pending_.back();
@@ -46,14 +82,14 @@ private:
         for (const WideChild& child : found_) {
             const std::size_t before = content_.size();
             if (child.leaf) collapse_.boxes(child.node, content_);
-            children_.push_back({tree_.nodes[child.node].box, std::uint32_t(content_.size() - before)});
+            children_.add(child, std::uint32_t(content_.size() - before));
         }
         const std::size_t base = image_.words.size() / words_per_line;
         const std::size_t lines = base + inner + (content_.size() + 1) / 2;
         check_lines(lines, config_, name_);
         image_.words.resize(lines * words_per_line, 0);
-        write_payload(encode_node(children_, std::uint32_t(base), config_), config_,
-                      &image_.words[at.line * words_per_line], scratch_);
+        write_payload(children_.node(std::uint32_t(base)), config_, &image_.words[at.line * words_per_line],
+                      scratch_);
         for (std::size_t i = 0; i < content_.size(); ++i)
             write_payload(triangles_[content_[i]], config_,
                           &image_.words[(2 * (base + inner) + i) * words_per_half], scratch_);
@@ -64,16 +100,16 @@ private:
             pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
     }
 
-    const BinaryTree& tree_;
+    std::uint32_t root_;
     const std::vector<PrimData>& triangles_;
     const Config& config_;
-    const Collapse collapse_;
+    const Collapse& collapse_;
+    Children children_;
     const std::string& name_;
     MemoryImage& image_;
     std::vector<Pending> pending_;
     WrittenNodes written_;
     std::vector<WideChild> found_;
-    std::vector<NodeChild> children_;
     std::vector<std::uint32_t> content_;   // triangles of the node's leaves
     Words scratch_;
 };
@@ -89,9 +125,17 @@ void check_lines(std::uint64_t lines, const Config& config, const std::string& n
                          : "a smaller scene is needed"));
 }
 
-void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
+void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image) {
-    Emitter{tree, triangles, config, name, image}.run();
+    const Collapse collapse(tree, config);
+    Emitter(collapse, tree.root, Boxes(tree, config), triangles, config, name, image).run();
+}
+
+void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
+                 const std::string& name, MemoryImage& image) {
+    const Collapse collapse(tree, config);
+    const GlobesAround around(tree, collapse, prims, config);
+    Emitter(collapse, tree.root, Globes(around, config), prims, config, name, image).run();
 }
 
 }   // namespace rayclock

@@ -12,8 +12,11 @@ namespace rayclock {
 
 /// Writes words and the report's nodes, leaves, depth, stack_need and bytes. `triangles` in the order of the
 /// boxes that the tree was built over. Throws UserError beyond 2^addr_bits lines; `name` begins the sentence.
-void emit_image(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
+void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, const Config& config,
                 const std::string& name, MemoryImage& image);
+/// The same, each child with the globe around all that is below it (globe/enclose.hpp).
+void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
+                 const std::string& name, MemoryImage& image);
 
 /// The same for space cut by planes (kd/build.hpp, octree/build.hpp), and for a mere list of all primitives,
 /// from line 0 on.

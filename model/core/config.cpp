@@ -6,6 +6,7 @@
 
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
+#include "model/mem/dram_parts.hpp"
 
 namespace rayclock {
 
@@ -52,13 +53,19 @@ int Config::client_id_bits() const {
 int Config::tile_coord_bits() const { return pixel_bits - tile_bits; }
 int Config::mem_id_bits() const { return l2_sets > 0 ? l2_miss_bits() : client_id_bits(); }
 
+const DramPart* Config::dram_part() const {
+    if (own_dram) return own_dram.get();
+    return dram == 0 ? nullptr : &rayclock::dram_part(dram_names()[std::size_t(dram)]);
+}
+
 const std::vector<std::string>& dram_names() {
-    static const std::vector<std::string> names{"ideal", "sdr", "ddr3", "rpu", "sdr_half"};
+    static const std::vector<std::string> names{"ideal",    "sdr",  "ddr3",   "rpu",
+                                                "sdr_half", "ddr4", "lpddr4", "hbm2"};
     return names;
 }
 
 const std::vector<std::string>& structure_names() {
-    static const std::vector<std::string> names{"bvh", "kd", "none", "octree"};
+    static const std::vector<std::string> names{"bvh", "kd", "none", "octree", "spheres"};
     return names;
 }
 
@@ -84,6 +91,7 @@ void check_rtl(const Config& c) {
 }
 
 std::string value_text(const Config& config, const Parameter& p) {
+    if (p.member == &Config::dram && config.own_dram) return config.own_dram->name;
     return p.names ? (*p.names)[std::size_t(config.*p.member)] : std::to_string(config.*p.member);
 }
 
@@ -100,7 +108,8 @@ const std::vector<Parameter>& parameters() {
          &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"structure", &Config::structure, 0, int(structure_names().size()) - 1, false,
-         "what holds the scene: bvh, kd, octree, or none (a list of all primitives)", &structure_names()},
+         "what holds the scene: bvh, spheres, kd, octree, or none (a list of all primitives)",
+         &structure_names()},
         {"straddlers", &Config::straddlers, 0, int(straddlers_names().size()) - 1, false,
          "of an octree: where it has what a plane cuts, leaves or inner (the inner node)",
          &straddlers_names()},
@@ -113,7 +122,7 @@ const std::vector<Parameter>& parameters() {
         {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
         {"tri_interval", &Config::tri_interval, 1, 4, true,
          "cycles from a primitive that tri takes to the next; more share multipliers"},
-        {"pipelines", &Config::pipelines, 1, 8, true, "P: pipelines"},
+        {"pipelines", &Config::pipelines, 1, 16, true, "P: pipelines"},
         {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
         {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},
         {"node_ways", &Config::node_ways, 1, 8, true, "ways"},
@@ -145,7 +154,10 @@ const std::vector<Parameter>& parameters() {
         {"surf_line", &Config::surf_line, 64, 256, true, "bytes a line"},
         {"surf_mshrs", &Config::surf_mshrs, 1, 64, true, "lines on their way"},
         {"dram", &Config::dram, 0, int(dram_names().size()) - 1, false,
-         "memory: ideal, sdr, ddr3, rpu or sdr_half", &dram_names()},
+         "memory: ideal, sdr, ddr3, rpu, sdr_half, ddr4, lpddr4, hbm2, or a JSON file that describes one",
+         &dram_names()},
+        {"dram_channels", &Config::dram_channels, 1, most_dram_channels, false,
+         "such memories side by side, which take neighbouring addresses in turn"},
         {"mem_latency", &Config::mem_latency, 1, 10000, false, "ideal memory: cycles from request to answer"},
         {"mem_interval", &Config::mem_interval, 1, 1000, false, "ideal memory: cycles between requests"},
         {"addr_bits", &Config::addr_bits, 8, max_addr_bits, false,
@@ -243,6 +255,7 @@ void set_parameter(Config& config, const std::string& key, const std::string& va
                 throw UserError(where + ": no " + key + " is called " + shown(value) +
                                 did_you_mean(value, *p.names));
             config.*p.member = int(at - p.names->begin());
+            if (p.member == &Config::dram) config.own_dram = nullptr;
             return;
         }
         int number = 0;
@@ -290,7 +303,7 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
-    if (c.has_treelets() && c.test() != PrimitiveTest::exact && !c.is_sheared())
+    if ((c.has_treelets() || c.has_globes()) && c.test() != PrimitiveTest::exact && !c.is_sheared())
         refuse("structure=" + structure_names()[std::size_t(c.structure)] +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");

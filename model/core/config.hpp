@@ -1,8 +1,11 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace rayclock {
+
+struct DramPart;
 
 /// How short the RTL's paths are cut, by the value of Config::timing; see model/core/stages.hpp.
 enum class Timing { relaxed, fast };
@@ -10,7 +13,7 @@ enum class Timing { relaxed, fast };
 /// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/bvh), space cut
 /// by planes (model/kd), or nothing but a list of all primitives (model/none). An octree is cut by planes in
 /// the middle of its cells, and walked by the engine of kd.
-enum class Structure { bvh, kd, none, octree };
+enum class Structure { bvh, kd, none, octree, spheres };
 
 /// Where an octree has what lies on both sides of a cut, by the value of Config::straddlers: in every leaf
 /// that it reaches into, or in the inner node.
@@ -25,6 +28,8 @@ constexpr int max_addr_bits = 24;     ///< of Config::addr_bits
 constexpr int max_pixel_bits = 14;    ///< of Config::pixel_bits
 constexpr int exp_bits = 5;           ///< box exponent, and bit length of a direction component
 constexpr int max_prim_bits = 32;     ///< of Config::prim_bits
+constexpr int globe_bits = 12;        ///< of a globe's centre on each axis, and of its radius
+constexpr int toward_bits = 18;       ///< of a component of a ray's direction, as globes are tested with it
 constexpr int offset_bits = 6;        ///< child within its block, in steps of 32 bytes
 constexpr int count_bits = 3;         ///< triangles of a leaf, 1..6; 0 for an inner node
 constexpr int line_bits = 512;        ///< a memory line, one node
@@ -80,7 +85,7 @@ struct Config {
     int box_queue = 16;      ///< answers box may hold, a power of two
     int tri_queue = 32;      ///< answers tri may hold, a power of two
     int tri_interval = 1;    ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int pipelines = 1;       ///< P: pipelines of one machine
+    int pipelines = 1;       ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row
     int node_sets = 64;   ///< node cache of a pipeline: sets,
@@ -114,7 +119,10 @@ struct Config {
     int surf_mshrs = 8;
 
     // Beside the chip.
-    int dram = 2;           ///< memory, see dram_names()
+    int dram = 2;                               ///< memory, see dram_names()
+    std::shared_ptr<const DramPart> own_dram;   ///< a memory that somebody described; if it is there, `dram`
+                                                ///< says nothing
+    int dram_channels = 1;                      ///< such memories side by side; the ideal one has no channels
     int mem_latency = 8;    ///< cycles from a request to its answer, if the memory is `ideal`
     int mem_interval = 1;   ///< cycles between two requests, if the memory is `ideal`
 
@@ -129,10 +137,13 @@ struct Config {
     bool is_bvh() const { return Structure(structure) == Structure::bvh; }
     bool is_list() const { return Structure(structure) == Structure::none; }
     bool has_treelets() const { return engine() == Structure::kd; }
+    bool has_globes() const { return Structure(structure) == Structure::spheres; }
     bool is_octree() const { return Structure(structure) == Structure::octree; }
     Structure engine() const {
         return is_octree() ? Structure::kd : Structure(structure);
     }   ///< the structure for which the RTL is built
+    /// What lies beside the chip; null if it is the ideal memory.
+    const DramPart* dram_part() const;
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
     int edge_bits() const;   ///< signed edge function and determinant of a hit
     int num_bits() const {
@@ -169,8 +180,9 @@ struct Config {
     int raygen_latency() const;
     int box_latency() const;
     int treelet_latency() const;
+    int globe_latency() const;
     int node_latency() const {
-        return has_treelets() ? treelet_latency() : box_latency();
+        return has_treelets() ? treelet_latency() : has_globes() ? globe_latency() : box_latency();
     }                                                       ///< of the unit that decides a node
     int planes_of_node() const { return node_width - 1; }   ///< of a treelet
     int tri_latency() const;

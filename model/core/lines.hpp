@@ -60,6 +60,26 @@ struct Treelet {
 };
 constexpr std::uint32_t no_axis = 3;   ///< of a treelet's plane
 
+/// A node of a hierarchy of globes (bounding spheres) as it lies in a memory line of 64 bytes
+/// (right-aligned). Globe i has its centre at org + (centre << exp) and the radius radius << exp, in lattice
+/// steps. Kinds, and the block at line `base`, as of Node.
+struct GlobeNode {
+    Vec3i org{};
+    std::uint32_t exp = 0;
+    std::uint32_t base = 0;
+    std::array<std::uint32_t, max_width> kind{};
+    std::array<std::uint32_t, 3 * max_width> centre{};   ///< [3 * child + axis]
+    std::array<std::uint32_t, max_width> radius{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("org", org, c.coord_bits, 3);
+        v("exp", exp, exp_bits);
+        v("base", base, c.addr_bits);
+        v("kind", kind, count_bits, c.node_width);
+        v("centre", centre, globe_bits, 3 * c.node_width);
+        v("radius", radius, globe_bits, c.node_width);
+    }
+};
+
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
 /// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,

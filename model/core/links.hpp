@@ -26,6 +26,8 @@ namespace rayclock {
     LINK(box_rsp, BoxRsp, box, trav, handshake, boxes)                      \
     LINK(treelet_req, TreeletReq, node_cache, treelet, handshake, treelets) \
     LINK(treelet_rsp, BoxRsp, treelet, trav, handshake, treelets)           \
+    LINK(globe_req, GlobeReq, node_cache, globe, handshake, globes)         \
+    LINK(globe_rsp, BoxRsp, globe, trav, handshake, globes)                 \
     LINK(leaves, Leaves, trav, list, fires, always)                         \
     LINK(prim_req, PrimReq, list, prim_cache, handshake, always)            \
     LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)       \
@@ -77,6 +79,34 @@ constexpr std::array link_infos{RAYCLOCK_LINKS(RAYCLOCK_INFO)};
 using LinkPayloads = decltype(std::tuple_cat(std::tuple<>() RAYCLOCK_LINKS(RAYCLOCK_PAYLOAD)));
 #undef RAYCLOCK_PAYLOAD
 #undef RAYCLOCK_LINKS
+
+/// The unit that decides nodes, and its links.
+struct NodeUnit {
+    Unit unit;
+    Link req, rsp;
+};
+constexpr std::array node_units{NodeUnit{Unit::box, Link::box_req, Link::box_rsp},
+                                NodeUnit{Unit::treelet, Link::treelet_req, Link::treelet_rsp},
+                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp}};
+constexpr bool decides_nodes(Unit unit) {
+    for (const NodeUnit& u : node_units)
+        if (u.unit == unit) return true;
+    return false;
+}
+constexpr bool asks_of_node(Link link) {
+    for (const NodeUnit& u : node_units)
+        if (u.req == link) return true;
+    return false;
+}
+constexpr bool tells_of_node(Link link) {
+    for (const NodeUnit& u : node_units)
+        if (u.rsp == link) return true;
+    return false;
+}
+/// That of a configuration; box if there are no nodes.
+inline NodeUnit node_unit(const Config& config) {
+    return node_units[config.has_treelets() ? 1 : config.has_globes() ? 2 : 0];
+}
 
 constexpr std::size_t link_count = link_infos.size();
 constexpr std::size_t pipeline_links = [] {   // the others are what all pipelines share

@@ -31,11 +31,14 @@ struct PrimReq {
 struct NodeRsp {
     std::uint32_t ray = 0;
     Node node;
-    Treelet treelet;   ///< takes the place of node in a kd-tree
+    Treelet treelet;    ///< takes the place of node in a kd-tree
+    GlobeNode globes;   ///< likewise in a hierarchy of bounding spheres
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.has_treelets())
             treelet.fields(v, c);
+        else if (c.has_globes())
+            globes.fields(v, c);
         else
             node.fields(v, c);
     }

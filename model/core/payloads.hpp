@@ -147,8 +147,25 @@ struct TreeletReq {
     }
 };
 
-/// box, treelet -> trav: the children that the ray's line meets in front of its origin. Inner children first,
-/// then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner children.
+/// trav -> globe: a ray as its test wants it (globe_ray() in model/globe/globe.hpp), and the node.
+struct GlobeReq {
+    std::uint32_t ray = 0;
+    Vec3i o{};
+    Vec3i toward{};          ///< direction: its largest component fills toward_bits
+    std::uint32_t len = 0;   ///< bits of that component as it came, and as of Ray
+    GlobeNode node;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("toward", toward, toward_bits, 3);
+        v("len", len, exp_bits);
+        node.fields(v, c);
+    }
+};
+
+/// box, treelet, globe -> trav: the children that the ray's line meets in front of its origin. Inner children
+/// first, then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner
+/// children.
 struct BoxRsp {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;

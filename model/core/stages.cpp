@@ -26,6 +26,7 @@ Stages::Stages(const Config& config) {
     stack = config.is_list() ? 0 : 3 * cut;
     plane = 3 + multiply + 3 * cut;
     exits = 2 + 2 * cut;
+    globe = 7 + 3 * multiply + 10 * cut;
     cache = cut;
 
     cross_share = std::min(config.tri_interval, 3);
@@ -56,6 +57,10 @@ int Config::box_latency() const {
 int Config::treelet_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.plane + stages.exits + stages.rank;
+}
+int Config::globe_latency() const {
+    const Stages stages(*this);
+    return stages.cut + stages.globe + stages.rank;
 }
 int Config::tri_latency() const {
     const Stages stages(*this);

@@ -18,6 +18,7 @@ struct Stages {
     // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
     int plane = 0;   ///< from a treelet to the times of its planes
     int exits = 0;   ///< from these to the exits' intervals
+    int globe = 0;   ///< from a node of globes to which are met, rtl/globe/rc_globe.sv; order as in box
     // Products and quotients that share a multiplier or divider, one after the other, if tri takes a
     // primitive only every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products, of the four sums
     // of products that are edge functions, of a pair.

@@ -8,22 +8,24 @@ namespace rayclock {
 /// served. An offer that was not accepted stays. Mirror of rtl/mem/rc_arbiter.sv.
 class Arbiter {
 public:
-    explicit Arbiter(int sources) : mask_(std::uint32_t((std::uint64_t(1) << sources) - 1)) {}
+    explicit Arbiter(int sources)
+        : mask_(sources < 64 ? (std::uint64_t(1) << sources) - 1 : ~std::uint64_t(0)) {}
 
     /// The source on offer, of those set in `valid` (not 0).
-    int choose(std::uint32_t valid) const {
+    int choose(std::uint64_t valid) const {
         if (held_) return chosen_;
-        const std::uint32_t after = valid & ~((2u << last_) - 1) & mask_;
+        const std::uint64_t after = valid & ~((std::uint64_t(2) << last_) - 1) & mask_;
         return std::countr_zero(after ? after : valid);
     }
-    void clock(std::uint32_t valid, int chosen, bool taken) {
+    void clock(std::uint64_t valid, int chosen, bool taken) {
         held_ = valid != 0 && !taken;
         chosen_ = chosen;
         if (taken) last_ = std::uint32_t(chosen);
     }
 
 private:
-    std::uint32_t mask_, last_ = 0;
+    std::uint64_t mask_;
+    std::uint32_t last_ = 0;
     bool held_ = false;
     int chosen_ = 0;
 };

@@ -86,9 +86,11 @@ void Dram::accept(const Answer& request) {
     Entry entry;
     entry.what = request;
     const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes),
-                        banks = std::uint32_t(part_.banks);
-    entry.bank = int(request.addr / words % banks);
-    entry.row = request.addr / words / banks;
+                        groups = std::uint32_t(part_.bank_groups),
+                        banks = std::uint32_t(part_.banks) / groups;   // of a group
+    const std::uint32_t group = request.addr % groups, word = request.addr / groups;
+    entry.bank = int(word / words % banks * groups + group);
+    entry.row = word / words / banks;
     entry.left = part_.bursts();
     const std::uint64_t arrival = (time_ + std::uint64_t(part_.request_ps) + tck_ - 1) / tck_;
     entry.arrival = std::int64_t(arrival);

@@ -31,8 +31,9 @@ struct DramStatistics {
 /// reads: the chip writes nothing through this port.
 ///
 /// An address counts words of 64 bytes: row : bank : word of the row, lowest last, so that addresses in
-/// sequence stay in a row and go on in the next bank. Rows never run out: whoever loads the image checks
-/// capacity_bytes().
+/// sequence stay in a row and go on in the next bank. If there are bank groups they go round these first, as
+/// controllers do: row : bank in its group : word of the row : group. Rows never run out: whoever loads the
+/// image checks capacity_bytes().
 ///
 /// Rows stay open. Of the commands that could be given first, a read of an open row goes before others, then
 /// the oldest request's (FR-FCFS). A row is not closed while a request for it waits, and a request that has
@@ -58,6 +59,8 @@ public:
 
     /// It has nothing to do: ready() and valid() stay as they are until a request comes.
     bool rests() const { return !valid_ & queue_.empty() & answers_.empty(); }
+    /// Nothing is under way in it or on its bus: until a request comes it is starved.
+    bool idle() const { return queue_.empty() && data_.empty() && answers_.empty() && !valid_; }
     /// The chip cycle it is in, from 0.
     std::uint64_t now() const { return now_; }
     /// Until this cycle ready() and valid() stay as they are, unless a request comes in; then they may
@@ -107,7 +110,6 @@ private:
 
     std::uint64_t begin_of(std::uint64_t cycle) const;   // ps
     std::uint64_t cycle_from(std::uint64_t ps) const;    // first that begins at or after
-    bool idle() const { return queue_.empty() && data_.empty() && answers_.empty() && !valid_; }
     void accept(const Answer& request);
     void run();    // events until time_
     void plan();   // next command and next event

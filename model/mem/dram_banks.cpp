@@ -12,20 +12,26 @@ DramBanks::DramBanks(const DramPart& part)
       tras_(clocks(part.tras)),
       trc_(clocks(part.trc)),
       trrd_(clocks(part.trrd)),
+      trrd_l_(std::max(trrd_, clocks(part.trrd_l))),
       tfaw_(clocks(part.tfaw)),
       trtp_(clocks(part.trtp)),
       // All reads have one latency: a burst apart, their data never meet.
       tccd_(std::max(clocks(part.tccd), Clock(part.burst_clocks()))),
+      tccd_l_(std::max(tccd_, clocks(part.tccd_l))),
       trfc_(clocks(part.trfc)),
-      banks_(std::size_t(part.banks)) {}
+      banks_(std::size_t(part.banks)),
+      groups_(std::size_t(part.bank_groups)) {}
 
 DramBanks::Clock DramBanks::earliest(DramCommand command, int bank) const {
     Clock at = command_;
     switch (command) {
         case DramCommand::activate:
-            at = std::max({at, banks_[std::size_t(bank)].activate, activate_, activates_[oldest_]});
+            at = std::max({at, banks_[std::size_t(bank)].activate, activate_, group_of(bank).activate,
+                           activates_[oldest_]});
             break;
-        case DramCommand::read: at = std::max({at, banks_[std::size_t(bank)].read, read_}); break;
+        case DramCommand::read:
+            at = std::max({at, banks_[std::size_t(bank)].read, read_, group_of(bank).read});
+            break;
         case DramCommand::precharge: at = std::max(at, banks_[std::size_t(bank)].precharge); break;
         case DramCommand::precharge_all:
             for (const Bank& b : banks_)
@@ -58,6 +64,7 @@ void DramBanks::issue(DramCommand command, int bank, std::uint32_t row, Clock cl
             own.precharge = clock + tras_;
             own.activate = clock + trc_;
             activate_ = clock + trrd_;
+            group_of(bank).activate = clock + trrd_l_;
             activates_[oldest_] = clock + tfaw_;
             oldest_ = (oldest_ + 1) % 4;
             break;
@@ -65,6 +72,7 @@ void DramBanks::issue(DramCommand command, int bank, std::uint32_t row, Clock cl
             assert(own.open && own.row == row && "only an open row is read");
             own.precharge = std::max(own.precharge, clock + trtp_);
             read_ = clock + tccd_;
+            group_of(bank).read = clock + tccd_l_;
             break;
         case DramCommand::precharge:
             assert(own.open && "only an open bank is precharged");

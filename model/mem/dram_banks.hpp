@@ -40,8 +40,15 @@ private:
     void close(Bank& bank, Clock clock);
 
     int tck_;
-    Clock trcd_, trp_, tras_, trc_, trrd_, tfaw_, trtp_, tccd_, trfc_;
+    Clock trcd_, trp_, tras_, trc_, trrd_, trrd_l_, tfaw_, trtp_, tccd_, tccd_l_, trfc_;
+    struct Group {
+        Clock activate = 0, read = 0;   // first clock that its own gates allow
+    };
+    Group& group_of(int bank) { return groups_[std::size_t(bank) % groups_.size()]; }
+    const Group& group_of(int bank) const { return groups_[std::size_t(bank) % groups_.size()]; }
+
     std::vector<Bank> banks_;
+    std::vector<Group> groups_;
     int open_ = 0;                                  // banks with an open row
     Clock command_ = 0, activate_ = 0, read_ = 0;   // first clock that the shared gates allow
     std::array<Clock, 4> activates_{};              // the last four, plus tFAW

@@ -15,22 +15,25 @@ struct DramPart {
     int transfers = 1;      ///< per clock: 1 single data rate, 2 double
     int burst_length = 8;   ///< transfers that one read command gives
     int banks = 4;
-    int rows = 8192;      ///< of a bank
-    int columns = 1024;   ///< of a row, one transfer each
+    int bank_groups = 1;   ///< of the banks; bank b is in group b % bank_groups
+    int rows = 8192;       ///< of a bank
+    int columns = 1024;    ///< of a row, one transfer each
 
     // Clock and gates.
-    int tck = 0;     ///< clock; commands and data are given on it
-    int cl = 0;      ///< clocks from read to first data
-    int trcd = 0;    ///< activate to read, same bank
-    int trp = 0;     ///< precharge to activate or refresh
-    int tras = 0;    ///< activate to precharge, same bank
-    int trc = 0;     ///< activate to activate, same bank
-    int trrd = 0;    ///< activate to activate, any bank
-    int tfaw = 0;    ///< at most four activates in it; 0: no such gate
-    int trtp = 0;    ///< read to precharge, same bank
-    int tccd = 0;    ///< read to read
-    int trefi = 0;   ///< one refresh of all banks in every such time
-    int trfc = 0;    ///< refresh to activate or refresh
+    int tck = 0;      ///< clock; commands and data are given on it
+    int cl = 0;       ///< clocks from read to first data
+    int trcd = 0;     ///< activate to read, same bank
+    int trp = 0;      ///< precharge to activate or refresh
+    int tras = 0;     ///< activate to precharge, same bank
+    int trc = 0;      ///< activate to activate, same bank
+    int trrd = 0;     ///< activate to activate, any bank
+    int trrd_l = 0;   ///< the same in one bank group, if that takes longer
+    int tfaw = 0;     ///< at most four activates in it; 0: no such gate
+    int trtp = 0;     ///< read to precharge, same bank
+    int tccd = 0;     ///< read to read
+    int tccd_l = 0;   ///< the same in one bank group, if that takes longer
+    int trefi = 0;    ///< one refresh of all banks in every such time
+    int trfc = 0;     ///< refresh to activate or refresh
 
     // Controller.
     int request_ps = 0;   ///< from the clock edge that accepts a request to the first command it can cause
@@ -44,13 +47,15 @@ struct DramPart {
     int bursts() const;
 };
 
-/// What the data bus could carry if it never paused.
+/// What reads of 64 bytes could bring if the data bus never paused.
 std::int64_t peak_bytes_per_second(const DramPart& part);
 std::int64_t capacity_bytes(const DramPart& part);
 
 /// No request waits longer than this while nothing else moves: it comes as a refresh falls due, every gate of
 /// the part stands in its way once, and all its bursts follow one another.
 std::int64_t longest_pause_ps(const DramPart& part);
+
+constexpr int most_dram_channels = 4;   ///< of Config::dram_channels
 
 /// The memory of that name in dram_names(); `ideal` is none of these. Throws UserError for any other name.
 const DramPart& dram_part(const std::string& name);

@@ -13,8 +13,8 @@ Memory::Memory(const Config& config, int khz, Traffic traffic)
       traffic_(traffic),
       rng_(traffic.seed * 16 + 1),
       disturbed_(!traffic.none()) {
-    if (config.dram > 0)
-        dram_.emplace(dram_part(dram_names()[std::size_t(config.dram)]), khz, 1 << config.mem_id_bits());
+    if (const DramPart* part = config.dram_part())
+        dram_.emplace(*part, config.dram_channels, khz, 1 << config.mem_id_bits());
 }
 
 void Memory::work(const Answer* request) {
@@ -78,7 +78,7 @@ std::array<std::uint64_t, 8> Memory::deeds() const {
 
 MemoryStats Memory::stats() const {
     if (!dram_) return {reads_, 0, 0, 0};
-    const DramStatistics& s = dram_->statistics();
+    const DramStatistics s = dram_->statistics();
     return {s.reads, s.row_hits, s.row_conflicts, s.refreshes};
 }
 

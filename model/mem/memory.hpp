@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/mem/dram.hpp"
+#include "model/mem/dram_channels.hpp"
 #include "model/mem/dram_parts.hpp"
 #include "model/mem/memport.hpp"
 
@@ -77,7 +77,7 @@ private:
     void disturb();
 
     Memport ideal_;
-    std::optional<Dram> dram_;   // what lies there, if not the ideal memory
+    std::optional<DramChannels> dram_;   // what lies there, if not the ideal memory
     Traffic traffic_;
     Rng rng_;
     bool disturbed_, ready_ = true;

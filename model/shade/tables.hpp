@@ -1,15 +1,12 @@
 #pragma once
 // Tables of the shade unit's cells: made of whole numbers only, so that they are the same on every machine.
-// They reach the RTL as constants of rc_pkg.sv. An entry is a value and how far the next one lies from it,
-// for linear interpolation.
+// They reach the RTL as constants of rc_pkg.sv.
 #include <array>
-#include <cstdint>
+
+#include "model/base/table_entry.hpp"
 
 namespace rayclock {
 
-struct TableEntry {
-    std::uint32_t value = 0, step = 0;
-};
 constexpr std::size_t root_entries = 384, log_entries = 128, exp_entries = 128;
 constexpr int root_value_bits = 19, root_step_bits = 10;   ///< widths in rc_pkg.sv
 constexpr int log_value_bits = 18, log_step_bits = 12;

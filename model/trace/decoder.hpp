@@ -2,6 +2,7 @@
 #include "model/accel/memory_image.hpp"
 #include "model/trace/line_cache.hpp"
 #include "model/bvh/box.hpp"
+#include "model/globe/globe.hpp"
 #include "model/kd/treelet.hpp"
 #include "model/none/page.hpp"
 
@@ -17,6 +18,7 @@ public:
           read_node_(config),
           nodes_(config.is_bvh() ? image.lines() : 0),
           treelets_(config.has_treelets() ? image.lines() : 0),
+          globes_(config.has_globes() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
           surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
@@ -28,9 +30,16 @@ public:
         return treelets_.get(
             line, [&] { return widen(unpack<Treelet>(image_.line(line), config_), config_.node_width); });
     }
+    /// Of a hierarchy of globes.
+    const WideGlobes& globes(std::uint32_t line) const {
+        return globes_.get(
+            line, [&] { return widen(unpack<GlobeNode>(image_.line(line), config_), config_.node_width); });
+    }
     /// How many children or exits the node in a line has.
     std::uint32_t children(std::uint32_t line) const {
-        return config_.has_treelets() ? treelet(line).exits.children : node(line).children;
+        return config_.has_treelets() ? treelet(line).exits.children
+               : config_.has_globes() ? globes(line).children.children
+                                      : node(line).children;
     }
     /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
     WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
@@ -52,6 +61,7 @@ private:
     NodeReader read_node_;
     LineCache<WideNode> nodes_;
     LineCache<WideTreelet> treelets_;
+    LineCache<WideGlobes> globes_;
     LineCache<PrimData> prims_;
     LineCache<Surface> surfaces_;
 };

@@ -14,6 +14,7 @@ struct UnitWay {
     TriTest* primitive_test;
     Ray ray{};
     BoxRay from{};
+    GlobeRay toward{};   ///< if there are globes
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
     WideNode page{};
@@ -21,6 +22,7 @@ struct UnitWay {
     void start(const Ray& ray_) {
         ray = ray_;
         from = box_ray(ray);
+        if (config.has_globes()) toward = globe_ray(ray, config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
@@ -34,6 +36,11 @@ struct UnitWay {
             const WideTreelet& treelet = decoder.treelet(line);
             hits = treelet_exits(from, treelet, config, t_near);
             return treelet.exits;
+        }
+        if (config.has_globes()) {
+            const WideGlobes& globes = decoder.globes(line);
+            hits = globe_children(toward, globes, config, t_near);
+            return globes.children;
         }
         const WideNode& node = decoder.node(line);
         hits = box_children(from, node, config, t_near);
@@ -71,8 +78,8 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
 
-    /// box (treelet), on the next node, and trav on its answer; of a list, trav on the next page. True if
-    /// list has a triangle to be tested.
+    /// box (treelet, globe), on the next node, and trav on its answer; of a list, trav on the next page. True
+    /// if list has a triangle to be tested.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< what it returned
     std::uint32_t met() const {
@@ -98,6 +105,7 @@ public:
 
     const Ray& ray() const { return way_.ray; }
     const BoxRay& box_ray() const { return way_.from; }
+    const GlobeRay& globe_ray() const { return way_.toward; }
     const Best& best() const { return way_.hit.best(); }
     const TriRsp& tri() const { return way_.tri; }
     Closest closest() const { return way_.hit.closest(); }

@@ -78,6 +78,14 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_node();
             return;
         }
+        case Link::globe_req: {
+            Walk& w = walk(m);
+            const GlobeRay& r = w.globe_ray();
+            tell(GlobeReq{m.id, r.o, r.toward, r.len, unpack<GlobeNode>(image_.line(w.node()), config_)});
+            w.test_node();
+            return;
+        }
+        case Link::globe_rsp:
         case Link::treelet_rsp:
         case Link::box_rsp: {
             tell(walk(m).boxes());

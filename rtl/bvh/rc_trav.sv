@@ -60,17 +60,32 @@ module rc_trav (
   localparam int unsigned O = rc_pkg::OffsetBits;
   localparam int unsigned C = rc_pkg::CountBits;
 
-  // Rays: origin, signs and reciprocals wait here for their nodes.
-  localparam int unsigned BoxRayW = 3 * rc_pkg::OriginWidth + 3 + 3 * (rc_pkg::RecipBits + 1)
-                                  + 3 * rc_pkg::ExpBits;
-  logic ray_fires;
+  // Rays: what the unit that decides nodes wants of them waits here for their nodes. Of boxes and
+  // treelets these are origin, signs and reciprocals.
+  localparam int unsigned BoxRayW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits;
+  logic ray_fires, keep;
   logic [3*M-1:0]     ray_d;
-  logic [BoxRayW-1:0] box_ray;
+  logic [I-1:0]       keep_ray;
+  logic [BoxRayW-1:0] keep_data, box_ray;
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
+  if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_toward
+    logic is_short;
+    if (rc_pkg::Shading != 0) begin : gen_kinds
+      assign is_short = ray_i.kind != rc_pkg::RayShadow;
+    end else begin : gen_camera
+      assign is_short = 1'b1;
+    end
+    rc_toward u_toward (
+      .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
+      .short_i(is_short), .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
+  end else begin : gen_signs
+    assign keep      = ray_fires;
+    assign keep_ray  = ray_i.ray;
+    assign keep_data = {ray_i.o, ray_d[3*M-1], ray_d[2*M-1], ray_d[M-1], ray_i.recip, ray_i.len};
+  end
   rc_ram #(.Width(BoxRayW), .Depth(T)) u_ray (
-    .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray),
-    .write_data_i({ray_i.o, ray_d[3*M-1], ray_d[2*M-1], ray_d[M-1], ray_i.recip, ray_i.len}),
+    .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
     .read_addr_i(node_rsp_i.ray), .read_data_o(box_ray));
   assign box_req_valid_o  = node_rsp_valid_i;
   assign node_rsp_ready_o = box_req_ready_i;
@@ -239,6 +254,12 @@ module rc_trav (
   rc_queue #(.Width(I), .Depth(T)) u_done (
     .clk_i, .rst_ni, .push_i(done), .data_i(end_tested.ray),
     .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
+
+`ifndef SYNTHESIS
+  a_kept: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                           keep && node_rsp_valid_i |-> keep_ray != node_rsp_i.ray)
+    else $error("a ray's node is there before the ray");
+`endif
 
   logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
   logic [rc_pkg::FrameW-1:0] frame_flat;

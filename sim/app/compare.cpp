@@ -4,10 +4,13 @@
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
+#include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/compare/compare.hpp"
+#include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
+#include "sim/report_page/frame.hpp"
 
 namespace rayclock {
 
@@ -17,11 +20,14 @@ struct Options {
     std::vector<std::string> reports, figures;
     std::optional<std::string> max_worse;
     bool all = false;
+    std::string report;
     JsonOutput json;
 };
 
 void declare(Parser& parser, Options& o) {
-    parser.option("REPORT", o.reports, "reports that simulate or verify wrote with --json; two or more")
+    parser
+        .option("REPORT", o.reports,
+                "reports that simulate or verify wrote with --json, or simulate with --report; two or more")
         .required();
     parser.flag("--all", o.all, "print every figure that differs, and not only the thirty largest changes");
     parser.option("--max-worse", o.max_worse,
@@ -30,6 +36,9 @@ void declare(Parser& parser, Options& o) {
         "--figure", o.figures,
         "a figure that --max-worse looks at, with all below it; * is any one key; may be repeated. "
         "Without it: cycles and bytes of every clock, pixels with another primitive, PSNR, wrong pixels");
+    parser.option(
+        "--report", o.report,
+        "one HTML file: effects, and of pages of simulate the cycles that each pixel gained or lost");
     json_option(parser, o.json);
 }
 
@@ -38,9 +47,14 @@ int run(const Options& o) {
     if (!o.figures.empty() && !o.max_worse) throw UserError("--figure needs --max-worse");
     const double share = o.max_worse ? parse_percent("--max-worse", *o.max_worse, true) / 100 : 0;
     o.json.check();
+    if (!o.report.empty()) {
+        check_writable(o.report);
+        check_page_library();
+    }
     std::vector<NamedReport> reports;
     for (const std::string& file : o.reports) reports.push_back(read_report(file));
     const Comparison comparison = compare_reports(reports);
+    const std::optional<PixelChange> change = pixel_change(reports.front(), reports.back());
     const std::vector<std::string> figures =
         o.figures.empty()
             ? std::vector<std::string>{"clocks.*.cycles", "clocks.*.dram_bytes",
@@ -57,7 +71,19 @@ int run(const Options& o) {
                                      : fmt::format("  WORSE by more than {}: {}\n", *o.max_worse,
                                                    printable(fmt::format("{}", fmt::join(names, ", ")))));
     }
+    if (!o.report.empty()) {
+        std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
+        for (auto& version : versions()) origin.push_back(std::move(version));
+        write_bytes(o.report, comparison_page(reports, comparison, origin));
+    }
     nlohmann::ordered_json json = comparison_json(reports, comparison);
+    json["pixels"] = nullptr;
+    if (change)
+        json["pixels"] = {{"faster", change->faster},
+                          {"slower", change->slower},
+                          {"equal", change->equal},
+                          {"cycles_gained", change->gained},
+                          {"cycles_lost", change->lost}};
     json["worse"] = names;
     o.json.write(json);
     return bad.empty() ? 0 : 1;

@@ -4,10 +4,13 @@
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/compared.hpp"
+#include "sim/app/command_line.hpp"
+#include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
-#include "sim/explain/explain.hpp"
+#include "sim/explain/page.hpp"
+#include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
+#include "sim/report_page/frame.hpp"
 #include "sim/report/text.hpp"
 #include "sim/report/tables.hpp"
 
@@ -24,6 +27,7 @@ struct Options {
     TrafficOptions traffic;
     bool steps = false, no_reference = false, no_judge = false;
     int threads = 0;
+    std::string report;
     JsonOutput json;
 };
 
@@ -42,23 +46,8 @@ void declare(Parser& parser, Options& o) {
     judge_option(parser, o.no_judge);
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
+    parser.option("--report", o.report, "one HTML file: the rays' paths through the tree, and every step");
     json_option(parser, o.json);
-}
-
-ColourFinding colour_finding(const Compared& c, std::size_t pixel) {
-    ColourFinding found;
-    found.machine = c.picture.pixels[pixel];
-    found.reference = c.reference.pixels[pixel];
-    found.hit = c.hits.hits[pixel];
-    found.reference_hit = c.reference_hits.hits[pixel];
-    found.is_other = found.hit.primitive != found.reference_hit.primitive;
-    found.stages = c.stages;
-    if (!c.judgement) return found;
-    found.cause = c.judgement->pixels[pixel];
-    for (const PictureFault& fault : c.judgement->faults)
-        if (fault.x + std::size_t(fault.y) * std::size_t(c.hits.size.width) == pixel)
-            found.fault = fmt::format("ray {}: {}", fault.ray, fault.what);
-    return found;
 }
 
 nlohmann::ordered_json json_of(const Request& request, const FrameSize& size, const Explanation& e) {
@@ -81,6 +70,10 @@ int run(const Options& o) {
     const std::size_t pixel = parse_pixel(o.pixel, size);
     const Traffic traffic = traffic_of(o.traffic);
     o.json.check();
+    if (!o.report.empty()) {
+        check_writable(o.report);
+        check_page_library();
+    }
     const Progress progress = terminal_progress();
     const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
     const int khz = one_clock_of(o.clock, request.config);
@@ -105,7 +98,12 @@ int run(const Options& o) {
     }
     if (!o.json.is_alone())
         write_output(heading(request.scene, size, job) + "\n" + explanation_text(e, o.steps));
-    o.json.write(json_of(request, size, e));
+    const nlohmann::ordered_json json = json_of(request, size, e);
+    if (!o.report.empty())
+        write_bytes(o.report, explanation_page(
+                                  json, heading(request.scene, size, job) + "\n" + explanation_text(e, true),
+                                  e, {{"command", command_line()}}));
+    o.json.write(json);
     return 0;
 }
 

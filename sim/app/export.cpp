@@ -48,7 +48,8 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     check_rtl(request.config);
-    request.config.dram = 0;   // the bench has no other memory than the ideal one
+    set_parameter(request.config, "dram", "ideal", "export");   // the bench has no other memory
+    request.config.dram_channels = 1;
     const Job job =
         make_job(request.scene, *request.scene.camera, size, request.config, progress, request.settings);
     const std::string title = fmt::format("{}, {}x{}, on the chip '{}'", request.scene.name, size.width,

@@ -9,6 +9,7 @@
 #include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/fit_device.hpp"
 #include "sim/app/options.hpp"
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/report.hpp"
@@ -26,6 +27,7 @@ struct Options {
     std::optional<double> min_psnr;
     ConfigChoice config;
     ViewChoice view;
+    DeviceOptions device;
     int threads = 0;
     JsonOutput json;
 };
@@ -46,6 +48,7 @@ void declare(Parser& parser, Options& o) {
     size_option(parser, o.size);
     config_options(parser, o.config);
     parser.option("-o,--output", o.output, "configuration file to write").required();
+    device_options(parser, o.device);
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
@@ -108,6 +111,8 @@ struct Found {
     const Goal& goal;
     const Config& base;
     Fit fit;
+    Config config;   ///< what is written
+    std::optional<DeviceFit> device;
     Ranges ranges;
     std::size_t frames = 0;
     double seconds = 0;
@@ -118,7 +123,7 @@ void print(const Options& o, const Found& f) {
     fmt::print("{}, {} triangles, {}x{}: {}\n\n", f.scene.name, grouped(f.scene.triangles.size()),
                f.size.width, f.size.height, goal_text(f.goal));
     fmt::print("{}\n{}\n", parameter_table(f.fit, f.base), needs_text(f.fit, f.base, f.ranges));
-    fmt::print("{}\n", units_text(f.fit.config));
+    fmt::print("{}\n", units_text(f.config));
     fmt::print("{}\n", range_table(f.ranges));
     fmt::print(
         "  {} of {} pixels hold another primitive ({:.3f} %), PSNR {}; {:.1f} % more nodes and triangles "
@@ -126,6 +131,7 @@ void print(const Options& o, const Found& f) {
         grouped(result.other), grouped(result.pixels), result.other_percent(),
         std::isfinite(result.psnr_db) ? fmt::format("{:.1f} dB", result.psnr_db) : "infinite",
         100 * (double(result.work) / double(f.fit.widest.work) - 1));
+    if (f.device) fmt::print("\n{}\n", text(*f.device));
     fmt::print("  {} written after {} frames in {:.1f} s; rayclock verify {} --size {} --config {}\n",
                printable(o.output), f.frames, f.seconds, printable(o.scene), o.size,
                printable(o.output.find_first_of("./") == std::string::npos ? "./" + o.output : o.output));
@@ -134,22 +140,25 @@ void print(const Options& o, const Found& f) {
 nlohmann::ordered_json json_of(const Found& f) {
     const nlohmann::ordered_json psnr =
         f.goal.min_psnr ? nlohmann::ordered_json(*f.goal.min_psnr) : nlohmann::ordered_json(nullptr);
-    return {{"scene", scene_json(f.scene)},
-            {"frame", {{"width", f.size.width}, {"height", f.size.height}}},
-            {"bounds",
-             {{"max_error_percent", f.goal.max_error},
-              {"min_psnr_db", psnr},
-              {"max_work_percent", f.goal.max_work}}},
-            {"config", config_json_object(f.fit.config)},
-            {"parameters", parameters_json(f.fit, f.base)},
-            {"error", outcome_json(f.fit.outcome)},
-            {"widest", outcome_json(f.fit.widest)},
-            {"compile", compile_json(f.fit.outcome.compile)},
-            {"needs", needs_json(f.fit, f.ranges)},
-            {"units", units_json(f.fit.config)},
-            {"cost", {{"fitted", cost_json(f.fit.cost)}, {"base", cost_json(f.fit.base_cost)}}},
-            {"ranges", ranges_json(f.ranges)},
-            {"host", {{"seconds", f.seconds}, {"frames", f.frames}}}};
+    nlohmann::ordered_json report{
+        {"scene", scene_json(f.scene)},
+        {"frame", {{"width", f.size.width}, {"height", f.size.height}}},
+        {"bounds",
+         {{"max_error_percent", f.goal.max_error},
+          {"min_psnr_db", psnr},
+          {"max_work_percent", f.goal.max_work}}},
+        {"config", config_json_object(f.config)},
+        {"parameters", parameters_json(f.fit, f.base)},
+        {"error", outcome_json(f.fit.outcome)},
+        {"widest", outcome_json(f.fit.widest)},
+        {"compile", compile_json(f.fit.outcome.compile)},
+        {"needs", needs_json(f.fit, f.ranges)},
+        {"units", units_json(f.fit.config)},
+        {"cost", {{"fitted", cost_json(f.fit.cost)}, {"base", cost_json(f.fit.base_cost)}}},
+        {"ranges", ranges_json(f.ranges)},
+        {"host", {{"seconds", f.seconds}, {"frames", f.frames}}}};
+    if (f.device) report["device"] = json(*f.device);
+    return report;
 }
 
 /// The search, and the sentence if it finds nothing.
@@ -174,6 +183,7 @@ int run(const Options& o) {
     catch_interrupts();
     const FrameSize size = parse_size(o.size);
     const Goal goal = goal_of(o);
+    const std::optional<DeviceGoal> on_device = device_goal(o.device);
     const Config base = load_config(o.config);
     if (base.test() != PrimitiveTest::exact)
         throw UserError("fit: primitive_test must be exact, not " +
@@ -192,18 +202,21 @@ int run(const Options& o) {
     Measure measure(scene, size, o.threads);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);
-    const Job job = make_job(scene, *scene.camera, size, fit.config);
-    const Ranges ranges = prove_ranges(job.image, job.frame, fit.config);
+    std::optional<DeviceFit> device;
+    if (on_device) device = fit_device(*on_device, scene, size, fit.config, o.threads, progress);
+    const Config& config = device ? device->config : fit.config;
+    const Job job = make_job(scene, *scene.camera, size, config);
+    const Ranges ranges = prove_ranges(job.image, job.frame, config);
     if (progress) progress("fit", 1, 1);
     if (!ranges.proven())
         throw std::logic_error("a signal of the fitted machine may overflow:\n" + range_table(ranges));
-    write_file(o.output, config_json_object(fit.config).dump(2) + "\n");
+    write_file(o.output, config_json_object(config).dump(2) + "\n");
 
     const double seconds = watch.seconds();
-    const Found found{scene, size, goal, base, fit, ranges, measure.done(), seconds};
+    const Found found{scene, size, goal, base, fit, config, device, ranges, measure.done(), seconds};
     if (!o.json.is_alone() && o.output != "-") print(o, found);
     o.json.write(json_of(found));
-    return 0;
+    return device && device->routed && !device->routed->fits() ? 1 : 0;
 }
 
 }   // namespace

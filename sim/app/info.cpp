@@ -41,8 +41,9 @@ int list_scenes(const SceneListOptions& o) {
     }
     if (!o.json.is_alone())
         fmt::print(
-            "{}\nUse as name or name:size, for example gears:8. Files: .obj .ply .stl .glb .gltf, or a .json "
-            "scene "
+            "{}\nUse as name or name:size, for example gears:8. Files: .obj .ply .stl .off .3ds .dae .glb "
+            ".gltf, "
+            "each also compressed as .gz, or a .json scene "
             "(scenes/README.md).\n",
             table.text(0));
     o.json.write(json);

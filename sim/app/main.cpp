@@ -27,11 +27,11 @@ struct Added {
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (Command (*make)() :
-         {scenes_command,   render_command,    simulate_command, verify_command, explain_command,
-          trace_command,    compare_command,   stress_command,   sweep_command,  fit_command,
-          tradeoff_command, yardstick_command, figures_command,  counts_command, structures_command,
-          area_command,     chip_command,      bench_command,    export_command, config_command,
-          rtl_command,      doctor_command})
+         {scenes_command,     render_command,    simulate_command,  verify_command,  explain_command,
+          trace_command,      compare_command,   stress_command,    sweep_command,   merge_command,
+          fit_command,        tradeoff_command,  yardstick_command, figures_command, counts_command,
+          structures_command, gigahertz_command, area_command,      chip_command,    bench_command,
+          export_command,     config_command,    rtl_command,       doctor_command})
         all.push_back(make());
     return all;
 }
@@ -58,7 +58,7 @@ constexpr const char* help_footer =
     "or ~/.cache/rayclock\n"
     "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
-    "  RAYCLOCK_VEGA   folder with Vega's modules for simulate --report; otherwise that of Debian's "
+    "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's "
     "libjs-vega\n"
     "For packages: rayclock --print man, or bash, zsh, fish: the manual page, and what shells complete\n"
     "Start with: rayclock verify gears:4 -o out";

@@ -1,6 +1,7 @@
 #include "sim/app/options.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -13,9 +14,10 @@
 namespace rayclock {
 
 Declared scene_option(Parser& parser, std::string& scene) {
-    return parser.option(
-        "SCENE", scene,
-        "a built-in name with an optional size (gears:8), or a file (.obj .ply .stl .glb .gltf .json)");
+    return parser.option("SCENE", scene,
+                         "a built-in name with an optional size (gears:8), or a file (.obj .ply .stl .off "
+                         ".3ds .dae .glb .gltf, "
+                         "these also .gz, .json)");
 }
 
 void size_option(Parser& parser, std::string& size) {
@@ -99,6 +101,8 @@ std::vector<Camera> camera_path(const FramesOptions& o, const Camera& camera) {
         throw UserError(fmt::format("--frames must lie in 1..1000, not {}", o.frames));
     if (!(std::abs(o.pan) <= 360))
         throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", o.pan));
+    if (o.pan != 0 && o.frames == 1)
+        std::fprintf(stderr, "rayclock: note: --pan has no effect with --frames 1\n");
     std::vector<Camera> path;
     for (int i = 0; i < o.frames; ++i) {
         // Rodrigues' rotation of the view direction about the up axis.

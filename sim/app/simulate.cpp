@@ -13,7 +13,7 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/compared.hpp"
+#include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
 #include "sim/cause/finished.hpp"
@@ -22,6 +22,7 @@
 #include "sim/report/accounts.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/report_page/frame.hpp"
 #include "sim/report_page/page.hpp"
 #include "sim/jobs/threads.hpp"
 
@@ -231,12 +232,13 @@ nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulat
 }
 
 /// The last frame at the first clock again, watched.
-FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, const Progress& progress) {
+FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, EventSink* sink,
+                       const Progress& progress) {
     constexpr std::uint64_t windows = 100;
     const ClockRun& run = s.runs[0];
     const std::uint64_t window = (run.last().cycles + windows - 1) / windows;
     FrameCosts costs = observe(work.request.config, run.khz, s.traces, traffic,
-                               std::max<std::uint64_t>(1, window), nullptr, progress);
+                               std::max<std::uint64_t>(1, window), sink, progress);
     if (!costs.partial && (costs.cycles != run.last().cycles || costs.accounts != run.last().accounts))
         throw std::runtime_error("the watched frame is not the frame that was simulated");
     return costs;
@@ -266,8 +268,36 @@ std::string write_pictures(const Options& o, const Work& work, const Simulated& 
     return picture_paths(o.output, all);
 }
 
+using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
+
+/// What explain says of the slowest pixels: a second frame, of these alone, tells when each step was.
+Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& costs, Traffic traffic,
+                      const Progress& progress) {
+    constexpr std::size_t most_bytes = 4 << 20;   // in a finished picture a pixel may have thousands of rays
+    const Config& config = work.request.config;
+    const int khz = s.runs[0].khz;
+    const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);
+    PixelsEvents events(pixels);
+    watch_frame(work, s, traffic, &events, progress);
+    Texts texts;
+    std::size_t bytes = 0;
+    for (const std::uint32_t pixel : pixels) {
+        if (interrupted() || bytes > most_bytes) break;
+        if (progress) progress("explaining", texts.size(), pixels.size());
+        PixelEvents alone{0};
+        observe_alone(config, khz, s.traces.back(), pixel, &alone);
+        Explanation e{
+            config, costs, khz, tell(work.job, s.traces.back(), costs, events.of(pixel), alone), {}};
+        if (s.compared) e.colour = colour_finding(*s.compared, pixel);
+        texts.emplace_back(pixel, explanation_text(e, false));
+        bytes += texts.back().second.size();
+    }
+    if (progress) progress("explaining", pixels.size(), pixels.size());
+    return texts;
+}
+
 void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
-                  const nlohmann::ordered_json& json) {
+                  const Texts& texts, const nlohmann::ordered_json& json) {
     const Request& request = work.request;
     const Picture picture = picture_of(work, s);
     const Picture* reference = s.compared ? &s.compared->reference : nullptr;
@@ -276,7 +306,7 @@ void write_report(const Options& o, const Work& work, const Simulated& s, const 
     for (auto& version : versions()) origin.push_back(std::move(version));
     origin.emplace_back("digest of pixels and cycles", json.at("digest").get<std::string>());
     write_bytes(o.report, report_page({json, request.config, s.runs[0].khz, s.runs[0].last(), costs, picture,
-                                       reference, judgement, explain_line(s.runs[0].khz), origin}));
+                                       reference, judgement, explain_line(s.runs[0].khz), texts, origin}));
 }
 
 int run(const Options& o) {
@@ -308,9 +338,11 @@ int run(const Options& o) {
     if (!o.json.is_alone()) print(work, simulated, totals, seconds);
     nlohmann::ordered_json json = json_of(o, work, simulated, totals);
     if (!o.report.empty() && !simulated.partial) {
-        const FrameCosts costs = watch_frame(work, simulated, traffic, progress);
+        const FrameCosts costs = watch_frame(work, simulated, traffic, nullptr, progress);
         json["work_by_kind"] = work_by_kind_json(costs);
-        write_report(o, work, simulated, costs, json);
+        if (!costs.partial)
+            write_report(o, work, simulated, costs,
+                         explain_slowest(work, simulated, costs, traffic, progress), json);
         if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
     }
     if (!o.output.empty() && !simulated.partial) {

@@ -24,6 +24,7 @@ bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }
 bool has_boxes(const Config& c) { return c.is_bvh(); }
 bool has_treelets(const Config& c) { return c.has_treelets(); }
+bool has_globes(const Config& c) { return c.has_globes(); }
 
 }   // namespace
 
@@ -59,12 +60,14 @@ std::vector<Variant> variants_of(const Config& base) {
 }
 
 const std::vector<UnitRow>& unit_rows() {
-    static const std::vector<UnitRow> rows{
-        {"sched", true, always},         {"raygen", true, always},     {"trav", true, has_nodes},
-        {"node_cache", true, has_nodes}, {"box", true, has_boxes},     {"treelet", true, has_treelets},
-        {"none", true, lists},           {"list", true, always},       {"prim_cache", true, always},
-        {"tri", true, always},           {"surf_cache", true, shades}, {"shade", true, shades},
-        {"dispatch", false, always},     {"arbiter", false, always},   {"l2", false, has_l2}};
+    static const std::vector<UnitRow> rows{{"sched", true, always},     {"raygen", true, always},
+                                           {"trav", true, has_nodes},   {"node_cache", true, has_nodes},
+                                           {"box", true, has_boxes},    {"treelet", true, has_treelets},
+                                           {"globe", true, has_globes}, {"none", true, lists},
+                                           {"list", true, always},      {"prim_cache", true, always},
+                                           {"tri", true, always},       {"surf_cache", true, shades},
+                                           {"shade", true, shades},     {"dispatch", false, always},
+                                           {"arbiter", false, always},  {"l2", false, has_l2}};
     return rows;
 }
 

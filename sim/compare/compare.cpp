@@ -68,8 +68,24 @@ Difference difference_of(const std::string& name, std::vector<std::optional<doub
 
 }   // namespace
 
+namespace {
+
+/// The JSON in a script element of a page.
+std::string element_of(const std::string& file, const std::string& page, const std::string& id) {
+    const std::string head = "<script type=\"application/json\" id=\"" + id + "\">";
+    const std::size_t begin = page.find(head);
+    if (begin == page.npos)
+        throw UserError(printable(file) + " is no report of simulate: it is a page of something else");
+    const std::size_t end = page.find("</script>", begin);
+    return page.substr(begin + head.size(), end == page.npos ? end : end - begin - head.size());
+}
+
+}   // namespace
+
 NamedReport read_report(const std::string& file) {
-    const json report = parse_json(file, read_file(file));
+    const std::string text = read_file(file);
+    const bool is_page = text.starts_with("<!DOCTYPE html>");
+    const json report = parse_json(file, is_page ? element_of(file, text, "report") : text);
     const auto refuse = [&](const std::string& what) {
         throw UserError(printable(file) + " is no report of simulate or verify: " + what);
     };
@@ -77,7 +93,7 @@ NamedReport read_report(const std::string& file) {
     for (const char* key : {"scene", "config", "frame", "clocks", "units", "memory", "digest"})
         if (!report.contains(key)) refuse(fmt::format("it has no key '{}'", key));
     if (!report["clocks"].is_array() || report["clocks"].empty()) refuse("it has no clock");
-    return {file, report};
+    return {file, report, is_page ? parse_json(file, element_of(file, text, "data")) : json()};
 }
 
 int direction_of(const std::string& figure) {

@@ -11,8 +11,10 @@ namespace rayclock {
 struct NamedReport {
     std::string file;
     nlohmann::json report;
+    nlohmann::json page;   ///< of an HTML report: its figures of every pixel; else null
 };
-/// Reads one. Throws UserError if it is no report with the keys that a comparison needs.
+/// Reads one, JSON or a page of simulate. Throws UserError if it is no report with the keys that a comparison
+/// needs.
 NamedReport read_report(const std::string& file);
 
 enum class Verdict : std::uint8_t { none, better, worse };
@@ -31,6 +33,14 @@ struct Comparison {
     /// Words that differ, and all parameters of the configuration: key, and what each report has.
     std::vector<std::pair<std::string, std::vector<std::string>>> settings;
 };
+/// Cycles of pixels, the last report's against the first's.
+struct PixelChange {
+    std::uint64_t faster = 0, slower = 0, equal = 0;   ///< pixels
+    std::uint64_t gained = 0, lost = 0;                ///< cycles, in the faster and the slower ones
+};
+/// Nothing unless both reports are pages of frames of one size. Throws UserError if a page is broken.
+std::optional<PixelChange> pixel_change(const NamedReport& first, const NamedReport& last);
+
 Comparison compare_reports(const std::vector<NamedReport>& reports);
 
 /// Whether more or less of a figure is better, or neither.
@@ -44,5 +54,9 @@ std::vector<Difference> beyond(const Comparison& comparison, const std::vector<s
 std::string comparison_text(const std::vector<NamedReport>& reports, const Comparison& comparison,
                             std::size_t most);
 nlohmann::ordered_json comparison_json(const std::vector<NamedReport>& reports, const Comparison& comparison);
+
+/// As one HTML file. Throws UserError if the library that draws its charts is not installed.
+std::string comparison_page(const std::vector<NamedReport>& reports, const Comparison& comparison,
+                            const std::vector<std::pair<std::string, std::string>>& origin);
 
 }   // namespace rayclock

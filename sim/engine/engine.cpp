@@ -26,13 +26,14 @@ std::string with_rate(const char* machine, std::uint64_t cycles, const Stopwatch
 }   // namespace
 
 void check_capacity(const MemoryImage& image, const Config& config) {
-    if (config.dram == 0) return;
-    const DramPart& part = dram_part(dram_names()[std::size_t(config.dram)]);
-    if (std::int64_t(image.report.bytes) > capacity_bytes(part))
+    const DramPart* part = config.dram_part();
+    if (!part) return;
+    const std::int64_t capacity = capacity_bytes(*part) * config.dram_channels;
+    if (std::int64_t(image.report.bytes) > capacity)
         throw UserError(fmt::format(
             "the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} "
             "holds it",
-            image.report.bytes, part.name, capacity_bytes(part),
+            image.report.bytes, part->name, capacity,
             std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
@@ -243,9 +244,8 @@ std::uint64_t digest_of(const std::vector<Closest>& hits, std::uint64_t cycles, 
 
 std::uint64_t patience(const Config& config, int khz, const Traffic& traffic) {
     std::uint64_t cycles = std::uint64_t(config.mem_latency + config.mem_interval);
-    if (config.dram != 0)
-        cycles += std::uint64_t(longest_pause_ps(dram_part(dram_names()[std::size_t(config.dram)]))) *
-                  std::uint64_t(khz) / 1'000'000'000;
+    if (const DramPart* part = config.dram_part())
+        cycles += std::uint64_t(longest_pause_ps(*part)) * std::uint64_t(khz) / 1'000'000'000;
     return 20000 + 10 * (cycles + std::uint64_t(traffic.jitter));
 }
 

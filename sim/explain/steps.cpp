@@ -10,6 +10,7 @@ Step::Kind kind_of(const Stay& stay) {
         case Unit::trav:
         case Unit::node_cache:
         case Unit::treelet:
+        case Unit::globe:
         case Unit::box: return Step::Kind::visit;
         case Unit::list:
         case Unit::prim_cache:
@@ -25,14 +26,18 @@ bool has(const Step& step, Unit unit) {
 }
 
 /// The unit that decides a node has had it.
-bool decides(const Step& step) { return has(step, Unit::box) || has(step, Unit::treelet); }
+bool decides(const Step& step) {
+    for (const Stay* stay : step.stays)
+        if (decides_nodes(Unit(stay->place))) return true;
+    return false;
+}
 
 /// A stay that begins a new step: another kind; a node after a node; a primitive after a primitive, unless
 /// list only says that there is none left.
 bool begins(const Step& step, const Stay& stay, const Stay* next) {
     if (step.kind != kind_of(stay)) return true;
     if (stay.place == index(Unit::trav) && decides(step)) {
-        const bool answered = stay.by == Link::box_rsp || stay.by == Link::treelet_rsp;
+        const bool answered = tells_of_node(stay.by);
         return !answered || !next || next->by != Link::leaves;
     }
     return stay.place == index(Unit::list) && has(step, Unit::tri) && next && next->by == Link::prim_req;

@@ -206,7 +206,7 @@ docs/chip.md describes the registers, the memory image, the ports and their prot
 Export make_export(const Job& job, const std::string& title, const std::string& command,
                    const Progress& progress) {
     check_rtl(job.config);
-    if (job.config.dram != 0) throw std::logic_error("an export's memory is the ideal one");
+    if (job.config.dram_part()) throw std::logic_error("an export's memory is the ideal one");
     Export result;
     const auto add = [&](const std::string& name, std::string bytes) {
         result.files.push_back({name, std::move(bytes)});

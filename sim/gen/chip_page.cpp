@@ -129,6 +129,7 @@ std::map<std::string, std::string> tables() {
             {"hit_t that is shaded", layout<HitOut>(all)},
             {"node", layout<Node>(plain)},
             {"treelet", layout<Treelet>(plain)},
+            {"globes", layout<GlobeNode>(plain)},
             {"primitive", layout<PrimData>(plain)},
             {"primitive of several kinds", layout<PrimData>(all)},
             {"surface", layout<Surface>(all)},

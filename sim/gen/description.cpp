@@ -16,6 +16,7 @@ const char* when_text(When when) {
         case When::nodes: return "`structure` is not none";
         case When::boxes: return "`structure` is bvh";
         case When::treelets: return "`structure` is kd or octree";
+        case When::globes: return "`structure` is spheres";
         default: return "always";
     }
 }

@@ -10,6 +10,7 @@
 #include "model/core/stages.hpp"
 #include "model/mem/cache.hpp"
 #include "model/shade/state.hpp"
+#include "model/globe/tables.hpp"
 #include "model/shade/tables.hpp"
 #include "sim/gen/registers.hpp"
 
@@ -95,8 +96,8 @@ std::string camel(std::string_view name) {
 
 /// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
 bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits", "straddlers",  "leaf_size",
-                                "dram",        "mem_latency", "mem_interval"};
+    constexpr std::array others{"origin_bits",   "straddlers",  "leaf_size",   "dram",
+                                "dram_channels", "mem_latency", "mem_interval"};
     return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
 }
 
@@ -211,8 +212,14 @@ void derived(Package& p, const Config& c) {
     p.constant("ExpBits", exp_bits);
     p.constant("OffsetBits", offset_bits);
     p.constant("CountBits", count_bits);
-    p.constant("NodeBits", c.has_treelets() ? bits_of<Treelet>(c) : bits_of<Node>(c));
-    p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c) : bits_of<BoxReq>(c));
+    p.constant("GlobeBits", globe_bits);
+    p.constant("TowardBits", toward_bits);
+    p.constant("NodeBits", c.has_treelets() ? bits_of<Treelet>(c)
+                           : c.has_globes() ? bits_of<GlobeNode>(c)
+                                            : bits_of<Node>(c));
+    p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c)
+                              : c.has_globes() ? bits_of<GlobeReq>(c)
+                                               : bits_of<BoxReq>(c));
     p.constant("NodePlanes", c.planes_of_node());
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
@@ -228,6 +235,7 @@ void derived(Package& p, const Config& c) {
     p.constant("RankStages", stages.rank);
     p.constant("PlaneStages", stages.plane);
     p.constant("ExitStages", stages.exits);
+    p.constant("GlobeStages", stages.globe);
     p.constant("QuotientBits", stages.quotient_bits);
     p.constant("CrossShare", stages.cross_share);
     p.constant("DotShare", stages.dot_share);
@@ -244,6 +252,7 @@ void derived(Package& p, const Config& c) {
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
     p.constant("TreeletLatency", c.treelet_latency());
+    p.constant("GlobeLatency", c.globe_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
@@ -253,7 +262,10 @@ void derived(Package& p, const Config& c) {
 void enumerations(Package& p) {
     p.say("What holds the scene.");
     p.enumeration<Structure>("structure_e", "Structure", 32,
-                             {{"Bvh", Structure::bvh}, {"Kd", Structure::kd}, {"None", Structure::none}});
+                             {{"Bvh", Structure::bvh},
+                              {"Kd", Structure::kd},
+                              {"None", Structure::none},
+                              {"Spheres", Structure::spheres}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
     p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
                            {{"Camera", RayKind::camera},
@@ -303,6 +315,9 @@ std::string rc_package(const Config& config) {
     p.table("InverseRoot", inverse_root_table(), root_value_bits, root_step_bits);
     p.table("Log", log_table(), log_value_bits, log_step_bits);
     p.table("Exp", exp_table(), exp_value_bits, exp_step_bits);
+    p.say("Tables of the unit globe: model/globe/tables.hpp.");
+    p.table("NearInverse", near_inverse_table(), near_inverse_bits, near_inverse_step_bits);
+    p.table("RootUp", root_up_table(), root_up_bits, 0);
     p.text(host_constants(config));
     p.say("What the links carry: model/core/links.hpp.");
     p.links();
@@ -320,6 +335,7 @@ std::string rc_package(const Config& config) {
     p.say("What lies in lines of memory, in their lowest bits: model/core/lines.hpp, docs/chip.md.");
     p.record<Node>("node");
     p.record<Treelet>("treelet");
+    p.record<GlobeNode>("globe_node");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
     return std::move(p).end();

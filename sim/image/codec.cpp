@@ -95,7 +95,39 @@ Picture decode(const std::string& path) {
     return picture;
 }
 
+/// Row by row, so that a large picture takes little memory; sums in the order of the rows.
+glm::vec4 average(const std::string& bytes) {
+    const bool is_png = bytes.starts_with("\x89PNG"), is_jpeg = bytes.starts_with("\xff\xd8");
+    if (!is_png && !is_jpeg) throw std::runtime_error("it is neither PNG nor JPEG");
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    const auto input = OIIO::ImageInput::create(is_png ? "png" : "jpeg");
+    if (!input || !input->set_ioproxy(&memory)) throw std::runtime_error(OIIO::geterror());
+    OIIO::ImageSpec spec, wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(is_png ? "texture.png" : "texture.jpg", spec, wish))
+        throw std::runtime_error(input->geterror());
+    constexpr std::int64_t most_texels = std::int64_t{1} << 26;
+    if (std::int64_t{spec.width} * spec.height > most_texels)
+        throw std::runtime_error(std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                                 " texels are too many");
+    const int channels = spec.nchannels;
+    std::vector<float> row(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels));
+    double sum[4] = {};
+    for (int y = 0; y < spec.height; ++y) {
+        if (!input->read_scanline(y, 0, OIIO::TypeFloat, row.data()))
+            throw std::runtime_error(input->geterror());
+        for (int x = 0; x < spec.width; ++x) {
+            const float* texel = &row[static_cast<std::size_t>(x * channels)];
+            for (int c = 0; c < 3; ++c) sum[c] += linear_from_srgb(texel[channels >= 3 ? c : 0]);
+            sum[3] += channels == 4 ? texel[3] : channels == 2 ? texel[1] : 1;
+        }
+    }
+    const double texels = double(spec.width) * spec.height;
+    return {float(sum[0] / texels), float(sum[1] / texels), float(sum[2] / texels), float(sum[3] / texels)};
+}
+
 }   // namespace
 }   // namespace rayclock
 
-extern "C" const rayclock::PictureCodec rayclock_picture_codec{rayclock::encode, rayclock::decode};
+extern "C" const rayclock::PictureCodec rayclock_picture_codec{rayclock::encode, rayclock::decode,
+                                                               rayclock::average};

@@ -4,6 +4,8 @@
 // picture is read or written.
 #include <string>
 
+#include <glm/vec4.hpp>
+
 #include "model/shade/shade.hpp"
 
 namespace rayclock {
@@ -14,6 +16,8 @@ struct PictureCodec {
     std::string (*encode)(const char* plugin, const Picture& picture, const HitFrame& hits);
     /// Throws std::runtime_error with the reason.
     Picture (*decode)(const std::string& path);
+    /// See average_colour(). Throws std::runtime_error with the reason.
+    glm::vec4 (*average)(const std::string& bytes);
 };
 
 /// Throws UserError if the library is missing.

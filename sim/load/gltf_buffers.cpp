@@ -151,17 +151,37 @@ std::string_view GltfBuffers::buffer(std::uint64_t index) {
     return bytes.substr(0, length);
 }
 
+std::string_view GltfBuffers::view(const JsonValue& entry) {
+    constexpr std::uint64_t far = std::uint64_t{1} << 40;
+    const std::string_view all = buffer(entry.at("buffer").whole(inside_.size()));
+    const std::uint64_t offset = entry.whole_or("byteOffset", far, 0),
+                        length = entry.at("byteLength").whole(far);
+    if (offset > all.size() || length > all.size() - offset)
+        entry.refuse(
+            fmt::format("ends at byte {}, beyond its buffer of {} bytes", offset + length, all.size()));
+    return all.substr(offset, length);
+}
+
+std::string GltfBuffers::image(std::uint64_t index) {
+    const JsonValue entry = document_.at("images")[index];
+    if (const auto uri = entry.find("uri")) {
+        const std::string text = uri->string();
+        const std::size_t comma = text.find(";base64,");
+        if (!text.starts_with("data:")) return std::string(file(*uri, decode_percent(text)));
+        if (comma == text.npos) uri->expected("base64 data or the name of a file");
+        return decode_base64(std::string_view(text).substr(comma + 8), *uri);
+    }
+    const JsonValue views = document_.at("bufferViews").array();
+    return std::string(view(views[entry.at("bufferView").whole(views.size())]));
+}
+
 std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element,
                                     std::uint64_t& stride) {
     constexpr std::uint64_t far = std::uint64_t{1} << 40;
     const JsonValue views = document_.at("bufferViews").array();
     const JsonValue view = views[accessor.at("bufferView").whole(views.size())];
-    const std::string_view all = buffer(view.at("buffer").whole(inside_.size()));
-    const std::uint64_t offset = view.whole_or("byteOffset", far, 0),
-                        length = view.at("byteLength").whole(far);
-    if (offset > all.size() || length > all.size() - offset)
-        view.refuse(
-            fmt::format("ends at byte {}, beyond its buffer of {} bytes", offset + length, all.size()));
+    const std::string_view bytes = this->view(view);
+    const std::uint64_t length = bytes.size();
     stride = view.whole_or("byteStride", 256, 0);
     if (stride == 0) stride = element;
     if (stride < element)
@@ -169,7 +189,7 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
     const std::uint64_t start = accessor.whole_or("byteOffset", far, 0);
     const std::uint64_t needed = start + (count - 1) * stride + element;
     if (needed > length) accessor.refuse(fmt::format("needs {} bytes of a view of {}", needed, length));
-    return all.substr(offset + start, length - start);
+    return bytes.substr(start);
 }
 
 std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) {

@@ -27,9 +27,12 @@ public:
 
     /// All components one after the other, integers as they are or scaled if normalised. `width` is 1 or 3.
     std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
+    /// The bytes of a picture of the document's list `images`.
+    std::string image(std::uint64_t index);
 
 private:
     std::string_view buffer(std::uint64_t index);
+    std::string_view view(const JsonValue& entry);   ///< all bytes of a buffer's view
     std::string_view file(const JsonValue& uri, const std::string& name);
     std::string_view slice(const JsonValue& accessor, std::uint64_t count, std::uint64_t element,
                            std::uint64_t& stride);

@@ -13,7 +13,7 @@ float single(double x) { return static_cast<float>(x); }
 /// True if the object itself says how to find a texture.
 bool names_texture(const JsonValue& in) {
     for (const auto& [key, ignored] : in.object().raw().items())
-        if (key.ends_with("Texture")) return true;
+        if (key.ends_with("Texture") && key != "baseColorTexture") return true;
     return false;
 }
 
@@ -46,10 +46,12 @@ GltfMaterial gltf_material(const JsonValue& in, std::size_t number) {
         surface.metal = single(pbr->number_or("metallicFactor", 1));
         surface.rough = single(pbr->number_or("roughnessFactor", 1));
         out.has_textures = out.has_textures || names_texture(*pbr);
+        out.base_texture = pbr->find("baseColorTexture");
     }
     // Only blending makes a surface show what is behind it.
     const auto mode = in.find("alphaMode");
-    if (!mode || mode->string() != "BLEND") surface.colour.a = 1;
+    out.blends = mode && mode->string() == "BLEND";
+    if (!out.blends) surface.colour.a = 1;
     if (const auto given = in.find("extensions")) {
         if (const auto transmission = given->find("KHR_materials_transmission"))
             surface.transmission = single(transmission->number_or("transmissionFactor", 0));

@@ -11,7 +11,9 @@ namespace rayclock {
 struct GltfMaterial {
     std::string name;
     GltfSurface surface;
-    bool has_textures = false;
+    bool blends = false;                     ///< its opacity counts
+    bool has_textures = false;               ///< others than that of the base colour
+    std::optional<JsonValue> base_texture;   ///< how the file names that of the base colour
 };
 GltfMaterial gltf_material(const JsonValue& in, std::size_t number);
 

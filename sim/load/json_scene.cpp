@@ -297,7 +297,10 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
     if (extension(path) == "json")
         return known_[real.string()] =
                    std::make_shared<PlacedScene>(json(path, loading_.read(path, from.where())).scene);
-    if (!is_mesh_file(path)) from.expected("a file of the kind .obj, .ply, .stl, .glb, .gltf or .json");
+    if (!is_mesh_file(path))
+        from.expected(
+            "a file of the kind .obj, .ply, .stl, .off, .3ds, .dae, .glb, .gltf (with .gz or without) or "
+            ".json");
     return part = std::make_shared<PlacedScene>(
                PlacedScene{load_mesh_file(path, loading_, from.where()), {}, {}});
 }

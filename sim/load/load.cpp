@@ -7,6 +7,7 @@
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 #include "sim/files/input.hpp"
+#include "sim/image/average.hpp"
 #include "sim/load/json_scene.hpp"
 #include "sim/load/lights.hpp"
 #include "sim/load/mesh_file.hpp"
@@ -31,7 +32,9 @@ JsonLoad load_file(const std::string& spec, Loading& loading) {
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
     read_file(path);   // a directory or an unreadable file gets its own sentence
     Place{spec}.refuse(
-        "is not a kind of file that can be loaded (.obj .ply .stl .glb .gltf .json), nor a built-in scene");
+        "is not a kind of file that can be loaded (.obj .ply .stl .off .3ds .dae .glb .gltf, these also with "
+        ".gz "
+        "behind, .json), nor a built-in scene");
 }
 
 /// What was asked for, and whether the lights in it are all there shall be.
@@ -45,7 +48,7 @@ JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& 
 /// `finish` makes of the load what is asked for.
 template <class Finish> auto loaded(const std::string& spec, const Progress& progress, Primitives primitives,
                                     std::vector<std::string>* notes, const Finish& finish) {
-    Loading loading(progress);
+    Loading loading(progress, {}, average_colour);
     try {
         auto made = finish(load_anything(spec, primitives, loading));
         if (notes) *notes = loading.notes();

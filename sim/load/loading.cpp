@@ -1,6 +1,7 @@
 #include "sim/load/loading.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,19 @@ bool Loading::may_make(std::uint64_t bytes) {
     if (bytes > most() - std::min(most(), made_)) return false;
     made_ += bytes;
     return true;
+}
+
+std::optional<glm::vec4> Loading::average(const std::string& bytes, std::string& why) const {
+    if (!average_) {
+        why = "pictures are not read here";
+        return std::nullopt;
+    }
+    try {
+        return average_(bytes);
+    } catch (const std::runtime_error& error) {
+        why = printable(error.what(), 200);
+        return std::nullopt;
+    }
 }
 
 bool Loading::may_make(const Scene& part) { return may_make(bytes_of(part)); }

@@ -3,9 +3,13 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
+
+#include <glm/vec4.hpp>
 
 #include "model/base/progress.hpp"
 #include "model/scene/placed.hpp"
@@ -26,11 +30,15 @@ struct Allowance {
     std::uint64_t least = least_allowance, for_a_byte = bytes_for_a_byte;
 };
 
+/// The mean of a picture's texels, linear red, green and blue and opacity, from the bytes of its file. Throws
+/// std::runtime_error with the reason if it cannot be read.
+using AverageColour = std::function<glm::vec4(const std::string& bytes)>;
+
 class Loading {
 public:
     /// `progress` must outlive it.
-    explicit Loading(const Progress& progress, Allowance allowance = {})
-        : progress_(progress), allowance_(allowance) {}
+    explicit Loading(const Progress& progress, Allowance allowance = {}, AverageColour average = {})
+        : progress_(progress), allowance_(allowance), average_(std::move(average)) {}
     const Progress& progress() const { return progress_; }
     void tell(std::string_view what, std::uint64_t done, std::uint64_t total) const {
         if (progress_) progress_(what, done, total);
@@ -38,6 +46,9 @@ public:
 
     /// A whole file; its size counts for the allowance.
     std::string read(const std::filesystem::path& path, const std::string& asked_by = {});
+
+    /// The mean of a texture; nothing, with the reason in `why`, if it cannot be had.
+    std::optional<glm::vec4> average(const std::string& bytes, std::string& why) const;
 
     /// Before so many bytes are made: false if that is more than the files allow. Refuse by the sentence
     /// too_much().
@@ -55,6 +66,7 @@ private:
 
     const Progress& progress_;
     Allowance allowance_;
+    AverageColour average_;
     std::uint64_t read_ = 0, made_ = 0;
     std::vector<std::string> notes_;
     std::unordered_set<std::string> noted_;   ///< the same, to be searched

@@ -4,6 +4,7 @@
 
 #include "sim/files/input.hpp"
 #include "sim/files/text.hpp"
+#include "sim/load/gunzip.hpp"
 #include "sim/load/triangulate.hpp"
 
 namespace rayclock {
@@ -12,18 +13,21 @@ namespace {
 using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 
 const std::map<std::string, Read>& formats() {
-    static const std::map<std::string, Read> all{
-        {"obj", read_obj}, {"ply", read_ply}, {"stl", read_stl}, {"glb", read_gltf}, {"gltf", read_gltf}};
+    static const std::map<std::string, Read> all{{"obj", read_obj},  {"ply", read_ply},  {"stl", read_stl},
+                                                 {"off", read_off},  {"3ds", read_3ds},  {"dae", read_dae},
+                                                 {"glb", read_gltf}, {"gltf", read_gltf}};
     return all;
 }
 
 }   // namespace
 
-bool is_mesh_file(const std::filesystem::path& path) { return formats().contains(extension(path)); }
+bool is_mesh_file(const std::filesystem::path& path) { return formats().contains(mesh_extension(path)); }
 
 Scene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by) {
     loading.tell("reading", 0, 1);
-    Scene scene = formats().at(extension(path))(path, loading.read(path, asked_by), loading);
+    std::string bytes = loading.read(path, asked_by);
+    if (extension(path) == "gz") bytes = gunzip(path, bytes, loading);
+    Scene scene = formats().at(mesh_extension(path))(path, std::move(bytes), loading);
     scene.name = printable(path.filename().string(), 80);
     return scene;
 }

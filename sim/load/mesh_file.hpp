@@ -1,4 +1,5 @@
-// A mesh file of another program (.obj .ply .stl .glb .gltf) as a scene.
+// A mesh file of another program (.obj .ply .stl .off .3ds .dae .glb .gltf, each also with .gz behind it) as
+// a scene.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -31,6 +32,9 @@ Scene load_mesh_file(const std::filesystem::path& path, Loading& loading, const 
 Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loading);
 Scene read_ply(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& loading);
+Scene read_off(const std::filesystem::path& path, std::string bytes, Loading& loading);
+Scene read_3ds(const std::filesystem::path& path, std::string bytes, Loading& loading);
+Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
 
 /// One `newmtl` block.

@@ -1,5 +1,6 @@
 // glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are
-// taken. Animations, skins, morph targets, textures and vertex colours are left out, and that is said.
+// taken. A texture of the base colour is drawn as its mean. Animations, skins, morph targets, other textures
+// and vertex colours are left out. Both is said.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/error.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/gltf_buffers.hpp"
 #include "sim/load/gltf_material.hpp"
@@ -43,7 +45,7 @@ void check_version(const JsonValue& document, const Place& at) {
 
 /// What is met on the way and not drawn.
 struct Dropped {
-    std::uint64_t textures = 0, colours = 0, targets = 0, skins = 0, lines = 0, odd = 0;
+    std::uint64_t averaged = 0, textures = 0, colours = 0, targets = 0, skins = 0, lines = 0, odd = 0;
 };
 
 class GltfReader {
@@ -255,7 +257,8 @@ private:
             const std::uint64_t number = meshes_[copy.mesh][i].material;
             assembly_.place(parts_[copy.mesh][i], copy.place, number, [&] {
                 if (number == none) return Material{.name = "default"};
-                const GltfMaterial& material = materials_[number];
+                GltfMaterial material = materials_[number];
+                if (material.base_texture) tint(material);
                 dropped_.textures += material.has_textures;
                 dropped_.odd += is_out_of_range(material.surface);
                 return material_of(material.surface, material.name);
@@ -263,12 +266,45 @@ private:
         }
     }
 
+    /// The base colour is multiplied by the mean of its texture. A mesh often travels without its pictures:
+    /// one that cannot be read is told, and leaves the colour as it is.
+    void tint(GltfMaterial& material) {
+        const JsonValue& reference = *material.base_texture;
+        const JsonValue texture = list("textures")[reference.at("index").whole(count_of("textures"))];
+        const auto source = texture.find("source");
+        if (!source) return void(material.has_textures = true);   // of an extension
+        const std::uint64_t image = source->whole(count_of("images"));
+        const auto [found, is_new] = averages_.try_emplace(image);
+        if (is_new) found->second = average(image);
+        if (!found->second) return;
+        ++dropped_.averaged;
+        material.surface.colour *= *found->second;
+        if (!material.blends) material.surface.colour.a = 1;
+    }
+
+    std::optional<glm::vec4> average(std::uint64_t image) {
+        std::string why;
+        std::optional<glm::vec4> made;
+        const JsonValue entry = in_.at("images")[image];
+        try {
+            made = loading_.average(buffers_.image(image), why);
+        } catch (const UserError& error) {
+            if (!entry.find("uri") || leaves_folder(entry.at("uri").string())) throw;
+            why = error.what();
+        }
+        if (!made)
+            loading_.note(at_.file,
+                          fmt::format("the texture images[{}] is not drawn: {}", image, printable(why, 300)));
+        return made;
+    }
+
     void say_dropped() {
         const auto say = [&](std::uint64_t count, const char* what, const char* sentence) {
             if (count > 0) loading_.note(at_.file, counted(count, what) + sentence);
         };
         say(dropped_.odd, "material", " with values out of range, taken as the nearest within");
-        say(dropped_.textures, "material", " with textures, which are not drawn");
+        say(dropped_.averaged, "material", " with a texture of its colour, drawn in the mean of the texture");
+        say(dropped_.textures, "material", " with other textures, which are not drawn");
         say(dropped_.colours, "primitive", " with vertex colours, which are not drawn");
         say(dropped_.targets, "primitive", " with morph targets, drawn in the shape without them");
         say(dropped_.skins, "node", " with a skin, drawn in the pose without it");
@@ -294,6 +330,7 @@ private:
     std::vector<std::vector<std::size_t>> parts_;   // of meshes that are placed
     std::vector<std::uint64_t> mesh_triangles_;
     std::vector<GltfMaterial> materials_;
+    std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // of images
     std::vector<bool> visited_;
     std::vector<Copy> copies_;
     std::vector<PlacedLight> lights_;

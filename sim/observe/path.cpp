@@ -48,12 +48,26 @@ private:
     std::vector<int> at_depth_;   ///< the last camera ray or bounce of each depth
 };
 
+/// The visit whose node has this line among its children, which lie in a row; of a list the page before.
+int parent_of(const Decoder& decoder, const Config& config, const std::vector<VisitValues>& visits,
+              std::uint32_t line) {
+    if (config.is_list() || visits.empty()) return int(visits.size()) - 1;
+    for (std::size_t v = visits.size(); v-- > 0;) {
+        const std::uint32_t at = visits[v].line;
+        const std::uint32_t base =
+            config.has_treelets() ? decoder.treelet(at).exits.base : decoder.node(at).base;
+        if (base <= line && line < base + std::uint32_t(visits[v].children)) return int(v);
+    }
+    return int(visits.size()) - 1;
+}
+
 /// Walks a ray again and writes down what it meets.
 Closest note_visits(const Decoder& decoder, const Config& config, Walk& walk, RayValues& values) {
     walk.start_at(values.ray);
     for (bool done = false; !done;) {
         VisitValues visit;
         visit.line = walk.node();
+        visit.parent = parent_of(decoder, config, values.visits, visit.line);
         bool more = walk.test_node();
         visit.children =
             int(config.is_list() ? decoder.page(visit.line).children : decoder.children(visit.line));

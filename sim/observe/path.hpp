@@ -17,6 +17,7 @@ struct TestValues {
 };
 struct VisitValues {
     std::uint32_t line = 0;
+    int parent = -1;             ///< the visit from which this node was reached; -1: the first
     int children = 0, met = 0;   ///< boxes in the node; those that the ray meets
     std::vector<TestValues> tests;
     std::uint32_t dropped = 0;   ///< groups of siblings that lay behind the hit

@@ -16,6 +16,7 @@ std::uint64_t count_of(Unit unit, const FrameRun& run) {
         case Unit::node_cache:
         case Unit::box:
         case Unit::treelet:
+        case Unit::globe:
         case Unit::list: return run.visits;
         case Unit::prim_cache:
         case Unit::tri: return run.triangle_tests;
@@ -62,8 +63,10 @@ CacheAccount cache_account(const FrameRun& run, Unit cache) {
 }
 
 double peak_bytes_per_second(const Config& config, int khz) {
-    if (config.dram == 0) return 64.0 * khz * 1e3 / config.mem_interval;
-    return double(peak_bytes_per_second(dram_part(dram_names()[std::size_t(config.dram)])));
+    const double port = 64.0 * khz * 1e3;
+    const DramPart* part = config.dram_part();
+    if (!part) return port / config.mem_interval;
+    return std::min(port, double(peak_bytes_per_second(*part)) * config.dram_channels);
 }
 
 Bound bound_of(const Config& config, int khz, const FrameRun& run) {
@@ -81,8 +84,10 @@ std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     const Bound bound = bound_of(config, khz, run);
     const std::string tests =
         config.tri_interval == 1 ? "one a cycle" : fmt::format("one every {} cycles", config.tri_interval);
+    const bool is_port = config.dram_part() && peak_bytes_per_second(config, khz) >= 64.0 * khz * 1e3;
     const std::string work = bound.unit == "trav"  ? "node visits, one a cycle and pipeline"
                              : bound.unit == "tri" ? "triangle tests, " + tests + " and pipeline"
+                             : is_port             ? "the port to memory, 64 bytes a cycle,"
                                                    : "the memory's data bus";
     std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work,
                                    bound.unit == "memory" ? "s" : "", bound.reached * 100);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/memory/memory_file.hpp"
 #include "sim/report/accounts.hpp"
 
 namespace rayclock {
@@ -48,6 +49,7 @@ ordered_json config_json_object(const Config& config) {
     ordered_json json{{"name", config.name}};
     for (const Parameter& p : parameters())
         json[p.key] = p.names ? ordered_json(value_text(config, p)) : ordered_json(config.*p.member);
+    if (config.own_dram) json["dram"] = memory_file_json(*config.own_dram);
     return json;
 }
 
@@ -131,7 +133,11 @@ ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
     add("prim_cache", Unit::prim_cache);
     if (config.shading) add("surf_cache", Unit::surf_cache);
     if (config.l2_sets > 0) add("l2", Unit::l2);
-    json["dram"] = {{"reads", run.memory.reads},
+    const DramPart* part = config.dram_part();
+    json["dram"] = {{"name", part ? part->name : "ideal"},
+                    {"description", part ? part->description : "answers after a fixed number of cycles"},
+                    {"channels", part ? config.dram_channels : 1},
+                    {"reads", run.memory.reads},
                     {"row_hits", run.memory.row_hits},
                     {"row_conflicts", run.memory.row_conflicts},
                     {"refreshes", run.memory.refreshes},

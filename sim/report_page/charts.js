@@ -1,39 +1,6 @@
 // The charts. Each is a specification of Vega; the figures are those of the tables.
 
-// Vega's modules ask for each other by require(); this is what its own entry point makes of them.
-const vega = (() => {
-  const made = {};
-  const require = name => {
-    if (!made[name]) {
-      const module = { exports: made[name] = {} };
-      vegaModules[name](module.exports, module, require, undefined);
-      made[name] = module.exports;
-    }
-    return made[name];
-  };
-  const all = {};
-  for (const name of Object.keys(vegaModules)) Object.assign(all, require(name));
-  for (const name of Object.keys(vegaModules))
-    if (/transforms$|encode$/.test(name)) Object.assign(require("vega-dataflow").transforms, require(name));
-  return all;
-})();
-
 const kindColours = { busy: "#009e73", starved: "#9fb3c8", stalled: "#d55e00" };
-const fonts = { font: "system-ui, DejaVu Sans, sans-serif" };
-const chartConfig = {
-  text: fonts,
-  axis: { labelFont: fonts.font, titleFont: fonts.font, labelColor: "#3b4653", titleColor: "#3b4653", grid: false,
-    domainColor: "#98a3b0", tickColor: "#98a3b0", titleFontWeight: "normal" },
-  legend: { labelFont: fonts.font, titleFont: fonts.font, titleFontWeight: "normal" },
-  title: { font: fonts.font, anchor: "start", fontSize: 14, fontWeight: 600, offset: 10 }
-};
-
-async function show(id, spec) {
-  const view = new vega.View(vega.parse({ autosize: { type: "pad", contains: "padding" }, padding: 6, config: chartConfig, ...spec }),
-    { renderer: "svg", container: "#chart-" + id, logLevel: vega.Warn, hover: true });
-  await view.runAsync();
-  return view;
-}
 
 function accountRows() {
   const rows = [];
@@ -117,7 +84,7 @@ function rooflineSpec() {
   };
 }
 
-const unitColours = { raygen: "#9ad0f5", trav: "#0072b2", node_cache: "#4a9fd6", box: "#009e73", treelet: "#009e73", list: "#e3a8c6",
+const unitColours = { raygen: "#9ad0f5", trav: "#0072b2", node_cache: "#4a9fd6", box: "#009e73", treelet: "#009e73", globe: "#009e73", list: "#e3a8c6",
   prim_cache: "#b3538a", tri: "#e69f00", surf_cache: "#a8902a", shade: "#f0e442", memory: "#d55e00" };
 function kindsSpec() {
   const rows = [];

@@ -17,9 +17,6 @@ const std::vector<PixelMap>& pixel_maps();
 /// All that the scripts draw, the values of all pixels included.
 nlohmann::ordered_json page_data(const PageInput& input);
 
-/// The pixels that took the most cycles, the slowest first.
-std::vector<std::uint32_t> slowest_pixels(const FrameCosts& costs, std::size_t most);
-
 /// A pixel's cause as a sentence says it; empty if it does not differ or nobody has judged.
 std::string cause_of(const PageInput& input, std::size_t pixel);
 

@@ -47,6 +47,20 @@ std::string table(std::string_view caption, const std::vector<std::string>& head
     return out + "</tbody></table>\n";
 }
 
+std::string section(const char* id, const char* title, const std::string& inside) {
+    return std::string("<section id=\"") + id + "\"><h2>" + title + "</h2>\n" + inside + "</section>\n";
+}
+std::string chart(const char* id, const char* label) {
+    return std::string("<div class=\"chart\" id=\"chart-") + id + "\" role=\"img\" aria-label=\"" + label +
+           "\"></div>\n";
+}
+std::string figures(const std::vector<std::pair<const char*, std::string>>& figures) {
+    std::string out = "<div class=\"figures\">";
+    for (const auto& [what, value] : figures)
+        out += "<div><b>" + escaped(value) + "</b><span>" + what + "</span></div>";
+    return out + "</div>\n";
+}
+
 std::string base64(std::string_view bytes) {
     constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
@@ -67,6 +81,38 @@ std::string deflated(std::string_view bytes) {
                   uLong(bytes.size()), 6) != Z_OK)
         throw std::runtime_error("zlib cannot compress");
     out.resize(size);
+    return out;
+}
+
+namespace {
+
+int digit_of(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+}   // namespace
+
+std::string inflated(std::string_view text, std::size_t size) {
+    std::string packed;
+    std::uint32_t group = 0;
+    int bits = 0;
+    for (const char c : text) {
+        const int digit = digit_of(c);
+        if (digit < 0) break;   // the '=' at the end
+        group = group << 6 | std::uint32_t(digit);
+        if ((bits += 6) < 8) continue;
+        bits -= 8;
+        packed += char(group >> bits & 255);
+    }
+    std::string out(size, '\0');
+    uLongf length = uLong(size);
+    if (uncompress(reinterpret_cast<Bytef*>(out.data()), &length,
+                   reinterpret_cast<const Bytef*>(packed.data()), uLong(packed.size())) != Z_OK ||
+        length != size)
+        throw std::runtime_error("packed bytes are broken");
     return out;
 }
 

@@ -49,9 +49,10 @@ void add(const std::string& module, std::set<std::string>& seen, std::vector<Lib
 
 }   // namespace
 
-std::vector<LibraryModule> chart_library() {
+std::vector<LibraryModule> chart_library(bool trees) {
     std::set<std::string> seen;
     std::vector<LibraryModule> modules;
+    if (trees) add("vega-hierarchy", seen, modules);
     for (const char* root : roots) add(root, seen, modules);
     return modules;
 }

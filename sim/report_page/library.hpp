@@ -9,7 +9,8 @@ struct LibraryModule {
 };
 
 /// The modules of Vega that the page's charts need, each after those that it asks for. From Debian's package
-/// libjs-vega, or from the folder RAYCLOCK_VEGA. Throws UserError if one is missing.
-std::vector<LibraryModule> chart_library();
+/// libjs-vega (and with `trees` the one that lays out trees), or from the folder RAYCLOCK_VEGA. Throws
+/// UserError if one is missing.
+std::vector<LibraryModule> chart_library(bool trees);
 
 }   // namespace rayclock

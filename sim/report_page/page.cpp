@@ -6,27 +6,17 @@
 #include "sim/image/image.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report_page/data.hpp"
+#include "sim/report_page/frame.hpp"
 #include "sim/report_page/html.hpp"
-#include "sim/report_page/library.hpp"
 #include "sim/report_page/tables.hpp"
 
 namespace rayclock {
 
-// Of the files beside this one; CMake makes them part of the program.
-extern const char* const page_style;
-extern const char* const page_viewer;
-extern const char* const page_charts;
-extern const char* const page_machine;
-
 namespace {
 
-std::string section(const char* id, const char* title, const std::string& inside) {
-    return fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, inside);
-}
-std::string chart(const char* id, const char* label) {
-    return fmt::format("<div class=\"chart\" id=\"chart-{}\" role=\"img\" aria-label=\"{}\"></div>\n", id,
-                       label);
-}
+using html::chart;
+using html::section;
+
 std::string picture_element(const char* id, const char* label, const Picture& picture) {
     return fmt::format(
         "<figure><img id=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
@@ -49,6 +39,7 @@ std::string viewer(const PageInput& input) {
 <div id="divider"></div></div>
 <aside><div id="scales"></div><table id="pixel"><caption>Point at a pixel; a click keeps it</caption><tbody></tbody></table>
 <p id="why"></p><p><code id="explain"></code></p></aside></div>
+<pre id="explanation" hidden></pre>
 </div>
 <div id="pictures">
 )" + pictures +
@@ -57,15 +48,12 @@ std::string viewer(const PageInput& input) {
 
 std::string key_figures(const PageInput& input) {
     const auto& clock = input.report.at("clocks")[0];
-    const auto tile = [](const std::string& value, const char* what) {
-        return fmt::format("<div><b>{}</b><span>{}</span></div>", html::escaped(value), what);
-    };
-    return "<div class=\"figures\">" + tile(grouped(input.costs.cycles), "cycles") +
-           tile(fmt::format("{:.2f}", clock.at("fps").get<double>()), "frames a second") +
-           tile(fmt::format("{:.2f}", clock.at("mrays_per_s").get<double>()), "million rays a second") +
-           tile(fmt::format("{:.0f} %", 100 * clock.at("bound_reached").get<double>()),
-                "of the roofline reached") +
-           tile(clock.at("bound").get<std::string>(), "is the bound") + "</div>\n";
+    return html::figures(
+        {{"cycles", grouped(input.costs.cycles)},
+         {"frames a second", fmt::format("{:.2f}", clock.at("fps").get<double>())},
+         {"million rays a second", fmt::format("{:.2f}", clock.at("mrays_per_s").get<double>())},
+         {"of the roofline reached", fmt::format("{:.0f} %", 100 * clock.at("bound_reached").get<double>())},
+         {"is the bound", clock.at("bound").get<std::string>()}});
 }
 
 std::string downloads() {
@@ -105,34 +93,28 @@ std::string body(const PageInput& input) {
                               config_table(input) + "</div></details>");
 }
 
-std::string scripts(const PageInput& input) {
-    std::string out =
-        html::data_element("report", input.report) + html::data_element("data", page_data(input));
-    out += "<script>\nconst vegaModules = {};\n";
-    for (const LibraryModule& module : chart_library())
-        out += fmt::format("vegaModules[\"{}\"] = function(exports, module, require, define) {{{}\n}};\n",
-                           module.name, module.source);
-    return out + "</script>\n<script>\n" + page_viewer + page_charts + page_machine + "</script>\n";
+/// The texts of the slowest pixels, packed.
+nlohmann::ordered_json explanations_json(const PageInput& input) {
+    if (input.explanations.empty()) return nullptr;
+    nlohmann::ordered_json texts = nlohmann::ordered_json::object();
+    for (const auto& [pixel, text] : input.explanations) texts[std::to_string(pixel)] = text;
+    return html::base64(html::deflated(texts.dump()));
 }
 
 }   // namespace
 
-void check_page_library() { chart_library(); }
-
 std::string report_page(const PageInput& input) {
     const auto& scene = input.report.at("scene");
-    const std::string title = html::escaped(fmt::format(
-        "{} on {} at {:g} MHz", scene.at("name").get<std::string>(), input.config.name, input.khz / 1e3));
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" + title +
-           "</title>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-           "<link rel=\"icon\" href=\"data:,\">\n<style>\n" +
-           page_style + "</style></head>\n<body>\n<header><h1>" + title + "</h1>\n" +
-           fmt::format("<p>{} x {} pixels, made by rayclock.</p>", input.costs.width, input.costs.height) +
-           key_figures(input) +
-           "</header>\n<noscript><p class=\"note\">Without scripts this page has its pictures and tables, "
-           "and no "
-           "charts.</p></noscript>\n<main>\n" +
-           body(input) + "</main>\n" + scripts(input) + "</body></html>\n";
+    const std::string title = fmt::format("{} on {} at {:g} MHz", scene.at("name").get<std::string>(),
+                                          input.config.name, input.khz / 1e3);
+    nlohmann::ordered_json data = page_data(input);
+    data["explanations"] = explanations_json(input);
+    return framed(
+        {title,
+         fmt::format("<p>{} x {} pixels, made by rayclock.</p>", input.costs.width, input.costs.height) +
+             key_figures(input),
+         body(input), html::data_element("report", input.report) + html::data_element("data", data),
+         std::string(page_viewer) + page_charts + page_machine});
 }
 
 }   // namespace rayclock

@@ -22,14 +22,16 @@ struct PageInput {
     const Picture* reference = nullptr;     ///< null: there is none
     const Judgement* judgement = nullptr;   ///< likewise
     std::string explain;                    ///< the command that explains a pixel, up to the pixel
-    std::vector<std::pair<std::string, std::string>> origin;   ///< command line, versions, digest
+    std::vector<std::pair<std::uint32_t, std::string>> explanations;   ///< of the slowest pixels, as explain
+                                                                       ///< tells them
+    std::vector<std::pair<std::string, std::string>> origin;           ///< command line, versions, digest
 };
 
 /// The page. Throws UserError if the library that draws its charts is not installed.
 std::string report_page(const PageInput& input);
 
-/// Fails early (UserError) if the library is missing.
-void check_page_library();
+/// The pixels that took the most cycles, the slowest first.
+std::vector<std::uint32_t> slowest_pixels(const FrameCosts& costs, std::size_t most);
 
 /// Costs as JSON, for `work_by_kind` of the report.
 nlohmann::ordered_json work_by_kind_json(const FrameCosts& costs);

@@ -1,30 +1,6 @@
 // The picture, the reference, the difference and the heat maps under one slider; the figures of a pixel.
-"use strict";
-const report = JSON.parse(document.getElementById("report").textContent);
-const data = JSON.parse(document.getElementById("data").textContent);
-const byId = id => document.getElementById(id);
-const grouped = n => Number(n).toLocaleString("en-US");
+const report = JSON.parse(byId("report").textContent);
 
-const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
-async function inflated(text) {
-  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-async function valuesOf(map) {
-  const planes = await inflated(map.data), count = data.width * data.height;
-  const values = new Uint32Array(count);
-  for (let b = 0; b < map.bytes; ++b)
-    for (let i = 0; i < count; ++i) values[i] |= planes[b * count + i] << 8 * b;
-  return values;
-}
-
-// Inferno of matplotlib, in nine steps; between them it is linear.
-const inferno = [[0, 0, 4], [31, 12, 72], [85, 15, 109], [136, 34, 106], [186, 54, 85], [227, 89, 51], [249, 140, 10],
-  [249, 201, 50], [252, 255, 164]];
-function heat(share) {
-  const at = Math.min(1, Math.max(0, share)) * (inferno.length - 1), k = Math.min(inferno.length - 2, Math.floor(at));
-  return inferno[k].map((c, i) => Math.round(c + (inferno[k + 1][i] - c) * (at - k)));
-}
 // The hundredth part of the pixels that costs most has the colour of the scale's end.
 function scaleEnd(values) {
   const sorted = Uint32Array.from(values).sort();
@@ -113,7 +89,16 @@ function pointed(event) {
   return [Math.min(data.width - 1, Math.max(0, x)), Math.min(data.height - 1, Math.max(0, y))];
 }
 
+// What explain says of a pixel, if it is one of those whose texts are in the page.
+let explanations = {};
+function explainPixel(x, y) {
+  const text = explanations[y * data.width + x];
+  byId("explanation").hidden = !text;
+  byId("explanation").textContent = text || "";
+}
+
 async function showViewer() {
+  if (data.explanations) explanations = JSON.parse(new TextDecoder().decode(await inflated(data.explanations)));
   for (const map of data.maps) map.values = await valuesOf(map);
   if (data.causes) causes = await inflated(data.causes.data);
   for (const image of document.querySelectorAll("#pictures img")) await image.decode();
@@ -146,7 +131,16 @@ async function showViewer() {
   area.addEventListener("click", event => {
     kept = !kept;
     showPixel(...pointed(event));
+    explainPixel(...pointed(event));
   });
+  for (const row of document.querySelectorAll("#pixels tbody tr"))
+    row.addEventListener("click", () => {
+      const [x, y] = row.cells[0].textContent.split(",").map(Number);
+      kept = true;
+      showPixel(x, y);
+      explainPixel(x, y);
+      byId("viewer").scrollIntoView();
+    });
   showPixel(data.slowest[0] % data.width, Math.floor(data.slowest[0] / data.width));
 }
 

@@ -11,6 +11,7 @@
 #include "sim/files/input.hpp"
 #include "sim/files/json_value.hpp"
 #include "sim/files/text.hpp"
+#include "sim/memory/memory_file.hpp"
 
 namespace rayclock {
 
@@ -56,7 +57,12 @@ Config parse_config(const std::string& path, std::string_view text) {
                 "{} is missing; a configuration states every parameter, or names one to start from "
                 "under \"like\"",
                 p.key));
-        if (value) set_parameter(config, p.key, text_of(*value, p), printable(path));
+        if (!value) continue;
+        if (p.member == &Config::dram && value->raw().is_object())
+            config.own_dram = std::make_shared<const DramPart>(inner_memory(path, value->raw()));
+        else
+            set_value(config, p.key, text_of(*value, p), printable(path),
+                      std::filesystem::path(path).parent_path().string());
     }
     return config;
 }
@@ -77,7 +83,7 @@ Config with_settings(Config config, const std::vector<std::string>& set, const s
     for (const std::string& item : set) {
         const std::size_t equals = item.find('=');
         if (equals == std::string::npos) throw UserError("--set: " + shown(item) + " is not key=value");
-        set_parameter(config, item.substr(0, equals), item.substr(equals + 1), "--set");
+        set_value(config, item.substr(0, equals), item.substr(equals + 1), "--set");
     }
     check_config(config, where);
     return config;

@@ -17,7 +17,8 @@ struct ConfigChoice {
 /// Throws UserError.
 Config load_config(const ConfigChoice& choice);
 
-/// What the text of a file says, whether it is legal or not; `path` only names it. Throws UserError.
+/// What the text of a file says, whether it is legal or not; `path` names it, and files that it names lie
+/// beside it. Throws UserError.
 Config parse_config(const std::string& path, std::string_view text);
 
 /// The configuration with every key=value of `set`; `where` begins the sentence if it is not legal then.

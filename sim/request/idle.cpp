@@ -14,13 +14,15 @@ struct Part {
 };
 const std::vector<Part>& parts() {
     static const std::vector<Part> all{
-        {"dram",
-         [](const Config& c) { return dram_names()[std::size_t(c.dram)] == "ideal"; },
-         {"mem_latency", "mem_interval"}},
+        {"dram", [](const Config& c) { return !c.dram_part(); }, {"mem_latency", "mem_interval"}},
+        {"dram", [](const Config& c) { return c.dram_part() != nullptr; }, {"dram_channels"}},
         {"l2_sets", [](const Config& c) { return c.l2_sets > 0; }, {"l2_ways", "l2_line", "l2_mshrs"}},
         {"structure",
          [](const Config& c) { return !c.is_list(); },
          {"node_sets", "node_ways", "node_line", "node_mshrs", "box_queue", "stack_depth"}},
+        {"structure", [](const Config& c) { return c.is_octree(); }, {"straddlers"}},
+        {"structure", [](const Config& c) { return c.is_bvh(); }, {"box_bits"}},
+        {"structure", [](const Config& c) { return c.is_bvh() || c.is_octree(); }, {"leaf_size"}},
         {"shading",
          [](const Config& c) { return c.shading != 0; },
          {"origin_bits", "lights", "bounces", "shade_queue", "surf_sets", "surf_ways", "surf_line",
@@ -47,6 +49,16 @@ std::vector<std::string> idle_settings(const Config& config, const std::vector<s
                                 value_of(config, part.decider));
         }
     }
+    return sentences;
+}
+
+std::vector<std::string> idle_finish(const Finish& f, const Whitted& settings) {
+    std::vector<std::string> sentences;
+    if (f.threshold && settings.depth == 0) sentences.push_back("--threshold has no effect with --depth 0");
+    if (f.contrast && settings.aa * settings.aa <= int(first_samples))
+        sentences.push_back("--contrast has no effect with --aa " + std::to_string(settings.aa) +
+                            ", since the first " + std::to_string(first_samples) +
+                            " samples are always taken");
     return sentences;
 }
 

@@ -3,11 +3,16 @@
 #include <vector>
 
 #include "model/core/config.hpp"
+#include "model/scene/whitted.hpp"
+#include "sim/request/finish.hpp"
 
 namespace rayclock {
 
 /// A sentence for each key=value that changes nothing on this machine: "mem_latency has no effect with
 /// dram=ddr3".
 std::vector<std::string> idle_settings(const Config& config, const std::vector<std::string>& set);
+
+/// The same of the options of a finished picture.
+std::vector<std::string> idle_finish(const Finish& finish, const Whitted& settings);
 
 }   // namespace rayclock

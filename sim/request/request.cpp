@@ -84,8 +84,9 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
         const Config fitted = fitted_config(r.scene, r.settings, r.config);
         r.config = with_settings(fitted, config.set, fitted.name);
     }
-    for (const std::string& sentence : idle_settings(r.config, config.set))
-        std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
+    std::vector<std::string> idle = idle_settings(r.config, config.set);
+    for (const std::string& sentence : idle_finish(finish, r.settings)) idle.push_back(sentence);
+    for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());
     return r;
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 // What is to be drawn: scene, machine and settings, from what was asked for.
-#include <optional>
-
 #include "model/base/progress.hpp"
 #include "model/scene/builtin.hpp"
 #include "model/scene/camera.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/whitted.hpp"
 #include "sim/request/config_file.hpp"
+#include "sim/request/finish.hpp"
 #include "sim/request/view.hpp"
 
 namespace rayclock {
@@ -20,15 +19,6 @@ Scene told_scene(const std::string& spec, const Progress& progress,
 /// The same with a camera, for a picture of this size.
 Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress,
                   const ViewChoice& view = {});
-
-/// Settings of a finished picture, as far as they were typed.
-struct Finish {
-    std::optional<int> depth, aa;
-    std::optional<double> threshold, contrast;
-    bool jittered = false, fresnel = false;
-
-    bool is_asked() const { return depth || aa || threshold || contrast || jittered || fresnel; }
-};
 
 /// What a command is asked to draw: scene, machine, and whether the finished picture is meant, as the chip
 /// shades it, or only what camera rays hit. The former if one of --depth, --threshold, --aa, --jittered,

@@ -37,7 +37,9 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 /// as a net.
 PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index,
                       const Config& config) {
-    const std::string name = link.name, engine = config.has_treelets() ? "kd" : "bvh";
+    const std::string name = link.name, engine = config.has_treelets() ? "kd"
+                                                 : config.has_globes() ? "globes"
+                                                                       : "bvh";
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
     const bool fires = link.flow == Flow::fires;
@@ -115,7 +117,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return {{"frame", fixed}, {"start", listen}, {"ray", in},     {"node_req", out},
                 {"node_rsp", in}, {"box_req", out},  {"box_rsp", in}, {"leaves", PortKind::fires},
                 {"tested", in},   {"done", out},     {"cause", plain}};
-    if (module == "rc_box" || module == "rc_treelet" || module == "rc_tri")
+    if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_tri")
         return {{"req", in}, {"rsp", out}};
     if (module == "rc_list")
         return {{"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},

@@ -3,21 +3,28 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
+#include "sim/memory/memory_file.hpp"
 
 namespace rayclock::sweep {
 
 namespace {
 
-int whole(const std::string& text, const std::string& axis) {
+std::optional<int> whole(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{} && end == text.data() + text.size()) return value;
+    return std::nullopt;
+}
+
+int whole(const std::string& text, const std::string& axis) {
+    if (const auto value = whole(text)) return *value;
     throw UserError("--axis: " + shown(text) + " in " + shown(axis) + " is not a whole number");
 }
 
@@ -38,11 +45,17 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
 
 /// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
 constexpr std::array timing_only{
-    "contexts",    "raygen_queue", "box_queue", "tri_queue", "tri_interval", "cache_queue", "pipelines",
-    "tile_bits",   "node_sets",    "node_ways", "node_line", "node_mshrs",   "prim_sets",   "prim_ways",
-    "prim_line",   "prim_mshrs",   "l2_sets",   "l2_ways",   "l2_line",      "l2_mshrs",    "dram",
-    "mem_latency", "mem_interval", "timing",    "lights",    "bounces",      "shade_queue", "surf_sets",
-    "surf_ways",   "surf_line",    "surf_mshrs"};
+    "contexts",  "raygen_queue", "box_queue", "tri_queue",     "tri_interval", "cache_queue",
+    "pipelines", "tile_bits",    "node_sets", "node_ways",     "node_line",    "node_mshrs",
+    "prim_sets", "prim_ways",    "prim_line", "prim_mshrs",    "l2_sets",      "l2_ways",
+    "l2_line",   "l2_mshrs",     "dram",      "dram_channels", "mem_latency",  "mem_interval",
+    "timing",    "lights",       "bounces",   "shade_queue",   "surf_sets",    "surf_ways",
+    "surf_line", "surf_mshrs"};
+
+/// One value for each of the linked parameters. A single one may be the path of a file.
+std::vector<std::string> values_of(const std::string& value, std::size_t linked) {
+    return linked == 1 ? std::vector<std::string>{value} : split(value, '/');
+}
 
 }   // namespace
 
@@ -57,9 +70,9 @@ Axis parse_axis(const std::string& text) {
                         "; name the values, for example node_sets/prim_sets=32/64,64/32");
     const Axis axis{key, list.find(':') != std::string::npos ? range(list, text) : split(list, ',')};
     for (const std::string& value : axis.values)
-        if (split(value, '/').size() != linked)
+        if (const std::size_t given = values_of(value, linked).size(); given != linked)
             throw UserError(fmt::format("--axis: {} in {} has {} values for {} parameters", shown(value),
-                                        shown(text), split(value, '/').size(), linked));
+                                        shown(text), given, linked));
     return axis;
 }
 
@@ -67,12 +80,12 @@ namespace {
 
 /// One point's value of an axis, which may be several parameters' together.
 void set(Point& point, const Axis& axis, const std::string& value, int (*clock)(const std::string&)) {
-    const std::vector<std::string> keys = split(axis.key, '/'), values = split(value, '/');
+    const std::vector<std::string> keys = split(axis.key, '/'), values = values_of(value, keys.size());
     for (std::size_t k = 0; k < keys.size(); ++k)
         if (keys[k] == "clock")
             point.khz = clock(values[k]);
         else
-            set_parameter(point.config, keys[k], values[k], "--axis");
+            set_value(point.config, keys[k], values[k], "--axis");
 }
 
 void refuse_twice(const std::vector<Axis>& axes) {
@@ -131,5 +144,18 @@ std::string trace_format(const Config& config) {
             text += fmt::format("{}={} ", p.key, value_text(config, p));
     return text;
 }
+
+Shard parse_shard(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const auto part = whole(text.substr(0, slash));
+    const auto of = slash == text.npos ? std::nullopt : whole(text.substr(slash + 1));
+    if (!part || !of) throw UserError("--shard: " + shown(text) + " is not PART/PARTS, for example 2/4");
+    if (*of < 1 || *part < 1 || *part > *of)
+        throw UserError(
+            fmt::format("--shard: there is no part {} of {}; parts are counted from 1", *part, *of));
+    return {*part, *of};
+}
+
+std::string name_of(const Shard& shard) { return fmt::format("{}/{}", shard.part, shard.of); }
 
 }   // namespace rayclock::sweep

@@ -32,4 +32,15 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
 /// What decides a frame's rays, as text: configurations that agree here share one trace.
 std::string trace_format(const Config& config);
 
+/// The part of a sweep that one machine works out: 1 to `of`. Part 1 of 1 is the whole.
+struct Shard {
+    int part = 1, of = 1;
+    bool is_whole() const { return of == 1; }
+};
+
+/// "2/4". Throws UserError.
+Shard parse_shard(const std::string& text);
+/// "2/4".
+std::string name_of(const Shard& shard);
+
 }   // namespace rayclock::sweep

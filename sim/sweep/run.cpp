@@ -10,6 +10,7 @@
 
 #include "model/base/error.hpp"
 #include "model/reference/reference.hpp"
+#include "sim/memory/memory_file.hpp"
 #include "sim/sweep/cracks.hpp"
 #include "sim/sweep/key.hpp"
 #include "sim/sweep/table.hpp"
@@ -20,15 +21,6 @@
 namespace rayclock::sweep {
 
 using nlohmann::ordered_json;
-
-namespace {
-
-ordered_json picture_json(const PictureFigures& p) {
-    ordered_json json = error_json(p.error, std::nullopt);
-    json["cracks"] = p.cracks;
-    json["memory_bytes"] = p.memory_bytes;
-    return json;
-}
 
 PictureFigures picture_of(const ordered_json& json) {
     PictureFigures p;
@@ -41,6 +33,15 @@ PictureFigures picture_of(const ordered_json& json) {
     p.cracks = json.at("cracks").get<std::uint64_t>();
     p.memory_bytes = json.at("memory_bytes").get<std::uint64_t>();
     return p;
+}
+
+namespace {
+
+ordered_json picture_json(const PictureFigures& p) {
+    ordered_json json = error_json(p.error, std::nullopt);
+    json["cracks"] = p.cracks;
+    json["memory_bytes"] = p.memory_bytes;
+    return json;
 }
 
 synth::Netlist netlist_of(const ordered_json& json) {
@@ -60,7 +61,7 @@ std::variant<ordered_json, std::string> frame_of(const ordered_json& json) {
 std::string timing_of(const Config& config) {
     std::string text;
     for (const Parameter& p : parameters()) text += fmt::format("{}={} ", p.key, value_text(config, p));
-    return text;
+    return text + own_memory_text(config);
 }
 
 /// Points that share a trace.

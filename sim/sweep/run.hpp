@@ -16,6 +16,9 @@ struct PictureFigures {
     std::uint64_t memory_bytes = 0;   ///< of the memory image
 };
 
+/// From JSON with the keys of `error`, and `cracks` and `memory_bytes`. Throws a JSON exception.
+PictureFigures picture_of(const nlohmann::ordered_json& json);
+
 /// One point with what came of it. A figure is missing if the point is refused, or the run was interrupted
 /// before it.
 struct Result {

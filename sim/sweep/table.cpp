@@ -1,9 +1,11 @@
 #include "sim/sweep/table.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "model/base/split.hpp"
 #include "sim/report/text.hpp"
 
 namespace rayclock::sweep {
@@ -133,6 +135,33 @@ std::string text(const std::vector<Axis>& axes, const Outcome& outcome, const Fr
     return text;
 }
 
+ordered_json value_json(const std::string& value) {
+    const char* const end = value.data() + value.size();
+    long long whole = 0;
+    if (const auto r = std::from_chars(value.data(), end, whole); r.ec == std::errc{} && r.ptr == end)
+        return whole;
+    double number = 0;
+    if (const auto r = std::from_chars(value.data(), end, number);
+        r.ec == std::errc{} && r.ptr == end && std::isfinite(number))
+        return number;
+    return value;
+}
+
+namespace {
+
+/// The value of every axis; of linked parameters also each by itself.
+ordered_json values_json(const std::vector<Axis>& axes, const std::vector<std::string>& values) {
+    ordered_json json = ordered_json::object();
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        json[axes[a].key] = value_json(values[a]);
+        const std::vector<std::string> keys = split(axes[a].key, '/'), parts = split(values[a], '/');
+        for (std::size_t k = 0; k < keys.size(); ++k) json[keys[k]] = value_json(parts[k]);
+    }
+    return json;
+}
+
+}   // namespace
+
 ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                          const Front& front) {
     const auto count = [](const std::optional<std::uint64_t>& n) {
@@ -142,10 +171,13 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
     for (std::size_t i = 0; i < results.size(); ++i) {
         const Result& r = results[i];
         ordered_json json;
-        for (std::size_t a = 0; a < axes.size(); ++a) json[axes[a].key] = r.point.values[a];
+        for (std::size_t a = 0; a < axes.size(); ++a) json[axes[a].key] = value_json(r.point.values[a]);
+        json["values"] = values_json(axes, r.point.values);   // the axis `clock` has its value here only
         if (r.complete()) {
             json["clock"] = r.clock;
             json["cycles_per_ray"] = r.cycles_per_ray();
+            json["node_hit_rate"] = frame_of(r).at("node_hit_rate");
+            json["prim_hit_rate"] = frame_of(r).at("prim_hit_rate");
             json["error"] = error_json(r.picture->error, std::nullopt);
             json["cracks"] = r.picture->cracks;
             json["memory_bytes"] = r.picture->memory_bytes;
@@ -167,11 +199,8 @@ ordered_json points_json(const std::vector<Axis>& axes, const std::vector<Result
 ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                        const Front& front) {
     if (!front.knee) return nullptr;
-    ordered_json values;
-    for (std::size_t a = 0; a < axes.size(); ++a)
-        values[axes[a].key] = results[front.knee->point].point.values[a];
     return {{"point", front.knee->point},
-            {"values", values},
+            {"values", values_json(axes, results[front.knee->point].point.values)},
             {"of", {front.measures[front.plane[0]].key, front.measures[front.plane[1]].key}},
             {"distance", front.knee->distance}};
 }

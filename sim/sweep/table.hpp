@@ -15,6 +15,9 @@ nlohmann::ordered_json points_json(const std::vector<Axis>& axes, const std::vec
 nlohmann::ordered_json knee_json(const std::vector<Axis>& axes, const std::vector<Result>& results,
                                  const Front& front);
 
+/// A value of an axis: a number if it is one, else the word.
+nlohmann::ordered_json value_json(const std::string& value);
+
 /// "coord_bits 16, dir_bits 18".
 std::string name_of(const std::vector<Axis>& axes, const Result& result);
 

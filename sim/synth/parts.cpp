@@ -144,13 +144,16 @@ ordered_json part_json(const Part& part) {
     return json;
 }
 
+Count count_of(const ordered_json& json) {
+    const auto number = [&](const char* key) { return json.at(key).get<std::uint64_t>(); };
+    return {number("lut4"), number("ccu2c"),      number("dpr16x4"),
+            number("ff"),   number("mult18x18d"), number("dp16kd")};
+}
+
 Part part_of(const ordered_json& json) {
-    const ordered_json& c = json.at("count");
-    const auto number = [&](const char* key) { return c.at(key).get<std::uint64_t>(); };
     Part part{json.at("name").get<std::string>(),
               json.at("times").get<std::uint64_t>(),
-              {number("lut4"), number("ccu2c"), number("dpr16x4"), number("ff"), number("mult18x18d"),
-               number("dp16kd")},
+              count_of(json.at("count")),
               {}};
     for (const ordered_json& p : json.at("parts")) part.parts.push_back(part_of(p));
     return part;

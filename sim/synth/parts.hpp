@@ -45,6 +45,8 @@ struct Part {
 nlohmann::ordered_json part_json(const Part& part);
 Part part_of(const nlohmann::ordered_json& json);
 nlohmann::ordered_json count_json(const Count& count);
+/// Throws a JSON exception if it is not as count_json() made it.
+Count count_of(const nlohmann::ordered_json& json);
 
 /// Modules that are kept whole within their unit, so that they can be counted apart: all that calculate.
 /// Names without rc_.

@@ -61,7 +61,7 @@ TEST_CASE("devices have names") {
 }
 
 TEST_CASE("what does not fit says by how much, and what to narrow") {
-    const Device& device = device_of("lfe5u-25");
+    const Device device = device_of("lfe5u-25");
     const std::map<std::string, Use> units{
         {"box", {20000, 100, 10, 0}}, {"tri", {4000, 100, 19, 0}}, {"harness", {288, 0, 0, 0}}};
     const std::string text = misfit("small", device, units);

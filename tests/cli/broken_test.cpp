@@ -44,8 +44,8 @@ void check_waveform(const Folder& folder, const nlohmann::json& d) {
     const auto u = [&](const char* side) {
         return "u=" + std::to_string(number(wave.name_with(link + "u_" + side), time));
     };
-    CHECK(u("model") == d["expected"]);
-    CHECK(u("rtl") == d["got"]);
+    CHECK(u("model") == d["expected"].get<std::string>());
+    CHECK(u("rtl") == d["got"].get<std::string>());
     CHECK(wave.first() == (cycle > 1000 ? 10 * (cycle - 1000) : 0));
     CHECK(wave.last() > time);
     // The clock rises when a cycle begins, and what the RTL itself offers there is what the link shows.

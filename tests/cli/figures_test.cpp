@@ -110,12 +110,31 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
     INFO(outcome.err << outcome.out);
     REQUIRE(outcome.code == 0);
     const std::string page = bytes_of(folder.name("structures.md"));
-    for (const char* part : {"\n| bvh |", "\n| kd |", "\n| octree |", "| octree, finished |",
+    for (const char* part : {"\n| bvh |", "\n| spheres |", "\n| kd |", "\n| octree |", "| octree, finished |",
                              "| octree, inner |", "| none |", "--scenes tetra:2 --size 32x24 --no-netlist"})
         CHECK(page.find(part) != std::string::npos);
     CHECK(page.find("is not there") == std::string::npos);
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"structures"}), {"--output"});
     check_refused(run_program({"structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
-                  {"structure=kd", "primitive_test"});
+                  {"structure=spheres", "primitive_test"});
+}
+
+TEST_CASE("the page of gigahertz has every memory at every clock, says where the wall is, and answers") {
+    const Folder folder;
+    const Outcome outcome = run_program({"gigahertz", "-o", folder.name("."), "--scene", "tetra:2",
+                                         "--finished", "tetra:1", "--size", "16x12"});
+    INFO(outcome.err << outcome.out);
+    REQUIRE(outcome.code == 0);
+    const std::string page = bytes_of(folder.name("gigahertz.md"));
+    for (const char* part : {"\n| rpu |", "\n| sdr |", "\n| ddr3 |", "\n| lpddr4 x 2 |", "\n| ddr4 |",
+                             "\n| hbm2 x 4 |", "\n| ideal |", "| 66 MHz | 133 MHz |", "| 4000 MHz |",
+                             "All clocks here are assumed", "18.4 to 32.3", "## Where the wall is",
+                             "## The answer to the guess\n\nThe guess is that a chip of 66 MHz",
+                             "--scene tetra:2 --finished tetra:1"})
+        CHECK(page.find(part) != std::string::npos);
+    const std::string drawing = bytes_of(folder.name("gigahertz.svg"));
+    CHECK(drawing.find("hbm2 x 4") != std::string::npos);
+    CHECK(drawing.find("nan") == std::string::npos);
+    check_refused(run_program({"gigahertz"}), {"--output"});
 }

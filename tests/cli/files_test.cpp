@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 #include "model/core/config.hpp"
 #include "tests/cli/program.hpp"
 
@@ -205,4 +207,45 @@ TEST_CASE("a setting without effect is noted") {
                                          "mem_latency=5", "--set", "contexts=8"});
     CHECK(outcome.code == 0);
     CHECK(outcome.err == "rayclock: note: mem_latency has no effect with dram=ddr3\n");
+}
+
+TEST_CASE("a memory from a file: as good as the one it was made from, in a report that can be run again") {
+    const Folder folder;
+    const auto simulate = [&](const std::vector<std::string>& more, const std::string& json) {
+        std::vector<std::string> words{"simulate",       "gears:1",    "--size", "16x12",
+                                       "--no-reference", "--no-judge", "--json", folder.name(json)};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run_program(words);
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return nlohmann::json::parse(bytes_of(folder.name(json)));
+    };
+    folder.write("same.json", R"({"like": "sdr"})");
+    folder.write("slow.json", R"({"like": "sdr", "name": "slow", "cl_clocks": 30})");
+    const auto named = simulate({"--set", "dram=sdr"}, "named.json");
+    const auto same = simulate({"--set", "dram=" + folder.name("same.json")}, "out.json");
+    const auto slow = simulate({"--set", "dram=" + folder.name("slow.json")}, "slow_out.json");
+    CHECK(same["digest"] == named["digest"]);
+    CHECK(slow["clocks"][0]["cycles"] > named["clocks"][0]["cycles"]);
+    CHECK(slow["config"]["dram"]["cl_clocks"] == 30);
+    CHECK(slow["memory"]["dram"]["name"] == "slow");
+    // The report's configuration, as it stands; and a configuration beside the memory that it names.
+    folder.write("config.json", slow["config"].dump());
+    CHECK(simulate({"--config", folder.name("config.json")}, "again.json")["digest"] == slow["digest"]);
+    folder.write("beside.json", R"({"like": "default", "dram": "slow.json", "dram_channels": 2})");
+    const auto beside = simulate({"--config", folder.name("beside.json")}, "beside_out.json");
+    CHECK(beside["memory"]["dram"]["channels"] == 2);
+    CHECK(beside["config"]["dram"]["cl_clocks"] == 30);
+    folder.write("bad.json", "{\"like\": \"sdr\",\n \"cl_clocks\": 0}");
+    check_refused(run_program({"simulate", "gears:1", "--set", "dram=" + folder.name("bad.json")}),
+                  {"bad.json", "line 2", "cl_clocks", "from 1 to 200, not 0"});
+
+    const Outcome sweep = run_program({"sweep", "gears:1", "--size", "16x12", "--no-netlist", "--axis",
+                                       "dram=sdr," + folder.name("slow.json"), "--axis", "dram_channels=1,2",
+                                       "-o", folder.name("sweep.csv")});
+    INFO(sweep.err);
+    REQUIRE(sweep.code == 0);
+    const std::string csv = bytes_of(folder.name("sweep.csv"));
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
+    CHECK(csv.find("slow.json") != csv.npos);
 }

@@ -144,6 +144,13 @@ TEST_CASE("fit refuses goals that make no sense, and writes nothing") {
     fit({"--set", "primitive_test=woop"}, {"primitive_test", "woop"});
     fit({"--config", "defaul"}, {"'defaul'"});
     fit({"--json", folder.name("no/such.json")}, {"such.json"});
+    fit({"--device", "lfe5u-86"}, {"'lfe5u-86'", "lfe5u-85"});
+    fit({"--device", "lfe5u-85", "--fill", "0%"}, {"--fill", "0%"});
+    fit({"--device", "lfe5u-85", "--fill", "all"}, {"--fill", "'all'"});
+    fit({"--device", "lfe5u-85", "--clock", "66,90"}, {"--clock", "'66,90'"});
+    for (const std::vector<std::string>& alone :
+         {std::vector<std::string>{"--fill", "50%"}, {"--clock", "66"}, {"--no-route"}, {"--fresh"}})
+        fit(alone, {alone[0], "no effect without --device"});
     check_refused(run_program({"fit", "tetra:1"}), {"--output"});
     check_refused(run_program({"fit", "tetra:1", "-o", folder.name("no/such.json")}), {"such.json"});
     check_refused(run_program({"fit", "no_such_scene", "-o", never}), {"no_such_scene"});

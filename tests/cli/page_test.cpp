@@ -2,32 +2,14 @@
 // it.
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <fstream>
-
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/browser.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;
 
 namespace {
-
-/// The JSON in an element of the page.
-json data_of(const std::string& page, const std::string& id) {
-    const std::string head = "<script type=\"application/json\" id=\"" + id + "\">";
-    const std::size_t begin = page.find(head);
-    REQUIRE(begin != page.npos);
-    const std::size_t end = page.find("</script>", begin);
-    return json::parse(page.substr(begin + head.size(), end - begin - head.size()));
-}
-
-std::size_t count(const std::string& text, const std::string& what) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
-    return n;
-}
 
 /// Without what differs from run to run.
 json lasting(json report) {
@@ -56,31 +38,6 @@ void check_figures(const json& report, const json& data) {
     CHECK(kinds == sums["cycles"]);
     CHECK(steps == sums["visits"]);
     CHECK(data["kinds"] == report["work_by_kind"]);
-}
-
-bool is_installed(const char* program) {
-    return std::system((std::string("command -v ") + program + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-/// What a script in the page says when the page is shown. Empty if there is no browser.
-std::string shown(const Folder& folder, const std::string& page, const std::string& script) {
-    const std::string file = folder.write(
-        "shown.html",
-        page + "<script>async function tested() {\n" + script +
-            "\n}\nconst poll = setInterval(async () => { if (!document.body.dataset.shown) return;\n"
-            "clearInterval(poll); document.title = 'answer ' + await tested(); }, 50);</script>");
-    const std::string command = "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='" +
-                                folder.name("profile") +
-                                "' --enable-logging=stderr --virtual-time-budget=20000 --dump-dom 'file://" +
-                                file + "' > '" + folder.name("dom") + "' 2> '" + folder.name("log") + "'";
-    CHECK(std::system(command.c_str()) == 0);
-    const std::string log = bytes_of(folder.name("log"));
-    INFO(log);
-    CHECK(log.find("CONSOLE") == log.npos);
-    const std::string dom = bytes_of(folder.name("dom")), head = "<title>answer ";
-    const std::size_t begin = dom.find(head);
-    REQUIRE(begin != dom.npos);
-    return dom.substr(begin + head.size(), dom.find("</title>") - begin - head.size());
 }
 
 }   // namespace

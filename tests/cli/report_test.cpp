@@ -125,6 +125,8 @@ TEST_CASE("simulate reports every key, on both engines alike") {
                         {"memory.prim_cache.hits", "number"},
                         {"memory.dram.reads", "number"},
                         {"memory.dram.row_hits", "number"},
+                        {"memory.dram.name", "string"},
+                        {"memory.dram.channels", "number"},
                         {"error.pixels", "number"},
                         {"error.pixels_other_primitive", "number"},
                         {"error.psnr_db", "number"},

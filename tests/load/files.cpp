@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include <zlib.h>
+
 namespace rayclock::test {
 
 std::vector<Corners> Octahedron::corners() const {
@@ -107,6 +109,70 @@ std::string Octahedron::json() const {
             << ']';
     out << R"(]}}, "objects": [{"mesh": "o"}]})";
     return out.str();
+}
+
+std::string Octahedron::off() const {
+    std::ostringstream out;
+    out << "OFF\n" << vertices.size() << ' ' << triangles.size() << " 0\n";
+    for (const auto& v : vertices) out << v.x << ' ' << v.y << ' ' << v.z << '\n';
+    for (const auto& [a, b, c] : triangles) out << "3 " << a << ' ' << b << ' ' << c << '\n';
+    return out.str();
+}
+
+std::string chunk(std::uint16_t id, const std::string& inside) {
+    return raw(id) + raw(static_cast<std::uint32_t>(6 + inside.size())) + inside;
+}
+
+std::string Octahedron::tds() const {
+    std::string corners = raw(static_cast<std::uint16_t>(vertices.size())),
+                faces = raw(static_cast<std::uint16_t>(triangles.size()));
+    for (const auto& v : vertices)
+        for (const double x : {v.x, -v.z, v.y}) corners += raw(static_cast<float>(x));
+    for (const auto& t : triangles) {
+        for (const std::uint32_t i : t) faces += raw(static_cast<std::uint16_t>(i));
+        faces += raw(std::uint16_t{7});
+    }
+    const std::string mesh = chunk(0x4100, chunk(0x4110, corners) + chunk(0x4120, faces));
+    const std::string object = chunk(0x4000, std::string("An Octahedron\0", 14) + mesh);
+    return chunk(0x4d4d, chunk(0x0002, raw(std::uint32_t{3})) + chunk(0x3d3d, object));
+}
+
+std::string Octahedron::dae(const std::string& up_axis) const {
+    std::ostringstream out;
+    out << "<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\"><asset><up_axis>" << up_axis
+        << "</up_axis></asset>\n<library_geometries><geometry id=\"g\"><mesh><source id=\"p\">"
+        << "<float_array id=\"a\" count=\"18\">\n";
+    for (const auto& v : vertices)
+        if (up_axis == "Z_UP")
+            out << v.x << ' ' << -v.z << ' ' << v.y << '\n';
+        else if (up_axis == "X_UP")
+            out << v.y << ' ' << -v.x << ' ' << v.z << '\n';
+        else
+            out << v.x << ' ' << v.y << ' ' << v.z << '\n';
+    out << "</float_array><technique_common><accessor source=\"#a\" count=\"6\" "
+           "stride=\"3\"/></technique_common>"
+        << "</source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+        << "<triangles count=\"8\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>\n";
+    for (const auto& [a, b, c] : triangles) out << a << ' ' << b << ' ' << c << '\n';
+    out << "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
+           "id=\"s\">"
+        << "<node><instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
+        << "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>\n";
+    return out.str();
+}
+
+std::string gz_of(const std::string& bytes) {
+    z_stream z{};
+    deflateInit2(&z, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+    std::string out(bytes.size() + 1000, '\0');
+    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    z.avail_in = static_cast<uInt>(bytes.size());
+    z.next_out = reinterpret_cast<Bytef*>(out.data());
+    z.avail_out = static_cast<uInt>(out.size());
+    deflate(&z, Z_FINISH);
+    out.resize(z.total_out);
+    deflateEnd(&z);
+    return out;
 }
 
 std::string glb_of(std::string text, std::string binary) {

@@ -89,7 +89,16 @@ struct Octahedron {
     std::string gltf(const std::string& uri) const;   ///< uri of the buffer; empty: inside a GLB
     std::string glb() const;
     std::string json() const;
+    std::string off() const;
+    std::string tds() const;   ///< 3DS, whose up is z
+    std::string dae(const std::string& up_axis) const;
 };
+
+/// Compressed by gzip.
+std::string gz_of(const std::string& bytes);
+
+/// A chunk of 3DS.
+std::string chunk(std::uint16_t id, const std::string& inside);
 
 /// Wraps a JSON document and a buffer into a GLB.
 std::string glb_of(std::string text, std::string binary);

@@ -45,6 +45,15 @@ TEST_CASE("one mesh is the same in every format") {
         {"a.glb", o.glb()},
         {"outside.gltf", o.gltf("mesh%20data.bin")},
         {"inside.gltf", o.gltf("data:application/octet-stream;base64," + base64(o.bin()))},
+        {"a.off", o.off()},
+        {"a.3ds", o.tds()},
+        {"y.dae", o.dae("Y_UP")},
+        {"z.dae", o.dae("Z_UP")},
+        {"x.dae", o.dae("X_UP")},
+        {"a.obj.gz", gz_of(o.obj())},
+        {"a.ply.gz", gz_of(o.ply_binary(false))},
+        {"two.off.GZ", gz_of(o.off().substr(0, 50)) + gz_of(o.off().substr(50))},
+        {"a.glb.gz", gz_of(o.glb())},
         {"a.json", o.json()}};
     for (const auto& [name, bytes] : files) {
         INFO(name);

@@ -313,7 +313,7 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
 
     Json json = gltf();
     json["materials"] = {
-        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 1.5}}}}};
+        {{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}, {"metallicFactor", 1.5}}}}};
     json["nodes"][0]["skin"] = 0;
     json["animations"] = Json::array({Json::object(), Json::object()});
     Json& primitives = json["meshes"][0]["primitives"];
@@ -324,7 +324,7 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     const std::string file = folder.name("all.glb") + ": ";
     CHECK(notes_of("all.glb", glb(json)) ==
           Notes{file + "1 material with values out of range, taken as the nearest within",
-                file + "1 material with textures, which are not drawn",
+                file + "1 material with other textures, which are not drawn",
                 file + "1 primitive with vertex colours, which are not drawn",
                 file + "1 primitive with morph targets, drawn in the shape without them",
                 file + "1 node with a skin, drawn in the pose without it", file + "2 animations left out",

@@ -17,6 +17,18 @@ mutant(chip_source_is_an_instance FILE sim/chip/cells.cpp TEST chip "the source 
 mutant(chip_full_device_is_too_small FILE sim/chip/run.cpp TEST chip "what does not fit*"
   OLD [[if (needs <= has) continue;]]
   NEW [[if (needs < has) continue;]])
+mutant(balance_takes_what_is_too_large FILE sim/balance/search.cpp TEST sweep "what the search finds*"
+  OLD [[return use.*resource.member <= room.*resource.member;]]
+  NEW [[return use.*resource.member <= room.*resource.member + room.*resource.member / 8;]])
+mutant(balance_never_exchanges FILE sim/balance/search.cpp TEST sweep "a step is given back*"
+  OLD [[if (up.ladder != down.ladder)]]
+  NEW [[if (up.ladder == down.ladder)]])
+mutant(balance_keeps_what_brings_nothing FILE sim/balance/search.cpp TEST sweep "a step is given back*"
+  OLD [[return gain(m) < 0;]]
+  NEW [[return gain(m) < 10;]])
+mutant(balance_stays_with_one_pipeline FILE sim/balance/search.cpp TEST sweep "the brute-force best*"
+  OLD [[return value(a) > value(b);]]
+  NEW [[return value(a) < value(b);]])
 mutant(chip_route_loses_its_seed FILE sim/chip/route.cpp TEST chip "a route that was kept*"
   OLD [[route.seed = json.at("seed").get<int>();]]
   NEW [[]])

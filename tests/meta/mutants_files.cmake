@@ -44,6 +44,18 @@ mutant(load_spots_end_too_soon FILE sim/load/triangulate.cpp TEST load "polygons
 mutant(load_ear_looks_at_an_old_triangle FILE sim/load/triangulate.cpp TEST load "polygons are cut*"
   OLD [[corners_[side].looked_at = 0;]]
   NEW [[]])
+mutant(files_off_index_one_beyond FILE sim/load/read_off.cpp TEST load "off: what makes*"
+  OLD [[static_cast<std::uint64_t>(vertex) >= vertices_]]
+  NEW [[static_cast<std::uint64_t>(vertex) > vertices_]])
+mutant(files_3ds_up_stays FILE sim/load/read_3ds.cpp TEST load "one mesh*"
+  OLD [[emplace_back(p.x, p.z, -p.y)]]
+  NEW [[emplace_back(p.x, p.y, p.z)]])
+mutant(files_gzip_cut_off_is_taken FILE sim/load/gunzip.cpp TEST load "gzip: damaged*"
+  OLD [[            is_open = false;]]
+  NEW [[            return out;]])
+mutant(files_memory_time_is_rounded FILE sim/memory/memory_file.cpp TEST unit "a memory that is written*"
+  OLD [[const double ps = std::round(ns * 1000);]]
+  NEW [[const double ps = std::round(ns * 100) * 10;]])
 
 # ---- Instances.
 mutant(load_instance_outside_of_its_object FILE sim/load/json_scene.cpp TEST load "json:*"

@@ -188,6 +188,12 @@ mutant(dram_trrd_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
 mutant(dram_tras_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
   OLD [[own.precharge = clock + tras_;]]
   NEW [[own.precharge = clock + 1;]])
+mutant(dram_group_gate_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
+  OLD [[group_of(bank).read = clock + tccd_l_;]]
+  NEW [[group_of(bank).read = clock + tccd_;]])
+mutant(dram_channel_takes_its_neighbours_words FILE model/mem/dram_channels.cpp TEST unit [dram]
+  OLD [[request->addr % count_]]
+  NEW [[request->addr / 2 % count_]])
 mutant(dram_never_refreshes FILE model/mem/dram.cpp TEST unit [dram]
   OLD [[refresh_at_(trefi_),]]
   NEW [[refresh_at_(trefi_ << 24),]])

@@ -1,5 +1,43 @@
 # Faults of the structures other than the box tree: mutants_rtl.cmake says what a row is.
 
+# ---- spheres: globes are rounded outward, in the compiler and in the unit.
+mutant(globe_radius_rounded_down FILE model/accel/globe/encode.cpp TEST accel "globes are written outward*"
+  OLD [[std::ceil((globe.radius + glm::length(moved)) / step)]]
+  NEW [[std::floor((globe.radius + glm::length(moved)) / step)]])
+mutant(globe_forgets_that_its_centre_moved FILE model/accel/globe/encode.cpp TEST accel "globes are written outward*"
+  OLD [[(globe.radius + glm::length(moved)) / step]]
+  NEW [[(globe.radius + 0 * glm::length(moved)) / step]])
+mutant(globe_encloses_all_but_the_last FILE model/accel/globe/around.cpp TEST accel "images of globes hold what they say"
+  OLD [[n < order.count[node]; ++n)]]
+  NEW [[n + 1 < order.count[node] || n == 0; ++n)]])
+mutant(model_globe_without_slack FILE model/globe/globe.cpp TEST unit "globe is right*"
+  OLD [[>> node.exp) + 3;]]
+  NEW [[>> node.exp) - 6;]])
+mutant(model_globe_half_chord_rounded_down FILE model/globe/tables.cpp TEST unit "globe*"
+  OLD [[(i + 65) << 10]]
+  NEW [[(i + 57) << 10]])
+mutant(model_globe_ends_too_early FILE model/globe/globe.cpp TEST unit "globe is right*"
+  OLD [[if (way + half < sight.least) continue;]]
+  NEW [[if (way < sight.least) continue;]])
+mutant(globe_moment_of_the_wrong_sign QUICK FILE rtl/globe/rc_chord.sv TEST unit [globe][lockstep]
+  OLD [[moment_q <= ab - ba;]]
+  NEW [[moment_q <= ba - ab;]])
+mutant(globe_half_chord_is_not_rounded_up FILE rtl/globe/rc_chord.sv TEST unit [globe][lockstep]
+  OLD [[<< root_g) + (F + 10)'(255);]]
+  NEW [[<< root_g) + (F + 10)'(0);]])
+mutant(globe_forgets_an_axis_that_is_far FILE rtl/globe/rc_chord.sv TEST unit [globe][lockstep]
+  OLD [[assign there = over == '0 &&]]
+  NEW [[assign there = over[1:0] == '0 &&]])
+mutant(globe_slack_forgets_an_axis FILE rtl/globe/rc_sight.sv TEST unit [globe][lockstep]
+  OLD [[assign first = size_q[0 +: Sum] + size_q[Sum +: Sum];]]
+  NEW [[assign first = size_q[0 +: Sum] + (size_q[Sum +: Sum] >> 1);]])
+mutant(toward_rounds_down FILE rtl/globe/rc_toward.sv TEST system "model and RTL agree on globes"
+  OLD [[assign rounded = whole + {{(G-1){1'b0}}, moved_q[H-G-1]};]]
+  NEW [[assign rounded = whole + {{(G-1){1'b0}}, moved_q[H-G-1] && moved_q[H-1]};]])
+mutant(trav_keeps_a_long_ray_as_a_short_one FILE rtl/bvh/rc_trav.sv TEST system "model and RTL agree on finished pictures of globes"
+  OLD [[assign is_short = ray_i.kind != rc_pkg::RayShadow;]]
+  NEW [[assign is_short = ray_i.kind != rc_pkg::RayBounce;]])
+
 # ---- kd: planes are rounded outward, exits keep their places.
 mutant(plane_far_side_from_rounded_up QUICK FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
   OLD [[(product_between ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]]

@@ -1,4 +1,6 @@
 // Parameters of parts that a machine does not have: the program says so, and it is true.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
@@ -26,8 +28,11 @@ std::pair<std::uint64_t, std::uint64_t> frame_of(const Config& config) {
 }   // namespace
 
 TEST_CASE("a setting that is said to have no effect has none") {
-    const std::vector<std::vector<std::pair<std::string, std::string>>> machines{
-        {{"dram", "ddr3"}}, {{"dram", "ideal"}}, {{"structure", "none"}}};
+    const std::vector<std::vector<std::pair<std::string, std::string>>> machines{{{"dram", "ddr3"}},
+                                                                                 {{"dram", "ideal"}},
+                                                                                 {{"structure", "none"}},
+                                                                                 {{"structure", "kd"}},
+                                                                                 {{"structure", "octree"}}};
     for (const auto& values : machines) {
         const Config config = configured(values);
         const auto frame = frame_of(config);
@@ -47,6 +52,73 @@ TEST_CASE("a setting that is said to have no effect has none") {
     }
 }
 
+TEST_CASE("of every parameter it is known where it cannot matter, or that it always does") {
+    using Values = std::vector<std::pair<std::string, std::string>>;
+    // A machine on which the parameter changes nothing, and what the note names.
+    struct Row {
+        const char* key;
+        Values machine;
+        const char* because;
+    };
+    const std::vector<Row> rows{{"straddlers", {}, "structure=bvh"},
+                                {"box_bits", {{"structure", "kd"}}, "structure=kd"},
+                                {"leaf_size", {{"structure", "kd"}}, "structure=kd"},
+                                {"stack_depth", {{"structure", "none"}}, "structure=none"},
+                                {"box_queue", {{"structure", "none"}}, "structure=none"},
+                                {"node_sets", {{"structure", "none"}}, "structure=none"},
+                                {"node_ways", {{"structure", "none"}}, "structure=none"},
+                                {"node_line", {{"structure", "none"}}, "structure=none"},
+                                {"node_mshrs", {{"structure", "none"}}, "structure=none"},
+                                {"l2_ways", {}, "l2_sets=0"},
+                                {"l2_line", {}, "l2_sets=0"},
+                                {"l2_mshrs", {}, "l2_sets=0"},
+                                {"dram_channels", {{"dram", "ideal"}}, "dram=ideal"},
+                                {"mem_latency", {{"dram", "hbm2"}}, "dram=hbm2"},
+                                {"mem_interval", {{"dram", "sdr"}}, "dram=sdr"},
+                                {"origin_bits", {}, "shading=0"},
+                                {"lights", {}, "shading=0"},
+                                {"bounces", {}, "shading=0"},
+                                {"shade_queue", {}, "shading=0"},
+                                {"surf_sets", {}, "shading=0"},
+                                {"surf_ways", {}, "shading=0"},
+                                {"surf_line", {}, "shading=0"},
+                                {"surf_mshrs", {}, "shading=0"}};
+    // What every machine has; what is refused without shading; what only has to be large enough.
+    const std::vector<std::string> always{
+        "coord_bits", "dir_bits",    "t_frac_bits",   "recip_bits",   "bary_bits", "primitive_test",
+        "structure",  "node_width",  "contexts",      "raygen_queue", "tri_queue", "tri_interval",
+        "pipelines",  "tile_bits",   "prim_sets",     "prim_ways",    "prim_line", "prim_mshrs",
+        "l2_sets",    "cache_queue", "timing",        "shading",      "spheres",   "planes",
+        "smooth",     "refraction",  "supersampling", "dram",         "addr_bits", "prim_bits",
+        "pixel_bits"};
+    for (const Parameter& p : parameters()) {
+        CAPTURE(p.key);
+        const std::string key = p.key;
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.key == key; });
+        const bool matters = std::find(always.begin(), always.end(), key) != always.end();
+        REQUIRE((row != rows.end()) != matters);   // one of the two
+        if (row != rows.end())
+            CHECK(idle_settings(configured(row->machine), {key + "=1"}) ==
+                  std::vector<std::string>{key + " has no effect with " + row->because});
+        for (const char* structure : {"bvh", "kd", "octree", "none"})
+            if (matters) CHECK(idle_settings(configured({{"structure", structure}}), {key + "=1"}).empty());
+    }
+    CHECK(rows.size() + always.size() == parameters().size());
+}
+
+TEST_CASE("options of a finished picture that change nothing are told") {
+    const auto told = [](const Finish& f, const Whitted& w) { return idle_finish(f, w); };
+    Finish finish;
+    finish.threshold = 0.1, finish.contrast = 0.1;
+    CHECK(told(finish, {.depth = 4, .aa = 3}).empty());
+    CHECK(told(finish, {.depth = 0, .aa = 3}) ==
+          std::vector<std::string>{"--threshold has no effect with --depth 0"});
+    CHECK(told(finish, {.depth = 4, .aa = 2}) ==
+          std::vector<std::string>{
+              "--contrast has no effect with --aa 2, since the first 4 samples are always taken"});
+    CHECK(told({}, {.depth = 0, .aa = 1}).empty());
+}
+
 TEST_CASE("a setting without effect is told with what decides it") {
     const Config config = configured({{"dram", "ddr3"}, {"structure", "none"}});
     CHECK(idle_settings(config, {"mem_latency=5"}) ==
@@ -61,7 +133,8 @@ TEST_CASE("a name that is far from all lists them, if they are few") {
     Config config;
     CHECK_THROWS_WITH(
         set_parameter(config, "dram", "hypermemory", "--set"),
-        "--set: no dram is called 'hypermemory'; there are 'ideal', 'sdr', 'ddr3', 'rpu', 'sdr_half'");
+        "--set: no dram is called 'hypermemory'; there are 'ideal', 'sdr', 'ddr3', 'rpu', 'sdr_half', "
+        "'ddr4', 'lpddr4', 'hbm2'");
     CHECK_THROWS_WITH(named_config("nonsense"),
                       Catch::Contains("is called 'nonsense'; there are 'default', 'small'"));
 }

@@ -1,5 +1,9 @@
 // Axes and grids; judged by hand.
+#include <algorithm>
+#include <set>
+
 #include "model/base/error.hpp"
+#include "sim/sweep/shard.hpp"
 #include "tests/sweep/support.hpp"
 
 using namespace rayclock;
@@ -76,4 +80,29 @@ TEST_CASE("timing does not make another trace, every width does") {
                                          key == "supersampling";
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
+}
+
+TEST_CASE("parts of a sweep share no point, miss none, and cut few traces") {
+    const std::vector<sweep::Point> points =
+        points_of({"clock=33,66,90,120,200", "coord_bits=12,14,16,18"});   // a trace is every fourth point
+    for (const int of : {1, 3, 4, 7, 20}) {
+        INFO(of << " parts");
+        std::vector<int> seen(points.size());
+        std::size_t traces = 0;
+        for (int part = 1; part <= of; ++part) {
+            std::set<std::string> formats;
+            const std::vector<std::size_t> mine = sweep::points_of({part, of}, points);
+            CHECK(std::is_sorted(mine.begin(), mine.end()));
+            CHECK(mine.size() >= points.size() / std::size_t(of));
+            CHECK(mine.size() <= points.size() / std::size_t(of) + 1);
+            for (const std::size_t i : mine) {
+                ++seen[i];
+                formats.insert(sweep::trace_format(points[i].config));
+            }
+            traces += formats.size();
+        }
+        CHECK(seen == std::vector<int>(points.size(), 1));
+        CHECK(traces <= 4 + std::size_t(of) - 1);   // each cut divides one trace at most
+    }
+    CHECK_THROWS_AS(sweep::points_of({1, 21}, points), UserError);
 }

@@ -90,6 +90,27 @@ public:
         return sum;
     }
 
+    /// Of globes, which are not within each other as boxes are, each by itself: their surfaces.
+    double globes(std::uint32_t line) const {
+        const WideGlobes& node = decoder_.globes(line);
+        double sum = 0;
+        for (std::uint32_t child = 0; child < inner_of(node.children); ++child) {
+            const double r = std::ldexp(node.radius[child], int(node.exp)) / radius;
+            sum += r * r + globes(node.children.base + child);
+        }
+        return sum;
+    }
+    /// How many of them a ray meets.
+    int met(std::uint32_t line, const GlobeRay& ray) const {
+        std::array<std::uint32_t, max_width> t_near;
+        const WideGlobes& node = decoder_.globes(line);
+        const std::uint32_t hits = globe_children(ray, node, config_, t_near.data());
+        int sum = std::popcount(hits & node.children.inner_mask);
+        for (std::uint32_t child = 0; child < inner_of(node.children); ++child)
+            sum += met(node.children.base + child, ray);
+        return sum;
+    }
+
 private:
     static std::uint32_t inner_of(const WideNode& node) {
         return std::uint32_t(std::popcount(node.inner_mask));
@@ -117,7 +138,7 @@ std::vector<PrimData> triangles(std::uint32_t count) {
 class Lines {
 public:
     explicit Lines(const Config& config) : config_(config) {}
-    BoxRay next() {
+    Ray next_ray() {
         const auto d = unit();
         auto side = unit();   // made at right angles
         const double along = d[0] * side[0] + d[1] * side[1] + d[2] * side[2];
@@ -129,8 +150,9 @@ public:
             o[k] = int(std::lround(off * side[k] - radius * d[k]));
             direction[k] = int(std::lround(d[k] * ((1 << (config_.dir_bits - 1)) - 1)));
         }
-        return box_ray(make_ray(o, direction, config_));
+        return make_ray(o, direction, config_);
     }
+    BoxRay next() { return box_ray(next_ray()); }
 
 private:
     std::array<double, 3> unit() {
@@ -148,13 +170,15 @@ void check_visits(const Config& config, int lines) {
     INFO(structure_names()[std::size_t(config.structure)] << ", straddlers " << config.straddlers);
     const Tree tree(triangles(400), config);
     Lines drawn(config);
+    const bool globes = config.has_globes();
     double sum = 0, squares = 0;
     for (int i = 0; i < lines; ++i) {
-        const double n = tree.visits(0, drawn.next());
+        const double n =
+            globes ? tree.met(0, globe_ray(drawn.next_ray(), config)) : tree.visits(0, drawn.next());
         sum += n, squares += n * n;
     }
     const double mean = sum / lines, error = std::sqrt((squares / lines - mean * mean) / lines),
-                 expected = tree.expected(0, {});
+                 expected = globes ? tree.globes(0) : tree.expected(0, {});
     CAPTURE(mean, error, expected, mean / expected);
     CHECK(expected > 1);
     CHECK(mean >= expected - 4 * error);
@@ -163,7 +187,7 @@ void check_visits(const Config& config, int lines) {
 
 void check_all(int lines) {
     Config config;
-    for (const Structure structure : {Structure::bvh, Structure::kd, Structure::octree}) {
+    for (const Structure structure : {Structure::bvh, Structure::spheres, Structure::kd, Structure::octree}) {
         config.structure = int(structure);
         for (const int width : {8, 2}) {
             config.node_width = width;
@@ -171,6 +195,7 @@ void check_all(int lines) {
             check_visits(config, lines);
         }
     }
+    config.structure = int(Structure::octree);
     config.straddlers = int(Straddlers::inner);
     check_visits(config, lines);
 }

@@ -89,6 +89,31 @@ TEST_CASE("model and RTL agree on every DRAM, at every clock, with every back-pr
         check_lockstep(job, traffic, int(traffic.seed));
 }
 
+TEST_CASE("model and RTL agree on memories side by side, and on one that a file describes") {
+    struct Case {
+        const char* dram;
+        int channels, khz;
+    };
+    for (const Case& c : {Case{"ddr4", 1, 66000}, Case{"ddr4", 3, 4000000}, Case{"lpddr4", 2, 200000},
+                          Case{"hbm2", 1, 1000000}, Case{"hbm2", 4, 533333}, Case{"sdr", 4, 20000}}) {
+        for (const bool is_file : {false, true}) {
+            Config config = quick_config(is_file ? "narrow" : "default");
+            set_parameter(config, "dram", c.dram, "test");
+            config.dram_channels = c.channels;
+            if (is_file) {
+                DramPart part = *config.dram_part();
+                part.queue = 3;
+                config.own_dram = std::make_shared<const DramPart>(part);
+            }
+            Job job = make_shot("gears:1", {32, 24}, config).job;
+            job.khz = c.khz;
+            INFO(c.dram << " x " << c.channels << ", " << c.khz << " kHz");
+            check_lockstep(job);
+            check_lockstep(job, Traffic{25, 60, 3}, 3);
+        }
+    }
+}
+
 TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm") {
     const Shot shot =
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));

@@ -1,5 +1,5 @@
-// Structures: boxes, planes, octants and a mere list hold the same scene, and no ray can tell which. The RTL
-// of each walks as its model does.
+// Structures: boxes, globes, planes, octants and a mere list hold the same scene, and no ray can tell which.
+// The RTL of each walks as its model does.
 #include <catch2/catch.hpp>
 
 #include <memory>
@@ -32,7 +32,8 @@ Config kd(const std::string& name) { return deep(name, Structure::kd); }
 /// Every structure, and every rule by which one of them can be built.
 std::vector<Config> all_structures(const Config& config) {
     std::vector<Config> all;
-    for (const Structure s : {Structure::none, Structure::bvh, Structure::kd, Structure::octree})
+    for (const Structure s :
+         {Structure::none, Structure::bvh, Structure::spheres, Structure::kd, Structure::octree})
         all.push_back(structured(config, s));
     all.push_back(with(all.back(), {{"straddlers", int(Straddlers::inner)}}));
     return all;
@@ -127,9 +128,12 @@ Job finished(const std::string& name, FrameSize size, const Config& config) {
 }   // namespace
 
 TEST_CASE("the RTL of the structures builds", "[.build]") {
-    std::vector<RtlJob> jobs{{"rc_chip", "default, kd", kd("default")},
-                             {"rc_chip", "small, none", structured(quick_config("small"), Structure::none)},
-                             {"rc_chip", "kd of all units", shaded(quick_config("small"), Structure::kd)}};
+    std::vector<RtlJob> jobs{
+        {"rc_chip", "default, kd", kd("default")},
+        {"rc_chip", "default, spheres", deep("default", Structure::spheres)},
+        {"rc_chip", "spheres of all units", shaded(quick_config("small"), Structure::spheres)},
+        {"rc_chip", "small, none", structured(quick_config("small"), Structure::none)},
+        {"rc_chip", "kd of all units", shaded(quick_config("small"), Structure::kd)}};
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
@@ -193,6 +197,12 @@ TEST_CASE("model and RTL agree on a kd-tree", "[structures]") {
     check_lockstep(make_shot(scene, {48, 36}, kd("default")).job);
 }
 
+TEST_CASE("model and RTL agree on globes", "[structures]") {
+    const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");
+    INFO(scene);
+    check_lockstep(make_shot(scene, {48, 36}, deep("default", Structure::spheres)).job);
+}
+
 // The chip is that of a kd-tree.
 TEST_CASE("model and RTL agree on an octree", "[structures]") {
     const std::string scene = GENERATE("gears:1", "balls:1", "tetra:4"), rule = GENERATE("leaves", "inner");
@@ -208,6 +218,12 @@ TEST_CASE("model and RTL agree on finished pictures of a kd-tree", "[structures]
     check_lockstep(finished(scene, {20, 15}, shaded(quick_config("small"), Structure::kd)));
 }
 
+TEST_CASE("model and RTL agree on finished pictures of globes", "[structures]") {
+    const std::string scene = GENERATE("spheres", "balls:1", "mount:2", "plane");
+    INFO(scene);
+    check_lockstep(finished(scene, {20, 15}, shaded(quick_config("small"), Structure::spheres)));
+}
+
 TEST_CASE("model and RTL agree on a list of all primitives", "[structures]") {
     const std::string scene = GENERATE("tetra:1", "tetra:3", "mount:1", "cornell");
     INFO(scene);
@@ -218,13 +234,14 @@ TEST_CASE("model and RTL agree on every structure, other configurations", "[stru
     const std::string name = GENERATE("small", "narrow", "broad", "wide", "saarcor", "rpu", "ulx3s");
     INFO(name);
     check_lockstep(make_shot("gears:2", {48, 36}, kd(name)).job);
+    check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::spheres)).job);
     check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::octree)).job);
     check_lockstep(make_shot("tetra:3", {20, 15}, structured(quick_config(name), Structure::none)).job);
 }
 
 TEST_CASE("model and RTL agree on finished pictures of every structure", "[structures][slow]") {
     const std::string scene = GENERATE("spheres", "mirrors", "teapot:3");
-    for (const Structure structure : {Structure::kd, Structure::none, Structure::octree})
+    for (const Structure structure : {Structure::spheres, Structure::kd, Structure::none, Structure::octree})
         check_lockstep(finished(scene, {16, 12}, shaded(quick_config("default"), structure)));
 }
 
@@ -234,6 +251,11 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
     CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("structure=kd needs primitive_test"));
     config.structure = int(Structure::octree);
     CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("structure=octree needs primitive_test"));
+    config.structure = int(Structure::spheres);
+    CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("structure=spheres needs primitive_test"));
+    config = deep("default", Structure::spheres);
+    config.stack_depth = 1;
+    CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
     config = kd("default");
     config.stack_depth = 1;
     CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
@@ -243,7 +265,8 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
 }
 
 TEST_CASE("no plane separates primitives that are all the same", "[structures]") {
-    const Config config = structured(lattice_of(18), GENERATE(Structure::kd, Structure::octree));
+    const Config config =
+        structured(lattice_of(18), GENERATE(Structure::kd, Structure::octree, Structure::spheres));
     for (const std::uint32_t n : {1u, 6u, 7u, 1000u}) {
         std::vector<PrimData> prims(n, {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}, 0, 0});
         for (std::uint32_t i = 0; i < n; ++i) prims[i].prim = i;

@@ -25,6 +25,14 @@ TEST_CASE("every named memory but the ideal one is a part, and its figures are t
     REQUIRE(dram_part("sdr").bursts() == 4);
     REQUIRE(dram_part("ddr3").bursts() == 4);
     REQUIRE(dram_part("rpu").bursts() == 2);
+    REQUIRE(peak_bytes_per_second(dram_part("ddr4")) == 19'207'683'073);
+    REQUIRE(peak_bytes_per_second(dram_part("lpddr4")) == 6'400'000'000);
+    REQUIRE(peak_bytes_per_second(dram_part("hbm2")) == 32'000'000'000);
+    REQUIRE(capacity_bytes(dram_part("ddr4")) == std::int64_t(8) << 30);
+    REQUIRE(capacity_bytes(dram_part("lpddr4")) == 512 << 20);
+    REQUIRE(capacity_bytes(dram_part("hbm2")) == 1 << 30);
+    REQUIRE(dram_part("lpddr4").bursts() == 2);
+    REQUIRE(dram_part("hbm2").bursts() == 1);
 }
 
 TEST_CASE("each gate of a DRAM holds a command back until its clock and no longer", "[dram]") {
@@ -51,6 +59,7 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
         {"tRC", &DramPart::trc, {{act, 0}, {pre, 0}}, 0, {act, 0}},
         {"tRC, refresh", &DramPart::trc, {{act, 1}, {pre, 1}}, 0, {ref, 0}},
         {"tRRD", &DramPart::trrd, {{act, 0}}, 0, {act, 1}},
+        {"tRRD, group", &DramPart::trrd_l, {{act, 0}}, 0, {act, 4}},
         {"tFAW", &DramPart::tfaw, {{act, 0}, {pre, 0}, {act, 1}, {act, 2}, {act, 3}}, 0, {act, 0}},
         {"tFAW, second",
          &DramPart::tfaw,
@@ -61,15 +70,18 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
         {"tRTP, all", &DramPart::trtp, {{act, 0}, {rd, 0}}, 1, {all, 0}},
         {"tCCD", &DramPart::tccd, {{act, 0}, {rd, 0}}, 1, {rd, 0}},
         {"tCCD, banks", &DramPart::tccd, {{act, 0}, {act, 1}, {rd, 0}}, 2, {rd, 1}},
+        {"tCCD, group", &DramPart::tccd_l, {{act, 0}, {act, 4}, {rd, 0}}, 2, {rd, 4}},
         {"tRFC", &DramPart::trfc, {{ref, 0}}, 0, {act, 2}},
         {"tRFC, refresh", &DramPart::trfc, {{ref, 0}}, 0, {ref, 0}},
     };
-    const DramPart sheet = dram_part(GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu"));
+    const DramPart sheet =
+        dram_part(GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2"));
     for (const Gate& gate : gates)
         for (const int extra : {0, 1}) {   // a whole number of clocks, and one picosecond more
             // Long enough that no other gate binds: the sheet's own figures are judged with the traffic of
             // dram_test.cpp.
             DramPart part = sheet;
+            part.banks = std::max(part.banks, 8);
             part.*gate.time = (part.*gate.time / part.tck + 60) * part.tck + extra;
             CAPTURE(part.name, gate.name, extra);
             DramBanks banks{part};
@@ -83,7 +95,7 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
             CHECK(banks.allows(gate.held.command, gate.held.bank, clock));
         }
     DramPart part = sheet;
-    part.tccd = part.trcd = 0;
+    part.tccd = part.tccd_l = part.trcd = 0;
     DramBanks banks{part};
     banks.issue(act, 0, 7, 0);
     REQUIRE(banks.earliest(rd, 0) == 1);   // one command per clock
@@ -91,4 +103,17 @@ TEST_CASE("each gate of a DRAM holds a command back until its clock and no longe
     REQUIRE(banks.earliest(rd, 0) == 1 + part.burst_length / part.transfers);   // data do not meet
     REQUIRE(banks.is_open(0));
     REQUIRE(banks.row(0) == 7);
+}
+
+TEST_CASE("the gates of a bank group do not hold back another group", "[dram]") {
+    DramPart part = dram_part("ddr4");
+    part.tccd_l = part.trrd_l = 100 * part.tck;
+    DramBanks banks{part};
+    banks.issue(DramCommand::activate, 0, 7, 0);
+    CHECK(banks.earliest(DramCommand::activate, 1) == 4);   // tRRD_S
+    CHECK(banks.earliest(DramCommand::activate, 4) == 100);
+    banks.issue(DramCommand::activate, 1, 7, 4);
+    banks.issue(DramCommand::read, 0, 7, 50);
+    CHECK(banks.earliest(DramCommand::read, 1) == 54);   // tCCD_S
+    CHECK(banks.earliest(DramCommand::read, 0) == 150);
 }

@@ -155,7 +155,7 @@ TEST_CASE("a run that stands still ends with where every ray is", "[machine][stu
 }
 
 TEST_CASE("a memory that takes tens of thousands of cycles to answer is no standstill", "[machine][stuck]") {
-    const std::string memory = GENERATE("sdr", "ddr3", "rpu");
+    const std::string memory = GENERATE("sdr", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
     Job job = small_job("tetra:1", {4, 3}, shaped(format("small"), {}));
     set_parameter(job.config, "dram", memory, "test");
     job.khz = 100'000'000;   // 100 GHz, the fastest clock that may be asked for

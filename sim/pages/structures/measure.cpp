@@ -69,6 +69,7 @@ Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study) {
 
 std::vector<Kind> trees(const Config& base) {
     return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
+            kind_of("spheres", base, Structure::spheres, Straddlers::leaves),
             kind_of("kd", base, Structure::kd, Straddlers::leaves),
             kind_of("octree", base, Structure::octree, Straddlers::leaves)};
 }

@@ -1,6 +1,7 @@
 // Configuration files.
 #include <nlohmann/json.hpp>
 
+#include "sim/memory/memory_file.hpp"
 #include "sim/request/config_file.hpp"
 #include "tests/fuzz/program/targets.hpp"
 
@@ -16,9 +17,11 @@ void config(std::string_view bytes) {
             demand(value >= p.lo && value <= p.hi, "a legal configuration has its parameters in range");
             written[p.key] = p.names ? nlohmann::json(value_text(config, p)) : nlohmann::json(value);
         }
+        if (config.own_dram) written["dram"] = memory_file_json(*config.own_dram);
         const Config again = parse_config(path, written.dump());
         for (const Parameter& p : parameters())
             demand(config.*p.member == again.*p.member, "what is written is read again");
+        demand(own_memory_text(config) == own_memory_text(again), "a memory is written and read again");
         demand(again.name == config.name, "a name that was made printable stays as it is");
     });
 }

@@ -21,10 +21,14 @@ struct Target {
     const char* name;
     void (*run)(std::string_view bytes);
 };
-constexpr std::array<Target, 10> targets{{{"obj", obj},
+constexpr std::array<Target, 14> targets{{{"obj", obj},
                                           {"mtl", mtl},
                                           {"ply", ply},
                                           {"stl", stl},
+                                          {"off", off},
+                                          {"3ds", tds},
+                                          {"dae", dae},
+                                          {"gz", gz},
                                           {"gltf", gltf},
                                           {"scene", scene},
                                           {"config", config},

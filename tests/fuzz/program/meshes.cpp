@@ -1,4 +1,5 @@
 // OBJ with MTL, PLY, STL and glTF.
+#include "sim/load/gunzip.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "tests/fuzz/program/scenes.hpp"
 #include "tests/fuzz/program/targets.hpp"
@@ -19,6 +20,15 @@ void check_mesh(Read read, const std::string& name, std::string_view bytes, Fini
 void obj(std::string_view bytes) { check_mesh(read_obj, "fuzzed.obj", bytes, Finite::always); }
 void ply(std::string_view bytes) { check_mesh(read_ply, "fuzzed.ply", bytes, Finite::always); }
 void stl(std::string_view bytes) { check_mesh(read_stl, "fuzzed.stl", bytes, Finite::always); }
+void off(std::string_view bytes) { check_mesh(read_off, "fuzzed.off", bytes, Finite::always); }
+void tds(std::string_view bytes) { check_mesh(read_3ds, "fuzzed.3ds", bytes, Finite::always); }
+void dae(std::string_view bytes) { check_mesh(read_dae, "fuzzed.dae", bytes, Finite::checked); }
+void gz(std::string_view bytes) {
+    const auto read = [](const std::filesystem::path& path, std::string packed, Loading& loading) {
+        return read_off(path, gunzip(path, packed, loading), loading);
+    };
+    check_mesh(read, "fuzzed.off.gz", bytes, Finite::always);
+}
 void gltf(std::string_view bytes) { check_mesh(read_gltf, "fuzzed.gltf", bytes, Finite::checked); }
 
 /// Every block is given to a triangle, so that its values are judged.

@@ -29,6 +29,7 @@ struct Options {
     std::string scene, size = default_size, clocks = default_clocks, rays = "1e6", bits = "12:20:2",
                        max_error = "0.1%", max_work = "0%", max_other = "1%";
     std::vector<std::string> axes;
+    std::optional<std::string> shard;
     std::optional<double> min_psnr;
     ConfigChoice config;
     Finish finish;
@@ -55,6 +56,7 @@ void declare(Parser& parser, Options& o) {
     view_options(parser, o.view);
     json_option(parser, o.json);
     parser.option("--axis", o.axes, "");
+    parser.option("--shard", o.shard, "");
     parser.option("--rays", o.rays, "");
     parser.option("--bits", o.bits, "");
     parser.option("--max-error", o.max_error, "");
@@ -91,6 +93,11 @@ int read_options(const Options& o) {
         for (const std::string& axis : o.axes) axes.push_back(sweep::parse_axis(axis));
         if (!axes.empty()) sweep::make_points(axes, config, 66000, clock_khz);
     });
+    read([&] {
+        if (!o.shard) return;
+        const sweep::Shard shard = sweep::parse_shard(*o.shard);
+        fuzz::demand(1 <= shard.part && shard.part <= shard.of, "a part is one of its parts");
+    });
     read([&] { parse_values("--bits", o.bits); });
     read([&] { fuzz::demand(parse_rays(o.rays) >= 1, "there is a ray"); });
     read([&] {
@@ -126,12 +133,14 @@ COMMAND(explain)
 COMMAND(trace)
 COMMAND(compare)
 COMMAND(sweep)
+COMMAND(merge)
 COMMAND(fit)
 COMMAND(tradeoff)
 COMMAND(yardstick)
 COMMAND(figures)
 COMMAND(counts)
 COMMAND(structures)
+COMMAND(gigahertz)
 COMMAND(area)
 COMMAND(chip)
 COMMAND(bench)

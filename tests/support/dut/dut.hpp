@@ -9,6 +9,7 @@
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/bvh/box.hpp"
+#include "model/globe/globe.hpp"
 #include "model/kd/treelet.hpp"
 #include "sim/rtl/rtl_module.hpp"
 
@@ -85,6 +86,15 @@ struct TreeletUnit {
     static int latency(const Config& c) { return c.treelet_latency(); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const TreeletReq& req, const Frame&, const Config& c) { return treelet(req, c); }
+};
+struct GlobeUnit {
+    using Req = GlobeReq;
+    using Rsp = BoxRsp;
+    static constexpr const char *name = "rc_globe", *in = "req", *out = "rsp";
+    static constexpr bool has_frame = false;
+    static int latency(const Config& c) { return c.globe_latency(); }
+    static int queue(const Config& c) { return c.box_queue; }
+    static BoxRsp answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
 };
 struct TriUnit {
     using Req = TriReq;

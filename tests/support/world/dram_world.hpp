@@ -26,11 +26,12 @@ inline std::uint64_t cycle_from(std::uint64_t ps, int khz) {
 inline std::uint32_t row_words(const DramPart& part) { return std::uint32_t(part.row_bytes() / 64); }
 inline std::uint32_t address(const DramPart& part, std::uint32_t row, std::uint32_t bank,
                              std::uint32_t word) {
-    return (row * std::uint32_t(part.banks) + bank) * row_words(part) + word;
+    const std::uint32_t groups = std::uint32_t(part.bank_groups), banks = std::uint32_t(part.banks);
+    return ((row * (banks / groups) + bank / groups) * row_words(part) + word) * groups + bank % groups;
 }
 /// Clocks of the DRAM from one read command of a request to its next.
 inline std::int64_t read_step(const DramPart& part) {
-    return std::max(clocks(part, part.tccd), std::int64_t(part.burst_clocks()));
+    return std::max({clocks(part, part.tccd), clocks(part, part.tccd_l), std::int64_t(part.burst_clocks())});
 }
 
 /// What came of some requests, by their number, and what the memory did for them.
@@ -99,7 +100,7 @@ inline std::vector<std::uint32_t> mixed(std::size_t n, std::uint64_t seed) {
     return all;
 }
 
-double bytes_per_second(const Log& log, int khz) {
+inline double bytes_per_second(const Log& log, int khz) {
     const auto ps = begin_of(log.answered[log.order.back()], khz) - begin_of(log.accepted[0], khz);
     return 64e12 * double(log.order.size()) / double(ps);
 }
@@ -127,8 +128,10 @@ inline void check_commands(const DramPart& part, const std::vector<Issued>& all)
                 all[k].bank == c.bank || c.command == Command::precharge_all || c.command == Command::refresh;
             const bool after_close =
                 (all[k].command == Command::precharge && same) || all[k].command == Command::precharge_all;
+            const bool same_group = all[k].bank % part.bank_groups == c.bank % part.bank_groups;
             switch (all[k].command) {
                 case Command::activate:
+                    if (c.command == Command::activate && same_group) gate(k, i, part.trrd_l, "tRRD_L");
                     if (c.command == Command::activate && ++activates == 4) gate(k, i, part.tfaw, "tFAW");
                     if (c.command == Command::activate) gate(k, i, part.trrd, "tRRD");
                     if ((c.command == Command::activate || c.command == Command::refresh) && same)
@@ -139,6 +142,7 @@ inline void check_commands(const DramPart& part, const std::vector<Issued>& all)
                 case Command::read:
                     if (c.command == Command::read)
                         gate(k, i, std::max(part.tccd, part.burst_clocks() * part.tck), "tCCD");
+                    if (c.command == Command::read && same_group) gate(k, i, part.tccd_l, "tCCD_L");
                     if (closes && same) gate(k, i, part.trtp, "tRTP");
                     break;
                 case Command::refresh: gate(k, i, part.trfc, "tRFC"); break;
@@ -150,7 +154,12 @@ inline void check_commands(const DramPart& part, const std::vector<Issued>& all)
     }
 }
 
-inline std::string any_part() { return GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu"); }
+inline std::string any_part() {
+    return GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2");
+}
+
+/// Those whose answers take many cycles of a chip of some hundred MHz.
+inline std::string slow_part() { return GENERATE(as<std::string>{}, "sdr", "sdr_half", "ddr3", "rpu"); }
 
 /// Gates that no real part has in this order: a row may close before the next read, short bursts, few banks,
 /// a small queue.

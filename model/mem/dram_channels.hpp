@@ -1,0 +1,50 @@
+#pragma once
+#include <vector>
+
+#include "model/mem/dram.hpp"
+
+namespace rayclock {
+
+/// DRAMs of one kind side by side behind one port, with the face of a single one: neighbouring words of 64
+/// bytes lie in different channels. A request is taken while every channel has room. Answers of several
+/// channels in one cycle come one after the other, that of the lowest channel first. One channel is exactly a
+/// Dram.
+class DramChannels {
+public:
+    DramChannels(const DramPart& part, int channels, int khz, int ids);
+
+    using Answer = Dram::Answer;
+    bool ready() const { return ready_; }
+    bool valid() const { return valid_; }
+    Answer answer() const { return answer_; }
+
+    void clock(const Answer* request);
+
+    bool rests() const;
+    bool idle() const;
+    std::uint64_t now() const { return channels_[0].now(); }
+    std::uint64_t quiet_until() const;
+    void skip(std::uint64_t cycles);
+
+    DramStatistics statistics() const;   ///< of all of them together
+    /// Cycles by the first cause that holds in any channel.
+    std::uint64_t cycles(DramCause cause) const {
+        return count_ == 1 ? channels_[0].cycles(cause) : causes_[std::size_t(cause)];
+    }
+
+    /// The commands of a channel as they are given, for tests.
+    void record(int channel, std::vector<Dram::Issued>* log) { channels_[std::size_t(channel)].record(log); }
+
+private:
+    void gather();   // what the channels offer and how they stand, after a clock edge
+    void mirror();   // the same of a single channel
+
+    std::vector<Dram> channels_;
+    std::uint32_t count_;
+    bool ready_ = true, valid_ = false;
+    Answer answer_{};
+    Ring<Answer> waiting_;   // answers that came beside others
+    std::array<std::uint64_t, dram_causes> causes_{};
+};
+
+}   // namespace rayclock

@@ -1,0 +1,82 @@
+// What every unit that decides nodes does at its end: it puts the children that are met in order,
+// and keeps its answers in a queue until trav takes them. Part of rc_globe.
+//
+// The unit's stages are counted as its valid bits are. A node's ray, base and kinds come with
+// stage In, which children are met and from when on with stage Latency - RankStages - 1. Model:
+// box_answer() in model/bvh/box.hpp.
+`default_nettype none
+module rc_answer #(
+  parameter  int unsigned Latency = rc_pkg::BoxLatency,   // of the unit, without its queue
+  localparam int unsigned W  = rc_pkg::NodeWidth,
+  localparam int unsigned T  = rc_pkg::TBits,
+  localparam int unsigned C  = rc_pkg::CountBits,
+  localparam int unsigned O  = rc_pkg::OffsetBits,
+  localparam int unsigned I  = rc_pkg::RayBits,
+  localparam int unsigned A  = rc_pkg::AddrBits,
+  localparam int unsigned G  = rc_pkg::GroupBits,
+  localparam int unsigned L  = Latency
+) (
+  input  logic                       clk_i,
+  input  logic                       rst_ni,
+  input  logic [L-1:0]               moves_i,   // moves_i[i]: what follows stage i takes over
+  // A node, at stage In
+  input  logic [I-1:0]               ray_i,
+  input  logic [A-1:0]               base_i,
+  input  logic [W*C-1:0]             kind_i,
+  // Its children, at the stage before they are put in order
+  input  logic [W-1:0]               met_i,
+  input  logic [W*T-1:0]             near_i,
+  // The end: whether a node is there
+  input  logic                       end_valid_i,
+  output logic                       rsp_valid_o,
+  input  logic                       rsp_ready_i,
+  output logic [rc_pkg::BoxRspW-1:0] rsp_o
+);
+  localparam int unsigned EntryW = T + O + C;
+  localparam int unsigned In     = rc_pkg::Cut;
+  localparam int unsigned Rank   = L - rc_pkg::RankStages;
+
+  // Ray and base wait until the end, kinds until the children are met and are put in order.
+  logic [I+A-1:0] end_whose;   // {ray, base}
+  logic [W*C-1:0] meet_kind, rank_kind;
+  rc_delay #(.Width(I + A), .Stages(L - In)) u_whose (
+    .clk_i, .valid_i(moves_i[L-1:In]), .data_i({ray_i, base_i}), .data_o(end_whose));
+  rc_delay #(.Width(W * C), .Stages(Rank - 1 - In)) u_kind (
+    .clk_i, .valid_i(moves_i[Rank-2:In]), .data_i(kind_i), .data_o(meet_kind));
+  rc_delay #(.Width(W * C), .Stages(1)) u_rank_kind (
+    .clk_i, .valid_i(moves_i[Rank-1]), .data_i(meet_kind), .data_o(rank_kind));
+
+  logic [W-1:0]   hit_q;
+  logic [W*T-1:0] near_q;
+  for (genvar i = 0; i < W; i++) begin : gen_child
+    always_ff @(posedge clk_i) begin
+      if (moves_i[Rank-1]) begin
+        hit_q[i]         <= met_i[i] && meet_kind[i*C +: C] != '0;
+        near_q[i*T +: T] <= near_i[i*T +: T];
+      end
+    end
+  end
+
+  logic [G-1:0]        end_inner, end_leaves;
+  logic [W*EntryW-1:0] end_entries;
+  rc_rank u_rank (
+    .clk_i, .valid_i(moves_i[L-1:Rank]),
+    .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
+    .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));
+
+  logic queue_ready;
+  rc_fifo #(.Width(rc_pkg::BoxRspW), .Depth(rc_pkg::BoxQueue)) u_queue (
+    .clk_i, .rst_ni, .valid_i(end_valid_i), .ready_o(queue_ready),
+    .data_i({end_whose, end_inner, end_leaves, end_entries}),
+    .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
+
+`ifndef SYNTHESIS
+  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
+      end_valid_i |-> queue_ready)
+    else $error("an answer met a full queue");
+`endif
+
+  logic unused;
+  assign unused = ^{queue_ready, moves_i};
+endmodule
+`default_nettype wire

@@ -1,0 +1,23 @@
+#pragma once
+// What explain says of a pixel, and simulate's report of many.
+#include "sim/app/compared.hpp"
+#include "sim/explain/explain.hpp"
+
+namespace rayclock {
+
+/// A pixel of frames that were compared.
+ColourFinding colour_finding(const Compared& compared, std::size_t pixel);
+
+/// Keeps the steps of several pixels.
+class PixelsEvents final : public EventSink {
+public:
+    explicit PixelsEvents(const std::vector<std::uint32_t>& pixels);
+    bool wants(std::uint32_t pixel) override { return events_.contains(pixel); }
+    void event(const RayEvent& event) override;
+    const PixelEvents& of(std::uint32_t pixel) const { return events_.at(pixel); }
+
+private:
+    std::map<std::uint32_t, PixelEvents> events_;
+};
+
+}   // namespace rayclock

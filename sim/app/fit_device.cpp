@@ -1,0 +1,115 @@
+#include "sim/app/fit_device.hpp"
+
+#include <fmt/format.h>
+
+#include "model/base/error.hpp"
+#include "model/base/quote.hpp"
+#include "sim/app/options.hpp"
+#include "sim/balance/doors.hpp"
+#include "sim/balance/report.hpp"
+#include "sim/chip/report.hpp"
+#include "sim/rtl/builder.hpp"
+
+namespace rayclock {
+
+namespace {
+
+constexpr const char* default_fill = "90%";   // the host and wires between units are not counted before
+constexpr const char* device_group = "Device (without --device only formats are fitted)";
+
+/// Too little room for the least machine, as a sentence.
+std::string no_machine(const DeviceFit& fit) {
+    const balance::Machine& first = fit.found.first;
+    if (!first.fps || !first.use)
+        return fmt::format("{}: the least machine cannot draw the scene", fit.goal.device.name);
+    return fmt::format("no machine with these formats fits {}: the least needs {}", fit.goal.device.name,
+                       balance::excess(*first.use, fit.goal.room));
+}
+
+void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, const Progress& progress) {
+    jobs::Cache cache(rtl_cache() / "chip", fit.goal.fresh);
+    fit.routed = chip::run({fit.config, "chip", fit.goal.device, {1}}, cache, progress);
+    if (!fit.routed->fits()) return;
+    balance::SceneDoors at_routed(scene, size, int(1000 * fit.routed->best().fmax_mhz), threads,
+                                  fit.goal.fresh, progress);
+    std::vector<balance::Machine> one{{{}, fit.config, {}, {}}};
+    if (at_routed.doors().fps(one)) fit.routed_fps = one[0].fps;
+}
+
+}   // namespace
+
+void device_options(Parser& parser, DeviceOptions& o) {
+    parser
+        .option("--device", o.device,
+                "then look for the fastest machine that fits lfe5u-25, lfe5u-45 or lfe5u-85")
+        .under(device_group);
+    parser.option("--fill", o.fill, "the part of the device that may be filled, 90% by default")
+        .under(device_group);
+    parser.option("--clock", o.clock, "clock at which machines are compared, in MHz; 66 by default")
+        .under(device_group);
+    parser.flag("--no-route", o.no_route, "do not place and route what was found").under(device_group);
+    parser.flag("--fresh", o.fresh, "work everything out again, and take no finished result from the cache")
+        .under(device_group);
+}
+
+std::optional<DeviceGoal> device_goal(const DeviceOptions& o) {
+    if (o.device.empty()) {
+        for (const auto& [name, given] : {std::pair{"--fill", o.fill.has_value()},
+                                          {"--clock", o.clock.has_value()},
+                                          {"--no-route", o.no_route},
+                                          {"--fresh", o.fresh}})
+            if (given) throw UserError(fmt::format("{} has no effect without --device", name));
+        return std::nullopt;
+    }
+    DeviceGoal goal{chip::device_of(o.device), {}, default_khz, !o.no_route, o.fresh};
+    const double fill = parse_percent("--fill", o.fill.value_or(default_fill), false) / 100;
+    for (const chip::Resource& resource : chip::resources())
+        goal.room.*resource.member = std::uint64_t(fill * double(goal.device.has.*resource.member));
+    if (o.clock) {
+        const std::vector<int> clocks = parse_clocks(*o.clock);
+        if (clocks.size() != 1) throw UserError("--clock: fit takes one clock, not " + shown(*o.clock));
+        goal.khz = clocks[0];
+    }
+    return goal;
+}
+
+DeviceFit fit_device(const DeviceGoal& goal, const Scene& scene, FrameSize size, const Config& formats,
+                     int threads, const Progress& progress) {
+    DeviceFit fit{goal, {}, {}, {}, {}};
+    balance::SceneDoors doors(scene, size, goal.khz, threads, goal.fresh, progress);
+    const std::optional<balance::Found> found = balance::search(formats, goal.room, doors.doors());
+    if (!found)
+        throw std::runtime_error(
+            "interrupted: nothing is written, and the same command goes on where it was");
+    fit.found = *found;
+    const balance::Machine& best = fit.found.best();
+    if (!best.fps || !best.use || !balance::fits(*best.use, goal.room))
+        throw std::runtime_error(no_machine(fit));
+    fit.config = best.config;
+    if (goal.route) route(fit, scene, size, threads, progress);
+    return fit;
+}
+
+std::string text(const DeviceFit& fit) {
+    std::string text = fmt::format("on {}, compared at {:g} MHz, an assumed clock; {} machines\n\n{}\n",
+                                   fit.goal.device.name, fit.goal.khz / 1e3, fit.found.machines,
+                                   balance::text(fit.found, fit.goal.room));
+    if (!fit.routed) return text + "  not routed: rayclock chip does it\n";
+    text += chip::text(*fit.routed);
+    if (fit.routed_fps)
+        text += fmt::format("\n  {:.2f} frames per second at the routed {:.1f} MHz\n", *fit.routed_fps,
+                            fit.routed->best().fmax_mhz);
+    return text;
+}
+
+nlohmann::ordered_json json(const DeviceFit& fit) {
+    nlohmann::ordered_json json = balance::json(fit.found, fit.goal.room);
+    json["name"] = fit.goal.device.name;
+    json["clock_mhz"] = fit.goal.khz / 1e3;
+    json["chip"] = fit.routed ? chip::json(*fit.routed) : nlohmann::ordered_json(nullptr);
+    json["fps_routed"] =
+        fit.routed_fps ? nlohmann::ordered_json(*fit.routed_fps) : nlohmann::ordered_json(nullptr);
+    return json;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,42 @@
+// rayclock merge: the parts of a sweep that several machines worked out, as one.
+#include <fmt/format.h>
+
+#include "sim/app/commands.hpp"
+#include "sim/app/swept.hpp"
+
+namespace rayclock {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> reports;
+    SweepOutputs outputs;
+};
+
+void declare(Parser& parser, Options& o) {
+    parser
+        .option("REPORT", o.reports,
+                "reports that sweep --shard wrote with --json, of all parts and in any order; or one of a "
+                "whole sweep, to draw it again")
+        .required();
+    sweep_outputs(parser, o.outputs);
+}
+
+int run(const Options& o) {
+    check_outputs(o.outputs);
+    const sweep::Merged merged = sweep::merge(o.reports, axis_clock);
+    write_sweep(o.outputs, merged,
+                fmt::format("{} points from {} file{}", merged.outcome.results.size(), o.reports.size(),
+                            o.reports.size() == 1 ? "" : "s"),
+                nullptr);
+    return 0;
+}
+
+}   // namespace
+
+Command merge_command() {
+    return command("merge", "the parts of a sweep that several machines worked out, as one",
+                   "rayclock merge part1.json part2.json --json sweep.json -o sweep.csv", declare, run);
+}
+
+}   // namespace rayclock

@@ -1,0 +1,71 @@
+#include "sim/app/swept.hpp"
+
+#include <fmt/format.h>
+
+#include "model/base/quote.hpp"
+#include "sim/app/command_line.hpp"
+#include "sim/files/output.hpp"
+#include "sim/files/streams.hpp"
+#include "sim/report_page/frame.hpp"
+#include "sim/report/text.hpp"
+#include "sim/sweep/cost.hpp"
+#include "sim/sweep/page.hpp"
+#include "sim/sweep/plot.hpp"
+#include "sim/sweep/table.hpp"
+
+namespace rayclock {
+
+void sweep_outputs(Parser& parser, SweepOutputs& o) {
+    parser.option("-o,--output", o.table, "table as CSV");
+    parser.option("--plot", o.plot,
+                  "writes NAME.svg: error against cost and against speed, with the fronts and the knee");
+    parser.option("--report", o.report,
+                  "one HTML file: all points in linked charts, fronts, each axis alone");
+    json_option(parser, o.json);
+}
+
+void check_outputs(const SweepOutputs& o) {
+    o.json.check();
+    if (!o.table.empty()) check_writable(o.table);
+    if (!o.plot.empty()) plot::check_plot_path(o.plot);
+    if (o.report.empty()) return;
+    check_writable(o.report);
+    check_page_library();
+}
+
+int axis_clock(const std::string& value) { return parse_clocks(value).at(0); }
+
+void write_sweep(const SweepOutputs& o, const sweep::Merged& swept, const std::string& how,
+                 const nlohmann::ordered_json& shard) {
+    const std::vector<sweep::Axis>& axes = swept.asked.axes;
+    const std::vector<sweep::Result>& results = swept.outcome.results;
+    const sweep::Front front = sweep::front_of(results, sweep::parse_cost(swept.asked.cost));
+    const std::string scene = swept.scene.at("name").get<std::string>();
+    if (!o.json.is_alone()) {
+        write_output(fmt::format("{}, {}x{}: {}\n{}", printable(scene), swept.size.width, swept.size.height,
+                                 how, sweep::text(axes, swept.outcome, front)));
+        if (swept.outcome.partial)
+            write_output("  PARTIAL: interrupted; the same command goes on where it was\n");
+    }
+    if (!o.table.empty()) write_file(o.table, sweep::csv(axes, results, front));
+    if (!o.plot.empty()) plot::write_plot(o.plot, sweep::front_plot(scene, swept.size, axes, results, front));
+    if (!o.report.empty()) {
+        std::vector<std::pair<std::string, std::string>> origin{{"command", command_line()}};
+        for (auto& version : versions()) origin.push_back(std::move(version));
+        write_bytes(o.report, sweep::sweep_page(swept, front, origin));
+    }
+    o.json.write({{"scene", swept.scene},
+                  {"config", config_json_object(swept.config)},
+                  {"frame", {{"width", swept.size.width}, {"height", swept.size.height}}},
+                  {"sweep", sweep::asked_json(swept.asked)},
+                  {"shard", shard},
+                  {"partial", swept.outcome.partial},
+                  {"front",
+                   {{"error", front.measures[0].key},
+                    {"cost", front.measures[1].key},
+                    {"speed", front.measures[2].key}}},
+                  {"knee", sweep::knee_json(axes, results, front)},
+                  {"points", sweep::points_json(axes, results, front)}});
+}
+
+}   // namespace rayclock

@@ -1,0 +1,144 @@
+// OFF, the text form: the header, corners, faces. Colours of corners and faces are left out, and that is
+// said; blank lines and comments may stand anywhere.
+#include <fmt/format.h>
+
+#include "sim/files/text.hpp"
+#include "sim/load/mesh_file.hpp"
+
+namespace rayclock {
+namespace {
+
+class OffReader {
+public:
+    OffReader(std::string_view text, const Place& at, Loading& loading)
+        : rest_(without_mark(text)), bytes_(text.size()), at_(at), loading_(loading) {}
+
+    Scene read() {
+        header();
+        for (std::uint64_t i = 0; i < vertices_; ++i) vertex(i);
+        for (std::uint64_t i = 0; i < faces_; ++i) face(i);
+        at_.line = 0;
+        if (ends_.empty()) at_.refuse("the file has no triangles: all its faces are points or lines");
+        if (colours_) loading_.note(at_.file, "its colours are not drawn");
+        return joined();
+    }
+
+private:
+    /// The next line that has a word in it, and is no comment.
+    std::string_view line(const char* wanted) {
+        while (!rest_.empty()) {
+            if (++at_.line % 65'536 == 0) loading_.tell("checking", bytes_ - rest_.size(), bytes_);
+            const std::string_view whole = take_line(rest_);
+            check_text(whole, at_, "OFF");
+            std::string_view text = whole.substr(0, whole.find('#')), words = text;
+            if (!take_word(words).empty()) return text;
+        }
+        at_.line = 0;
+        at_.refuse(fmt::format("the file is cut off: {} is missing", wanted));
+    }
+
+    std::uint64_t count(std::string_view& words, const char* what) {
+        const std::int64_t value = whole_number(take_word(words), at_);
+        if (value < 0) at_.refuse(fmt::format("{} {}", value, what));
+        return static_cast<std::uint64_t>(value);
+    }
+
+    void header() {
+        std::string_view words = line("the header");
+        const std::string_view keyword = take_word(words);
+        const std::string kind = lower(keyword);
+        if (kind != "off" && kind != "coff" && kind != "noff" && kind != "cnoff")
+            at_.refuse(kind.ends_with("off") ? "OFF of the kind " + shown(keyword) +
+                                                   " cannot be read, only OFF, "
+                                                   "COFF, NOFF and CNOFF"
+                                             : "this is not OFF: it begins with " + shown(keyword));
+        has_normals_ = kind.find('n') != kind.npos;
+        std::string_view counts = words;
+        const std::string_view next = take_word(counts);
+        if (lower(next) == "binary") at_.refuse("binary OFF cannot be read, only text");
+        counts = next.empty() ? line("the counts") : words;   // many programs put them beside the keyword
+        vertices_ = count(counts, "vertices");
+        faces_ = count(counts, "faces");
+        if (const std::string_view edges = take_word(counts); !edges.empty()) whole_number(edges, at_);
+        // A vertex takes at least six characters and a face two: no room is made for what cannot follow.
+        if (vertices_ > rest_.size() / 6 + 1 || faces_ > rest_.size() / 2 + 1)
+            at_.refuse(fmt::format("the file is cut off: {} vertices and {} faces do not fit in {} bytes",
+                                   vertices_, faces_, bytes_));
+    }
+
+    void vertex(std::uint64_t index) {
+        std::string_view words = line("a vertex");
+        glm::vec3 position(0), normal(0);
+        for (int i = 0; i < 3; ++i) position[i] = number(words, "vertex", index);
+        if (has_normals_)
+            for (int i = 0; i < 3; ++i) normal[i] = number(words, "vertex", index);
+        colours_ |= !take_word(words).empty();
+        positions_.push_back(position);
+        if (has_normals_) normals_.push_back(normal);
+    }
+    float number(std::string_view& words, const char* what, std::uint64_t index) {
+        const std::string_view word = take_word(words);
+        if (word.empty()) at_.refuse(fmt::format("{} {} has too few numbers", what, index));
+        return static_cast<float>(finite_number(word, at_));
+    }
+
+    void face(std::uint64_t index) {
+        std::string_view words = line("a face");
+        const std::uint64_t corners = count(words, "corners");
+        if (corners > max_corners)
+            at_.refuse(fmt::format("a face with {} corners; the most is {}", corners, max_corners));
+        const std::size_t start = indices_.size();
+        for (std::uint64_t k = 0; k < corners; ++k) {
+            const std::string_view word = take_word(words);
+            if (word.empty())
+                at_.refuse(
+                    fmt::format("face {} has {} corners, and {} of them are there", index, corners, k));
+            const std::int64_t vertex = whole_number(word, at_);
+            if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices_)
+                at_.refuse(fmt::format("vertex index {} is out of range: the file has {} (0 is the first)",
+                                       vertex, vertices_));
+            indices_.push_back(static_cast<std::uint32_t>(vertex));
+        }
+        colours_ |= !take_word(words).empty();
+        if (corners < 3) return indices_.resize(start);   // a point or a line
+        if ((triangles_ += corners - 2) > max_triangles)
+            at_.refuse(fmt::format("more than {} triangles", max_triangles));
+        ends_.push_back(indices_.size());
+    }
+
+    Scene joined() {
+        Assembly assembly(at_.file, loading_);
+        PartBuilder builder(ends_.size(), has_normals_);
+        std::vector<Corner> corners;
+        std::size_t k = 0;
+        for (const std::size_t end : ends_) {
+            for (corners.clear(); k < end; ++k) {
+                const std::uint32_t i = indices_[k];
+                corners.push_back(
+                    {glm::dvec3(positions_[i]), has_normals_ ? glm::dvec3(normals_[i]) : glm::dvec3(0)});
+            }
+            assembly.face(builder, corners);
+        }
+        assembly.place(assembly.add(std::move(builder)), glm::dmat4(1), 0,
+                       [] { return Material{.name = "default"}; });
+        return assembly.take();
+    }
+
+    std::string_view rest_;
+    std::size_t bytes_;
+    Place at_;
+    Loading& loading_;
+    std::uint64_t vertices_ = 0, faces_ = 0, triangles_ = 0;
+    bool has_normals_ = false, colours_ = false;
+    std::vector<glm::vec3> positions_, normals_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<std::size_t> ends_;   ///< of each face, in `indices_`
+};
+
+}   // namespace
+
+Scene read_off(const std::filesystem::path& path, std::string bytes, Loading& loading) {
+    return OffReader(bytes, {path.string()}, loading).read();
+}
+
+}   // namespace rayclock

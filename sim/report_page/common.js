@@ -1,0 +1,74 @@
+// What all pages share: their data, Vega, and pixels as the program packs them.
+"use strict";
+const byId = id => document.getElementById(id);
+const data = JSON.parse(byId("data").textContent);
+const grouped = n => Number(n).toLocaleString("en-US");
+
+const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+async function inflated(text) {
+  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+async function valuesOf(map) {
+  const planes = await inflated(map.data), count = data.width * data.height;
+  const values = new Uint32Array(count);
+  for (let b = 0; b < map.bytes; ++b)
+    for (let i = 0; i < count; ++i) values[i] |= planes[b * count + i] << 8 * b;
+  return values;
+}
+
+// Inferno of matplotlib, in nine steps; between them it is linear.
+const inferno = [[0, 0, 4], [31, 12, 72], [85, 15, 109], [136, 34, 106], [186, 54, 85], [227, 89, 51], [249, 140, 10],
+  [249, 201, 50], [252, 255, 164]];
+function heat(share) {
+  const at = Math.min(1, Math.max(0, share)) * (inferno.length - 1), k = Math.min(inferno.length - 2, Math.floor(at));
+  return inferno[k].map((c, i) => Math.round(c + (inferno[k + 1][i] - c) * (at - k)));
+}
+// Vega's modules ask for each other by require(); this is what its own entry point makes of them.
+const vega = (() => {
+  const made = {};
+  const require = name => {
+    if (!made[name]) {
+      const module = { exports: made[name] = {} };
+      vegaModules[name](module.exports, module, require, undefined);
+      made[name] = module.exports;
+    }
+    return made[name];
+  };
+  const all = {};
+  for (const name of Object.keys(vegaModules)) Object.assign(all, require(name));
+  for (const name of Object.keys(vegaModules))
+    if (/transforms$|encode$|hierarchy$/.test(name)) Object.assign(require("vega-dataflow").transforms, require(name));
+  return all;
+})();
+
+const fonts = { font: "system-ui, DejaVu Sans, sans-serif" };
+const chartConfig = {
+  text: fonts,
+  axis: { labelFont: fonts.font, titleFont: fonts.font, labelColor: "#3b4653", titleColor: "#3b4653", grid: false,
+    domainColor: "#98a3b0", tickColor: "#98a3b0", titleFontWeight: "normal" },
+  legend: { labelFont: fonts.font, titleFont: fonts.font, titleFontWeight: "normal" },
+  title: { font: fonts.font, anchor: "start", fontSize: 14, fontWeight: 600, offset: 10 }
+};
+
+async function show(id, spec) {
+  const view = new vega.View(vega.parse({ autosize: { type: "pad", contains: "padding" }, padding: 6, config: chartConfig, ...spec }),
+    { renderer: "svg", container: "#chart-" + id, logLevel: vega.Warn, hover: true });
+  await view.runAsync();
+  return view;
+}
+
+// Draws all; what goes wrong is said where the charts would be.
+function showPage(showAll) {
+  showAll().then(() => {
+    performance.mark("shown");
+    document.body.dataset.shown = "yes";
+  }).catch(error => {
+    document.body.dataset.shown = "no";
+    const note = document.createElement("p");
+    note.className = "note";
+    note.textContent = `The charts cannot be drawn by this browser (${error.message}); what else there is stands below.`;
+    document.querySelector("main").prepend(note);
+    console.error(error);
+  });
+}

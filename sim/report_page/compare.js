@@ -1,0 +1,67 @@
+// What changed: figures by their effect, and cycles gained and lost in every pixel.
+
+const verdicts = { better: "#009e73", worse: "#d55e00", neither: "#9fb3c8" };
+function effectsSpec() {
+  const rows = data.differences.filter(d => d.change !== null && d.values[d.values.length - 1] !== null).slice(0, 40).map(d => ({
+    figure: d.figure, change: d.change, verdict: d.verdict || "neither", label: `${d.change > 0 ? "+" : ""}${(100 * d.change).toFixed(2)} %`,
+    tooltip: `${d.figure}: ${d.values.map(v => v === null ? "none" : v.toLocaleString("en-US")).join(" to ")}` }));
+  return {
+    title: "The forty largest changes, relative to the first report", width: 620, height: 20 * Math.max(1, rows.length),
+    data: [{ name: "rows", values: rows }],
+    scales: [{ name: "x", type: "symlog", constant: 0.01, domain: { data: "rows", field: "change" }, range: "width", zero: true, nice: true },
+      { name: "y", type: "band", domain: rows.map(r => r.figure), range: "height", paddingInner: 0.2 },
+      { name: "verdict", type: "ordinal", domain: Object.keys(verdicts), range: Object.values(verdicts) }],
+    axes: [{ orient: "bottom", scale: "x", format: "+.0%", title: "change (symmetric logarithm)", values: [-1, -0.1, -0.01, 0, 0.01, 0.1, 1, 10] },
+      { orient: "left", scale: "y", labelLimit: 330 }],
+    legends: [{ fill: "verdict", orient: "top", direction: "horizontal", symbolType: "square" }],
+    marks: [{ type: "rect", from: { data: "rows" }, encode: { enter: { x: { scale: "x", value: 0 }, x2: { scale: "x", field: "change" },
+      y: { scale: "y", field: "figure" }, height: { scale: "y", band: 1 }, fill: { scale: "verdict", field: "verdict" }, tooltip: { field: "tooltip" } } } },
+    { type: "text", from: { data: "rows" }, encode: { enter: { x: { scale: "x", field: "change", offset: { signal: "datum.change < 0 ? -4 : 4" } },
+      y: { scale: "y", field: "figure", band: 0.5 }, text: { field: "label" }, align: { signal: "datum.change < 0 ? 'right' : 'left'" },
+      baseline: { value: "middle" }, fontSize: { value: 10 } } } }]
+  };
+}
+
+// Less is green, more is orange, as much as the hundredth part of the pixels that changed most has the full colour.
+const maps = [];
+function changeColour(share) {
+  const full = share < 0 ? [0, 158, 115] : [213, 94, 0], at = Math.min(1, Math.abs(share));
+  return full.map(c => Math.round(255 + (c - 255) * at));
+}
+function drawChange() {
+  const map = maps[byId("figure").value], canvas = byId("change");
+  canvas.width = data.width;
+  canvas.height = data.height;
+  const context = canvas.getContext("2d"), pixels = context.createImageData(data.width, data.height);
+  map.change.forEach((change, i) => pixels.data.set([...changeColour(change / map.end), 255], 4 * i));
+  context.putImageData(pixels, 0, 0);
+  const stops = [-1, 0, 1].map(share => `rgb(${changeColour(share)})`).join(",");
+  byId("scales").innerHTML = `<div class="scale"><span>${grouped(map.end)} more</span>${grouped(map.end)} less` +
+    `<i style="background:linear-gradient(90deg,${stops})"></i></div>`;
+}
+async function showPixels() {
+  if (data.maps.length === 0) return;
+  for (const map of data.maps) {
+    const first = await valuesOf(map.first), last = await valuesOf(map.last);
+    const change = Int32Array.from(first, (v, i) => last[i] - v);
+    const sizes = Int32Array.from(change, Math.abs).sort();
+    maps.push({ name: map.name, first, last, change, end: Math.max(1, sizes[Math.floor(sizes.length * 0.99)]) });
+    byId("figure").add(new Option(map.name, maps.length - 1));
+  }
+  byId("figure").addEventListener("change", drawChange);
+  byId("viewer").hidden = false;
+  byId("change").addEventListener("pointermove", event => {
+    const box = byId("change").getBoundingClientRect();
+    const x = Math.min(data.width - 1, Math.floor((event.clientX - box.left) / box.width * data.width));
+    const y = Math.min(data.height - 1, Math.floor((event.clientY - box.top) / box.height * data.height));
+    byId("pixel").textContent = `Pixel ${x}, ${y}: ` + maps.map(map => {
+      const i = y * data.width + x;
+      return `${map.name} ${grouped(map.first[i])} to ${grouped(map.last[i])}`;
+    }).join("; ");
+  });
+  drawChange();
+}
+showPage(async () => {
+  await show("effects", effectsSpec());
+  await showPixels();
+});
