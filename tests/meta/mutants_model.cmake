@@ -343,5 +343,5 @@ mutant(scene_takes_glass_without_index FILE model/scene/scene.cpp TEST scene [ch
   OLD [[if (m.transmit > 0 && !(m.index > 0))]]
   NEW [[if (m.transmit > 0 && m.index < 0)]])
 mutant(load_stretches_spheres FILE sim/load/json_scene.cpp TEST load "bad*"
-  OLD [[if (!mesh.part->spheres.empty() && !keeps_spheres(transform))]]
-  NEW [[if (mesh.part->spheres.size() > 1000 && !keeps_spheres(transform))]])
+  OLD [[if (!part.own.spheres.empty() && !keeps_spheres(transform))]]
+  NEW [[if (part.own.spheres.size() > 1000 && !keeps_spheres(transform))]])

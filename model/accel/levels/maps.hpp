@@ -44,7 +44,7 @@ struct LevelMaps {
 Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_t index);
 
 /// More than this many of the scene's steps for one of the mesh's, and an instance is written out: a map that
-/// turns, moves and scales alike has 14 at most.
+/// turns, moves and scales alike has 24 at most.
 constexpr double most_stretch = 32;
 
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config);

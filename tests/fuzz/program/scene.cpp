@@ -7,7 +7,10 @@ namespace rayclock::fuzz {
 
 void scene(std::string_view bytes) {
     check_reader(
-        bytes, [&](Loading& loading) { return read_json_scene(file("fuzzed.json"), bytes, loading).scene; },
+        bytes,
+        [&](Loading& loading) {
+            return flattened(read_json_scene(file("fuzzed.json"), bytes, loading).scene);
+        },
         Finite::checked);
 }
 
