@@ -7,6 +7,7 @@
 #include "sim/app/command_line.hpp"
 #include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
@@ -81,7 +82,7 @@ int run(const Options& o) {
     const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
     std::vector<FrameTrace> traces;
     for (const Camera& camera : path)
-        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
+        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, stopping(progress)));
 
     PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
     const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &in_frame, progress);

@@ -4,6 +4,7 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/export/export.hpp"
 #include "sim/files/folder.hpp"
 #include "sim/pages/typed.hpp"
@@ -42,10 +43,11 @@ std::string command_of(const Options& o) {
 }
 
 int run(const Options& o) {
+    catch_interrupts();
     const FrameSize size = parse_size(o.size);
     o.json.check();
     NewFolder folder(o.output);
-    const Progress progress = terminal_progress();
+    const Progress progress = stopping(terminal_progress());
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     check_rtl(request.config);
     set_parameter(request.config, "dram", "ideal", "export");   // the bench has no other memory

@@ -9,6 +9,7 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/observe/replay.hpp"
 #include "sim/report/json.hpp"
@@ -125,7 +126,7 @@ int run(const Options& o) {
     const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
     std::vector<FrameTrace> traces;
     for (const Camera& camera : path)
-        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, progress));
+        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, stopping(progress)));
 
     Timeline timeline(request.config, size, choice);
     const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &timeline, progress);

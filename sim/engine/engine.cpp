@@ -127,6 +127,7 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
     Recording recording(job.image, job.frame, job.config, std::max(1, cores - 1), frames[0].trace);
     if (cores == 1) recording.finish();
     std::vector<FrameTiming> timings = replay(job.config, khz, frames, traffic, progress);
+    if (timings.back().partial) frames[0].trace.failed.store(true);   // nobody needs the other rays
     recording.finish();
     return timings;
 }

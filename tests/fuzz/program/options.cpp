@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"

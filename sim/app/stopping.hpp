@@ -1,0 +1,17 @@
+#pragma once
+#include <stdexcept>
+
+#include "model/base/progress.hpp"
+#include "sim/rtl/interrupt.hpp"
+
+namespace rayclock {
+
+/// The same, and Ctrl-C ends the work that reports to it: for work of which nothing is kept.
+inline Progress stopping(const Progress& progress) {
+    return [progress](std::string_view what, std::uint64_t done, std::uint64_t total) {
+        if (interrupted()) throw std::runtime_error("interrupted: nothing is written");
+        if (progress) progress(what, done, total);
+    };
+}
+
+}   // namespace rayclock
