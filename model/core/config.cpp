@@ -84,10 +84,17 @@ const std::vector<std::string>& primitive_test_names() {
     return names;
 }
 
+// The address of a counter has four bits for a pipeline, whose last value stands for what all of them share.
+constexpr int most_rtl_pipelines = 8;
+
 void check_rtl(const Config& c) {
     if (c.test() != PrimitiveTest::exact && c.test() != PrimitiveTest::sheared)
         throw UserError("primitive_test=" + primitive_test_names()[std::size_t(c.primitive_test)] +
                         " exists in software only; the RTL has exact and sheared");
+    if (c.pipelines > most_rtl_pipelines)
+        throw UserError("pipelines=" + std::to_string(c.pipelines) +
+                        " exists in the model only; the RTL has up to " + std::to_string(most_rtl_pipelines) +
+                        ", since registers number no more counters");
 }
 
 std::string value_text(const Config& config, const Parameter& p) {

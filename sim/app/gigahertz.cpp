@@ -16,7 +16,7 @@ namespace rayclock {
 
 namespace {
 
-const char* const usual_size = "512x384";
+const char* const usual_size = "256x192";
 const char* const usual_scene = "gears:8";
 const char* const usual_finished = "balls:4";
 

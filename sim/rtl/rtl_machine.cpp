@@ -112,10 +112,9 @@ void RtlMachine::start(const Frame& frame) {
 }
 
 void RtlMachine::drive() {
-    unsigned char ready = 0;
-    for (std::size_t p = 0; p < sinks_.size(); ++p)
-        ready |= static_cast<unsigned char>(unsigned(sinks_[p].ready()) << p);
-    std::memcpy(hit_ready_->data, &ready, 1);
+    std::uint32_t ready = 0;   // a bit for each sink, in as many bytes as the signal has
+    for (std::size_t p = 0; p < sinks_.size(); ++p) ready |= std::uint32_t(sinks_[p].ready()) << p;
+    std::memcpy(hit_ready_->data, &ready, std::min<std::size_t>(hit_ready_->bytes, sizeof ready));
     *mem_req_->ready = memory_.ready();
     *mem_rsp_->valid = memory_.valid();
     if (!memory_.valid()) return;

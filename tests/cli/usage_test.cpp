@@ -106,6 +106,7 @@ TEST_CASE("caches, pipelines and memories that make no sense") {
            simulate({"--set", "l2_sets=100"}, {"l2_sets", "power of two"}),
            simulate({"--set", "pipelines=3"}, {"pipelines", "power of two"}),
            simulate({"--set", "pipelines=32"}, {"pipelines", "32"}),
+           simulate({"--engine", "rtl", "--set", "pipelines=16"}, {"pipelines=16", "model only", "up to 8"}),
            simulate({"--set", "dram_channels=5"}, {"dram_channels", "1..4", "5"}),
            simulate({"--set", "dram=none.json"}, {"none.json", "no such file"}),
            simulate({"--set", "cache_queue=1"}, {"cache_queue"}),

@@ -114,14 +114,6 @@ TEST_CASE("model and RTL agree on memories side by side, and on one that a file 
     }
 }
 
-TEST_CASE("model and RTL agree with sixteen pipelines, the most there are", "[slow]") {
-    const Config config =
-        with(named_config("small"), {{"pipelines", 16}, {"node_sets", 4}, {"prim_sets", 4}, {"contexts", 4}});
-    const Job job = make_shot("gears:1", {48, 36}, config).job;
-    check_lockstep(job);
-    check_lockstep(job, Traffic{25, 60, 3}, 3);
-}
-
 TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm") {
     const Shot shot =
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));

@@ -36,7 +36,9 @@ std::vector<Point> camera_points() {
     std::vector<Point> points;
     for (std::size_t m = 0; m < memories().size(); ++m) {
         for (const int mhz : clocks())
-            for (const int p : pipelines()) points.emplace_back(m, mhz, p, Cure::none);
+            for (const int p : pipelines())
+                if (mhz == clocks().back() || p == pipelines().front() || p == pipelines().back())
+                    points.emplace_back(m, mhz, p, Cure::none);
         for (const Cure cure : {Cure::contexts, Cure::cache})
             points.emplace_back(m, clocks().back(), pipelines().back(), cure);
     }
