@@ -52,9 +52,9 @@ constexpr std::array timing_only{
     "timing",    "lights",       "bounces",   "shade_queue",   "surf_sets",    "surf_ways",
     "surf_line", "surf_mshrs"};
 
-/// One value for each of the linked parameters. A single one may be the path of a file.
-std::vector<std::string> values_of(const std::string& value, std::size_t linked) {
-    return linked == 1 ? std::vector<std::string>{value} : split(value, '/');
+/// One value for each of the linked parameters. A memory alone may be the path of its file.
+std::vector<std::string> values_of(const std::string& value, const std::string& key) {
+    return key == "dram" ? std::vector<std::string>{value} : split(value, '/');
 }
 
 }   // namespace
@@ -70,7 +70,7 @@ Axis parse_axis(const std::string& text) {
                         "; name the values, for example node_sets/prim_sets=32/64,64/32");
     const Axis axis{key, list.find(':') != std::string::npos ? range(list, text) : split(list, ',')};
     for (const std::string& value : axis.values)
-        if (const std::size_t given = values_of(value, linked).size(); given != linked)
+        if (const std::size_t given = values_of(value, axis.key).size(); given != linked)
             throw UserError(fmt::format("--axis: {} in {} has {} values for {} parameters", shown(value),
                                         shown(text), given, linked));
     return axis;
@@ -80,7 +80,7 @@ namespace {
 
 /// One point's value of an axis, which may be several parameters' together.
 void set(Point& point, const Axis& axis, const std::string& value, int (*clock)(const std::string&)) {
-    const std::vector<std::string> keys = split(axis.key, '/'), values = values_of(value, keys.size());
+    const std::vector<std::string> keys = split(axis.key, '/'), values = values_of(value, axis.key);
     for (std::size_t k = 0; k < keys.size(); ++k)
         if (keys[k] == "clock")
             point.khz = clock(values[k]);

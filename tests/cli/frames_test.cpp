@@ -65,7 +65,8 @@ TEST_CASE("a sweep says the same as single simulations") {
     REQUIRE(report["points"].size() == 4);
     CHECK(report["partial"] == false);
     for (const json& point : report["points"]) {
-        const std::string clock = point["clock"]["mhz"] == 33.0 ? "33" : "200", sets = point["node_sets"];
+        const std::string clock = point["clock"]["mhz"] == 33.0 ? "33" : "200";
+        const std::string sets = std::to_string(point["values"]["node_sets"].get<int>());
         const json single = report_of({"simulate", "tetra:4", "--size", "64x48", "--set", "node_sets=" + sets,
                                        "--clock", clock, "--no-reference"});
         CHECK(point["clock"] == single["clocks"][0]);

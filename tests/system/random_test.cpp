@@ -31,9 +31,11 @@ void check_config_in_lockstep(const Config& config) {
     }
 }
 
-/// A chip without a tree tests every primitive for every ray, so its scene is small.
+/// A chip without a tree tests every primitive for every ray, so its scene is small, and so is the picture if
+/// not many rays are under way.
 Shot random_shot(std::uint64_t seed, const Config& config) {
-    if (config.is_list()) return make_deep_shot(seed % 2 ? "teapot:1" : "cornell", {32, 24}, config);
+    const FrameSize size = config.contexts < 16 ? FrameSize{8, 6} : FrameSize{16, 12};
+    if (config.is_list()) return make_deep_shot(seed % 2 ? "teapot:1" : "cornell", size, config);
     return make_deep_shot(seed % 3 == 0   ? "mount:3"
                           : seed % 3 == 1 ? "gears:1"
                                           : "teapot:4",

@@ -44,8 +44,8 @@ constexpr int cures = 3;
 using Point = std::tuple<std::size_t, int, int, Cure>;
 
 struct Figures {
-    std::map<Point, Frame> camera;   ///< clocks x memories with the fewest and the most pipelines; at the
-                                     ///< last clock with any number of them; cures at the last of both
+    std::map<Point, Frame> camera;     ///< clocks x memories with the fewest and the most pipelines; at the
+                                       ///< last clock with any number of them; cures at the last of both
     std::map<Point, Frame> finished;   ///< first and last clock, first and last number of pipelines
     std::size_t triangles = 0;
     double finished_rays_per_pixel = 0;
