@@ -10,6 +10,15 @@
 namespace rayclock {
 namespace {
 
+/// Newer releases of Expat have a function for it whose result has 64 bits everywhere, and call the other one
+/// deprecated.
+template <class Parser> std::uint64_t line_of(Parser parser) {
+    if constexpr (requires { XML_GetCurrentLineNumber64(parser); })
+        return XML_GetCurrentLineNumber64(parser);
+    else
+        return XML_GetCurrentLineNumber(parser);
+}
+
 constexpr std::size_t most_nested_elements = 600;
 
 /// What is being read. Expat is C: no exception may cross it, so the first complaint is kept and the parser
@@ -25,7 +34,7 @@ struct Reading {
     void stop(std::string sentence) {
         if (complaint) return;
         complaint = std::move(sentence);
-        line = XML_GetCurrentLineNumber(parser);
+        line = line_of(parser);
         XML_StopParser(parser, XML_FALSE);
     }
 };
@@ -38,7 +47,7 @@ void begin_element(void* user, const XML_Char* name, const XML_Char** attributes
     if (!r.loading->may_make(sizeof(XmlElement))) return r.stop(r.loading->too_much());
     XmlElement& element = r.open.back()->children.emplace_back();
     element.name = name;
-    element.line = XML_GetCurrentLineNumber(r.parser);
+    element.line = line_of(r.parser);
     for (; *attributes; attributes += 2) element.attributes.emplace(attributes[0], attributes[1]);
     r.open.push_back(&element);
 }
@@ -103,7 +112,7 @@ XmlElement parse_xml(const std::string& file, std::string_view text, Loading& lo
         const bool is_last = from + piece >= text.size();
         if (XML_Parse(parser.get(), part.data(), int(part.size()), is_last) == XML_STATUS_ERROR) {
             if (reading.complaint) Place{file, reading.line}.refuse(*reading.complaint);
-            Place{file, XML_GetCurrentLineNumber(parser.get())}.refuse(
+            Place{file, line_of(parser.get())}.refuse(
                 fmt::format("this is no XML: {}", XML_ErrorString(XML_GetErrorCode(parser.get()))));
         }
         if (is_last) break;

@@ -27,7 +27,7 @@ mutant(globe_half_chord_is_not_rounded_up FILE rtl/globe/rc_chord.sv TEST unit [
   NEW [[<< root_g) + (F + 10)'(0);]])
 mutant(globe_forgets_an_axis_that_is_far FILE rtl/globe/rc_chord.sv TEST unit [globe][lockstep]
   OLD [[assign there = over == '0 &&]]
-  NEW [[assign there = over[1:0] == '0 &&]])
+  NEW [[assign there = (over[1:0] == '0 || &over) &&]])
 mutant(globe_slack_forgets_an_axis FILE rtl/globe/rc_sight.sv TEST unit [globe][lockstep]
   OLD [[assign first = size_q[0 +: Sum] + size_q[Sum +: Sum];]]
   NEW [[assign first = size_q[0 +: Sum] + (size_q[Sum +: Sum] >> 1);]])
