@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/files/text.hpp"
+#include "sim/load/indexed.hpp"
 #include "sim/load/mesh_file.hpp"
 
 namespace rayclock {
@@ -18,9 +19,8 @@ public:
         for (std::uint64_t i = 0; i < vertices_; ++i) vertex(i);
         for (std::uint64_t i = 0; i < faces_; ++i) face(i);
         at_.line = 0;
-        if (ends_.empty()) at_.refuse("the file has no triangles: all its faces are points or lines");
         if (colours_) loading_.note(at_.file, "its colours are not drawn");
-        return joined();
+        return scene_of(mesh_, at_, loading_);
     }
 
 private:
@@ -52,7 +52,7 @@ private:
                                                    " cannot be read, only OFF, "
                                                    "COFF, NOFF and CNOFF"
                                              : "this is not OFF: it begins with " + shown(keyword));
-        has_normals_ = kind.find('n') != kind.npos;
+        mesh_.has_normals = kind.find('n') != kind.npos;
         std::string_view counts = words;
         const std::string_view next = take_word(counts);
         if (lower(next) == "binary") at_.refuse("binary OFF cannot be read, only text");
@@ -70,11 +70,11 @@ private:
         std::string_view words = line("a vertex");
         glm::vec3 position(0), normal(0);
         for (int i = 0; i < 3; ++i) position[i] = number(words, "vertex", index);
-        if (has_normals_)
+        if (mesh_.has_normals)
             for (int i = 0; i < 3; ++i) normal[i] = number(words, "vertex", index);
         colours_ |= !take_word(words).empty();
-        positions_.push_back(position);
-        if (has_normals_) normals_.push_back(normal);
+        mesh_.positions.push_back(position);
+        if (mesh_.has_normals) mesh_.normals.push_back(normal);
     }
     float number(std::string_view& words, const char* what, std::uint64_t index) {
         const std::string_view word = take_word(words);
@@ -87,7 +87,7 @@ private:
         const std::uint64_t corners = count(words, "corners");
         if (corners > max_corners)
             at_.refuse(fmt::format("a face with {} corners; the most is {}", corners, max_corners));
-        const std::size_t start = indices_.size();
+        const std::size_t start = mesh_.indices.size();
         for (std::uint64_t k = 0; k < corners; ++k) {
             const std::string_view word = take_word(words);
             if (word.empty())
@@ -97,31 +97,13 @@ private:
             if (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices_)
                 at_.refuse(fmt::format("vertex index {} is out of range: the file has {} (0 is the first)",
                                        vertex, vertices_));
-            indices_.push_back(static_cast<std::uint32_t>(vertex));
+            mesh_.indices.push_back(static_cast<std::uint32_t>(vertex));
         }
         colours_ |= !take_word(words).empty();
-        if (corners < 3) return indices_.resize(start);   // a point or a line
+        if (corners < 3) return mesh_.indices.resize(start);   // a point or a line
         if ((triangles_ += corners - 2) > max_triangles)
             at_.refuse(fmt::format("more than {} triangles", max_triangles));
-        ends_.push_back(indices_.size());
-    }
-
-    Scene joined() {
-        Assembly assembly(at_.file, loading_);
-        PartBuilder builder(ends_.size(), has_normals_);
-        std::vector<Corner> corners;
-        std::size_t k = 0;
-        for (const std::size_t end : ends_) {
-            for (corners.clear(); k < end; ++k) {
-                const std::uint32_t i = indices_[k];
-                corners.push_back(
-                    {glm::dvec3(positions_[i]), has_normals_ ? glm::dvec3(normals_[i]) : glm::dvec3(0)});
-            }
-            assembly.face(builder, corners);
-        }
-        assembly.place(assembly.add(std::move(builder)), glm::dmat4(1), 0,
-                       [] { return Material{.name = "default"}; });
-        return assembly.take();
+        mesh_.end_face();
     }
 
     std::string_view rest_;
@@ -129,10 +111,8 @@ private:
     Place at_;
     Loading& loading_;
     std::uint64_t vertices_ = 0, faces_ = 0, triangles_ = 0;
-    bool has_normals_ = false, colours_ = false;
-    std::vector<glm::vec3> positions_, normals_;
-    std::vector<std::uint32_t> indices_;
-    std::vector<std::size_t> ends_;   ///< of each face, in `indices_`
+    bool colours_ = false;
+    IndexedMesh mesh_;
 };
 
 }   // namespace

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "sim/files/text.hpp"
+#include "sim/load/indexed.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "sim/load/ply_header.hpp"
 
@@ -111,29 +112,14 @@ public:
         for (const PlyElement& e : header.elements)
             if (e.name == "vertex") {
                 vertices_ = e.count;
-                has_normals_ = std::count_if(e.properties.begin(), e.properties.end(),
-                                             [](const auto& p) { return place_of(p.name) >= 3; }) == 3;
+                mesh_.has_normals = std::count_if(e.properties.begin(), e.properties.end(),
+                                                  [](const auto& p) { return place_of(p.name) >= 3; }) == 3;
             }
     }
 
     Scene read(const Place& at) {
         for (const PlyElement& element : header_.elements) elements(element);
-        if (ends_.empty()) at.refuse("the file has no triangles: all its faces are points or lines");
-        Assembly assembly(at.file, loading_);
-        PartBuilder builder(ends_.size(), has_normals_);
-        std::vector<Corner> corners;
-        std::size_t k = 0;
-        for (const std::size_t end : ends_) {
-            for (corners.clear(); k < end; ++k) {
-                const std::size_t i = indices_[k];
-                corners.push_back(
-                    {glm::dvec3(positions_[i]), has_normals_ ? glm::dvec3(normals_[i]) : glm::dvec3(0)});
-            }
-            assembly.face(builder, corners);
-        }
-        assembly.place(assembly.add(std::move(builder)), glm::dmat4(1), 0,
-                       [] { return Material{.name = "default"}; });
-        return assembly.take();
+        return scene_of(mesh_, at, loading_);
     }
 
 private:
@@ -149,8 +135,8 @@ private:
                     number(element, i, property, is_vertex ? place_of(property.name) : -1);
             body_.end();
             if (!is_vertex) continue;
-            positions_.emplace_back(row_[0], row_[1], row_[2]);
-            if (has_normals_) normals_.emplace_back(row_[3], row_[4], row_[5]);
+            mesh_.positions.emplace_back(row_[0], row_[1], row_[2]);
+            if (mesh_.has_normals) mesh_.normals.emplace_back(row_[3], row_[4], row_[5]);
         }
     }
 
@@ -179,10 +165,10 @@ private:
                 body_.refuse(element, i,
                              fmt::format("vertex index {} is out of range: the file has {} (0 is the first)",
                                          index, vertices_));
-            if (is_kept) indices_.push_back(static_cast<std::uint32_t>(index));
+            if (is_kept) mesh_.indices.push_back(static_cast<std::uint32_t>(index));
         }
         if (!is_kept) return;
-        ends_.push_back(indices_.size());
+        mesh_.end_face();
         triangles_ += static_cast<std::uint64_t>(length) - 2;
         if (triangles_ > max_triangles)
             body_.refuse(element, i, fmt::format("more than {} triangles", max_triangles));
@@ -192,11 +178,8 @@ private:
     Body body_;
     Loading& loading_;
     std::uint64_t vertices_ = 0, triangles_ = 0;
-    bool has_normals_ = false;
     float row_[6] = {};
-    std::vector<glm::vec3> positions_, normals_;
-    std::vector<std::uint32_t> indices_;
-    std::vector<std::size_t> ends_;   ///< of each face, in `indices_`
+    IndexedMesh mesh_;
 };
 
 }   // namespace
