@@ -92,9 +92,9 @@ std::string needs_text(const Fit& fit, const Config& base, const Ranges& ranges)
 
 std::string units_text(const Config& config) {
     return fmt::format(
-        "  units: triangles and primary rays need all there are{}; there are none for spheres, planes and "
-        "secondary rays, and no scene needs them yet\n",
-        config.l2_sets > 0 ? "" : ", but the shared cache, which is left out");
+        "  units: triangles and camera rays need all there are{}; those for spheres, planes and finished "
+        "pictures are left out\n",
+        config.l2_sets > 0 ? "" : " except the shared cache, which is left out");
 }
 
 ordered_json units_json(const Config& config) {
