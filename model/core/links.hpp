@@ -28,6 +28,8 @@ namespace rayclock {
     LINK(treelet_rsp, BoxRsp, treelet, trav, handshake, treelets)           \
     LINK(globe_req, GlobeReq, node_cache, globe, handshake, globes)         \
     LINK(globe_rsp, BoxRsp, globe, trav, handshake, globes)                 \
+    LINK(slant_req, SlantReq, node_cache, slant, handshake, slants)         \
+    LINK(slant_rsp, BoxRsp, slant, trav, handshake, slants)                 \
     LINK(leaves, Leaves, trav, list, fires, always)                         \
     LINK(prim_req, PrimReq, list, prim_cache, handshake, always)            \
     LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)       \
@@ -87,7 +89,8 @@ struct NodeUnit {
 };
 constexpr std::array node_units{NodeUnit{Unit::box, Link::box_req, Link::box_rsp},
                                 NodeUnit{Unit::treelet, Link::treelet_req, Link::treelet_rsp},
-                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp}};
+                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp},
+                                NodeUnit{Unit::slant, Link::slant_req, Link::slant_rsp}};
 constexpr bool decides_nodes(Unit unit) {
     for (const NodeUnit& u : node_units)
         if (u.unit == unit) return true;
@@ -105,7 +108,7 @@ constexpr bool tells_of_node(Link link) {
 }
 /// That of a configuration; box if there are no nodes.
 inline NodeUnit node_unit(const Config& config) {
-    return node_units[config.has_treelets() ? 1 : config.has_globes() ? 2 : 0];
+    return node_units[config.has_treelets() ? 1 : config.has_globes() ? 2 : config.has_slants() ? 3 : 0];
 }
 
 constexpr std::size_t link_count = link_infos.size();

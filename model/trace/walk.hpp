@@ -15,6 +15,7 @@ struct UnitWay {
     Ray ray{};
     BoxRay from{};
     GlobeRay toward{};   ///< if there are globes
+    Vec3i along{};       ///< the direction as slants want it
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
     WideNode page{};
@@ -23,6 +24,7 @@ struct UnitWay {
         ray = ray_;
         from = box_ray(ray);
         if (config.has_globes()) toward = globe_ray(ray, config);
+        if (config.has_slants()) along = aligned(ray, config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
@@ -41,6 +43,11 @@ struct UnitWay {
             const WideGlobes& globes = decoder.globes(line);
             hits = globe_children(toward, globes, config, t_near);
             return globes.children;
+        }
+        if (config.has_slants()) {
+            const WideSlant& slant = decoder.slant(line);
+            hits = slant_exits(from, along, slant, config, t_near);
+            return slant.exits;
         }
         const WideNode& node = decoder.node(line);
         hits = box_children(from, node, config, t_near);
@@ -78,8 +85,8 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
 
-    /// box (treelet, globe), on the next node, and trav on its answer; of a list, trav on the next page. True
-    /// if list has a triangle to be tested.
+    /// box (treelet, globe, slant), on the next node, and trav on its answer; of a list, trav on the next
+    /// page. True if list has a triangle to be tested.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< what it returned
     std::uint32_t met() const {
@@ -105,6 +112,7 @@ public:
 
     const Ray& ray() const { return way_.ray; }
     const BoxRay& box_ray() const { return way_.from; }
+    const Vec3i& along() const { return way_.along; }
     const GlobeRay& globe_ray() const { return way_.toward; }
     const Best& best() const { return way_.hit.best(); }
     const TriRsp& tri() const { return way_.tri; }

@@ -216,11 +216,16 @@ void derived(Package& p, const Config& c) {
     p.constant("TowardBits", toward_bits);
     p.constant("NodeBits", c.has_treelets() ? bits_of<Treelet>(c)
                            : c.has_globes() ? bits_of<GlobeNode>(c)
+                           : c.has_slants() ? bits_of<Slant>(c)
                                             : bits_of<Node>(c));
     p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c)
                               : c.has_globes() ? bits_of<GlobeReq>(c)
+                              : c.has_slants() ? bits_of<SlantReq>(c)
                                                : bits_of<BoxReq>(c));
     p.constant("NodePlanes", c.planes_of_node());
+    p.constant("NormalStepBits", normal_step_bits);
+    p.constant("PlaneOffsetBits", c.offset_of_plane_bits());
+    p.constant("CrossingBits", crossing_bits);
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
     p.constant("ClientBits", c.client_bits());
@@ -236,6 +241,7 @@ void derived(Package& p, const Config& c) {
     p.constant("PlaneStages", stages.plane);
     p.constant("ExitStages", stages.exits);
     p.constant("GlobeStages", stages.globe);
+    p.constant("CrossingStages", stages.crossing);
     p.constant("QuotientBits", stages.quotient_bits);
     p.constant("CrossShare", stages.cross_share);
     p.constant("DotShare", stages.dot_share);
@@ -253,6 +259,7 @@ void derived(Package& p, const Config& c) {
     p.constant("BoxLatency", c.box_latency());
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
+    p.constant("SlantLatency", c.slant_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
@@ -265,7 +272,8 @@ void enumerations(Package& p) {
                              {{"Bvh", Structure::bvh},
                               {"Kd", Structure::kd},
                               {"None", Structure::none},
-                              {"Spheres", Structure::spheres}});
+                              {"Spheres", Structure::spheres},
+                              {"Bsp", Structure::bsp}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
     p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
                            {{"Camera", RayKind::camera},
@@ -336,6 +344,7 @@ std::string rc_package(const Config& config) {
     p.record<Node>("node");
     p.record<Treelet>("treelet");
     p.record<GlobeNode>("globe_node");
+    p.record<Slant>("slant");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
     return std::move(p).end();

@@ -17,6 +17,7 @@ std::uint64_t count_of(Unit unit, const FrameRun& run) {
         case Unit::box:
         case Unit::treelet:
         case Unit::globe:
+        case Unit::slant:
         case Unit::list: return run.visits;
         case Unit::prim_cache:
         case Unit::tri: return run.triangle_tests;

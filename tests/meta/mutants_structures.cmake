@@ -48,18 +48,18 @@ mutant(plane_near_side_to_rounded_down FILE rtl/kd/rc_plane.sv TEST unit [treele
 mutant(plane_with_the_origin_on_it_is_ahead FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
   OLD [[assign ahead       = way_q > $signed(D'(0));]]
   NEW [[assign ahead       = way_q >= $signed(D'(0));]])
-mutant(treelet_exits_in_another_order FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+mutant(treelet_exits_in_another_order FILE rtl/kd/rc_exits.sv TEST unit [treelet][lockstep]
   OLD [[localparam int unsigned Upper = (i >> (Levels - 1 - l)) & 1;]]
   NEW [[localparam int unsigned Upper = (i >> l) & 1;]])
-mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_exits.sv TEST unit [treelet][lockstep]
   OLD [[= enter <= leave &&]]
   NEW [[= enter < leave &&]])
-mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_bounds.sv TEST unit [treelet][lockstep]
   OLD [[assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;]]
   NEW [[assign box_there[k]       = k == 1 || (turned_lo ? near_lo && far_hi : far_lo && near_hi);]])
 mutant(rank_exit_off_by_one FILE rtl/bvh/rc_rank.sv TEST unit [treelet][lockstep]
-  OLD [[rc_pkg::StructureKd ? s0_lines : O'(2 * i)]]
-  NEW [[rc_pkg::StructureKd ? s0_lines + O'(2) : O'(2 * i)]])
+  OLD [[Exits ? s0_lines : O'(2 * i)]]
+  NEW [[Exits ? s0_lines + O'(2) : O'(2 * i)]])
 mutant(model_plane_from_rounded_up FILE model/kd/treelet.cpp TEST unit [treelet]
   OLD [[std::floor(std::ldexp(r * w_lo, shift))]]
   NEW [[std::ceil(std::ldexp(r * w_lo, shift))]])
@@ -75,8 +75,8 @@ mutant(kd_clips_inward FILE model/accel/kd/clip.cpp TEST system "rays of every f
   OLD [[constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);]]
   NEW [[constexpr double slack = 1.0 / 1024, outward = -3.0;]])
 mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/cell.cpp TEST system "rays of every family hit the same in every structure"
-  OLD [[if (hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
-  NEW [[if (hi > cut.plane) take(item, above, upper);]])
+  OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
+  NEW [[if (reach.hi > cut.plane) take(item, above, upper);]])
 mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
   NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
@@ -86,7 +86,7 @@ mutant(octree_octants_change_places FILE model/accel/octree/build.cpp TEST syste
   OLD [[beside(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1))]]
   NEW [[beside(joined(octants + half, above, axis + 1), joined(octants, below, axis + 1))]])
 mutant(octree_straddler_is_on_one_side FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
-  OLD [[pieces_.divide(part.items, part.box, cut, lower.items, upper.items);]]
+  OLD [[pieces_.divide(part.items, {part.box}, cut, lower.items, upper.items);]]
   NEW [[for (const kd::Item& item : part.items)
                 (item.box.hi[axis] > cut.plane ? upper : lower).items.push_back(item);]])
 mutant(octree_loses_the_straddlers_of_a_node FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
