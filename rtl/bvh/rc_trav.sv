@@ -31,13 +31,13 @@ module rc_trav (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
-  // To and from box, or what decides a node in its place
-  output logic              box_req_valid_o,
-  input  logic              box_req_ready_i,
-  output logic [rc_pkg::NodeReqBits-1:0] box_req_o,
-  input  logic              box_rsp_valid_i,
-  output logic              box_rsp_ready_o,
-  input  rc_pkg::box_rsp_t  box_rsp_i,
+  // To and from the unit that decides nodes, box or what stands in its place
+  output logic              decide_req_valid_o,
+  input  logic              decide_req_ready_i,
+  output logic [rc_pkg::NodeReqBits-1:0] decide_req_o,
+  input  logic              decide_rsp_valid_i,
+  output logic              decide_rsp_ready_o,
+  input  rc_pkg::box_rsp_t  decide_rsp_i,
   // To and from list
   output logic              leaves_fires_o,
   output rc_pkg::leaves_t   leaves_o,
@@ -69,16 +69,25 @@ module rc_trav (
   logic [BoxRayW-1:0] keep_data, box_ray;
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
+  // Of DirBits only: shadow rays fill RayDirBits.
+  logic is_short;
+  if (rc_pkg::Shading != 0) begin : gen_kinds
+    assign is_short = ray_i.kind != rc_pkg::RayShadow;
+  end else begin : gen_camera
+    assign is_short = 1'b1;
+  end
   if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_toward
-    logic is_short;
-    if (rc_pkg::Shading != 0) begin : gen_kinds
-      assign is_short = ray_i.kind != rc_pkg::RayShadow;
-    end else begin : gen_camera
-      assign is_short = 1'b1;
-    end
     rc_toward u_toward (
       .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
       .short_i(is_short), .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
+  end else if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_along
+    logic [3*M-1:0] along;
+    for (genvar k = 0; k < 3; k++) begin : gen_axis
+      assign along[k*M +: M] = ray_d[k*M +: M] << (is_short ? M - rc_pkg::DirBits : 0);
+    end
+    assign keep      = ray_fires;
+    assign keep_ray  = ray_i.ray;
+    assign keep_data = {ray_i.o, ray_i.recip, ray_i.len, along};
   end else begin : gen_signs
     assign keep      = ray_fires;
     assign keep_ray  = ray_i.ray;
@@ -87,24 +96,24 @@ module rc_trav (
   rc_ram #(.Width(BoxRayW), .Depth(T)) u_ray (
     .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
     .read_addr_i(node_rsp_i.ray), .read_data_o(box_ray));
-  assign box_req_valid_o  = node_rsp_valid_i;
-  assign node_rsp_ready_o = box_req_ready_i;
+  assign decide_req_valid_o = node_rsp_valid_i;
+  assign node_rsp_ready_o   = decide_req_ready_i;
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
-  assign node_rsp  = node_rsp_i;
-  assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
+  assign node_rsp     = node_rsp_i;
+  assign decide_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
 
   // Box's answer, and the ray's distance to beat.
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
   logic                       came_fires, in_fires, leaf_matters;
   logic [TB-1:0]              in_t;
-  assign came            = box_rsp_i;
-  assign came_fires      = box_rsp_valid_i;
-  assign box_rsp_ready_o = 1'b1;
+  assign came               = decide_rsp_i;
+  assign came_fires         = decide_rsp_valid_i;
+  assign decide_rsp_ready_o = 1'b1;
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(in_t));
+    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t));
   rc_cut #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
   assign in = in_flat;
 
@@ -266,6 +275,7 @@ module rc_trav (
   logic                      unused;
   assign ray_flat   = ray_i;
   assign frame_flat = frame_i;
-  assign unused     = ^{node_rsp, ray_flat, frame_flat, in_offset, end_tested, leaves_near};
+  assign unused     = ^{is_short, node_rsp, ray_flat, frame_flat, in_offset, end_tested,
+                        leaves_near};
 endmodule
 `default_nettype wire
