@@ -25,9 +25,10 @@ module rc_node_cache (
   output logic [2:0]         deed_o
 );
   localparam int unsigned NodeW = rc_pkg::NodeBits;
-  logic [NodeW-1:0]                      word;     // a node takes the lowest bits of a word
-  logic [rc_pkg::LineBits-NodeW-1:0]     beyond;
-  assign {beyond, word} = fill_i.line;
+  logic [rc_pkg::LineBits-1:0] line;
+  logic [NodeW-1:0]            word;   // a node takes the lowest bits of a word, or all
+  assign line = fill_i.line;
+  assign word = line[NodeW-1:0];
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(NodeW),
     .Sets(rc_pkg::NodeSets), .Ways(rc_pkg::NodeWays), .Words(rc_pkg::NodeWords),
@@ -38,6 +39,6 @@ module rc_node_cache (
     .fill_word_i(word), .waits_o, .deed_o);
 
   logic unused;
-  assign unused = ^beyond;
+  assign unused = ^line;
 endmodule
 `default_nettype wire

@@ -70,6 +70,53 @@ mutant(model_treelet_early_end_too_early FILE model/kd/treelet.cpp TEST system "
   OLD [[hits |= std::uint32_t(span.met && span.from <= span.to) << child;]]
   NEW [[hits |= std::uint32_t(span.met && span.from + 4 <= span.to) << child;]])
 
+# ---- bsp: planes in any direction are rounded outward, in the unit and in its model.
+mutant(crossing_far_side_from_too_late QUICK FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[assign from_d = {1'b0, quo} - (V+1)'(2);]]
+  NEW [[assign from_d = {1'b0, quo} + (V+1)'(2);]])
+mutant(crossing_near_side_to_too_early FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[|| &to_t ? '1 : to_t + T'(1);]]
+  NEW [[|| &to_t ? '1 : to_t;]])
+mutant(crossing_with_the_origin_on_it_is_ahead FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[assign ahead = !on && num_q[NW-1] == neg;]]
+  NEW [[assign ahead = num_q[NW-1] == neg;]])
+mutant(crossing_of_a_ray_in_the_plane_has_one_side FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[assign near  = zero ? ahead || on : ahead;]]
+  NEW [[assign near  = ahead;]])
+mutant(crossing_divisor_one_bit_too_far FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[if (den_abs[i]) den_len = E'(i + 1);]]
+  NEW [[if (den_abs[i]) den_len = E'(i == 0 ? 2 : i + 1);]])
+mutant(slant_box_comes_too_early FILE rtl/bsp/rc_slant.sv TEST unit [slant][lockstep]
+  OLD [[.valid_i(valid[Meet+In:Box]), .data_i({enter, leave, there}),]]
+  NEW [[.valid_i(valid[Meet+In:Box]), .data_i({leave, enter, there}),]])
+mutant(trav_keeps_a_shadow_rays_direction_moved_up FILE rtl/bvh/rc_trav.sv TEST system "model and RTL agree on finished pictures of planes in any direction"
+  OLD [[<< (is_short ? M - rc_pkg::DirBits : 0);]]
+  NEW [[<< (is_short ? 0 : M - rc_pkg::DirBits);]])
+mutant(model_crossing_from_too_late FILE model/bsp/slant.cpp TEST unit [slant]
+  OLD [[moved(q - 2, x, beyond)]]
+  NEW [[moved(q + 2, x, beyond)]])
+mutant(model_crossing_to_too_early FILE model/bsp/slant.cpp TEST unit [slant]
+  OLD [[moved(q + 2, x, beyond - 1) + 1]]
+  NEW [[moved(q - 2, x, beyond - 1) + 1]])
+mutant(model_crossing_ends_at_a_plane_that_it_begins_on FILE model/bsp/slant.cpp TEST unit [slant]
+  OLD [[sides.near = num > 0;]]
+  NEW [[sides.near = num >= 0;]])
+
+# ---- The compiler of bsp: nothing is lost.
+mutant(bsp_clips_inward FILE model/accel/kd/clip.cpp TEST accel [slant]
+  OLD [[wall.at + (wall.upper ? -beside : beside)]]
+  NEW [[wall.at + (wall.upper ? 40 : -40)]])
+mutant(bsp_loses_a_straddler FILE model/accel/kd/cell.cpp TEST accel [slant]
+  OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
+  NEW [[if ((reach.hi > cut.plane && (cut.axis != no_axis || reach.lo >= cut.plane)) || (flat && cut.flat_above))
+            take(item, above, upper);]])
+mutant(bsp_cuts_what_it_should_not FILE model/accel/bsp/facets.cpp TEST accel "images of planes in any direction hold what they say"
+  OLD [[if (stops_ && below + above + flat > all) return;]]
+  NEW [[if (stops_ && below + above + flat > all + 1) return;]])
+mutant(bsp_knows_no_plane_but_across_axes FILE model/accel/bsp/facets.cpp TEST accel "some planes of real scenes lie across no axis"
+  OLD [[(normal[2] != 0) < 2) continue;]]
+  NEW [[(normal[2] != 0) < 4) continue;]])
+
 # ---- The compiler of kd: nothing is lost.
 mutant(kd_clips_inward FILE model/accel/kd/clip.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);]]

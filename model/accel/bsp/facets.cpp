@@ -12,7 +12,8 @@ namespace rayclock::bsp {
 
 namespace {
 
-constexpr std::size_t most_items = 64, offering = 4;
+constexpr std::size_t most_items = 16, offering = 2;
+constexpr double oblique_factor = 1.2;
 constexpr int most_step = (1 << (normal_step_bits - 1)) - 1;
 
 glm::dvec3 point(const Vec3i& p) { return {p[0], p[1], p[2]}; }
@@ -55,23 +56,31 @@ Facets::Normals Facets::normals_of(const PrimData& prim) {
     return normals;
 }
 
-void Facets::consider(const kd::Items& items, const Solid& solid, const Vec3i& normal, std::int64_t at,
+void Facets::consider(const kd::Items& items, const Solid& solid, std::uint32_t prim, const Vec3i& normal,
                       kd::Split& best) const {
+    const auto own = pieces_.of(prim).reach(normal);
+    std::array<kd::Clipper::Reach, most_items> reaches;
+    for (std::size_t i = 0; i < items.size(); ++i) reaches[i] = pieces_.reach(items[i], normal);
+    consider_at(std::span(reaches).first(items.size()), solid, normal, own.lo, best);
+    if (own.hi != own.lo) consider_at(std::span(reaches).first(items.size()), solid, normal, own.hi, best);
+}
+
+void Facets::consider_at(std::span<const kd::Clipper::Reach> reaches, const Solid& solid, const Vec3i& normal,
+                         std::int64_t at, kd::Split& best) const {
     std::size_t below = 0, above = 0, flat = 0;
-    for (const kd::Item& item : items) {
-        const kd::Clipper::Reach reach = pieces_.reach(item, normal);
+    for (const kd::Clipper::Reach& reach : reaches) {
         below += reach.lo < at;
         above += reach.hi > at;
         flat += reach.lo == at && reach.hi == at;
     }
-    const std::size_t all = items.size();
+    const std::size_t all = reaches.size();
     if (stops_ && below + above + flat > all) return;
     if (below == all && above == all) return;
     const Solid::Halves halves = solid.halves(point(normal), double(at));
     const double lower = halves.lower / solid.area(), upper = halves.upper / solid.area();
     for (const bool flat_above : {false, true}) {
         const std::size_t b = below + (flat_above ? 0 : flat), a = above + (flat_above ? flat : 0);
-        const double cost = kd::cost_of(lower, b, upper, a);
+        const double cost = oblique_factor * kd::cost_of(lower, b, upper, a);
         if (cost < best.cost) best = {{no_axis, std::int32_t(at), flat_above, normal}, cost, b, a};
         if (flat == 0) break;
     }
@@ -100,9 +109,7 @@ void Facets::best_split(const kd::Items& items, const kd::Region& region, kd::Sp
         const std::uint32_t prim = items[i * items.size() / asked].prim;
         for (const Vec3i& normal : normals_[prim]) {
             if ((normal[0] != 0) + (normal[1] != 0) + (normal[2] != 0) < 2) continue;
-            const kd::Clipper::Reach own = pieces_.of(prim).reach(normal);
-            consider(items, solid, normal, own.lo, best);
-            if (own.hi != own.lo) consider(items, solid, normal, own.hi, best);
+            consider(items, solid, prim, normal, best);
         }
     }
 }

@@ -1,5 +1,7 @@
 #pragma once
 // Planes in any direction that may cut a cell.
+#include <span>
+
 #include "model/accel/bsp/solid.hpp"
 #include "model/accel/kd/split.hpp"
 
@@ -25,8 +27,10 @@ public:
 private:
     using Normals = std::array<Vec3i, 4>;
     static Normals normals_of(const PrimData& prim);
-    void consider(const kd::Items& items, const Solid& solid, const Vec3i& normal, std::int64_t at,
+    void consider(const kd::Items& items, const Solid& solid, std::uint32_t prim, const Vec3i& normal,
                   kd::Split& best) const;
+    void consider_at(std::span<const kd::Clipper::Reach> reaches, const Solid& solid, const Vec3i& normal,
+                     std::int64_t at, kd::Split& best) const;
 
     const kd::Pieces& pieces_;
     std::vector<Normals> normals_;   ///< that a primitive offers; zeros are none
