@@ -31,7 +31,7 @@ module rc_crossing #(
   localparam int unsigned NW   = AW + Frac + 1;            // at - n . o, signed
   localparam int unsigned DW   = H + B + 1;                // n . d, signed
   localparam int unsigned V    = rc_pkg::CrossingBits;
-  localparam int unsigned E    = 6;                        // of a length, and of a shift to the right
+  localparam int unsigned E    = 6;                        // of a length, of a shift to the right
   localparam int unsigned S    = 8;                        // of a shift, signed
   localparam int unsigned M    = rc_pkg::MulStages;
   localparam int unsigned Cut  = rc_pkg::Cut;
@@ -40,7 +40,7 @@ module rc_crossing #(
   localparam int unsigned Product = M + 1;
   localparam int unsigned Sum     = Product + 1 + Cut;
   localparam int unsigned Size    = Sum + 1 + 3 * Cut;
-  // 2^T times as much is moved to the right by T - x, x = F + M - B - V and the difference of lengths.
+  // 2^T times as much is moved to the right by T - x, x = F + M - B - V and what lengths differ.
   localparam logic signed [S-1:0] RightBase = S'(T) + S'(Frac) + S'(V) - S'(rc_pkg::TFracBits)
       - S'(H);
 

@@ -75,7 +75,9 @@ void Facets::consider_at(std::span<const kd::Clipper::Reach> reaches, const Soli
     }
     const std::size_t all = reaches.size();
     if (stops_ && below + above + flat > all) return;
-    if (below == all && above == all) return;
+    // Both surfaces together are not less than the whole: no need to look, if that is too dear.
+    if (oblique_factor * kd::cost_of(0.5, std::min(below, above), 0.5, std::min(below, above)) >= best.cost)
+        return;
     const Solid::Halves halves = solid.halves(point(normal), double(at));
     const double lower = halves.lower / solid.area(), upper = halves.upper / solid.area();
     for (const bool flat_above : {false, true}) {

@@ -15,9 +15,10 @@ Vec3i nearest_normal(const glm::dvec3& direction);
 /// structures"), scored by the surface area heuristic (Ize, Wald and Parker 2008, "Ray tracing with the BSP
 /// tree"). A triangle offers planes parallel to itself and planes through its edges at right angles to it,
 /// with normals of normal_step_bits, moved so that none of it is on the plane's far side. Of a cell with up
-/// to `most_items` items `offering` of them offer theirs, and so does every axis: planes that are parallel to
+/// to 16 items two offer theirs, and so does every axis: planes that are parallel to
 /// axes are found as those of a kd-tree (kd/split.hpp), and are all that larger cells are cut by. So a cell
-/// costs O(n) more than in a kd-tree, and the tree O(n log n).
+/// costs O(1) more than in a kd-tree, and the tree O(n log n). A plane across no axis counts as a fifth dearer than
+/// it is by area: boxes below it fit worse.
 class Facets {
 public:
     Facets(const std::vector<PrimData>& prims, const kd::Pieces& pieces, const Config& config);
