@@ -167,7 +167,8 @@ TEST_CASE("pictures do not depend on the structure", "[structures]") {
     INFO(scene << " " << name);
     const FrameSize size{40, 30};
     std::vector<Trace> traces;
-    for (Config config : all_structures(quick_config(name))) {
+    const std::vector<Config> all = all_structures(quick_config(name));
+    for (Config config : all) {
         config.stack_depth = 64;
         const Job job = make_shot(scene, size, config).job;
         traces.push_back(record_trace(job.image, job.frame, job.config));
@@ -175,7 +176,9 @@ TEST_CASE("pictures do not depend on the structure", "[structures]") {
     for (std::size_t i = 1; i < traces.size(); ++i) {
         CAPTURE(i);
         CHECK(same(traces[i], traces[0]));
-        CHECK(traces[i].triangle_tests < traces[0].triangle_tests);
+        // No plane may cut anything: there may be none.
+        const bool stops = all[i].has_slants() && Straddlers(all[i].straddlers) == Straddlers::stop;
+        CHECK(traces[i].triangle_tests < traces[0].triangle_tests + stops);
     }
 }
 
