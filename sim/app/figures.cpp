@@ -11,6 +11,7 @@
 #include "model/base/split.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/figures/page.hpp"
 #include "sim/pages/typed.hpp"
@@ -65,7 +66,7 @@ int run(const Options& o) {
     studio.size = parse_size(o.size);
     studio.engines = engines_of(o.engines);
     studio.threads = o.threads;
-    studio.progress = terminal_progress();
+    studio.progress = stopping(terminal_progress());
     o.json.check();
     figures::Page page(studio, o.output);
     const std::string text = figures::make_page(page, command_of(o));

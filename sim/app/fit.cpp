@@ -11,6 +11,7 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/fit_device.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/report.hpp"
 #include "sim/report/json.hpp"
@@ -198,7 +199,7 @@ int run(const Options& o) {
     else if (o.json.is_alone())
         throw UserError("-o and --json cannot both go to standard output");
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress, o.view);
+    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
     Measure measure(scene, size, o.threads);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);

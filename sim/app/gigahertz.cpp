@@ -6,6 +6,7 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/gigahertz/page.hpp"
 #include "sim/pages/typed.hpp"
@@ -52,7 +53,7 @@ int run(const Options& o) {
     const std::string path = (folder / "gigahertz.md").string(), plot = (folder / "gigahertz").string();
     check_writable(path);
     plot::check_plot_path(plot);
-    const gigahertz::Figures figures = gigahertz::measure(study, terminal_progress());
+    const gigahertz::Figures figures = gigahertz::measure(study, stopping(terminal_progress()));
     plot::write_plot(plot, gigahertz::picture(figures, study));
     write_file(path, gigahertz::page(figures, study, command_of(o), "gigahertz"));
     fmt::print("{} written\n", printable(path));

@@ -7,6 +7,7 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/structures/page.hpp"
 #include "sim/pages/typed.hpp"
@@ -70,7 +71,7 @@ int run(const Options& o) {
     const std::string path = (folder / "structures.md").string(), plot = (folder / "structures").string();
     check_writable(path);
     plot::check_plot_path(plot);
-    const Progress progress = terminal_progress();
+    const Progress progress = stopping(terminal_progress());
     structures::Figures figures;
     auto machines = kinds;
     machines.push_back(structures::list(study.base));

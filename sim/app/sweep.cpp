@@ -5,6 +5,7 @@
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/app/swept.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
@@ -92,7 +93,7 @@ int run(const Options& o) {
     const std::vector<std::size_t> mine = keep_part(points, shard);
     check_outputs(o.outputs);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress, o.view);
+    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
     sweep::Merged swept{scene_json(scene),
                         config,

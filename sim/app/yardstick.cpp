@@ -4,6 +4,7 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/yardstick.hpp"
 #include "sim/report/text.hpp"
@@ -25,7 +26,7 @@ void declare(Parser& parser, Options& o) {
 
 int run(const Options& o) {
     check_writable(o.output);
-    const Progress progress = terminal_progress();
+    const Progress progress = stopping(terminal_progress());
     catch_interrupts();
     write_file(o.output, yardstick_page(o.threads, progress));
     fmt::print("{} written\n", printable(o.output));
