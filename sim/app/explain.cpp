@@ -3,17 +3,17 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
-#include "sim/app/commands.hpp"
 #include "sim/app/command_line.hpp"
+#include "sim/app/commands.hpp"
 #include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report_page/frame.hpp"
-#include "sim/report/text.hpp"
 #include "sim/report/tables.hpp"
+#include "sim/report/text.hpp"
+#include "sim/report_page/frame.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

@@ -11,11 +11,11 @@
 #include "model/base/split.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/figures/page.hpp"
 #include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

@@ -11,11 +11,11 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/fit_device.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/fit/dominant.hpp"
 #include "sim/fit/report.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

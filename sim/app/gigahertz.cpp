@@ -6,12 +6,12 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/gigahertz/page.hpp"
 #include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/interrupt.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

@@ -16,7 +16,6 @@
 #include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/files/output.hpp"
 #include "sim/jobs/threads.hpp"
@@ -26,6 +25,7 @@
 #include "sim/report/text.hpp"
 #include "sim/report_page/frame.hpp"
 #include "sim/report_page/page.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

@@ -7,12 +7,12 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/structures/page.hpp"
 #include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

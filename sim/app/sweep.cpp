@@ -5,11 +5,11 @@
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/app/swept.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/stopping.hpp"
 #include "sim/sweep/cost.hpp"
 #include "sim/sweep/shard.hpp"
 

@@ -9,11 +9,11 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/observe/replay.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 #include "sim/timeline/timeline.hpp"
 
 namespace rayclock {

@@ -16,7 +16,6 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/divergence/divergence.hpp"
 #include "sim/image/golden.hpp"
@@ -24,6 +23,7 @@
 #include "sim/report/lockstep.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 

@@ -4,11 +4,11 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/yardstick.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/interrupt.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
