@@ -79,6 +79,7 @@ std::string host_constants(const Config& config) {
     for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
+    text += constant("DecideUnit", std::uint32_t(index(node_unit(config).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
     return text + list("SharedUnitsThere", shared, 1);
 }
@@ -130,13 +131,13 @@ public:
         text_ += fmt::format("\n  }} {};\n", type);
     }
     /// The codes by which a unit says what it did.
-    void causes(const UnitInfo& unit) {
+    void causes(const char* name, const UnitInfo& unit) {
         constexpr std::array kinds{"", "Busy", "Starved", "Stalled"};
         std::vector<std::pair<std::string, std::size_t>> names;
         for (const Cause& cause : unit.causes)
             if (cause.kind != Kind::none)
                 names.emplace_back(kinds[std::size_t(cause.kind)] + camel(cause.name), names.size());
-        enumeration(fmt::format("{}_cause_e", unit.name), camel(unit.name), cause_bits, names);
+        enumeration(fmt::format("{}_cause_e", name), camel(name), cause_bits, names);
     }
     template <class Payload> void record(const char* name) {
         StructVisitor v;
@@ -172,6 +173,17 @@ private:
 };
 
 /// Widths and latencies that follow from the parameters.
+/// Of a link's payload.
+int bits_on(Link link, const Config& config) {
+    int bits = 0;
+    const auto look = [&]<std::size_t... i>(std::index_sequence<i...>) {
+        ((i == index(link) ? void(bits = bits_of<std::tuple_element_t<i, LinkPayloads>>(config)) : void()),
+         ...);
+    };
+    look(std::make_index_sequence<link_count>());
+    return bits;
+}
+
 void derived(Package& p, const Config& c) {
     p.constant("TBits", c.t_bits());
     p.constant("EdgeBits", c.edge_bits());
@@ -214,12 +226,8 @@ void derived(Package& p, const Config& c) {
     p.constant("CountBits", count_bits);
     p.constant("GlobeBits", globe_bits);
     p.constant("TowardBits", toward_bits);
-    p.constant("NodeBits", c.has_treelets() ? bits_of<Treelet>(c)
-                           : c.has_globes() ? bits_of<GlobeNode>(c)
-                                            : bits_of<Node>(c));
-    p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c)
-                              : c.has_globes() ? bits_of<GlobeReq>(c)
-                                               : bits_of<BoxReq>(c));
+    p.constant("NodeBits", bits_of<NodeRsp>(c) - c.ray_bits());
+    p.constant("NodeReqBits", bits_on(node_unit(c).req, c));
     p.constant("NodePlanes", c.planes_of_node());
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
@@ -300,7 +308,10 @@ void enumerations(Package& p) {
                               {"Conflict", CacheDeed::conflict},
                               {"Answers", CacheDeed::answers}});
     for (const UnitInfo& unit : unit_infos)
-        if (unit.place != Place::beside && unit.causes.back().kind == Kind::none) p.causes(unit);
+        if (unit.place < Place::beside && unit.place != Place::engine &&
+            unit.causes.back().kind == Kind::none)
+            p.causes(unit.name, unit);
+    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // of every unit that decides nodes
 }
 
 }   // namespace
