@@ -9,7 +9,6 @@
 #include "sim/pages/figures/page.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/text.hpp"
-#include "sim/rtl/stopping.hpp"
 
 namespace rayclock::figures {
 
