@@ -15,6 +15,7 @@
 #include "sim/fit/report.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -198,7 +199,7 @@ int run(const Options& o) {
     else if (o.json.is_alone())
         throw UserError("-o and --json cannot both go to standard output");
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress, o.view);
+    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
     Measure measure(scene, size, o.threads);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);

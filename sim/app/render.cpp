@@ -124,6 +124,7 @@ Config config_of_levels(const Options& o) {
         throw UserError("--levels 2 is drawn by --engine model only; the others see instances as triangles");
     if (o.finish.is_asked())
         throw UserError("--levels 2 draws what camera rays hit; a finished picture needs --levels 1");
+    if (o.view.ground) throw UserError("--levels 2 has no ground to lay; --ground needs --levels 1");
     return load_config(o.config);
 }
 

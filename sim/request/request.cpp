@@ -8,6 +8,7 @@
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/load/placed.hpp"
+#include "sim/request/ground.hpp"
 #include "sim/request/idle.hpp"
 #include "sim/request/placed.hpp"
 
@@ -43,6 +44,7 @@ void tell(const std::vector<std::string>& notes) {
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
     if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
+    if (view.ground) lay_ground(scene);
 }
 
 Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
