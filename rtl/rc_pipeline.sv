@@ -49,6 +49,8 @@ module rc_pipeline (
   rc_pkg::node_rsp_t node_rsp;
   logic              start_fires;
   rc_pkg::start_t    start;
+  logic              change_fires;
+  rc_pkg::change_t   change;
   logic              leaves_fires;
   rc_pkg::leaves_t   leaves;
   logic              prim_req_valid, prim_req_ready;
@@ -74,7 +76,7 @@ module rc_pipeline (
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, box_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, treelet_cause, globe_cause;
+  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, treelet_cause, globe_cause, xform_cause;
 
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -108,7 +110,7 @@ module rc_pipeline (
     assign {node_req_valid, node_req_ready, node_req} = '0;
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
-    assign {box_cause, treelet_cause, globe_cause} = '0;
+    assign {box_cause, treelet_cause, globe_cause, xform_cause, change_fires, change} = '0;
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
         node_rsp, node_waits, node_miss_ready_i, node_fill_fires_i, node_fill_i};
@@ -123,7 +125,7 @@ module rc_pipeline (
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
       .trav_cause_o(trav_cause), .treelet_cause_o(treelet_cause));
-    assign {box_cause, globe_cause} = '0;
+    assign {box_cause, globe_cause, xform_cause, change_fires, change} = '0;
   end else if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_globes
     rc_globes u_globes (
       .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
@@ -135,7 +137,7 @@ module rc_pipeline (
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
       .trav_cause_o(trav_cause), .globe_cause_o(globe_cause));
-    assign {box_cause, treelet_cause} = '0;
+    assign {box_cause, treelet_cause, xform_cause, change_fires, change} = '0;
   end else begin : gen_bvh
     rc_bvh u_bvh (
       .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
@@ -146,7 +148,8 @@ module rc_pipeline (
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause), .box_cause_o(box_cause));
+      .trav_cause_o(trav_cause), .box_cause_o(box_cause),
+      .change_fires_o(change_fires), .change_o(change), .xform_cause_o(xform_cause));
     assign {treelet_cause, globe_cause} = '0;
   end
 
@@ -163,6 +166,7 @@ module rc_pipeline (
   rc_list u_list (
     .clk_i, .rst_ni, .start_fires_i(start_fires), .start_i(start),
     .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
+    .change_fires_i(change_fires), .change_i(change),
     .leaves_fires_i(leaves_fires), .leaves_i(leaves),
     .prim_req_valid_o(prim_req_valid), .prim_req_ready_i(prim_req_ready), .prim_req_o(prim_req),
     .prim_rsp_valid_i(prim_rsp_valid), .prim_rsp_ready_o(prim_rsp_ready), .prim_rsp_i(prim_rsp),
@@ -230,7 +234,7 @@ module rc_pipeline (
       tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
     end
   end
-  assign causes_o     = {globe_cause, treelet_cause, shade_cause, surf_cause, tri_cause, prim_cause,
+  assign causes_o     = {xform_cause, globe_cause, treelet_cause, shade_cause, surf_cause, tri_cause, prim_cause,
                          list_cause, box_cause, node_cause, trav_cause, raygen_cause, sched_cause};
 endmodule
 `default_nettype wire

@@ -28,6 +28,8 @@ namespace rayclock {
     LINK(treelet_rsp, BoxRsp, treelet, trav, handshake, treelets)           \
     LINK(globe_req, GlobeReq, node_cache, globe, handshake, globes)         \
     LINK(globe_rsp, BoxRsp, globe, trav, handshake, globes)                 \
+    LINK(xform_req, XformReq, node_cache, xform, handshake, instances)      \
+    LINK(change, Change, xform, trav, fires, instances)                     \
     LINK(leaves, Leaves, trav, list, fires, always)                         \
     LINK(prim_req, PrimReq, list, prim_cache, handshake, always)            \
     LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)       \
@@ -93,6 +95,8 @@ constexpr bool decides_nodes(Unit unit) {
         if (u.unit == unit) return true;
     return false;
 }
+/// A unit that takes what node_cache has read.
+constexpr bool takes_lines(Unit unit) { return decides_nodes(unit) || unit == Unit::xform; }
 constexpr bool asks_of_node(Link link) {
     for (const NodeUnit& u : node_units)
         if (u.req == link) return true;

@@ -82,6 +82,7 @@ std::uint64_t primitive_count(const PlacedScene& scene) {
 }
 
 Scene flattened(PlacedScene scene) {
+    if (!scene.instances.empty()) scene.own.placed = std::make_shared<const PlacedScene>(scene);
     for (const Instance& instance : scene.instances)
         append_triangles(scene.own, scene.meshes[instance.mesh], instance.place, instance.material, 0);
     return std::move(scene.own);

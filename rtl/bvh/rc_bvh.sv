@@ -34,13 +34,21 @@ module rc_bvh (
   output rc_pkg::done_t     done_o,
   // What its units did; rc_pkg::trav_cause_e, box_cause_e
   output logic [2:0]        trav_cause_o,
-  output logic [2:0]        box_cause_o
+  output logic [2:0]        box_cause_o,
+  // With two levels: a ray changed, to list; rc_pkg::xform_cause_e
+  output logic              change_fires_o,
+  output rc_pkg::change_t   change_o,
+  output logic [2:0]        xform_cause_o
 );
   logic             box_req_valid, box_req_ready;
   logic [rc_pkg::NodeReqBits-1:0] box_req_flat;
   rc_pkg::box_req_t box_req;
   logic             box_rsp_valid, box_rsp_ready;
   rc_pkg::box_rsp_t box_rsp;
+  logic               xform_req_valid, xform_req_ready;
+  rc_pkg::xform_req_t xform_req;
+  logic               change_fires;
+  rc_pkg::change_t    change;
 
   assign box_req = box_req_flat;
 
@@ -51,7 +59,27 @@ module rc_bvh (
     .box_req_valid_o(box_req_valid), .box_req_ready_i(box_req_ready), .box_req_o(box_req_flat),
     .box_rsp_valid_i(box_rsp_valid), .box_rsp_ready_o(box_rsp_ready), .box_rsp_i(box_rsp),
     .leaves_fires_o, .leaves_o, .tested_valid_i, .tested_ready_o, .tested_i,
-    .done_valid_o, .done_ready_i, .done_o, .cause_o(trav_cause_o));
+    .done_valid_o, .done_ready_i, .done_o, .cause_o(trav_cause_o),
+    .xform_req_valid_o(xform_req_valid), .xform_req_ready_i(xform_req_ready),
+    .xform_req_o(xform_req), .change_fires_i(change_fires), .change_i(change));
+
+  if (rc_pkg::Levels == 1) begin : gen_one_level
+    assign {xform_req_ready, change_fires, change, xform_cause_o} = '0;
+    logic unused;
+    assign unused = ^{xform_req_valid, xform_req};
+  end else begin : gen_xform
+    logic rests;
+    rc_xform u_xform (
+      .clk_i, .rst_ni,
+      .req_valid_i(xform_req_valid), .req_ready_o(xform_req_ready), .req_i(xform_req),
+      .rests_o(rests), .change_fires_o(change_fires), .change_o(change));
+    always_comb begin
+      if (xform_req_valid || rests) xform_cause_o = rc_pkg::XformBusyWork;
+      else xform_cause_o = node_waits_i ? rc_pkg::XformStarvedMemory : rc_pkg::XformStarvedTrav;
+    end
+  end
+  assign change_fires_o = change_fires;
+  assign change_o       = change;
 
   rc_box u_box (
     .clk_i, .rst_ni,

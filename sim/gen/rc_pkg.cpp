@@ -220,6 +220,11 @@ void derived(Package& p, const Config& c) {
     p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c)
                               : c.has_globes() ? bits_of<GlobeReq>(c)
                                                : bits_of<BoxReq>(c));
+    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());
+    p.constant("LineKindBits", line_kind_bits);
+    p.constant("MapFrac", c.map_frac());
+    p.constant("MapBits", c.map_bits());
+    p.constant("MovedBits", c.moved_bits());
     p.constant("NodePlanes", c.planes_of_node());
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
@@ -248,11 +253,15 @@ void derived(Package& p, const Config& c) {
     p.constant("DirectionStages", stages.direction);
     p.constant("RecipStages", stages.recip);
     p.constant("SlopeStages", stages.slope);
+    p.constant("MapShare", stages.map_share);
+    p.constant("RecipShare", stages.recip_share);
+    p.constant("MapStages", stages.map);
     p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
+    p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
@@ -266,6 +275,11 @@ void enumerations(Package& p) {
                               {"Kd", Structure::kd},
                               {"None", Structure::none},
                               {"Spheres", Structure::spheres}});
+    p.say("What a line of memory holds, if there are two levels.");
+    p.enumeration<LineKind>("line_kind_e", "Line", line_kind_bits,
+                            {{"SceneNode", LineKind::scene_node},
+                             {"MeshNode", LineKind::mesh_node},
+                             {"Placement", LineKind::placement}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
     p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
                            {{"Camera", RayKind::camera},
@@ -336,6 +350,7 @@ std::string rc_package(const Config& config) {
     p.record<Node>("node");
     p.record<Treelet>("treelet");
     p.record<GlobeNode>("globe_node");
+    p.record<Placement>("placement");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
     return std::move(p).end();

@@ -46,11 +46,13 @@ constexpr std::size_t place_after(Link link) {
         case Link::box_rsp:
         case Link::treelet_rsp:
         case Link::globe_rsp:
+        case Link::change:
         case Link::tested: return index(Unit::trav);
         case Link::node_req: return index(Unit::node_cache);
         case Link::box_req: return index(Unit::box);
         case Link::treelet_req: return index(Unit::treelet);
         case Link::globe_req: return index(Unit::globe);
+        case Link::xform_req: return index(Unit::xform);
         case Link::leaves:
         case Link::tri_rsp: return index(Unit::list);
         case Link::prim_req: return index(Unit::prim_cache);

@@ -113,15 +113,24 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out},
                 {"pixel", in},    {"hit", out},     {"cause", plain}};
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
-    if (module == "rc_trav")
-        return {{"frame", fixed}, {"start", listen}, {"ray", in},     {"node_req", out},
-                {"node_rsp", in}, {"box_req", out},  {"box_rsp", in}, {"leaves", PortKind::fires},
-                {"tested", in},   {"done", out},     {"cause", plain}};
+    if (module == "rc_trav") {
+        std::vector<PortSpec> ports{
+            {"frame", fixed}, {"start", listen}, {"ray", in},     {"node_req", out},
+            {"node_rsp", in}, {"box_req", out},  {"box_rsp", in}, {"leaves", PortKind::fires},
+            {"tested", in},   {"done", out},     {"cause", plain}};
+        if (config.has_instances()) ports.push_back({"xform_req", out}), ports.push_back({"change", listen});
+        return ports;
+    }
+    if (module == "rc_xform") return {{"req", in}, {"rests", plain}, {"change", PortKind::fires}};
     if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_tri")
         return {{"req", in}, {"rsp", out}};
-    if (module == "rc_list")
-        return {{"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
-                {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
+    if (module == "rc_list") {
+        std::vector<PortSpec> ports{
+            {"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
+            {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
+        if (config.has_instances()) ports.push_back({"change", listen});
+        return ports;
+    }
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
     if (module == "rc_shade")

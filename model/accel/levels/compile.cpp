@@ -11,9 +11,12 @@
 namespace rayclock {
 namespace {
 
+constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
+
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
-    if (!config.is_bvh() || config.test() != PrimitiveTest::exact || config.shading)
-        throw UserError(name + ": two levels need structure=bvh, primitive_test=exact and shading=0");
+    Config two = config;
+    two.levels = 2;
+    check_config(two, name);
     if (!scene.own.spheres.empty() || !scene.own.planes.empty())
         throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
     const std::uint64_t count = primitive_count(scene);
@@ -63,6 +66,10 @@ public:
         image_.report.triangles = number;
         image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
         check_stack(image_.report.stack_need, config_, name_);
+        if (image_.report.stack_need > most_groups)
+            throw UserError(name_ + ": two levels keep " + std::to_string(most_groups) +
+                            " sibling groups of a ray at most, and this tree needs " +
+                            std::to_string(image_.report.stack_need));
     }
 
 private:
