@@ -75,8 +75,8 @@ module rc_pipeline (
   logic              pixel_valid, pixel_ready;
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
-  logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, box_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, treelet_cause, globe_cause, xform_cause;
+  logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
+  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause;
 
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -110,12 +110,12 @@ module rc_pipeline (
     assign {node_req_valid, node_req_ready, node_req} = '0;
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
-    assign {box_cause, treelet_cause, globe_cause, xform_cause, change_fires, change} = '0;
+    assign {decide_cause, xform_cause, change_fires, change} = '0;
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
         node_rsp, node_waits, node_miss_ready_i, node_fill_fires_i, node_fill_i};
-  end else if (rc_pkg::Structure == rc_pkg::StructureKd) begin : gen_kd
-    rc_kd u_kd (
+  end else begin : gen_tree
+    rc_tree u_tree (
       .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
       .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
       .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
@@ -124,33 +124,8 @@ module rc_pipeline (
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause), .treelet_cause_o(treelet_cause));
-    assign {box_cause, globe_cause, xform_cause, change_fires, change} = '0;
-  end else if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_globes
-    rc_globes u_globes (
-      .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
-      .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
-      .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
-      .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
-      .node_waits_i(node_waits),
-      .leaves_fires_o(leaves_fires), .leaves_o(leaves),
-      .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
-      .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause), .globe_cause_o(globe_cause));
-    assign {box_cause, treelet_cause, xform_cause, change_fires, change} = '0;
-  end else begin : gen_bvh
-    rc_bvh u_bvh (
-      .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
-      .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
-      .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
-      .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
-      .node_waits_i(node_waits),
-      .leaves_fires_o(leaves_fires), .leaves_o(leaves),
-      .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
-      .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause), .box_cause_o(box_cause),
+      .trav_cause_o(trav_cause), .decide_cause_o(decide_cause),
       .change_fires_o(change_fires), .change_o(change), .xform_cause_o(xform_cause));
-    assign {treelet_cause, globe_cause} = '0;
   end
 
   if (rc_pkg::Structure != rc_pkg::StructureNone) begin : gen_nodes
@@ -234,7 +209,13 @@ module rc_pipeline (
       tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
     end
   end
-  assign causes_o     = {xform_cause, globe_cause, treelet_cause, shade_cause, surf_cause, tri_cause, prim_cause,
-                         list_cause, box_cause, node_cause, trav_cause, raygen_cause, sched_cause};
+  // The units that decide nodes have a place each, and one of them is there: causes_o has its cause
+  // at rc_pkg::DecideUnit, and none of the others'.
+  localparam int unsigned C = 3 * rc_pkg::PipelineUnits;
+  logic [C-1:0] decide_at, xform_at;
+  assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit;
+  assign xform_at  = C'(xform_cause) << 3 * rc_pkg::XformUnit;
+  assign causes_o  = decide_at | xform_at | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause, 3'd0,
+                                     node_cause, trav_cause, raygen_cause, sched_cause});
 endmodule
 `default_nettype wire

@@ -95,8 +95,8 @@ package rc_pkg;
   localparam int unsigned GlobeBits = 12;
   localparam int unsigned TowardBits = 18;
   localparam int unsigned NodeBits = 501;
-  localparam int unsigned NodeReqBits = 630;
   localparam int unsigned NodePartBits = 501;
+  localparam int unsigned NodeReqBits = 630;
   localparam int unsigned LineKindBits = 2;
   localparam int unsigned MapFrac = 21;
   localparam int unsigned MapBits = 23;
@@ -221,12 +221,6 @@ package rc_pkg;
     TravStalledRecirculation = 3'd2
   } trav_cause_e;
   typedef enum logic [2:0] {
-    BoxBusyWork = 3'd0,
-    BoxStarvedMemory = 3'd1,
-    BoxStarvedTrav = 3'd2,
-    BoxStalledTrav = 3'd3
-  } box_cause_e;
-  typedef enum logic [2:0] {
     ListBusyWork = 3'd0,
     ListStarvedTrav = 3'd1
   } list_cause_e;
@@ -243,18 +237,6 @@ package rc_pkg;
     ShadeStalledQueue = 3'd3
   } shade_cause_e;
   typedef enum logic [2:0] {
-    TreeletBusyWork = 3'd0,
-    TreeletStarvedMemory = 3'd1,
-    TreeletStarvedTrav = 3'd2,
-    TreeletStalledTrav = 3'd3
-  } treelet_cause_e;
-  typedef enum logic [2:0] {
-    GlobeBusyWork = 3'd0,
-    GlobeStarvedMemory = 3'd1,
-    GlobeStarvedTrav = 3'd2,
-    GlobeStalledTrav = 3'd3
-  } globe_cause_e;
-  typedef enum logic [2:0] {
     XformBusyWork = 3'd0,
     XformStarvedMemory = 3'd1,
     XformStarvedTrav = 3'd2
@@ -269,6 +251,12 @@ package rc_pkg;
     MemportStarvedCaches = 3'd1,
     MemportStalledMemory = 3'd2
   } memport_cause_e;
+  typedef enum logic [2:0] {
+    DecideBusyWork = 3'd0,
+    DecideStarvedMemory = 3'd1,
+    DecideStarvedTrav = 3'd2,
+    DecideStalledTrav = 3'd3
+  } decide_cause_e;
 
   // Tables of the shade unit's cells: model/shade/tables.hpp.
   localparam logic [11135:0] InverseRoot = {
@@ -429,6 +417,8 @@ package rc_pkg;
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
   localparam int unsigned PipelineUnits = 13;
+  localparam int unsigned XformUnit = 12;
+  localparam int unsigned DecideUnit = 4;
   localparam int unsigned SharedUnits = 3;
   localparam logic [12:0] PipelineUnitsThere = {
     1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1,

@@ -2,6 +2,7 @@
 // The links between units, one row each, in the order in which a ray meets them. The names in lockstep and
 // reports, the masks, the payloads' structs in rc_pkg.sv, the signals that lockstep reads in the RTL and the
 // table in rtl/README.md come from these rows. A payload describes itself (payloads.hpp).
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <tuple>
@@ -97,6 +98,17 @@ constexpr bool decides_nodes(Unit unit) {
 }
 /// A unit that takes what node_cache has read.
 constexpr bool takes_lines(Unit unit) { return decides_nodes(unit) || unit == Unit::xform; }
+/// Whether two units' causes have the same codes.
+constexpr bool same_causes(Unit a, Unit b) {
+    for (std::size_t code = 0; code < cause_count; ++code) {
+        const Cause &one = unit_infos[index(a)].causes[code], &other = unit_infos[index(b)].causes[code];
+        if (one.kind != other.kind || std::string_view(one.name) != other.name) return false;
+    }
+    return true;
+}
+static_assert(std::ranges::all_of(node_units, [](const NodeUnit& u) {
+    return same_causes(u.unit, node_units[0].unit);   // the same wiring gives them: rtl/bvh/rc_tree.sv
+}));
 constexpr bool asks_of_node(Link link) {
     for (const NodeUnit& u : node_units)
         if (u.req == link) return true;
@@ -108,8 +120,10 @@ constexpr bool tells_of_node(Link link) {
     return false;
 }
 /// That of a configuration; box if there are no nodes.
-inline NodeUnit node_unit(const Config& config) {
-    return node_units[config.has_treelets() ? 1 : config.has_globes() ? 2 : 0];
+constexpr NodeUnit node_unit(const Config& config) {
+    for (const NodeUnit& u : node_units)
+        if (is_there(unit_infos[index(u.unit)].when, config)) return u;
+    return node_units[0];
 }
 
 constexpr std::size_t link_count = link_infos.size();

@@ -48,19 +48,21 @@ enum class Place : std::uint8_t { pipeline, engine, shared, beside };
 #define RAYCLOCK_CACHE_CAUSES(user, reader)                                                   \
     busy("hit"), busy("miss"), busy("merge"), busy("drain"), starved(user), stalled("mshrs"), \
         stalled("conflict"), stalled(reader)
+// Of every unit that decides nodes: the same, since the same wiring gives them (rtl/bvh/rc_tree.sv).
+#define RAYCLOCK_DECIDE_CAUSES busy(), starved("memory"), starved("trav"), stalled("trav")
 #define RAYCLOCK_UNITS(UNIT)                                                                           \
     UNIT(sched, pipeline, always, busy(), starved("contexts"), starved("dispatch"), stalled("raygen")) \
     UNIT(raygen, pipeline, always, busy(), starved("sched"), stalled("trav"))                          \
     UNIT(trav, pipeline, always, busy(), starved("list"), stalled("recirculation"))                    \
     UNIT(node_cache, pipeline, nodes, RAYCLOCK_CACHE_CAUSES("trav", "box"))                            \
-    UNIT(box, engine, boxes, busy(), starved("memory"), starved("trav"), stalled("trav"))              \
+    UNIT(box, engine, boxes, RAYCLOCK_DECIDE_CAUSES)                                                   \
     UNIT(list, pipeline, always, busy(), starved("trav"))                                              \
     UNIT(prim_cache, pipeline, always, RAYCLOCK_CACHE_CAUSES("list", "tri"))                           \
     UNIT(tri, pipeline, always, busy(), starved("memory"), starved("list"), stalled("list"))           \
     UNIT(surf_cache, pipeline, shading, RAYCLOCK_CACHE_CAUSES("shade", "shade"))                       \
     UNIT(shade, pipeline, shading, busy(), starved("memory"), starved("list"), stalled("queue"))       \
-    UNIT(treelet, engine, treelets, busy(), starved("memory"), starved("trav"), stalled("trav"))       \
-    UNIT(globe, engine, globes, busy(), starved("memory"), starved("trav"), stalled("trav"))           \
+    UNIT(treelet, engine, treelets, RAYCLOCK_DECIDE_CAUSES)                                            \
+    UNIT(globe, engine, globes, RAYCLOCK_DECIDE_CAUSES)                                                \
     UNIT(xform, engine, instances, busy(), starved("memory"), starved("trav"))                         \
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
     UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
@@ -82,6 +84,7 @@ constexpr std::array unit_infos{RAYCLOCK_UNITS(RAYCLOCK_INFO)};
 #undef RAYCLOCK_INFO
 #undef RAYCLOCK_UNITS
 #undef RAYCLOCK_CACHE_CAUSES
+#undef RAYCLOCK_DECIDE_CAUSES
 
 constexpr std::size_t unit_count = unit_infos.size();
 constexpr std::size_t pipeline_units = [] {

@@ -36,13 +36,13 @@ module rc_trav (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
-  // To and from box, or what decides a node in its place
-  output logic              box_req_valid_o,
-  input  logic              box_req_ready_i,
-  output logic [rc_pkg::NodeReqBits-1:0] box_req_o,
-  input  logic              box_rsp_valid_i,
-  output logic              box_rsp_ready_o,
-  input  rc_pkg::box_rsp_t  box_rsp_i,
+  // To and from the unit that decides nodes, box or what stands in its place
+  output logic              decide_req_valid_o,
+  input  logic              decide_req_ready_i,
+  output logic [rc_pkg::NodeReqBits-1:0] decide_req_o,
+  input  logic              decide_rsp_valid_i,
+  output logic              decide_rsp_ready_o,
+  input  rc_pkg::box_rsp_t  decide_rsp_i,
   // To and from list
   output logic              leaves_fires_o,
   output rc_pkg::leaves_t   leaves_o,
@@ -102,8 +102,8 @@ module rc_trav (
   assign node_rsp  = node_rsp_i;
   if (rc_pkg::Levels == 1) begin : gen_nodes
     assign box_ray          = kept_ray;
-    assign box_req_valid_o  = node_rsp_valid_i;
-    assign node_rsp_ready_o = box_req_ready_i;
+    assign decide_req_valid_o = node_rsp_valid_i;
+    assign node_rsp_ready_o   = decide_req_ready_i;
     assign {xform_req_valid_o, xform_req_o} = '0;
     logic unused;
     assign unused = xform_req_ready_i;
@@ -122,9 +122,9 @@ module rc_trav (
       .read_addr_i(node_rsp_i.ray), .read_data_o(changed_ray));
     assign box_ray           = node_rsp_i.what == rc_pkg::LineMeshNode ? changed_ray : kept_ray;
     assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
-    assign box_req_valid_o   = node_rsp_valid_i && !is_instance;
+    assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
-    assign node_rsp_ready_o  = is_instance ? xform_req_ready_i : box_req_ready_i;
+    assign node_rsp_ready_o  = is_instance ? xform_req_ready_i : decide_req_ready_i;
     assign xform_req_o = {node_rsp_i.ray, kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth], kept_d,
                           node_rsp[rc_pkg::PlacementW-1:0]};
 `ifndef SYNTHESIS
@@ -133,20 +133,20 @@ module rc_trav (
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end
-  assign box_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
+  assign decide_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
 
   // Box's answer, and the ray's distance to beat.
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
   logic                       came_fires, in_fires, leaf_matters;
   logic [TB-1:0]              in_t;
-  assign came            = box_rsp_i;
-  assign came_fires      = box_rsp_valid_i;
-  assign box_rsp_ready_o = 1'b1;
+  assign came               = decide_rsp_i;
+  assign came_fires         = decide_rsp_valid_i;
+  assign decide_rsp_ready_o = 1'b1;
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(box_rsp_i.ray), .read_t_o(in_t));
+    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t));
   rc_cut #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
   assign in = in_flat;
 

@@ -79,6 +79,8 @@ std::string host_constants(const Config& config) {
     for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
+    text += constant("XformUnit", std::uint32_t(index(Unit::xform)));
+    text += constant("DecideUnit", std::uint32_t(index(node_unit(config).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
     return text + list("SharedUnitsThere", shared, 1);
 }
@@ -130,13 +132,13 @@ public:
         text_ += fmt::format("\n  }} {};\n", type);
     }
     /// The codes by which a unit says what it did.
-    void causes(const UnitInfo& unit) {
+    void causes(const char* name, const UnitInfo& unit) {
         constexpr std::array kinds{"", "Busy", "Starved", "Stalled"};
         std::vector<std::pair<std::string, std::size_t>> names;
         for (const Cause& cause : unit.causes)
             if (cause.kind != Kind::none)
                 names.emplace_back(kinds[std::size_t(cause.kind)] + camel(cause.name), names.size());
-        enumeration(fmt::format("{}_cause_e", unit.name), camel(unit.name), cause_bits, names);
+        enumeration(fmt::format("{}_cause_e", name), camel(name), cause_bits, names);
     }
     template <class Payload> void record(const char* name) {
         StructVisitor v;
@@ -172,6 +174,17 @@ private:
 };
 
 /// Widths and latencies that follow from the parameters.
+/// Of a link's payload.
+int bits_on(Link link, const Config& config) {
+    int bits = 0;
+    const auto look = [&]<std::size_t... i>(std::index_sequence<i...>) {
+        ((i == index(link) ? void(bits = bits_of<std::tuple_element_t<i, LinkPayloads>>(config)) : void()),
+         ...);
+    };
+    look(std::make_index_sequence<link_count>());
+    return bits;
+}
+
 void derived(Package& p, const Config& c) {
     p.constant("TBits", c.t_bits());
     p.constant("EdgeBits", c.edge_bits());
@@ -214,13 +227,11 @@ void derived(Package& p, const Config& c) {
     p.constant("CountBits", count_bits);
     p.constant("GlobeBits", globe_bits);
     p.constant("TowardBits", toward_bits);
-    p.constant("NodeBits", c.has_treelets() ? bits_of<Treelet>(c)
-                           : c.has_globes() ? bits_of<GlobeNode>(c)
-                                            : bits_of<Node>(c));
-    p.constant("NodeReqBits", c.has_treelets() ? bits_of<TreeletReq>(c)
-                              : c.has_globes() ? bits_of<GlobeReq>(c)
-                                               : bits_of<BoxReq>(c));
-    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());
+    Config nodes = c;
+    nodes.levels = 1;
+    p.constant("NodeBits", bits_of<NodeRsp>(nodes) - c.ray_bits());
+    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line, in the node cache
+    p.constant("NodeReqBits", bits_on(node_unit(c).req, c));
     p.constant("LineKindBits", line_kind_bits);
     p.constant("MapFrac", c.map_frac());
     p.constant("MapBits", c.map_bits());
@@ -313,8 +324,12 @@ void enumerations(Package& p) {
                               {"Mshrs", CacheDeed::mshrs},
                               {"Conflict", CacheDeed::conflict},
                               {"Answers", CacheDeed::answers}});
-    for (const UnitInfo& unit : unit_infos)
-        if (unit.place != Place::beside && unit.causes.back().kind == Kind::none) p.causes(unit);
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        const UnitInfo& unit = unit_infos[u];
+        if (unit.place < Place::beside && !decides_nodes(Unit(u)) && unit.causes.back().kind == Kind::none)
+            p.causes(unit.name, unit);
+    }
+    p.causes("decide", unit_infos[index(node_units[0].unit)]);   // of every unit that decides nodes
 }
 
 }   // namespace

@@ -39,19 +39,17 @@ struct RayEvent {
 
 /// The unit in which a ray is after it has moved on a link.
 constexpr std::size_t place_after(Link link) {
+    for (const NodeUnit& decides : node_units) {
+        if (link == decides.req) return index(decides.unit);
+        if (link == decides.rsp) return index(Unit::trav);
+    }
     switch (link) {
         case Link::slot:
         case Link::spawn: return index(Unit::raygen);
         case Link::ray:
-        case Link::box_rsp:
-        case Link::treelet_rsp:
-        case Link::globe_rsp:
         case Link::change:
         case Link::tested: return index(Unit::trav);
         case Link::node_req: return index(Unit::node_cache);
-        case Link::box_req: return index(Unit::box);
-        case Link::treelet_req: return index(Unit::treelet);
-        case Link::globe_req: return index(Unit::globe);
         case Link::xform_req: return index(Unit::xform);
         case Link::leaves:
         case Link::tri_rsp: return index(Unit::list);

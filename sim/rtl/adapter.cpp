@@ -33,20 +33,21 @@ std::string port_line(const std::string& module, const PortSpec& p) {
                        p.valid, p.ready, p.data);
 }
 
-/// Where a pipeline's link shows: in the engine, or in rc_pipeline, at a port if one end lies outside, else
-/// as a net.
-PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index,
-                      const Config& config) {
-    const std::string name = link.name, engine = config.has_treelets() ? "kd"
-                                                 : config.has_globes() ? "globes"
-                                                                       : "bvh";
+/// Where a pipeline's link shows: in the engine, under a name that does not depend on the unit that decides
+/// nodes, or in rc_pipeline, at a port if one end lies outside, else as a net.
+PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index) {
+    const bool inside = link.of_engine();
+    const Link number = Link(&link - link_infos.data());
+    const std::string name = asks_of_node(number)    ? "decide_req"
+                             : tells_of_node(number) ? "decide_rsp"
+                                                     : link.name;
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
     const bool fires = link.flow == Flow::fires;
-    return {name + index,
+    return {link.name + index,
             PortKind::tap,
-            path + (link.of_engine() ? fmt::format(".gen_{0}.u_{0}", engine) : ""),
-            link.of_engine() ? "rc_" + engine : "rc_pipeline",
+            path + (inside ? ".gen_tree.u_tree" : ""),
+            inside ? "rc_tree" : "rc_pipeline",
             name + (fires ? "_fires" : "_valid") + in,
             fires ? "" : name + "_ready" + back,
             name + in};
@@ -61,7 +62,7 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
                           path = fmt::format(".u_top.gen_pipeline[{}].u_pipeline", p);
         for (const LinkInfo& link : link_infos)
             if (link.of_pipeline() && is_there(link.when, config))
-                taps.push_back(pipeline_tap(link, path, index, config));
+                taps.push_back(pipeline_tap(link, path, index));
     }
     if (config.l2_sets == 0) return taps;
     const std::string l2 = ".u_top.gen_shared.u_l2";
@@ -115,9 +116,9 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
     if (module == "rc_trav") {
         std::vector<PortSpec> ports{
-            {"frame", fixed}, {"start", listen}, {"ray", in},     {"node_req", out},
-            {"node_rsp", in}, {"box_req", out},  {"box_rsp", in}, {"leaves", PortKind::fires},
-            {"tested", in},   {"done", out},     {"cause", plain}};
+            {"frame", fixed}, {"start", listen},   {"ray", in},        {"node_req", out},
+            {"node_rsp", in}, {"decide_req", out}, {"decide_rsp", in}, {"leaves", PortKind::fires},
+            {"tested", in},   {"done", out},       {"cause", plain}};
         if (config.has_instances()) ports.push_back({"xform_req", out}), ports.push_back({"change", listen});
         return ports;
     }

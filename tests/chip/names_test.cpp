@@ -15,10 +15,11 @@ using namespace rayclock::chip;
 
 TEST_CASE("a cell belongs to the outermost unit that its name has") {
     const Units chip("chip"), box("box");
-    CHECK(chip.of("u_chip.u_top.gen_pipeline[0].u_pipeline.u_bvh.u_box.u_rank.s4_q_TRELLIS_FF_Q_5") == "box");
+    const std::string tree = "u_chip.u_top.gen_pipeline[0].u_pipeline.gen_tree.u_tree.";
+    CHECK(chip.of(tree + "gen_box.u_box.u_rank.s4_q_TRELLIS_FF_Q_5") == "box");
+    CHECK(chip.of(tree + "x") == wiring_unit);
     CHECK(chip.of("u_chip.u_top.gen_pipeline[0].u_pipeline.u_prim_cache.u_cache.u_tags.x") == "prim_cache");
     CHECK(chip.of("u_chip.u_host.frame_q") == "host");
-    CHECK(chip.of("u_chip.u_top.gen_pipeline[0].u_pipeline.u_bvh.x") == wiring_unit);
     CHECK(chip.of("in_q_TRELLIS_FF_Q_7") == harness_unit);
     CHECK(chip.of("$nextpnr_CCU2C_0$CCU2_COMB1") == carry_unit);
     CHECK(box.of("$nextpnr_CCU2C_0$CCU2_COMB1") == "box");

@@ -168,9 +168,9 @@ mutant(top_never_serves_primitives FILE rtl/rc_top.sv TEST unit [machine][lockst
 mutant(sched_loses_hits_of_used_contexts FILE rtl/sched/rc_sched.sv TEST unit [machine][lockstep]
   OLD [[assign hit_valid_o   = pixel_valid_i;]]
   NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])
-mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_bvh.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[else box_cause_o = node_waits_i ?]]
-  NEW [[else box_cause_o = !node_waits_i ?]])
+mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_tree.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[decide_cause_o = node_waits_i ?]]
+  NEW [[decide_cause_o = !node_waits_i ?]])
 mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
   OLD [[counts_q ? count_o + 1'b1 : '0;]]
   NEW [[counts_q ? count_o + {{(rc_pkg::TallyBits-1){1'b0}}, cause_q != 3'd5} : '0;]])

@@ -21,7 +21,7 @@ struct Fitting {
 constexpr Fitting fitting[] = {
     {"rtl/bvh/rc_stack", "trav"},
     {"rtl/bvh/rc_trav", "trav"},
-    {"rtl/bvh/rc_bvh", "machine"},
+    {"rtl/bvh/rc_tree", "machine"},
     {"rtl/bvh/rc_answer", "globe"},
     {"rtl/bvh/", "box"},
     {"rtl/globe/", "globe"},

@@ -113,9 +113,9 @@ public:
         links_.read_in("ray", ray);
         links_.read_in("tested", tested);
         links_.read_in("node_rsp", node_rsp);
-        links_.read_in("box_rsp", box_rsp);
+        links_.read_in("decide_rsp", box_rsp);
         links_.read_out("node_req", node_req);
-        links_.read_out("box_req", box_req);
+        links_.read_out("decide_req", box_req);
         links_.read_told("leaves", leaves);
         links_.read_out("done", done);
         cause = links_.plain("cause");
@@ -128,9 +128,9 @@ private:
         links_.drive_in("ray", ray);
         links_.drive_in("tested", tested);
         links_.drive_in("node_rsp", node_rsp);
-        links_.drive_in("box_rsp", box_rsp);
+        links_.drive_in("decide_rsp", box_rsp);
         links_.drive_out("node_req", node_req);
-        links_.drive_out("box_req", box_req);
+        links_.drive_out("decide_req", box_req);
         links_.drive_out("done", done);
     }
     RtlLinks links_;
