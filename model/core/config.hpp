@@ -86,7 +86,7 @@ struct Config {
     int box_queue = 16;       ///< answers box may hold, a power of two
     int tri_queue = 32;       ///< answers tri may hold, a power of two
     int tri_interval = 1;     ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int xform_interval = 4;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
+    int xform_interval = 2;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
     int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row

@@ -9,7 +9,8 @@
 namespace rayclock {
 
 LevelsPicture trace_levels(const LevelsImage& levels, const Camera& camera, FrameSize size,
-                           const Config& config, int threads, const Progress& progress) {
+                           const Config& given, int threads, const Progress& progress) {
+    const Config config = with_two_levels(given, given.name);
     LevelsPicture picture;
     picture.frame = make_frame(camera, size, levels.image, config);
     picture.hits = {size, std::vector<Hit>(std::size_t(size.width) * std::size_t(size.height))};

@@ -7,9 +7,8 @@
 
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
-#include "sim/load/placed.hpp"
+#include "sim/load/load.hpp"
 #include "sim/request/idle.hpp"
-#include "sim/request/placed.hpp"
 
 namespace rayclock {
 
@@ -38,23 +37,17 @@ void tell(const std::vector<std::string>& notes) {
         std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
 }
 
-}   // namespace
-
+/// Gives a scene its camera for a picture of this size, and turns it as it was asked to.
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
     if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
 }
 
+}   // namespace
+
 Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
     std::vector<std::string> notes;
     Scene scene = load_scene(spec, progress, primitives, &notes);
-    tell(notes);
-    return scene;
-}
-
-PlacedScene told_placed(const std::string& spec, const Progress& progress) {
-    std::vector<std::string> notes;
-    PlacedScene scene = load_placed(spec, progress, Primitives::triangles, &notes);
     tell(notes);
     return scene;
 }

@@ -14,9 +14,6 @@ namespace {
 constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
 
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
-    Config two = config;
-    two.levels = 2;
-    check_config(two, name);
     if (!scene.own.spheres.empty() || !scene.own.planes.empty())
         throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
     const std::uint64_t count = primitive_count(scene);
@@ -179,9 +176,16 @@ private:
 
 }   // namespace
 
-LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& config) {
+Config with_two_levels(Config config, const std::string& where) {
+    config.levels = 2;
+    check_config(config, where);
+    return config;
+}
+
+LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& given) {
     const Stopwatch watch;
     const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
+    const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
     const SharedMesh own{"", scene.own.vertices, {}, scene.own.triangles};
     LevelParts parts;
