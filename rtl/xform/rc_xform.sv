@@ -142,8 +142,8 @@ module rc_xform (
   for (genvar m = 0; m < Dividers; m++) begin : gen_divider
     localparam int unsigned First = m * Share;
     localparam int unsigned Own   = 3 - First < Share ? 3 - First : Share;
-    logic [M-1:0]     axis;
-    logic [R1+EB-1:0] made;
+    logic signed [M-1:0] axis;
+    logic [R1+EB-1:0]    made;
     if (Own == 1) begin : gen_alone
       assign axis = d[First*M +: M];
     end else begin : gen_axes   // the next waits lowest
@@ -154,7 +154,7 @@ module rc_xform (
       end
     end
     rc_recip u_recip (
-      .clk_i, .valid_i(valid[Moved +: Own] != '0), .short_i(1'b1), .d_i($signed(axis)),
+      .clk_i, .valid_i(valid[Moved +: Own] != '0), .short_i(1'b1), .d_i(axis),
       .recip_o(made[R1-1:0]), .len_o(made[R1+EB-1:R1]));
     for (genvar i = 0; i < Own; i++) begin : gen_axis   // the first wait for the last
       rc_cut #(.Width(R1 + EB), .Stages(Share - 1 - i)) u_early (
