@@ -33,8 +33,8 @@ mutant(rtl_xform_rounds_down FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[Half = SW'(1) << (K - 1);]]
   NEW [[Half = '0;]])
 mutant(rtl_xform_mixes_rows_and_columns FILE rtl/xform/rc_xform.sv TEST unit [xform]
-  OLD [[in_o[(i%3)*N +: N]]]
-  NEW [[in_o[(i/3)*N +: N]]])
+  OLD [[in_o[(i%3)*N +:]]
+  NEW [[in_o[(i/3)*N +:]])
 mutant(rtl_xform_one_bit_short FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[X'($signed(in_d[(i%3)*M +: M]))]]
   NEW [[X'($signed(in_d[(i%3)*M +: M-1]))]])
