@@ -215,7 +215,8 @@ module rc_pipeline (
   logic [C-1:0] decide_at, xform_at;
   assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit;
   assign xform_at  = C'(xform_cause) << 3 * rc_pkg::XformUnit;
-  assign causes_o  = decide_at | xform_at | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause, 3'd0,
-                                     node_cause, trav_cause, raygen_cause, sched_cause});
+  assign causes_o  = decide_at | xform_at
+                   | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause, 3'd0,
+                         node_cause, trav_cause, raygen_cause, sched_cause});
 endmodule
 `default_nettype wire
