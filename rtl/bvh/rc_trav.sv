@@ -13,10 +13,12 @@
 // root when no other node waits. A node that comes back from memory goes on to box, with its
 // ray, in the same cycle.
 //
-// With two levels an instance that comes back goes on to xform, with the ray as it came. The ray that
-// xform makes of it is kept beside that one, and goes on to the root of the mesh before new rays
-// start; stack and distance to beat stay. Which of the two box gets is said by the line that was
-// read: whether it is a node of the scene's tree or of a mesh's. Model: model/bvh/trav.hpp. The compiled scene must not need more
+// With two levels an instance that comes back goes on to xform, with the ray as it came. The ray
+// that xform makes of it is kept beside that one, and goes on to the root of the mesh before new
+// rays start; stack and distance to beat stay. Which of the two box gets is said by the line that
+// was read: whether it is a node of the scene's tree or of a mesh's.
+//
+// Model: model/bvh/trav.hpp. The compiled scene must not need more
 // than StackDepth groups.
 `default_nettype none
 module rc_trav (
@@ -129,7 +131,8 @@ module rc_trav (
                           node_rsp[rc_pkg::PlacementW-1:0]};
 `ifndef SYNTHESIS
     a_changed: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                change_fires_i && node_rsp_valid_i |-> change_i.ray != node_rsp_i.ray)
+                                change_fires_i && node_rsp_valid_i
+                                    |-> change_i.ray != node_rsp_i.ray)
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end

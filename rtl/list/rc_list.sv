@@ -15,8 +15,9 @@
 // memory goes on to tri, with its ray, in the same cycle.
 //
 // A ray's start clears its hit; a ray that goes to trav, which is listened to, is only kept
-// for tri. Both are one event today. With two levels tri gets the ray in the space of the instance that
-// it entered last, and a primitive the number of the instance's first one added to its own. Model: model/list/list.hpp.
+// for tri. Both are one event today. With two levels tri gets the ray in the space of the instance
+// that it entered last, and the number of that instance's first primitive is added to a
+// primitive's own. Model: model/list/list.hpp.
 `default_nettype none
 module rc_list (
   input  logic              clk_i,

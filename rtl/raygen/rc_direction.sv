@@ -3,8 +3,8 @@
 // The three sums are moved up together until one fills its width, by MostShift bits at most,
 // so that a ray in the middle of a wide picture has as many bits as one in its corners.
 // Then they are rounded to DirBits, to nearest, halves up; what would round to 2^(DirBits-1),
-// which does not fit, is one less, and with two levels -2^(DirBits-1) one more. model/core/frame.hpp
-// has the rule.
+// which does not fit, is one less, and with two levels -2^(DirBits-1) is one more.
+// model/core/frame.hpp has the rule.
 //
 // Latency rc_pkg::DirectionStages, throughput 1 per cycle. Model: direction_of() in
 // model/raygen/raygen.cpp. The host sees to it that the sums fit and that none of them is too
