@@ -106,24 +106,23 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
 }
 
 namespace {
-std::uint32_t at(bool on, Link link) { return std::uint32_t(on) << index(link); }
+LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
 }   // namespace
 
-std::uint32_t Pipeline::valid_mask(const SharedMoves& shared) const {
-    std::uint32_t mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
-                         at(shared.node_fill, Link::node_fill) |
-                         at(prim_cache_.miss_valid(), Link::prim_miss) |
-                         at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
-                         at(shared.surf_fill, Link::surf_fill);
+LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
+    LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
+                    at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
+                    at(shared.surf_fill, Link::surf_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
 
-std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
-    std::uint32_t mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
-                         at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
-                         at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
-                         at(shared.surf_fill, Link::surf_fill);
+LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
+    LinkMask mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
+                    at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
+                    at(shared.surf_fill, Link::surf_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }

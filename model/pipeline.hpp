@@ -48,8 +48,8 @@ public:
 
     // ---- What is on the links, between settle() and clock().
 
-    std::uint32_t valid_mask(const SharedMoves& shared) const;
-    std::uint32_t fire_mask(const SharedMoves& shared) const;
+    LinkMask valid_mask(const SharedMoves& shared) const;
+    LinkMask fire_mask(const SharedMoves& shared) const;
     bool tile_ready() const { return sched_.tile_ready(); }
     bool node_miss_valid() const { return node_cache_.miss_valid(); }
     bool prim_miss_valid() const { return prim_cache_.miss_valid(); }

@@ -135,8 +135,9 @@ constexpr std::size_t pipeline_links = [] {   // the others are what all pipelin
     return n;
 }();
 constexpr std::size_t index(Link c) { return std::size_t(c); }
-constexpr std::uint32_t bit(Link c) { return 1u << index(c); }
-static_assert(link_count <= 32);
+using LinkMask = std::uint64_t;   ///< a bit for each link
+constexpr LinkMask bit(Link c) { return LinkMask(1) << index(c); }
+static_assert(link_count <= 64);
 
 /// Whether a chip of this configuration has the link.
 constexpr bool is_there(Link c, const Config& config) { return is_there(link_infos[index(c)].when, config); }
