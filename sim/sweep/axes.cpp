@@ -122,6 +122,8 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
         }
         try {
             check_config(point.config, "--axis");
+            if (point.config.has_instances())
+                throw UserError("levels must be 1, not 2: a sweep counts cracks, and knows flat scenes only");
             for (std::size_t a = 0; a < axes.size(); ++a) ++legal[a][index[a]];
         } catch (const UserError& e) {
             point.refused = e.what();
