@@ -10,6 +10,7 @@ package rc_pkg;
   localparam int unsigned BaryBits = 16;
   localparam int unsigned PrimitiveTest = 0;
   localparam int unsigned Structure = 0;
+  localparam int unsigned Levels = 1;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned Contexts = 64;
   localparam int unsigned StackDepth = 16;
@@ -17,6 +18,7 @@ package rc_pkg;
   localparam int unsigned BoxQueue = 16;
   localparam int unsigned TriQueue = 32;
   localparam int unsigned TriInterval = 1;
+  localparam int unsigned XformInterval = 2;
   localparam int unsigned Pipelines = 1;
   localparam int unsigned TileBits = 4;
   localparam int unsigned NodeSets = 64;
@@ -93,7 +95,12 @@ package rc_pkg;
   localparam int unsigned GlobeBits = 12;
   localparam int unsigned TowardBits = 18;
   localparam int unsigned NodeBits = 501;
+  localparam int unsigned NodePartBits = 501;
   localparam int unsigned NodeReqBits = 630;
+  localparam int unsigned LineKindBits = 2;
+  localparam int unsigned MapFrac = 21;
+  localparam int unsigned MapBits = 23;
+  localparam int unsigned MovedBits = 20;
   localparam int unsigned NodePlanes = 7;
   localparam int unsigned LineBits = 512;
   localparam int unsigned TileCoordBits = 10;
@@ -121,11 +128,15 @@ package rc_pkg;
   localparam int unsigned DirectionStages = 1;
   localparam int unsigned RecipStages = 9;
   localparam int unsigned SlopeStages = 11;
+  localparam int unsigned MapShare = 2;
+  localparam int unsigned RecipShare = 2;
+  localparam int unsigned MapStages = 3;
   localparam int unsigned StackStages = 0;
   localparam int unsigned RaygenLatency = 12;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TreeletLatency = 7;
   localparam int unsigned GlobeLatency = 9;
+  localparam int unsigned XformLatency = 13;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
@@ -138,6 +149,13 @@ package rc_pkg;
     StructureNone = 32'd2,
     StructureSpheres = 32'd4
   } structure_e;
+
+  // What a line of memory holds, if there are two levels.
+  typedef enum logic [1:0] {
+    LineSceneNode = 2'd0,
+    LineMeshNode = 2'd1,
+    LinePlacement = 2'd2
+  } line_kind_e;
 
   // What a ray is for, what a primitive is, which test tri makes.
   typedef enum logic [1:0] {
@@ -218,6 +236,11 @@ package rc_pkg;
     ShadeStarvedList = 3'd2,
     ShadeStalledQueue = 3'd3
   } shade_cause_e;
+  typedef enum logic [2:0] {
+    XformBusyWork = 3'd0,
+    XformStarvedMemory = 3'd1,
+    XformStarvedTrav = 3'd2
+  } xform_cause_e;
   typedef enum logic [2:0] {
     DispatchBusyWork = 3'd0,
     DispatchStarvedFrame = 3'd1,
@@ -393,12 +416,13 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 12;
+  localparam int unsigned PipelineUnits = 13;
+  localparam int unsigned XformUnit = 12;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [11:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1,
-    1'd1, 1'd1, 1'd1, 1'd1};
+  localparam logic [12:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1,
+    1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -521,6 +545,28 @@ package rc_pkg;
     logic [23:0] count;
   } globe_rsp_t;
   localparam int unsigned GlobeRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [59:0] d;
+    logic [31:0] first;
+    logic [23:0] root;
+    logic [206:0] a;
+    logic [116:0] b;
+  } xform_req_t;
+  localparam int unsigned XformReqW = 500;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [31:0] first;
+    logic [23:0] root;
+    logic [53:0] o;
+    logic [59:0] d;
+    logic [50:0] recip;
+    logic [14:0] len;
+  } change_t;
+  localparam int unsigned ChangeW = 242;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -848,6 +894,14 @@ package rc_pkg;
     logic [95:0] radius;
   } globe_node_t;
   localparam int unsigned GlobeNodeW = 491;
+
+  typedef struct packed {
+    logic [31:0] first;
+    logic [23:0] root;
+    logic [206:0] a;
+    logic [116:0] b;
+  } placement_t;
+  localparam int unsigned PlacementW = 380;
 
   typedef struct packed {
     logic [53:0] a;

@@ -193,6 +193,9 @@ int run(const Options& o) {
     if (!base.is_bvh())
         throw UserError("fit: structure must be bvh, not " + structure_names()[std::size_t(base.structure)] +
                         ": the widths that it looks for are those of boxes");
+    if (base.has_instances())
+        throw UserError(
+            "fit: levels must be 1, not 2: the widths that it looks for are those of a flat scene");
     o.json.check();
     if (o.output != "-")
         check_writable(o.output);

@@ -197,7 +197,7 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
     const FrameRun& judged = v.judged();
     const Asked asked{scene, work.path.back(), v.traces.back().frame, work.job.image.lattice,
                       work.request.config};
-    const bool judges = !v.partial() && !o.no_judge;
+    const bool judges = !v.partial() && !o.no_judge && can_judge(work.request.config);
     if (judges && !work.request.finished)
         v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
     const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};

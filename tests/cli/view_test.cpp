@@ -72,8 +72,8 @@ TEST_CASE("a ground is two triangles of the scene that is drawn, and the camera 
         {"simulate", "balls:1", "--ground", "--depth", "2", "--size", "24x18", "--clock", "66"});   // judged
     INFO(finished.err);
     CHECK(finished.code == 0);
-    check_refused(run_program({"render", "gearbox:1", "--levels", "2", "--ground", "-o", "a.png"}),
-                  {"--ground", "--levels 1"});
+    check_refused(run_program({"render", "gearbox:1", "--set", "levels=2", "--ground", "-o", "a.png"}),
+                  {"--ground", "levels=1"});
 }
 
 TEST_CASE("views that make no sense") {
