@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/accel/emit.hpp"
+#include "model/accel/levels/levels.hpp"
 #include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
@@ -130,6 +131,12 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
+    if (config.has_instances()) {
+        MemoryImage image =
+            compile_levels(given.placed ? *given.placed : PlacedScene{given, {}, {}}, eye, config).image;
+        if (progress) progress("compiling " + name, 4, 4);
+        return image;
+    }
     const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0,
                                         config.planes ? room_around_planes(config) : 1);
     const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;

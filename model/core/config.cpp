@@ -121,6 +121,8 @@ const std::vector<Parameter>& parameters() {
          "what a plane cuts is in both leaves, of an octree in the inner node (inner), or of bsp not cut "
          "(stop)",
          &straddlers_names()},
+        {"levels", &Config::levels, 1, 2, false,
+         "2: instances are walked as such, by a tree over them and one for each mesh; 1: written out"},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most primitives in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
@@ -130,6 +132,8 @@ const std::vector<Parameter>& parameters() {
         {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
         {"tri_interval", &Config::tri_interval, 1, 4, true,
          "cycles from a primitive that tri takes to the next; more share multipliers"},
+        {"xform_interval", &Config::xform_interval, 1, 4, true,
+         "cycles from a ray that xform takes to the next, with levels=2; more share multipliers"},
         {"pipelines", &Config::pipelines, 1, 16, true, "P: pipelines"},
         {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
         {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},
@@ -324,6 +328,11 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
             "(inner)");
+    if (c.has_instances() && (!c.is_bvh() || c.test() != PrimitiveTest::exact || c.shading))
+        refuse(
+            "levels=2 needs structure=bvh, primitive_test=exact and shading=0: of these alone it is known "
+            "how "
+            "a ray walks instances");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},
                                                  {"smooth", c.smooth},

@@ -79,17 +79,19 @@ struct Config {
 
     int structure = 0;    ///< what holds the scene in memory, see structure_names()
     int straddlers = 0;   ///< of an octree and of bsp, see straddlers_names()
+    int levels = 1;       ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
 
     // Shape: counts, depths, latencies.
-    int node_width = 8;      ///< W: children of a node, 2, 4 or 8
-    int leaf_size = 1;       ///< most primitives in a leaf, 1..6
-    int contexts = 64;       ///< T: rays in flight
-    int stack_depth = 16;    ///< groups of siblings a ray can leave for later
-    int raygen_queue = 16;   ///< answers raygen may hold, a power of two
-    int box_queue = 16;      ///< answers box may hold, a power of two
-    int tri_queue = 32;      ///< answers tri may hold, a power of two
-    int tri_interval = 1;    ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int pipelines = 1;       ///< P: pipelines of one machine, 1 to 16
+    int node_width = 8;       ///< W: children of a node, 2, 4 or 8
+    int leaf_size = 1;        ///< most primitives in a leaf, 1..6
+    int contexts = 64;        ///< T: rays in flight
+    int stack_depth = 16;     ///< groups of siblings a ray can leave for later
+    int raygen_queue = 16;    ///< answers raygen may hold, a power of two
+    int box_queue = 16;       ///< answers box may hold, a power of two
+    int tri_queue = 32;       ///< answers tri may hold, a power of two
+    int tri_interval = 1;     ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
+    int xform_interval = 2;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
+    int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row
     int node_sets = 64;   ///< node cache of a pipeline: sets,
@@ -143,6 +145,7 @@ struct Config {
     bool has_treelets() const { return engine() == Structure::kd; }
     bool has_globes() const { return Structure(structure) == Structure::spheres; }
     bool has_slants() const { return Structure(structure) == Structure::bsp; }
+    bool has_instances() const { return levels == 2; }
     bool is_octree() const { return Structure(structure) == Structure::octree; }
     Structure engine() const {
         return is_octree() ? Structure::kd : Structure(structure);
@@ -192,7 +195,11 @@ struct Config {
                : has_globes() ? globe_latency()
                : has_slants() ? slant_latency()
                               : box_latency();
-    }                                                       ///< of the unit that decides a node
+    }                                                 ///< of the unit that decides a node
+    int map_frac() const { return coord_bits + 3; }   ///< K: fraction bits of an instance's map
+    int map_bits() const { return map_frac() + 2; }   ///< of an entry of it, signed; 1 is possible
+    int moved_bits() const { return coord_bits > dir_bits ? coord_bits : dir_bits; }   ///< that xform takes
+    int xform_latency() const;
     int planes_of_node() const { return node_width - 1; }   ///< of a treelet or a slant
     int offset_of_plane_bits() const {
         return coord_bits + normal_step_bits + 1;

@@ -101,6 +101,31 @@ struct GlobeNode {
     }
 };
 
+/// An instance as it lies in a memory line of 64 bytes (right-aligned): x' = A x + b takes a point of the
+/// scene's lattice to the mesh's. Rows of A sum to 1 at most, in size, so that no operand grows.
+struct Placement {
+    std::uint32_t first = 0;           ///< number of its first primitive
+    std::uint32_t root = 0;            ///< line of the root of its lower structure
+    std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
+    Vec3l b{};                         ///< likewise
+    template <class V> void fields(V& v, const Config& c) {
+        v("first", first, c.prim_bits);
+        v("root", root, c.addr_bits);
+        v("a", a, c.map_bits(), 9);
+        v("b", b, c.coord_bits + c.map_frac(), 3);
+    }
+    friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+/// What a line of a structure of two levels holds, by its two highest bits, which nodes leave alone.
+enum class LineKind : std::uint32_t { scene_node, mesh_node, placement };
+constexpr int line_kind_bits = 2;
+constexpr int line_kind_shift = 32 - line_kind_bits;   // in the last word
+inline LineKind line_kind(const std::uint32_t* line) { return LineKind(line[15] >> line_kind_shift); }
+inline void set_line_kind(std::uint32_t* line, LineKind kind) {
+    line[15] |= std::uint32_t(kind) << line_kind_shift;
+}
+
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 
 /// A primitive as it lies in 32 bytes of memory (right-aligned), and its number. Triangle: its corners a, b,

@@ -27,9 +27,11 @@ struct PrimReq {
     }
 };
 
-/// node memory -> trav.
+/// node memory -> trav, or xform.
 struct NodeRsp {
     std::uint32_t ray = 0;
+    std::uint32_t what = 0;                          ///< LineKind, if there are instances
+    std::array<std::uint32_t, line_bits> beyond{};   ///< bit by bit: what an instance has beyond a node
     Node node;
     Treelet treelet;    ///< takes the place of node in a kd-tree
     GlobeNode globes;   ///< likewise in a hierarchy of bounding spheres
@@ -42,8 +44,12 @@ struct NodeRsp {
             globes.fields(v, c);
         else if (c.has_slants())
             slant.fields(v, c);
-        else
+        else {
+            if (c.has_instances()) v("what", what, line_kind_bits);
+            const int more = c.has_instances() ? bits_of<Placement>(c) - bits_of<Node>(c) : 0;
+            if (more > 0) v("beyond", beyond, 1, more);
             node.fields(v, c);
+        }
     }
 };
 

@@ -131,6 +131,37 @@ struct BoxReq {
     }
 };
 
+/// node_cache -> xform: the ray as it came, and the instance that came from memory.
+struct XformReq {
+    std::uint32_t ray = 0;
+    Vec3i o{}, d{};
+    Placement placement;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
+        placement.fields(v, c);
+    }
+};
+
+/// xform -> trav, list: the ray in the space of an instance's mesh. It changes, and does not start: its hit
+/// and its distance to beat stay. Next it visits the mesh's root.
+struct Change {
+    std::uint32_t ray = 0;
+    std::uint32_t root = 0, first = 0;             ///< as in Placement
+    Vec3i o{}, d{};                                ///< in the mesh's space, as in Ray
+    std::array<std::uint32_t, 3> recip{}, len{};   ///< of d
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("first", first, c.prim_bits);
+        v("root", root, c.addr_bits);
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
+        v("recip", recip, c.recip_bits + 1, 3);
+        v("len", len, exp_bits, 3);
+    }
+};
+
 /// trav -> treelet: the same of a kd-tree.
 struct TreeletReq {
     std::uint32_t ray = 0;

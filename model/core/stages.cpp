@@ -43,6 +43,10 @@ Stages::Stages(const Config& config) {
     direction = 1 + 2 * cut;
     recip = 1 + 3 * cut + divide(config.recip_bits);
     slope = 1 + config.dir_bits / 2;
+
+    map_share = config.xform_interval;
+    recip_share = std::min(config.xform_interval, 3);
+    map = cut + multiply + map_share - 1 + 2;
 }
 int Stages::divide(int bits) const { return (bits + quotient_bits - 1) / quotient_bits; }
 
@@ -72,6 +76,10 @@ int Config::tri_latency() const {
     const int test = is_sheared() ? stages.shear : stages.edges;
     const int triangle = test + stages.compare + stages.hit_divide;
     return stages.cut + (spheres ? std::max(triangle, stages.sphere) : triangle);
+}
+int Config::xform_latency() const {
+    const Stages stages(*this);
+    return stages.map + stages.recip + stages.recip_share - 1;
 }
 int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 

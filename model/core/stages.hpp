@@ -38,6 +38,11 @@ struct Stages {
     int direction = 0;
     int recip = 0;
     int slope = 0;
+    // Instances, rtl/xform/rc_xform.sv: products, and reciprocals, that share a multiplier or a divider; from
+    // a ray to where it is in the mesh's space, before its reciprocals.
+    int map_share = 1;
+    int recip_share = 1;
+    int map = 0;
     // Units that keep what they know of a ray.
     int arrive = 0;   ///< more of trav's, from box's answer to its leaves
     int tried = 0;    ///< more of list's, from tri's answer on

@@ -21,11 +21,17 @@ public:
           treelets_(config.has_treelets() ? image.lines() : 0),
           globes_(config.has_globes() ? image.lines() : 0),
           slants_(config.has_slants() ? image.lines() : 0),
+          placements_(config.has_instances() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
           surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
     const WideNode& node(std::uint32_t line) const {
         return nodes_.get(line, [&] { return read_node_(image_.line(line)); });
+    }
+    /// With two levels: what a line holds, and an instance.
+    LineKind kind(std::uint32_t line) const { return line_kind(image_.line(line)); }
+    const Placement& placement(std::uint32_t line) const {
+        return placements_.get(line, [&] { return unpack<Placement>(image_.line(line), config_); });
     }
     /// Of a kd-tree.
     const WideTreelet& treelet(std::uint32_t line) const {
@@ -49,8 +55,11 @@ public:
                : config_.has_slants() ? slant(line).exits
                                       : node(line);
     }
-    /// How many children or exits the node in a line has.
-    std::uint32_t children(std::uint32_t line) const { return below(line).children; }
+    /// How many children or exits the node in a line has; an instance has none.
+    std::uint32_t children(std::uint32_t line) const {
+        if (config_.has_instances() && kind(line) == LineKind::placement) return 0;
+        return below(line).children;
+    }
     /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
     WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
     std::uint32_t next_page(std::uint32_t line) const {
@@ -73,6 +82,7 @@ private:
     LineCache<WideTreelet> treelets_;
     LineCache<WideGlobes> globes_;
     LineCache<WideSlant> slants_;
+    LineCache<Placement> placements_;
     LineCache<PrimData> prims_;
     LineCache<Surface> surfaces_;
 };

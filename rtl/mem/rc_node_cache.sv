@@ -24,11 +24,17 @@ module rc_node_cache (
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  localparam int unsigned NodeW = rc_pkg::NodeBits;
+  // A node takes the lowest bits of a word, or all; with two levels the highest say what it is.
+  localparam int unsigned NodeW = rc_pkg::NodePartBits;
+  localparam int unsigned LowW  = rc_pkg::Levels == 1 ? NodeW : NodeW - rc_pkg::LineKindBits;
   logic [rc_pkg::LineBits-1:0] line;
-  logic [NodeW-1:0]            word;   // a node takes the lowest bits of a word, or all
+  logic [NodeW-1:0]            word;
   assign line = fill_i.line;
-  assign word = line[NodeW-1:0];
+  if (rc_pkg::Levels == 1) begin : gen_node
+    assign word = line[LowW-1:0];
+  end else begin : gen_what
+    assign word = {line[rc_pkg::LineBits-1 -: rc_pkg::LineKindBits], line[LowW-1:0]};
+  end
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(NodeW),
     .Sets(rc_pkg::NodeSets), .Ways(rc_pkg::NodeWays), .Words(rc_pkg::NodeWords),

@@ -131,6 +131,7 @@ std::map<std::string, std::string> tables() {
             {"treelet", layout<Treelet>(plain)},
             {"globes", layout<GlobeNode>(plain)},
             {"slant", layout<Slant>(plain)},
+            {"instance", layout<Placement>(plain)},
             {"primitive", layout<PrimData>(plain)},
             {"primitive of several kinds", layout<PrimData>(all)},
             {"surface", layout<Surface>(all)},

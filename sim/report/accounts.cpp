@@ -10,15 +10,17 @@ namespace rayclock {
 
 namespace {
 
-std::uint64_t count_of(Unit unit, const FrameRun& run) {
+/// Rays that xform has moved into an instance's space: it is busy for so many cycles with each.
+std::uint64_t entered(const Config& config, const FrameRun& run) {
+    return run.accounts.units[index(Unit::xform)][0] / std::uint64_t(config.xform_interval);
+}
+
+std::uint64_t count_of(const Config& config, Unit unit, const FrameRun& run) {
     switch (unit) {
         case Unit::trav:
         case Unit::node_cache:
-        case Unit::box:
-        case Unit::treelet:
-        case Unit::globe:
-        case Unit::slant:
         case Unit::list: return run.visits;
+        case Unit::xform: return entered(config, run);
         case Unit::prim_cache:
         case Unit::tri: return run.triangle_tests;
         case Unit::memory: return run.memory.reads;
@@ -35,7 +37,7 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run
         if (!is_there(Unit(u), config)) continue;
         UnitAccount account{unit_infos[u].name,
                             u < pipeline_units ? config.pipelines : 1,
-                            count_of(Unit(u), run),
+                            count_of(config, Unit(u), run),
                             0,
                             0,
                             0,

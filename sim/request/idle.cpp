@@ -25,6 +25,7 @@ const std::vector<Part>& parts() {
         {"structure",
          [](const Config& c) { return c.is_bvh() || c.has_globes() || c.is_octree(); },
          {"leaf_size"}},
+        {"levels", [](const Config& c) { return c.has_instances(); }, {"xform_interval"}},
         {"shading",
          [](const Config& c) { return c.shading != 0; },
          {"origin_bits", "lights", "bounces", "shade_queue", "surf_sets", "surf_ways", "surf_line",

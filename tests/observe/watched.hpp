@@ -46,6 +46,8 @@ inline const std::vector<Watched>& watched_machines() {
         {"gears:1", {{"structure", "bsp"}}},
         {"tetra:2", {{"structure", "none"}}},
         {"gears:2", {{"tri_interval", "4"}}},
+        {"gearbox:2", {{"levels", "2"}}},
+        {"gearbox:2", {{"levels", "2"}, {"timing", "fast"}, {"xform_interval", "1"}, {"node_sets", "2"}}},
     };
     return all;
 }
