@@ -69,7 +69,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::shade:
                 if (shading_) clock_shade(moves_, now);
                 break;
-            default: break;   // treelet and globe are clocked as box is: one of them is there
+            default: break;   // treelet, globe and slant are clocked as box is: one of them is there
         }
     account_caches();
 }

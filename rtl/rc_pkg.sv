@@ -102,6 +102,9 @@ package rc_pkg;
   localparam int unsigned MapBits = 23;
   localparam int unsigned MovedBits = 20;
   localparam int unsigned NodePlanes = 7;
+  localparam int unsigned NormalStepBits = 7;
+  localparam int unsigned PlaneOffsetBits = 26;
+  localparam int unsigned CrossingBits = 18;
   localparam int unsigned LineBits = 512;
   localparam int unsigned TileCoordBits = 10;
   localparam int unsigned ClientBits = 1;
@@ -116,6 +119,7 @@ package rc_pkg;
   localparam int unsigned PlaneStages = 3;
   localparam int unsigned ExitStages = 2;
   localparam int unsigned GlobeStages = 7;
+  localparam int unsigned CrossingStages = 13;
   localparam int unsigned QuotientBits = 2;
   localparam int unsigned CrossShare = 1;
   localparam int unsigned DotShare = 1;
@@ -147,7 +151,8 @@ package rc_pkg;
     StructureBvh = 32'd0,
     StructureKd = 32'd1,
     StructureNone = 32'd2,
-    StructureSpheres = 32'd4
+    StructureSpheres = 32'd4,
+    StructureBsp = 32'd5
   } structure_e;
 
   // What a line of memory holds, if there are two levels.

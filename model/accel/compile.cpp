@@ -117,7 +117,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
         (config.is_bvh() ? emit_boxes : emit_globes)(tree, triangles, config, name, image);
         image.report.references = triangles.size();
     } else {
-        (config.has_treelets() ? emit_cells : emit_list)(triangles, config, name, image);
+        (config.is_list() ? emit_list : emit_cells)(triangles, config, name, image);
     }
     for (const PrimData& t : triangles) image.primitives = std::max(image.primitives, t.prim + 1);
     check_stack(image.report.stack_need, config, name);

@@ -65,12 +65,12 @@ const std::vector<std::string>& dram_names() {
 }
 
 const std::vector<std::string>& structure_names() {
-    static const std::vector<std::string> names{"bvh", "kd", "none", "octree", "spheres"};
+    static const std::vector<std::string> names{"bvh", "kd", "none", "octree", "spheres", "bsp"};
     return names;
 }
 
 const std::vector<std::string>& straddlers_names() {
-    static const std::vector<std::string> names{"leaves", "inner"};
+    static const std::vector<std::string> names{"leaves", "inner", "stop"};
     return names;
 }
 
@@ -115,10 +115,11 @@ const std::vector<Parameter>& parameters() {
          &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"structure", &Config::structure, 0, int(structure_names().size()) - 1, false,
-         "what holds the scene: bvh, spheres, kd, octree, or none (a list of all primitives)",
+         "what holds the scene: bvh, spheres, kd, octree, bsp, or none (a list of all primitives)",
          &structure_names()},
         {"straddlers", &Config::straddlers, 0, int(straddlers_names().size()) - 1, false,
-         "of an octree: where it has what a plane cuts, leaves or inner (the inner node)",
+         "what a plane cuts is in both leaves, of an octree in the inner node (inner), or of bsp not cut "
+         "(stop)",
          &straddlers_names()},
         {"levels", &Config::levels, 1, 2, false,
          "2: instances are walked as such, by a tree over them and one for each mesh; 1: written out"},
@@ -314,10 +315,19 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
-    if ((c.has_treelets() || c.has_globes()) && c.test() != PrimitiveTest::exact && !c.is_sheared())
+    if ((c.has_treelets() || c.has_globes() || c.has_slants()) && c.test() != PrimitiveTest::exact &&
+        !c.is_sheared())
         refuse("structure=" + structure_names()[std::size_t(c.structure)] +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");
+    if (c.is_octree() && Straddlers(c.straddlers) == Straddlers::stop)
+        refuse(
+            "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
+            "bsp");
+    if (c.has_slants() && Straddlers(c.straddlers) == Straddlers::inner)
+        refuse(
+            "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
+            "(inner)");
     if (c.has_instances() && (!c.is_bvh() || c.test() != PrimitiveTest::exact || c.shading))
         refuse(
             "levels=2 needs structure=bvh, primitive_test=exact and shading=0: of these alone it is known "

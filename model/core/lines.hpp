@@ -60,6 +60,27 @@ struct Treelet {
 };
 constexpr std::uint32_t no_axis = 3;   ///< of a treelet's plane
 
+/// A node of a tree of planes in any direction as it lies in a memory line of 64 bytes (right-aligned): a
+/// treelet whose plane i is the points x of the lattice with `normal`[3 i ..] . x = `at`[i]; its lower side
+/// has smaller products. A normal of zeros is no plane. All else is as of Treelet.
+struct Slant {
+    std::uint32_t open = 0;
+    Vec3i lo{}, hi{};
+    std::array<std::int32_t, 3 * (max_width - 1)> normal{};   ///< [3 * plane + axis]
+    std::array<std::int32_t, max_width - 1> at{};
+    std::uint32_t base = 0;
+    std::array<std::uint32_t, max_width> kind{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("open", open, 1);
+        v("lo", lo, c.coord_bits, 3);
+        v("hi", hi, c.coord_bits, 3);
+        v("normal", normal, normal_step_bits, 3 * c.planes_of_node());
+        v("at", at, c.offset_of_plane_bits(), c.planes_of_node());
+        v("base", base, c.addr_bits);
+        v("kind", kind, count_bits, c.node_width);
+    }
+};
+
 /// A node of a hierarchy of globes (bounding spheres) as it lies in a memory line of 64 bytes
 /// (right-aligned). Globe i has its centre at org + (centre << exp) and the radius radius << exp, in lattice
 /// steps. Kinds, and the block at line `base`, as of Node.

@@ -29,6 +29,8 @@ namespace rayclock {
     LINK(treelet_rsp, BoxRsp, treelet, trav, handshake, treelets)           \
     LINK(globe_req, GlobeReq, node_cache, globe, handshake, globes)         \
     LINK(globe_rsp, BoxRsp, globe, trav, handshake, globes)                 \
+    LINK(slant_req, SlantReq, node_cache, slant, handshake, slants)         \
+    LINK(slant_rsp, BoxRsp, slant, trav, handshake, slants)                 \
     LINK(xform_req, XformReq, node_cache, xform, handshake, instances)      \
     LINK(change, Change, xform, trav, fires, instances)                     \
     LINK(leaves, Leaves, trav, list, fires, always)                         \
@@ -90,7 +92,8 @@ struct NodeUnit {
 };
 constexpr std::array node_units{NodeUnit{Unit::box, Link::box_req, Link::box_rsp},
                                 NodeUnit{Unit::treelet, Link::treelet_req, Link::treelet_rsp},
-                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp}};
+                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp},
+                                NodeUnit{Unit::slant, Link::slant_req, Link::slant_rsp}};
 constexpr bool decides_nodes(Unit unit) {
     for (const NodeUnit& u : node_units)
         if (u.unit == unit) return true;

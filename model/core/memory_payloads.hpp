@@ -35,12 +35,15 @@ struct NodeRsp {
     Node node;
     Treelet treelet;    ///< takes the place of node in a kd-tree
     GlobeNode globes;   ///< likewise in a hierarchy of bounding spheres
+    Slant slant;        ///< likewise in a tree of planes in any direction
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.has_treelets())
             treelet.fields(v, c);
         else if (c.has_globes())
             globes.fields(v, c);
+        else if (c.has_slants())
+            slant.fields(v, c);
         else {
             if (c.has_instances()) v("what", what, line_kind_bits);
             const int more = c.has_instances() ? bits_of<Placement>(c) - bits_of<Node>(c) : 0;

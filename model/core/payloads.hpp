@@ -178,6 +178,23 @@ struct TreeletReq {
     }
 };
 
+/// trav -> slant: the same of planes in any direction, with the ray's direction.
+struct SlantReq {
+    std::uint32_t ray = 0;
+    Vec3i o{};
+    std::array<std::uint32_t, 3> recip{}, len{};
+    Vec3i along{};   ///< direction, moved up to ray_dir_bits: aligned() in model/bsp/slant.hpp
+    Slant slant;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("recip", recip, c.recip_bits + 1, 3);
+        v("len", len, exp_bits, 3);
+        v("along", along, c.ray_dir_bits(), 3);
+        slant.fields(v, c);
+    }
+};
+
 /// trav -> globe: a ray as its test wants it (globe_ray() in model/globe/globe.hpp), and the node.
 struct GlobeReq {
     std::uint32_t ray = 0;
@@ -194,9 +211,9 @@ struct GlobeReq {
     }
 };
 
-/// box, treelet, globe -> trav: the children that the ray's line meets in front of its origin. Inner children
-/// first, then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner
-/// children.
+/// box, treelet, globe, slant -> trav: the children that the ray's line meets in front of its origin. Inner
+/// children first, then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for
+/// inner children.
 struct BoxRsp {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;

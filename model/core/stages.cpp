@@ -27,6 +27,7 @@ Stages::Stages(const Config& config) {
     plane = 3 + multiply + 3 * cut;
     exits = 2 + 2 * cut;
     globe = 7 + 3 * multiply + 10 * cut;
+    crossing = 4 + multiply + 7 * cut + divide(crossing_bits);
     cache = cut;
 
     cross_share = std::min(config.tri_interval, 3);
@@ -65,6 +66,10 @@ int Config::treelet_latency() const {
 int Config::globe_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.globe + stages.rank;
+}
+int Config::slant_latency() const {
+    const Stages stages(*this);
+    return stages.cut + stages.crossing + stages.exits + stages.rank;
 }
 int Config::tri_latency() const {
     const Stages stages(*this);

@@ -16,9 +16,11 @@ struct Stages {
     int meet = 0;          ///< from these to the intervals' intersection
     int rank = 0;          ///< from that to the children's order
     // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
-    int plane = 0;   ///< from a treelet to the times of its planes
-    int exits = 0;   ///< from these to the exits' intervals
-    int globe = 0;   ///< from a node of globes to which are met, rtl/globe/rc_globe.sv; order as in box
+    int plane = 0;      ///< from a treelet to the times of its planes
+    int exits = 0;      ///< from these to the exits' intervals
+    int globe = 0;      ///< from a node of globes to which are met, rtl/globe/rc_globe.sv; order as in box
+    int crossing = 0;   ///< from a slant to the times of its planes, rtl/bsp/rc_crossing.sv; exits and order
+                        ///< as of a treelet
     // Products and quotients that share a multiplier or divider, one after the other, if tri takes a
     // primitive only every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products, of the four sums
     // of products that are edge functions, of a pair.

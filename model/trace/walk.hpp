@@ -16,6 +16,7 @@ struct UnitWay {
     Ray ray{};
     BoxRay from{};
     GlobeRay toward{};    ///< if there are globes
+    Vec3i along{};        ///< the direction as slants want it
     InsideRay inside{};   ///< if there are instances
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
@@ -25,6 +26,7 @@ struct UnitWay {
         ray = ray_;
         from = box_ray(ray);
         if (config.has_globes()) toward = globe_ray(ray, config);
+        if (config.has_slants()) along = aligned(ray, config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
@@ -43,6 +45,11 @@ struct UnitWay {
             const WideGlobes& globes = decoder.globes(line);
             hits = globe_children(toward, globes, config, t_near);
             return globes.children;
+        }
+        if (config.has_slants()) {
+            const WideSlant& slant = decoder.slant(line);
+            hits = slant_exits(from, along, slant, config, t_near);
+            return slant.exits;
         }
         inside.enters = config.has_instances() && decoder.kind(line) == LineKind::placement;
         if (inside.enters) return inside.enter(ray, decoder.placement(line), config, t_near, hits);
@@ -96,8 +103,8 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
 
-    /// box (treelet, globe), on the next node, and trav on its answer; of a list, trav on the next page. True
-    /// if list has a triangle to be tested.
+    /// box (treelet, globe, slant), on the next node, and trav on its answer; of a list, trav on the next
+    /// page. True if list has a triangle to be tested.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< what it returned
     std::uint32_t met() const {
@@ -122,6 +129,7 @@ public:
     int stack_height() const { return stack_.height(); }
 
     const Ray& ray() const { return way_.ray; }
+    const Vec3i& along() const { return way_.along; }
     const BoxRay& box_ray() const { return way_.from_at(node()); }   ///< for the next node
     bool enters() const { return way_.enters(); }                    ///< what was visited last is an instance
     const Change& change() const { return way_.inside.change; }      ///< xform's answer there

@@ -97,6 +97,15 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_node();
             return;
         }
+        case Link::slant_req: {
+            Walk& w = walk(m);
+            const BoxRay& r = w.box_ray();
+            tell(SlantReq{m.id, r.o, r.recip, r.len, w.along(),
+                          unpack<Slant>(image_.line(w.node()), config_)});
+            w.test_node();
+            return;
+        }
+        case Link::slant_rsp:
         case Link::globe_rsp:
         case Link::treelet_rsp:
         case Link::box_rsp: {

@@ -82,16 +82,25 @@ module rc_trav (
   logic [BoxRayW-1:0] keep_data, kept_ray, box_ray;
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
+  // Of DirBits only: shadow rays fill RayDirBits.
+  logic is_short;
+  if (rc_pkg::Shading != 0) begin : gen_kinds
+    assign is_short = ray_i.kind != rc_pkg::RayShadow;
+  end else begin : gen_camera
+    assign is_short = 1'b1;
+  end
   if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_toward
-    logic is_short;
-    if (rc_pkg::Shading != 0) begin : gen_kinds
-      assign is_short = ray_i.kind != rc_pkg::RayShadow;
-    end else begin : gen_camera
-      assign is_short = 1'b1;
-    end
     rc_toward u_toward (
       .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
       .short_i(is_short), .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
+  end else if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_along
+    logic [3*M-1:0] along;
+    for (genvar k = 0; k < 3; k++) begin : gen_axis
+      assign along[k*M +: M] = ray_d[k*M +: M] << (is_short ? M - rc_pkg::DirBits : 0);
+    end
+    assign keep      = ray_fires;
+    assign keep_ray  = ray_i.ray;
+    assign keep_data = {ray_i.o, ray_i.recip, ray_i.len, along};
   end else begin : gen_signs
     assign keep      = ray_fires;
     assign keep_ray  = ray_i.ray;
@@ -329,7 +338,7 @@ module rc_trav (
   assign ray_flat    = ray_i;
   assign frame_flat  = frame_i;
   assign change_flat = change_i;
-  assign unused      = ^{node_rsp, ray_flat, frame_flat, change_fires_i, change_flat, in_offset,
-                         end_tested, leaves_near};
+  assign unused      = ^{is_short, node_rsp, ray_flat, frame_flat, change_fires_i, change_flat,
+                         in_offset, end_tested, leaves_near};
 endmodule
 `default_nettype wire

@@ -8,7 +8,7 @@
 // do with boxes: those met come in order, leaves go to list, inner ones wait. That a ray in a
 // kd-tree ends early, when its hit lies before a cell, follows from the exits' t_near. Outside,
 // decide_req and decide_rsp have the names of the unit's links (model/core/links.hpp). Model:
-// model/bvh, model/kd, model/globe.
+// model/bvh, model/kd, model/globe, model/bsp.
 `default_nettype none
 module rc_tree (
   input  logic              clk_i,
@@ -73,6 +73,11 @@ module rc_tree (
       .rsp_o(decide_rsp));
   end else if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_globe
     rc_globe u_globe (
+      .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
+      .req_i(decide_req), .rsp_valid_o(decide_rsp_valid), .rsp_ready_i(decide_rsp_ready),
+      .rsp_o(decide_rsp));
+  end else if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_slant
+    rc_slant u_slant (
       .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
       .req_i(decide_req), .rsp_valid_o(decide_rsp_valid), .rsp_ready_i(decide_rsp_ready),
       .rsp_o(decide_rsp));

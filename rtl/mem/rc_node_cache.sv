@@ -24,17 +24,16 @@ module rc_node_cache (
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  // A node takes the lowest bits of a word; with two levels the highest say what it is.
+  // A node takes the lowest bits of a word, or all; with two levels the highest say what it is.
   localparam int unsigned NodeW = rc_pkg::NodePartBits;
   localparam int unsigned LowW  = rc_pkg::Levels == 1 ? NodeW : NodeW - rc_pkg::LineKindBits;
-  logic [NodeW-1:0]                 word;
-  logic [rc_pkg::LineBits-LowW-1:0] beyond;
-  logic [LowW-1:0]                  low;
-  assign {beyond, low} = fill_i.line;
+  logic [rc_pkg::LineBits-1:0] line;
+  logic [NodeW-1:0]            word;
+  assign line = fill_i.line;
   if (rc_pkg::Levels == 1) begin : gen_node
-    assign word = low;
+    assign word = line[LowW-1:0];
   end else begin : gen_what
-    assign word = {beyond[rc_pkg::LineBits-LowW-1 -: rc_pkg::LineKindBits], low};
+    assign word = {line[rc_pkg::LineBits-1 -: rc_pkg::LineKindBits], line[LowW-1:0]};
   end
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(NodeW),
@@ -46,6 +45,6 @@ module rc_node_cache (
     .fill_word_i(word), .waits_o, .deed_o);
 
   logic unused;
-  assign unused = ^beyond;
+  assign unused = ^line;
 endmodule
 `default_nettype wire

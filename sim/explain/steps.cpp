@@ -11,6 +11,7 @@ Step::Kind kind_of(const Stay& stay) {
         case Unit::node_cache:
         case Unit::treelet:
         case Unit::globe:
+        case Unit::slant:
         case Unit::xform:
         case Unit::box: return Step::Kind::visit;
         case Unit::list:

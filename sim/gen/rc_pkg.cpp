@@ -237,6 +237,9 @@ void derived(Package& p, const Config& c) {
     p.constant("MapBits", c.map_bits());
     p.constant("MovedBits", c.moved_bits());
     p.constant("NodePlanes", c.planes_of_node());
+    p.constant("NormalStepBits", normal_step_bits);
+    p.constant("PlaneOffsetBits", c.offset_of_plane_bits());
+    p.constant("CrossingBits", crossing_bits);
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
     p.constant("ClientBits", c.client_bits());
@@ -252,6 +255,7 @@ void derived(Package& p, const Config& c) {
     p.constant("PlaneStages", stages.plane);
     p.constant("ExitStages", stages.exits);
     p.constant("GlobeStages", stages.globe);
+    p.constant("CrossingStages", stages.crossing);
     p.constant("QuotientBits", stages.quotient_bits);
     p.constant("CrossShare", stages.cross_share);
     p.constant("DotShare", stages.dot_share);
@@ -272,6 +276,7 @@ void derived(Package& p, const Config& c) {
     p.constant("BoxLatency", c.box_latency());
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
+    p.constant("SlantLatency", c.slant_latency());
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeLatency", c.shade_latency());
@@ -285,7 +290,8 @@ void enumerations(Package& p) {
                              {{"Bvh", Structure::bvh},
                               {"Kd", Structure::kd},
                               {"None", Structure::none},
-                              {"Spheres", Structure::spheres}});
+                              {"Spheres", Structure::spheres},
+                              {"Bsp", Structure::bsp}});
     p.say("What a line of memory holds, if there are two levels.");
     p.enumeration<LineKind>("line_kind_e", "Line", line_kind_bits,
                             {{"SceneNode", LineKind::scene_node},
@@ -365,6 +371,7 @@ std::string rc_package(const Config& config) {
     p.record<Node>("node");
     p.record<Treelet>("treelet");
     p.record<GlobeNode>("globe_node");
+    p.record<Slant>("slant");
     p.record<Placement>("placement");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");

@@ -123,7 +123,8 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return ports;
     }
     if (module == "rc_xform") return {{"req", in}, {"rests", plain}, {"change", PortKind::fires}};
-    if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_tri")
+    if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_slant" ||
+        module == "rc_tri")
         return {{"req", in}, {"rsp", out}};
     if (module == "rc_list") {
         std::vector<PortSpec> ports{

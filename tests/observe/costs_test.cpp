@@ -52,6 +52,7 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
     CHECK(costs.moved[index(Link::box_req)] == account(Unit::box, 0));
     CHECK(costs.moved[index(Link::treelet_req)] == account(Unit::treelet, 0));
     CHECK(costs.moved[index(Link::globe_req)] == account(Unit::globe, 0));
+    CHECK(costs.moved[index(Link::slant_req)] == account(Unit::slant, 0));
     CHECK(costs.moved[index(Link::xform_req)] * std::uint64_t(config.xform_interval) ==
           account(Unit::xform, 0));
     CHECK(costs.moved[index(Link::change)] == costs.moved[index(Link::xform_req)]);

@@ -43,6 +43,7 @@ inline const std::vector<Watched>& watched_machines() {
         {"spheres", {{"timing", "fast"}, {"l2_sets", "4"}, {"l2_line", "128"}}, true, {9, 20, 3}},
         {"gears:1", {{"structure", "kd"}}},
         {"gears:1", {{"structure", "spheres"}}},
+        {"gears:1", {{"structure", "bsp"}}},
         {"tetra:2", {{"structure", "none"}}},
         {"gears:2", {{"tri_interval", "4"}}},
         {"gearbox:2", {{"levels", "2"}}},

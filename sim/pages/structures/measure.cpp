@@ -72,7 +72,8 @@ std::vector<Kind> trees(const Config& base) {
     return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
             kind_of("spheres", base, Structure::spheres, Straddlers::leaves),
             kind_of("kd", base, Structure::kd, Straddlers::leaves),
-            kind_of("octree", base, Structure::octree, Straddlers::leaves)};
+            kind_of("octree", base, Structure::octree, Straddlers::leaves),
+            kind_of("bsp", base, Structure::bsp, Straddlers::leaves)};
 }
 Kind list(const Config& base) { return kind_of("none", base, Structure::none, Straddlers::leaves); }
 Kind inner_octree(const Config& base) {
