@@ -35,9 +35,9 @@ mutant(rtl_xform_rounds_down FILE rtl/xform/rc_xform.sv TEST unit [xform]
 mutant(rtl_xform_mixes_rows_and_columns FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[in_o[(i%3)*N +:]]
   NEW [[in_o[(i/3)*N +:]])
-mutant(rtl_xform_one_bit_short FILE rtl/xform/rc_xform.sv TEST unit [xform]
+mutant(rtl_xform_drops_a_bit FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[X'($signed(in_d[(i%3)*M +: M]))]]
-  NEW [[X'($signed(in_d[(i%3)*M +: M-1]))]])
+  NEW [[X'($signed(in_d[(i%3)*M +: M])) & ~X'(1)]])
 mutant(rtl_xform_divides_one_axis_only FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[valid[Moved] ? d[First*M +: M] : wait_q[M-1:0];]]
   NEW [[valid[Moved] || wait_q[0] ? d[First*M +: M] : wait_q[M-1:0];]])
