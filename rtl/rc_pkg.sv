@@ -140,6 +140,7 @@ package rc_pkg;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned TreeletLatency = 7;
   localparam int unsigned GlobeLatency = 9;
+  localparam int unsigned SlantLatency = 17;
   localparam int unsigned XformLatency = 13;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeLatency = 28;
@@ -421,13 +422,13 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 13;
-  localparam int unsigned XformUnit = 12;
+  localparam int unsigned PipelineUnits = 14;
+  localparam int unsigned XformUnit = 13;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [12:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1,
-    1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
+  localparam logic [13:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,
+    1'd1, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -550,6 +551,33 @@ package rc_pkg;
     logic [23:0] count;
   } globe_rsp_t;
   localparam int unsigned GlobeRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [50:0] recip;
+    logic [14:0] len;
+    logic [59:0] along;
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [146:0] normal;
+    logic [181:0] at;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } slant_req_t;
+  localparam int unsigned SlantReqW = 672;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } slant_rsp_t;
+  localparam int unsigned SlantRspW = 302;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -899,6 +927,17 @@ package rc_pkg;
     logic [95:0] radius;
   } globe_node_t;
   localparam int unsigned GlobeNodeW = 491;
+
+  typedef struct packed {
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [146:0] normal;
+    logic [181:0] at;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } slant_t;
+  localparam int unsigned SlantW = 486;
 
   typedef struct packed {
     logic [31:0] first;
