@@ -30,7 +30,7 @@ TEST_CASE("a machine of two levels keeps each mesh once") {
     const std::vector<std::string> two{"gearbox:3", "--set", "levels=2"};
     const json model = report(two);
     CHECK(model["cycles"].get<int>() > 1000);
-    CHECK(model["config"]["parameters"]["levels"] == 2);
+    CHECK(model["config"]["levels"] == 2);
     CHECK(model["digest"] == report(two)["digest"]);
     CHECK(model["digest"] != report({"gearbox:3"})["digest"]);
     CHECK(report({"gearbox:3"})["digest"] == report({"gears:3"})["digest"]);

@@ -67,7 +67,7 @@ TEST_CASE("a named value that does not exist is refused with the nearest", "[con
 TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
     test::Draw draw{1};
     int legal = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 50000; ++i) {
         Config c;
         for (const Parameter& p : parameters()) {
             if (p.power_of_two) {
@@ -106,7 +106,7 @@ TEST_CASE("whatever is legal fits its integers and memory lines", "[config]") {
         REQUIRE(2 * c.node_width * 3 + 6 < 1 << offset_bits);   // all leaves full: 6 half lines each
         REQUIRE(c.leaf_size + 1 < 1 << count_bits);
     }
-    REQUIRE(legal > 900);   // of the 20,000
+    REQUIRE(legal > 900);   // of the 50,000
 }
 
 TEST_CASE("widths that do not fit together are refused with the rule", "[config]") {
