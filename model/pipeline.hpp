@@ -222,7 +222,7 @@ template <bool shades, bool levels>
         m.offer(Link::xform_req, node_cache_.valid() & enters, xform_rest_ == 0, read);
         m.offer(Link::change, changed.there, true, changed.ray);
         m.read = m.read | m[Link::xform_req].fires;
-        m.xform_code = m[Link::xform_req].valid | (xform_rest_ > 0) ? 0 : node_cache_.waits() ? 1 : 2;
+        m.xform_code = (m[Link::xform_req].valid | (xform_rest_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
     }
     const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
     m.boxed = late_ ? boxed_.answer(now) : boxed;

@@ -100,7 +100,6 @@ package rc_pkg;
   localparam int unsigned LineKindBits = 2;
   localparam int unsigned MapFrac = 21;
   localparam int unsigned MapBits = 23;
-  localparam int unsigned MovedBits = 20;
   localparam int unsigned NodePlanes = 7;
   localparam int unsigned NormalStepBits = 7;
   localparam int unsigned PlaneOffsetBits = 26;

@@ -24,7 +24,7 @@ module rc_xform (
 );
   localparam int unsigned N  = rc_pkg::OriginWidth;
   localparam int unsigned M  = rc_pkg::RayDirBits;
-  localparam int unsigned X  = rc_pkg::MovedBits;   // the wider of the two
+  localparam int unsigned X  = N > M ? N : M;
   localparam int unsigned E  = rc_pkg::MapBits;
   localparam int unsigned K  = rc_pkg::MapFrac;
   localparam int unsigned BW = N + K;

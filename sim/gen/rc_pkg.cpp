@@ -235,7 +235,6 @@ void derived(Package& p, const Config& c) {
     p.constant("LineKindBits", line_kind_bits);
     p.constant("MapFrac", c.map_frac());
     p.constant("MapBits", c.map_bits());
-    p.constant("MovedBits", c.moved_bits());
     p.constant("NodePlanes", c.planes_of_node());
     p.constant("NormalStepBits", normal_step_bits);
     p.constant("PlaneOffsetBits", c.offset_of_plane_bits());

@@ -17,8 +17,8 @@ Vec3i nearest_normal(const glm::dvec3& direction);
 /// with normals of normal_step_bits, moved so that none of it is on the plane's far side. Of a cell with up
 /// to 16 items two offer theirs, and so does every axis: planes that are parallel to
 /// axes are found as those of a kd-tree (kd/split.hpp), and are all that larger cells are cut by. So a cell
-/// costs O(1) more than in a kd-tree, and the tree O(n log n). A plane across no axis counts as a fifth dearer than
-/// it is by area: boxes below it fit worse.
+/// costs O(1) more than in a kd-tree, and the tree O(n log n). A plane across no axis counts as a fifth
+/// dearer than it is by area: boxes below it fit worse.
 class Facets {
 public:
     Facets(const std::vector<PrimData>& prims, const kd::Pieces& pieces, const Config& config);
