@@ -14,6 +14,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       node_cache_(node_cache_shape(config)),
       box_(config.node_latency(), config.box_queue),
       boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      box_rests_(std::uint32_t(config.box_interval() - 1)),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),

@@ -44,7 +44,7 @@ inline const std::vector<Watched>& watched_machines() {
         {"gears:1", {{"structure", "kd"}}},
         {"gears:1", {{"structure", "spheres"}}},
         {"tetra:2", {{"structure", "none"}}},
-        {"gears:2", {{"tri_interval", "4"}}},
+        {"gears:2", {{"tri_interval", "4"}, {"box_lanes", "2"}}},
     };
     return all;
 }
