@@ -47,11 +47,11 @@ void Machine::settle_shared() {
     client_ = misses ? arbiter_.choose(misses) : -1;
 
     const bool memory_valid = memory_.valid();
-    valid_ = std::uint32_t(memory_valid) << index(Link::mem_rsp);
+    valid_ = LinkMask(memory_valid) << index(Link::mem_rsp);
     fire_ = valid_;
     const auto link = [&](Link c, bool valid, bool ready) {
-        valid_ |= std::uint32_t(valid) << index(c);
-        fire_ |= std::uint32_t(valid && ready) << index(c);
+        valid_ |= LinkMask(valid) << index(c);
+        fire_ |= LinkMask(valid && ready) << index(c);
     };
     if (has_l2_) {
         link(Link::l2_req, client_ >= 0, l2_->ready());

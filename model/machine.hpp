@@ -71,14 +71,14 @@ public:
     }
 
     /// Valid and fire masks of the last observed cycle, of a pipeline and of what all share.
-    std::uint32_t valid_mask(int pipeline) const { return masks_[std::size_t(pipeline)].valid; }
-    std::uint32_t fire_mask(int pipeline) const { return masks_[std::size_t(pipeline)].fire; }
-    std::uint32_t shared_valid() const { return valid_; }
-    std::uint32_t shared_fire() const { return fire_; }
+    LinkMask valid_mask(int pipeline) const { return masks_[std::size_t(pipeline)].valid; }
+    LinkMask fire_mask(int pipeline) const { return masks_[std::size_t(pipeline)].fire; }
+    LinkMask shared_valid() const { return valid_; }
+    LinkMask shared_fire() const { return fire_; }
 
 private:
     struct Masks {
-        std::uint32_t valid = 0, fire = 0;
+        LinkMask valid = 0, fire = 0;
     };
     void settle_shared();
     bool shared_is_still() const;
@@ -105,7 +105,7 @@ private:
     // The cycle, once settled.
     std::vector<SharedMoves> shared_moves_;   // [pipeline]
     std::vector<Masks> masks_;
-    std::uint32_t valid_ = 0, fire_ = 0;   // of the shared links
+    LinkMask valid_ = 0, fire_ = 0;   // of the shared links
     int granted_ = -1, client_ = -1,
         fill_client_ = -1;             // pipeline that gets a tile; caches that ask for and that get a word
     std::uint64_t client_valid_ = 0;   ///< caches that ask
@@ -122,7 +122,7 @@ private:
 template <class Observer> void Machine::show(Observer& observe) const {
     for (int p = 0; p < config_.pipelines; ++p) {
         const Pipeline& pipeline = pipelines_[std::size_t(p)];
-        for (std::uint32_t left = masks_[std::size_t(p)].fire; left; left &= left - 1) {
+        for (LinkMask left = masks_[std::size_t(p)].fire; left; left &= left - 1) {
             const Link c = Link(std::countr_zero(left));
             Move move{p, c, 0, 0, 0, 0};
             switch (c) {

@@ -6,6 +6,7 @@ namespace rayclock {
 
 Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : shading_(config.shading != 0),
+      levels_(config.has_instances()),
       lists_(config.is_list()),
       decides_(node_unit(config)),
       sched_(config),
@@ -15,6 +16,8 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       box_(config.node_latency(), config.box_queue),
       boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
       box_rests_(std::uint32_t(config.box_interval() - 1)),
+      xform_(config.xform_latency() - 1, config.contexts),
+      xform_rests_(std::uint32_t(config.xform_interval - 1)),
       list_(config),
       prim_cache_(prim_cache_shape(config)),
       tri_(config.tri_latency(), config.tri_queue),
@@ -28,10 +31,14 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
 
 void Pipeline::settle(std::uint64_t now) {
     moves_ = {};
-    shading_ ? settle<true>(moves_, now) : settle<false>(moves_, now);
+    shading_  ? settle<true, false>(moves_, now)
+    : levels_ ? settle<false, true>(moves_, now)
+              : settle<false, false>(moves_, now);
 }
 void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
-    shading_ ? clock<true>(moves_, now, shared) : clock<false>(moves_, now, shared);
+    shading_  ? clock<true, false>(moves_, now, shared)
+    : levels_ ? clock<false, true>(moves_, now, shared)
+              : clock<false, false>(moves_, now, shared);
 }
 
 void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
@@ -44,9 +51,16 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::raygen:
                 shading_ ? clock_raygen<true>(moves_, now) : clock_raygen<false>(moves_, now);
                 break;
-            case Unit::trav: shading_ ? clock_trav<true>(moves_) : clock_trav<false>(moves_); break;
+            case Unit::trav:
+                shading_  ? clock_trav<true, false>(moves_)
+                : levels_ ? clock_trav<false, true>(moves_)
+                          : clock_trav<false, false>(moves_);
+                break;
             case Unit::node_cache: clock_node_cache(moves_, shared); break;
             case Unit::box: clock_box(moves_, now); break;
+            case Unit::xform:
+                if (levels_) clock_xform(moves_, now);
+                break;
             case Unit::list: clock_list(moves_); break;
             case Unit::prim_cache: clock_prim_cache(moves_, shared); break;
             case Unit::tri: clock_tri(moves_, now); break;
@@ -56,7 +70,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::shade:
                 if (shading_) clock_shade(moves_, now);
                 break;
-            default: break;   // treelet and globe are clocked as box is: one of them is there
+            default: break;   // treelet, globe and slant are clocked as box is: one of them is there
         }
     account_caches();
 }
@@ -93,24 +107,23 @@ void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
 }
 
 namespace {
-std::uint32_t at(bool on, Link link) { return std::uint32_t(on) << index(link); }
+LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }
 }   // namespace
 
-std::uint32_t Pipeline::valid_mask(const SharedMoves& shared) const {
-    std::uint32_t mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
-                         at(shared.node_fill, Link::node_fill) |
-                         at(prim_cache_.miss_valid(), Link::prim_miss) |
-                         at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
-                         at(shared.surf_fill, Link::surf_fill);
+LinkMask Pipeline::valid_mask(const SharedMoves& shared) const {
+    LinkMask mask = at(shared.tile, Link::tile) | at(node_cache_.miss_valid(), Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(prim_cache_.miss_valid(), Link::prim_miss) |
+                    at(shared.prim_fill, Link::prim_fill) | at(surf_miss_valid(), Link::surf_miss) |
+                    at(shared.surf_fill, Link::surf_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].valid, outside(Link(i)));
     return mask;
 }
 
-std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
-    std::uint32_t mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
-                         at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
-                         at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
-                         at(shared.surf_fill, Link::surf_fill);
+LinkMask Pipeline::fire_mask(const SharedMoves& shared) const {
+    LinkMask mask = at(shared.tile, Link::tile) | at(shared.node_miss, Link::node_miss) |
+                    at(shared.node_fill, Link::node_fill) | at(shared.prim_miss, Link::prim_miss) |
+                    at(shared.prim_fill, Link::prim_fill) | at(shared.surf_miss, Link::surf_miss) |
+                    at(shared.surf_fill, Link::surf_fill);
     for (std::size_t i = 0; i < pipeline_links; ++i) mask |= at(moves_.links[i].fires, outside(Link(i)));
     return mask;
 }
@@ -118,6 +131,7 @@ std::uint32_t Pipeline::fire_mask(const SharedMoves& shared) const {
 std::uint64_t Pipeline::wakes(std::uint64_t now) const {
     if (node_cache_.answers() || prim_cache_.answers() || (shading_ && surf_cache_.answers())) return now;
     std::uint64_t wakes = std::min({raygen_.due(), box_.due(now), tri_.due(now)});
+    if (levels_) wakes = std::min(wakes, xform_.due(now));
     if (late_) wakes = std::min({wakes, boxed_.due(now), tried_.due(now)});
     return shading_ ? std::min(wakes, shade_.due()) : wakes;
 }
@@ -133,6 +147,7 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
     return raygen_.contains(RayNumber(ray))                ? "raygen"
            : box_.contains(RayNumber(ray), now)            ? unit_infos[index(decides_.unit)].name
+           : xform_.contains(RayNumber(ray), now)          ? "xform"
            : tri_.contains(RayNumber(ray), now)            ? "tri"
            : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at a node's answer"
            : late_ && tried_.contains(RayNumber(ray), now) ? "list: looks at tri's answer"
@@ -157,6 +172,7 @@ Accounts Pipeline::accounts() const {
         if (!lists_) add(Unit::node_cache, i & 7, caches_[i]);
         add(Unit::prim_cache, i >> 3, caches_[i]);
     }
+    for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
     for (std::uint32_t i = 0; i < shades_.size(); ++i) {
         add(Unit::surf_cache, i & 7, shades_[i]);
         add(Unit::shade, i >> 3, shades_[i]);

@@ -48,8 +48,8 @@ public:
 
     // ---- What is on the links, between settle() and clock().
 
-    std::uint32_t valid_mask(const SharedMoves& shared) const;
-    std::uint32_t fire_mask(const SharedMoves& shared) const;
+    LinkMask valid_mask(const SharedMoves& shared) const;
+    LinkMask fire_mask(const SharedMoves& shared) const;
     bool tile_ready() const { return sched_.tile_ready(); }
     bool node_miss_valid() const { return node_cache_.miss_valid(); }
     bool prim_miss_valid() const { return prim_cache_.miss_valid(); }
@@ -90,6 +90,7 @@ public:
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
         if (shading_) shades_[last_shades_] += cycles;
+        if (levels_) xforms_[last_xform_] += cycles;
     }
 
     Accounts accounts() const;
@@ -115,9 +116,10 @@ private:
     /// All links inside in a cycle. Those to what the pipelines share are in SharedMoves.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        OnLink boxed, tried;            // box's and tri's answers as far as trav and list are
-        bool step = false;              // inside trav, of a ray that was tested or has no leaves
-        std::uint32_t shade_code = 0;   // of units.hpp
+        OnLink boxed, tried;   // box's and tri's answers as far as trav and list are
+        bool step = false;     // inside trav, of a ray that was tested or has no leaves
+        bool read = false;     // node_cache's answer is taken
+        std::uint32_t shade_code = 0, xform_code = 0;   // of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
             links[index(link)] = {offered, bool(offered & ready), ray};
@@ -133,11 +135,13 @@ private:
     Link outside(Link link) const {
         return link == Link::box_req ? decides_.req : link == Link::box_rsp ? decides_.rsp : link;
     }
-    template <bool shades> void settle(Moves& m, std::uint64_t now) const;
-    template <bool shades> void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
-    template <bool shades> bool step(std::uint64_t now, const SharedMoves& shared);
+    template <bool shades, bool levels> void settle(Moves& m, std::uint64_t now) const;
+    template <bool shades, bool levels>
+    void clock(const Moves& m, std::uint64_t now, const SharedMoves& shared);
+    template <bool shades, bool levels> bool step(std::uint64_t now, const SharedMoves& shared);
     Turn::Flags decide(std::uint32_t ray, bool valid);
     bool has_tests(std::uint32_t ray) const { return rays_[ray].head & Trace::tests_flag; }
+    void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
     Shade::Turn turn_of(std::uint32_t ray);
     void account_units(const Moves& m);
@@ -147,17 +151,18 @@ private:
     }
     template <bool shades> void clock_sched(const Moves& m, const Tile* tile);
     template <bool shades> void clock_raygen(const Moves& m, std::uint64_t now);
-    template <bool shades> void clock_trav(const Moves& m);
+    template <bool shades, bool levels> void clock_trav(const Moves& m);
     void clock_node_cache(const Moves& m, const SharedMoves& shared);
     void clock_box(const Moves& m, std::uint64_t now);
+    void clock_xform(const Moves& m, std::uint64_t now);
     void clock_list(const Moves& m);
     void clock_prim_cache(const Moves& m, const SharedMoves& shared);
     void clock_tri(const Moves& m, std::uint64_t now);
     void clock_surf_cache(const Moves& m, const SharedMoves& shared);
     void clock_shade(const Moves& m, std::uint64_t now);
 
-    bool shading_, lists_;   // lists_: there are no nodes
-    NodeUnit decides_;       // what node is met
+    bool shading_, levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
+    NodeUnit decides_;                // what node is met
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -165,6 +170,8 @@ private:
     Cache node_cache_;
     Delay box_, boxed_;                        // boxed_, tried_: what trav and list look at in a fast chip
     std::uint32_t box_rests_, box_rest_ = 0;   // cycles after a node in which box takes none; that are left
+    Delay xform_;
+    std::uint32_t xform_rests_, xform_rest_ = 0;   // as tri's
     List list_;
     Cache prim_cache_;
     Delay tri_, tried_;
@@ -193,17 +200,30 @@ private:
     std::array<std::uint64_t, 1 << 11> units_{};
     std::array<std::uint64_t, 1 << 6> caches_{};
     std::array<std::uint64_t, 1 << 5> shades_{};   // surf_cache, shade
+    std::uint32_t last_xform_ = 0;
+    std::array<std::uint64_t, 3> xforms_{};
 };
 
 // Nearly without branches: see ring.hpp. A ray on a link where nothing is may be any context's.
-template <bool shades>
+template <bool shades, bool levels>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
     // What leaves one unit enters another: noted before either sees the clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
     m.offer(Link::slot, sched_.slot_valid(), raygen_.ready() & camera, sched_.slot().ray);
     m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
-    m.offer(Link::node_req, trav_.node_valid() & !lists_, node_cache_.ready(), trav_.node_ray());
-    m.offer(Link::box_req, node_cache_.valid(), box_.ready() & (box_rest_ == 0), node_cache_.answer());
+    m.offer(Link::node_req, trav_.node_valid<levels>() & !lists_, node_cache_.ready(),
+            trav_.node_ray<levels>());
+    const std::uint32_t read = node_cache_.answer();
+    const bool enters = levels && Trace::enters(rays_[read].head);
+    m.offer(Link::box_req, node_cache_.valid() & !enters, box_.ready() & (box_rest_ == 0), read);
+    m.read = m[Link::box_req].fires;
+    if constexpr (levels) {
+        const OnLink changed = xform_.answer(now);
+        m.offer(Link::xform_req, node_cache_.valid() & enters, xform_rest_ == 0, read);
+        m.offer(Link::change, changed.there, true, changed.ray);
+        m.read = m.read | m[Link::xform_req].fires;
+        m.xform_code = m[Link::xform_req].valid | (xform_rest_ > 0) ? 0 : node_cache_.waits() ? 1 : 2;
+    }
     const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
     m.boxed = late_ ? boxed_.answer(now) : boxed;
     if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
@@ -259,6 +279,13 @@ inline Turn::Flags Pipeline::decide(std::uint32_t ray, bool valid) {
     return {visit, bool(valid & again), bool(valid & done)};
 }
 
+/// Of a ray that changed: to the visit of the mesh's root.
+inline void Pipeline::enter(const LinkInside& change) {
+    Place& place = rays_[change.ray];
+    place.at += change.fires;
+    if (change.fires) place.head = *place.at;
+}
+
 inline bool Pipeline::has_more(std::uint32_t ray, bool tested) {
     Place& place = rays_[ray];
     const bool more = !(*place.at & Trace::last_flag);
@@ -293,20 +320,22 @@ template <bool shades>
     raygen_.clock(now, m[Link::ray].fires, in.there, RayNumber(in.ray));
 }
 
-template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
+template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
     const LinkInside& tested = m[Link::tested];
-    trav_.clock({m[Link::ray],
-                 {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
-                 {tested.valid, tested.ray},
-                 lists_ ? m.boxed.there : m[Link::node_req].fires,
-                 m[shades ? Link::closest : Link::hit].fires},
-                [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
+    if constexpr (levels) enter(m[Link::change]);
+    trav_.clock<levels>({m[Link::ray],
+                         {bool(m.boxed.there & !m[Link::leaves].fires), m.boxed.ray},
+                         {tested.valid, tested.ray},
+                         lists_ ? m.boxed.there : m[Link::node_req].fires,
+                         m[shades ? Link::closest : Link::hit].fires,
+                         levels ? OnLink(m[Link::change]) : OnLink{}},
+                        [this](std::uint32_t ray, bool valid) { return decide(ray, valid); });
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_node_cache(const Moves& m, const SharedMoves& shared) {
     const LinkInside& req = m[Link::node_req];
-    node_deed_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m[Link::box_req].fires,
-                                   shared.node_fill, shared.node_miss);
+    node_deed_ = node_cache_.clock(req.fires, {req.ray, node_addr(req.ray)}, m.read, shared.node_fill,
+                                   shared.node_miss);
 }
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
@@ -334,14 +363,24 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock_trav(c
     if (late_) tried_.clock(now, m[Link::tri_rsp]);
 }
 
-template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
-                                                                          const SharedMoves& shared) {
+[[gnu::always_inline]] inline void Pipeline::clock_xform(const Moves& m, std::uint64_t now) {
+    const LinkInside& req = m[Link::xform_req];
+    last_xform_ = m.xform_code;
+    ++xforms_[last_xform_];
+    xform_.clock(now, req);
+    xform_rest_ = select(req.fires, xform_rests_, xform_rest_ - (xform_rest_ > 0));
+}
+
+template <bool shades, bool levels>
+[[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
+                                                   const SharedMoves& shared) {
     account_units(m);
-    const bool turning =
-        !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (box_rest_ > 0) | (tri_rest_ > 0);
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (box_rest_ > 0) |
+                         (tri_rest_ > 0) | (levels && xform_rest_ > 0);
     clock_sched<shades>(m, shared.tile);
     clock_raygen<shades>(m, now);
-    clock_trav<shades>(m);
+    clock_trav<shades, levels>(m);
+    if constexpr (levels) clock_xform(m, now);
     clock_node_cache(m, shared);
     clock_box(m, now);
     clock_list(m);
@@ -353,6 +392,7 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const 
               !(turning | m.step | shared.any() |
                 m.any(Link::slot, Link::ray, Link::node_req, Link::box_req, Link::box_rsp, Link::prim_req,
                       Link::tri_req, Link::tri_rsp, Link::hit));
+    if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
     if constexpr (shades) {
         asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) &
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
@@ -362,15 +402,17 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::clock(const 
     }
 }
 
-template <bool shades> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
+template <bool shades, bool levels> inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
     Moves m;   // not moves_: this lives in registers
-    settle<shades>(m, now);
-    clock<shades>(m, now, shared);
+    settle<shades, levels>(m, now);
+    clock<shades, levels>(m, now, shared);
     return m[Link::hit].fires;
 }
 
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
-    return shading_ ? step<true>(now, shared) : step<false>(now, shared);
+    return shading_  ? step<true, false>(now, shared)
+           : levels_ ? step<false, true>(now, shared)
+                     : step<false, false>(now, shared);
 }
 
 }   // namespace rayclock

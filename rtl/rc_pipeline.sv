@@ -49,6 +49,8 @@ module rc_pipeline (
   rc_pkg::node_rsp_t node_rsp;
   logic              start_fires;
   rc_pkg::start_t    start;
+  logic              change_fires;
+  rc_pkg::change_t   change;
   logic              leaves_fires;
   rc_pkg::leaves_t   leaves;
   logic              prim_req_valid, prim_req_ready;
@@ -74,7 +76,7 @@ module rc_pipeline (
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause;
+  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause;
 
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -108,7 +110,7 @@ module rc_pipeline (
     assign {node_req_valid, node_req_ready, node_req} = '0;
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
-    assign decide_cause = '0;
+    assign {decide_cause, xform_cause, change_fires, change} = '0;
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
         node_rsp, node_waits, node_miss_ready_i, node_fill_fires_i, node_fill_i};
@@ -122,7 +124,8 @@ module rc_pipeline (
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause), .decide_cause_o(decide_cause));
+      .trav_cause_o(trav_cause), .decide_cause_o(decide_cause),
+      .change_fires_o(change_fires), .change_o(change), .xform_cause_o(xform_cause));
   end
 
   if (rc_pkg::Structure != rc_pkg::StructureNone) begin : gen_nodes
@@ -138,6 +141,7 @@ module rc_pipeline (
   rc_list u_list (
     .clk_i, .rst_ni, .start_fires_i(start_fires), .start_i(start),
     .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
+    .change_fires_i(change_fires), .change_i(change),
     .leaves_fires_i(leaves_fires), .leaves_i(leaves),
     .prim_req_valid_o(prim_req_valid), .prim_req_ready_i(prim_req_ready), .prim_req_o(prim_req),
     .prim_rsp_valid_i(prim_rsp_valid), .prim_rsp_ready_o(prim_rsp_ready), .prim_rsp_i(prim_rsp),
@@ -208,9 +212,11 @@ module rc_pipeline (
   // The units that decide nodes have a place each, and one of them is there: causes_o has its cause
   // at rc_pkg::DecideUnit, and none of the others'.
   localparam int unsigned C = 3 * rc_pkg::PipelineUnits;
-  logic [C-1:0] decide_at;
+  logic [C-1:0] decide_at, xform_at;
   assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit;
-  assign causes_o  = decide_at | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause,
-                                     3'd0, node_cause, trav_cause, raygen_cause, sched_cause});
+  assign xform_at  = C'(xform_cause) << 3 * rc_pkg::XformUnit;
+  assign causes_o  = decide_at | xform_at
+                   | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause, 3'd0,
+                         node_cause, trav_cause, raygen_cause, sched_cause});
 endmodule
 `default_nettype wire

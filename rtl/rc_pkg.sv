@@ -10,6 +10,7 @@ package rc_pkg;
   localparam int unsigned BaryBits = 16;
   localparam int unsigned PrimitiveTest = 0;
   localparam int unsigned Structure = 0;
+  localparam int unsigned Levels = 1;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned Contexts = 64;
   localparam int unsigned StackDepth = 16;
@@ -18,6 +19,7 @@ package rc_pkg;
   localparam int unsigned TriQueue = 32;
   localparam int unsigned BoxLanes = 8;
   localparam int unsigned TriInterval = 1;
+  localparam int unsigned XformInterval = 2;
   localparam int unsigned Pipelines = 1;
   localparam int unsigned TileBits = 4;
   localparam int unsigned NodeSets = 64;
@@ -94,8 +96,16 @@ package rc_pkg;
   localparam int unsigned GlobeBits = 12;
   localparam int unsigned TowardBits = 18;
   localparam int unsigned NodeBits = 501;
+  localparam int unsigned NodePartBits = 501;
   localparam int unsigned NodeReqBits = 630;
+  localparam int unsigned LineKindBits = 2;
+  localparam int unsigned MapFrac = 21;
+  localparam int unsigned MapBits = 23;
+  localparam int unsigned MovedBits = 20;
   localparam int unsigned NodePlanes = 7;
+  localparam int unsigned NormalStepBits = 7;
+  localparam int unsigned PlaneOffsetBits = 26;
+  localparam int unsigned CrossingBits = 18;
   localparam int unsigned LineBits = 512;
   localparam int unsigned TileCoordBits = 10;
   localparam int unsigned ClientBits = 1;
@@ -110,6 +120,7 @@ package rc_pkg;
   localparam int unsigned PlaneStages = 3;
   localparam int unsigned ExitStages = 2;
   localparam int unsigned GlobeStages = 7;
+  localparam int unsigned CrossingStages = 13;
   localparam int unsigned QuotientBits = 2;
   localparam int unsigned CrossShare = 1;
   localparam int unsigned DotShare = 1;
@@ -122,12 +133,17 @@ package rc_pkg;
   localparam int unsigned DirectionStages = 1;
   localparam int unsigned RecipStages = 9;
   localparam int unsigned SlopeStages = 11;
+  localparam int unsigned MapShare = 2;
+  localparam int unsigned RecipShare = 2;
+  localparam int unsigned MapStages = 3;
   localparam int unsigned StackStages = 0;
   localparam int unsigned RaygenLatency = 12;
   localparam int unsigned BoxLatency = 6;
   localparam int unsigned BoxInterval = 1;
   localparam int unsigned TreeletLatency = 7;
   localparam int unsigned GlobeLatency = 9;
+  localparam int unsigned SlantLatency = 17;
+  localparam int unsigned XformLatency = 13;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
@@ -138,8 +154,16 @@ package rc_pkg;
     StructureBvh = 32'd0,
     StructureKd = 32'd1,
     StructureNone = 32'd2,
-    StructureSpheres = 32'd4
+    StructureSpheres = 32'd4,
+    StructureBsp = 32'd5
   } structure_e;
+
+  // What a line of memory holds, if there are two levels.
+  typedef enum logic [1:0] {
+    LineSceneNode = 2'd0,
+    LineMeshNode = 2'd1,
+    LinePlacement = 2'd2
+  } line_kind_e;
 
   // What a ray is for, what a primitive is, which test tri makes.
   typedef enum logic [1:0] {
@@ -220,6 +244,11 @@ package rc_pkg;
     ShadeStarvedList = 3'd2,
     ShadeStalledQueue = 3'd3
   } shade_cause_e;
+  typedef enum logic [2:0] {
+    XformBusyWork = 3'd0,
+    XformStarvedMemory = 3'd1,
+    XformStarvedTrav = 3'd2
+  } xform_cause_e;
   typedef enum logic [2:0] {
     DispatchBusyWork = 3'd0,
     DispatchStarvedFrame = 3'd1,
@@ -395,12 +424,13 @@ package rc_pkg;
     16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32, 16'd2, 16'd32,
     16'd2, 16'd32, 16'd18, 16'd18, 16'd18, 16'd24, 16'd15, 16'd15};
   localparam int unsigned TallyBits = 40;
-  localparam int unsigned PipelineUnits = 12;
+  localparam int unsigned PipelineUnits = 14;
+  localparam int unsigned XformUnit = 13;
   localparam int unsigned DecideUnit = 4;
   localparam int unsigned SharedUnits = 3;
-  localparam logic [11:0] PipelineUnitsThere = {
-    1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1, 1'd1, 1'd1,
-    1'd1, 1'd1, 1'd1, 1'd1};
+  localparam logic [13:0] PipelineUnitsThere = {
+    1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,
+    1'd1, 1'd1, 1'd1, 1'd1, 1'd1, 1'd1};
   localparam logic [2:0] SharedUnitsThere = {
     1'd0, 1'd1, 1'd1};
 
@@ -523,6 +553,55 @@ package rc_pkg;
     logic [23:0] count;
   } globe_rsp_t;
   localparam int unsigned GlobeRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [50:0] recip;
+    logic [14:0] len;
+    logic [59:0] along;
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [146:0] normal;
+    logic [181:0] at;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } slant_req_t;
+  localparam int unsigned SlantReqW = 672;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [23:0] base;
+    logic [3:0] inner;
+    logic [3:0] leaves;
+    logic [191:0] t_near;
+    logic [47:0] offset;
+    logic [23:0] count;
+  } slant_rsp_t;
+  localparam int unsigned SlantRspW = 302;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [53:0] o;
+    logic [59:0] d;
+    logic [31:0] first;
+    logic [23:0] root;
+    logic [206:0] a;
+    logic [116:0] b;
+  } xform_req_t;
+  localparam int unsigned XformReqW = 500;
+
+  typedef struct packed {
+    logic [5:0] ray;
+    logic [31:0] first;
+    logic [23:0] root;
+    logic [53:0] o;
+    logic [59:0] d;
+    logic [50:0] recip;
+    logic [14:0] len;
+  } change_t;
+  localparam int unsigned ChangeW = 242;
 
   typedef struct packed {
     logic [5:0] ray;
@@ -850,6 +929,25 @@ package rc_pkg;
     logic [95:0] radius;
   } globe_node_t;
   localparam int unsigned GlobeNodeW = 491;
+
+  typedef struct packed {
+    logic open;
+    logic [53:0] lo;
+    logic [53:0] hi;
+    logic [146:0] normal;
+    logic [181:0] at;
+    logic [23:0] base;
+    logic [23:0] kind;
+  } slant_t;
+  localparam int unsigned SlantW = 486;
+
+  typedef struct packed {
+    logic [31:0] first;
+    logic [23:0] root;
+    logic [206:0] a;
+    logic [116:0] b;
+  } placement_t;
+  localparam int unsigned PlacementW = 380;
 
   typedef struct packed {
     logic [53:0] a;

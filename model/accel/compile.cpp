@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/accel/emit.hpp"
+#include "model/accel/levels/levels.hpp"
 #include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
@@ -116,7 +117,7 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
         (config.is_bvh() ? emit_boxes : emit_globes)(tree, triangles, config, name, image);
         image.report.references = triangles.size();
     } else {
-        (config.has_treelets() ? emit_cells : emit_list)(triangles, config, name, image);
+        (config.is_list() ? emit_list : emit_cells)(triangles, config, name, image);
     }
     for (const PrimData& t : triangles) image.primitives = std::max(image.primitives, t.prim + 1);
     check_stack(image.report.stack_need, config, name);
@@ -130,6 +131,12 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     const std::string name = given.name.empty() ? "the scene" : given.name;
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
+    if (config.has_instances()) {
+        MemoryImage image =
+            compile_levels(given.placed ? *given.placed : PlacedScene{given, {}, {}}, eye, config).image;
+        if (progress) progress("compiling " + name, 4, 4);
+        return image;
+    }
     const Lattice lattice = fit_lattice(given, eye, config.coord_bits, config.shading != 0,
                                         config.planes ? room_around_planes(config) : 1);
     const std::optional<Scene> moved = config.shading ? aligned(given, lattice) : std::nullopt;

@@ -30,7 +30,7 @@ struct BoxRay {
     Vec3i o{};   ///< with B fraction bits if the chip shades
     std::array<std::uint32_t, 3> neg{}, recip{}, len{};
 };
-inline BoxRay box_ray(const Ray& ray) {
+template <class Moving> BoxRay box_ray(const Moving& ray) {   ///< a Ray, or a Change
     return {ray.o, {ray.d[0] < 0, ray.d[1] < 0, ray.d[2] < 0}, ray.recip, ray.len};
 }
 

@@ -11,13 +11,15 @@ namespace rayclock {
 /// Rays without leaves wait in a queue; those that list has tested go first. Two stages. In the first a step
 /// of one of them is accepted and the top of the ray's stack read; in the second the next
 /// node, or the ray's end, is decided. A dropped group costs the ray another turn through both stages
-/// (recirculation, which goes before new steps). New rays start at the root when no step waits. In a fast
-/// chip there are more stages between the two. Mirror of rtl/bvh/rc_trav.sv.
+/// (recirculation, which goes before new steps). New rays start at the root when no step waits; with two
+/// levels, rays that xform has changed go on to their mesh's root, before new ones. In a fast chip there are
+/// more stages between the two. Mirror of rtl/bvh/rc_trav.sv.
 class Trav {
 public:
     explicit Trav(const Config& config)
         : late_(Stages(config).stack),
           spawn_(2),
+          changed_(config.has_instances() ? config.contexts : 1),
           leafless_(config.contexts),
           nodes_(config.contexts),
           done_(config.contexts) {}
@@ -29,11 +31,15 @@ public:
     bool takes_leafless(bool offered) const { return step_link_.second(offered); }
     std::uint32_t leafless_ray() const { return leafless_.front(); }
     bool tested_ready(bool offered) const { return step_ready() & !takes_leafless(offered); }
-    bool node_valid() const { return !nodes_.empty() | !spawn_.empty(); }
-    /// The node on offer is a new ray's root.
+    template <bool levels = false> bool node_valid() const {
+        return !nodes_.empty() | !spawn_.empty() | (levels && !changed_.empty());
+    }
+    /// The node on offer is a root, of a new ray or of one that changed.
     bool spawning() const { return node_link_.second(!nodes_.empty()); }
-    std::uint32_t node_ray() const {
+    template <bool levels = false> std::uint32_t node_ray() const {
         const RayNumber root = spawn_.front(), node = nodes_.front();
+        if constexpr (levels)
+            if (spawning() && !root_link_.second(!changed_.empty())) return changed_.front();
         return select(spawning(), root, node);
     }
     bool done_valid() const { return !done_.empty(); }
@@ -42,6 +48,7 @@ public:
 
     const char* where(std::uint32_t ray) const {
         return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"
+               : changed_.contains(RayNumber(ray))  ? "trav: changed, waits for the mesh's root's link"
                : nodes_.contains(RayNumber(ray))    ? "trav: waits for the link to node_cache"
                : done_.contains(RayNumber(ray))     ? "trav: done, waits for its hit to be taken"
                : leafless_.contains(RayNumber(ray)) ? "trav: no leaf to be tested, waits for its step"
@@ -54,15 +61,22 @@ public:
     struct Moves {
         OnLink ray, leafless, tested;
         bool node_taken = false, done_taken = false;
+        OnLink change{};   // of xform, with two levels
     };
     /// One clock edge. `decide(ray, valid)` tells the turn that the ray in the second stage takes, if it is
     /// valid.
-    template <class Decide> void clock(const Moves& moves, Decide&& decide) {
+    template <bool levels = false, class Decide> void clock(const Moves& moves, Decide&& decide) {
         // Everything that leaves, leaves before anything enters: a queue shows a new entry in the next cycle.
         done_.pop(moves.done_taken);
         const bool spawn = spawning();
-        node_link_.clock(node_valid(), moves.node_taken, spawn);
-        spawn_.pop(moves.node_taken & spawn);
+        node_link_.clock(node_valid<levels>(), moves.node_taken, spawn);
+        const bool change = levels && !root_link_.second(!changed_.empty());   // before a new ray
+        if constexpr (levels) {
+            root_link_.clock(!changed_.empty() | !spawn_.empty(), moves.node_taken & spawn, !change);
+            changed_.pop(moves.node_taken & spawn & change);
+            changed_.push(RayNumber(moves.change.ray), moves.change.there);
+        }
+        spawn_.pop(moves.node_taken & spawn & !change);
         nodes_.pop(moves.node_taken & !spawn);
         const bool offered = moves.tested.there, valid = step_valid(offered), step = valid & step_ready(),
                    leafless = takes_leafless(offered);
@@ -108,9 +122,9 @@ private:
     std::uint32_t between_ = 0;
     std::array<RayNumber, 4> waiting_{};
     Ring<RayNumber, 2> spawn_;
-    RayRing leafless_, nodes_, done_;
-    Merge step_link_, node_link_;
-    bool again_ = false, s1_valid_ = false;   // recirculation register, second stage
+    RayRing changed_, leafless_, nodes_, done_;
+    Merge step_link_, node_link_, root_link_;   // root_link_: of changed_ and spawn_
+    bool again_ = false, s1_valid_ = false;     // recirculation register, second stage
     std::uint32_t again_ray_ = 0, s1_ = 0;
 };
 

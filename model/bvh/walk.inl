@@ -15,6 +15,7 @@
 ///   - `void test(half_line)`, of a primitive;
 ///   - if there may be no nodes, but a list of all primitives, `bool is_list()`, and `uint32_t
 ///     next_page(line)`, 0 after the last: boxes() then gives a page of it;
+///   - if there may be instances, `bool enters()`: what boxes() gave is one, and no node;
 ///   - `Time t()`, the distance to beat, and `bool stop()`: the light is blocked.
 /// Way, stack and arrays are the caller's, so that the rest can stay in registers.
 template <class Way> class TreeWalk {
@@ -32,6 +33,12 @@ public:
     std::uint32_t line() const { return line_; }   ///< of the next node; between visit() and decide() of this
     const WideNode& node() const { return *node_; }   ///< that is visited
     std::uint32_t hits() const { return hits_; }      ///< its children that the ray meets, bit by bit
+    bool enters() const {                             ///< it is no node but an instance
+        if constexpr (requires { way_.enters(); })
+            return way_.enters();
+        else
+            return false;
+    }
     const Time* t_near() const { return room_.t_near.data(); }
     int stack_height() const { return stack_.height(); }
 

@@ -65,12 +65,12 @@ const std::vector<std::string>& dram_names() {
 }
 
 const std::vector<std::string>& structure_names() {
-    static const std::vector<std::string> names{"bvh", "kd", "none", "octree", "spheres"};
+    static const std::vector<std::string> names{"bvh", "kd", "none", "octree", "spheres", "bsp"};
     return names;
 }
 
 const std::vector<std::string>& straddlers_names() {
-    static const std::vector<std::string> names{"leaves", "inner"};
+    static const std::vector<std::string> names{"leaves", "inner", "stop"};
     return names;
 }
 
@@ -115,11 +115,14 @@ const std::vector<Parameter>& parameters() {
          &primitive_test_names()},
         {"origin_bits", &Config::origin_bits, 2, 16, false, "B: fraction bits of a secondary ray's origin"},
         {"structure", &Config::structure, 0, int(structure_names().size()) - 1, false,
-         "what holds the scene: bvh, spheres, kd, octree, or none (a list of all primitives)",
+         "what holds the scene: bvh, spheres, kd, octree, bsp, or none (a list of all primitives)",
          &structure_names()},
         {"straddlers", &Config::straddlers, 0, int(straddlers_names().size()) - 1, false,
-         "of an octree: where it has what a plane cuts, leaves or inner (the inner node)",
+         "what a plane cuts is in both leaves, of an octree in the inner node (inner), or of bsp not cut "
+         "(stop)",
          &straddlers_names()},
+        {"levels", &Config::levels, 1, 2, false,
+         "2: instances are walked as such, by a tree over them and one for each mesh; 1: written out"},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most primitives in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},
@@ -131,6 +134,8 @@ const std::vector<Parameter>& parameters() {
          "children of a node that box tests at once; a node with more takes several cycles"},
         {"tri_interval", &Config::tri_interval, 1, 4, true,
          "cycles from a primitive that tri takes to the next; more share multipliers"},
+        {"xform_interval", &Config::xform_interval, 1, 4, true,
+         "cycles from a ray that xform takes to the next, with levels=2; more share multipliers"},
         {"pipelines", &Config::pipelines, 1, 16, true, "P: pipelines"},
         {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
         {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},
@@ -312,10 +317,24 @@ void check_config(const Config& c, const std::string& where) {
                std::to_string(c.coord_bits + 2) +
                " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
                std::to_string(c.dir_bits));
-    if ((c.has_treelets() || c.has_globes()) && c.test() != PrimitiveTest::exact && !c.is_sheared())
+    if ((c.has_treelets() || c.has_globes() || c.has_slants()) && c.test() != PrimitiveTest::exact &&
+        !c.is_sheared())
         refuse("structure=" + structure_names()[std::size_t(c.structure)] +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");
+    if (c.is_octree() && Straddlers(c.straddlers) == Straddlers::stop)
+        refuse(
+            "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
+            "bsp");
+    if (c.has_slants() && Straddlers(c.straddlers) == Straddlers::inner)
+        refuse(
+            "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
+            "(inner)");
+    if (c.has_instances() && (!c.is_bvh() || c.test() != PrimitiveTest::exact || c.shading))
+        refuse(
+            "levels=2 needs structure=bvh, primitive_test=exact and shading=0: of these alone it is known "
+            "how "
+            "a ray walks instances");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},
                                                  {"smooth", c.smooth},

@@ -13,12 +13,13 @@ enum class Timing { relaxed, fast };
 
 /// What holds the scene in memory, by the value of Config::structure: boxes in boxes (model/bvh), space cut
 /// by planes (model/kd), or nothing but a list of all primitives (model/none). An octree is cut by planes in
-/// the middle of its cells, and walked by the engine of kd.
-enum class Structure { bvh, kd, none, octree, spheres };
+/// the middle of its cells, and walked by the engine of kd. Planes of bsp lie in any direction (model/bsp).
+enum class Structure { bvh, kd, none, octree, spheres, bsp };
 
-/// Where an octree has what lies on both sides of a cut, by the value of Config::straddlers: in every leaf
-/// that it reaches into, or in the inner node.
-enum class Straddlers { leaves, inner };
+/// What becomes of what lies on both sides of a cut, by the value of Config::straddlers, in an octree and
+/// with planes in any direction: it is in every leaf that it reaches into, in the inner node (octree), or
+/// there is no such cut (bsp).
+enum class Straddlers { leaves, inner, stop };
 
 /// Ray-triangle tests, by the value of Config::primitive_test; see model/isect/primitive.hpp.
 enum class PrimitiveTest { exact, sheared, unit24, moller, woop, truncated };
@@ -31,6 +32,9 @@ constexpr int exp_bits = 5;           ///< box exponent, and bit length of a dir
 constexpr int max_prim_bits = 32;     ///< of Config::prim_bits
 constexpr int globe_bits = 12;        ///< of a globe's centre on each axis, and of its radius
 constexpr int toward_bits = 18;       ///< of a component of a ray's direction, as globes are tested with it
+constexpr int normal_step_bits = 7;   ///< of a component of the normal of a plane in any direction, signed
+constexpr int crossing_bits = 18;     ///< of the quotient that says when a ray crosses such a plane, and of
+                                      ///< what is divided
 constexpr int offset_bits = 6;        ///< child within its block, in steps of 32 bytes
 constexpr int count_bits = 3;         ///< triangles of a leaf, 1..6; 0 for an inner node
 constexpr int line_bits = 512;        ///< a memory line, one node
@@ -75,19 +79,21 @@ struct Config {
                               ///< `shading` only
 
     int structure = 0;    ///< what holds the scene in memory, see structure_names()
-    int straddlers = 0;   ///< of an octree, see straddlers_names()
+    int straddlers = 0;   ///< of an octree and of bsp, see straddlers_names()
+    int levels = 1;       ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
 
     // Shape: counts, depths, latencies.
-    int node_width = 8;      ///< W: children of a node, 2, 4 or 8
-    int leaf_size = 1;       ///< most primitives in a leaf, 1..6
-    int contexts = 64;       ///< T: rays in flight
-    int stack_depth = 16;    ///< groups of siblings a ray can leave for later
-    int raygen_queue = 16;   ///< answers raygen may hold, a power of two
-    int box_queue = 16;      ///< answers box may hold, a power of two
-    int tri_queue = 32;      ///< answers tri may hold, a power of two
-    int box_lanes = 8;       ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
-    int tri_interval = 1;    ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int pipelines = 1;       ///< P: pipelines of one machine, 1 to 16
+    int node_width = 8;       ///< W: children of a node, 2, 4 or 8
+    int leaf_size = 1;        ///< most primitives in a leaf, 1..6
+    int contexts = 64;        ///< T: rays in flight
+    int stack_depth = 16;     ///< groups of siblings a ray can leave for later
+    int raygen_queue = 16;    ///< answers raygen may hold, a power of two
+    int box_queue = 16;       ///< answers box may hold, a power of two
+    int tri_queue = 32;       ///< answers tri may hold, a power of two
+    int box_lanes = 8;        ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
+    int tri_interval = 1;     ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
+    int xform_interval = 2;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
+    int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row
     int node_sets = 64;   ///< node cache of a pipeline: sets,
@@ -140,6 +146,8 @@ struct Config {
     bool is_list() const { return Structure(structure) == Structure::none; }
     bool has_treelets() const { return engine() == Structure::kd; }
     bool has_globes() const { return Structure(structure) == Structure::spheres; }
+    bool has_slants() const { return Structure(structure) == Structure::bsp; }
+    bool has_instances() const { return levels == 2; }
     bool is_octree() const { return Structure(structure) == Structure::octree; }
     Structure engine() const {
         return is_octree() ? Structure::kd : Structure(structure);
@@ -186,10 +194,21 @@ struct Config {
     }   ///< cycles from a node that box takes to the next
     int treelet_latency() const;
     int globe_latency() const;
+    int slant_latency() const;
     int node_latency() const {
-        return has_treelets() ? treelet_latency() : has_globes() ? globe_latency() : box_latency();
-    }                                                       ///< of the unit that decides a node
-    int planes_of_node() const { return node_width - 1; }   ///< of a treelet
+        return has_treelets() ? treelet_latency()
+               : has_globes() ? globe_latency()
+               : has_slants() ? slant_latency()
+                              : box_latency();
+    }                                                 ///< of the unit that decides a node
+    int map_frac() const { return coord_bits + 3; }   ///< K: fraction bits of an instance's map
+    int map_bits() const { return map_frac() + 2; }   ///< of an entry of it, signed; 1 is possible
+    int moved_bits() const { return coord_bits > dir_bits ? coord_bits : dir_bits; }   ///< that xform takes
+    int xform_latency() const;
+    int planes_of_node() const { return node_width - 1; }   ///< of a treelet or a slant
+    int offset_of_plane_bits() const {
+        return coord_bits + normal_step_bits + 1;
+    }   ///< n . x of a slant's plane, signed: three components of at most 2^6 - 1
     int tri_latency() const;
     int shade_latency() const;
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way,
@@ -224,7 +243,7 @@ const std::vector<std::string>& dram_names();
 /// What holds the scene in memory, by the value of Config::structure.
 const std::vector<std::string>& structure_names();
 
-/// Where an octree has what a plane cuts, by the value of Config::straddlers.
+/// What becomes of what a plane cuts, by the value of Config::straddlers.
 const std::vector<std::string>& straddlers_names();
 
 /// How short paths are cut, by the value of Config::timing.

@@ -60,6 +60,27 @@ struct Treelet {
 };
 constexpr std::uint32_t no_axis = 3;   ///< of a treelet's plane
 
+/// A node of a tree of planes in any direction as it lies in a memory line of 64 bytes (right-aligned): a
+/// treelet whose plane i is the points x of the lattice with `normal`[3 i ..] . x = `at`[i]; its lower side
+/// has smaller products. A normal of zeros is no plane. All else is as of Treelet.
+struct Slant {
+    std::uint32_t open = 0;
+    Vec3i lo{}, hi{};
+    std::array<std::int32_t, 3 * (max_width - 1)> normal{};   ///< [3 * plane + axis]
+    std::array<std::int32_t, max_width - 1> at{};
+    std::uint32_t base = 0;
+    std::array<std::uint32_t, max_width> kind{};
+    template <class V> void fields(V& v, const Config& c) {
+        v("open", open, 1);
+        v("lo", lo, c.coord_bits, 3);
+        v("hi", hi, c.coord_bits, 3);
+        v("normal", normal, normal_step_bits, 3 * c.planes_of_node());
+        v("at", at, c.offset_of_plane_bits(), c.planes_of_node());
+        v("base", base, c.addr_bits);
+        v("kind", kind, count_bits, c.node_width);
+    }
+};
+
 /// A node of a hierarchy of globes (bounding spheres) as it lies in a memory line of 64 bytes
 /// (right-aligned). Globe i has its centre at org + (centre << exp) and the radius radius << exp, in lattice
 /// steps. Kinds, and the block at line `base`, as of Node.
@@ -79,6 +100,31 @@ struct GlobeNode {
         v("radius", radius, globe_bits, c.node_width);
     }
 };
+
+/// An instance as it lies in a memory line of 64 bytes (right-aligned): x' = A x + b takes a point of the
+/// scene's lattice to the mesh's. Rows of A sum to 1 at most, in size, so that no operand grows.
+struct Placement {
+    std::uint32_t first = 0;           ///< number of its first primitive
+    std::uint32_t root = 0;            ///< line of the root of its lower structure
+    std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
+    Vec3l b{};                         ///< likewise
+    template <class V> void fields(V& v, const Config& c) {
+        v("first", first, c.prim_bits);
+        v("root", root, c.addr_bits);
+        v("a", a, c.map_bits(), 9);
+        v("b", b, c.coord_bits + c.map_frac(), 3);
+    }
+    friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+/// What a line of a structure of two levels holds, by its two highest bits, which nodes leave alone.
+enum class LineKind : std::uint32_t { scene_node, mesh_node, placement };
+constexpr int line_kind_bits = 2;
+constexpr int line_kind_shift = 32 - line_kind_bits;   // in the last word
+inline LineKind line_kind(const std::uint32_t* line) { return LineKind(line[15] >> line_kind_shift); }
+inline void set_line_kind(std::uint32_t* line, LineKind kind) {
+    line[15] |= std::uint32_t(kind) << line_kind_shift;
+}
 
 enum class PrimKind : std::uint32_t { triangle, plane, sphere };
 

@@ -29,6 +29,10 @@ namespace rayclock {
     LINK(treelet_rsp, BoxRsp, treelet, trav, handshake, treelets)           \
     LINK(globe_req, GlobeReq, node_cache, globe, handshake, globes)         \
     LINK(globe_rsp, BoxRsp, globe, trav, handshake, globes)                 \
+    LINK(slant_req, SlantReq, node_cache, slant, handshake, slants)         \
+    LINK(slant_rsp, BoxRsp, slant, trav, handshake, slants)                 \
+    LINK(xform_req, XformReq, node_cache, xform, handshake, instances)      \
+    LINK(change, Change, xform, trav, fires, instances)                     \
     LINK(leaves, Leaves, trav, list, fires, always)                         \
     LINK(prim_req, PrimReq, list, prim_cache, handshake, always)            \
     LINK(prim_miss, PrimMiss, prim_cache, memport, handshake, always)       \
@@ -88,12 +92,15 @@ struct NodeUnit {
 };
 constexpr std::array node_units{NodeUnit{Unit::box, Link::box_req, Link::box_rsp},
                                 NodeUnit{Unit::treelet, Link::treelet_req, Link::treelet_rsp},
-                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp}};
+                                NodeUnit{Unit::globe, Link::globe_req, Link::globe_rsp},
+                                NodeUnit{Unit::slant, Link::slant_req, Link::slant_rsp}};
 constexpr bool decides_nodes(Unit unit) {
     for (const NodeUnit& u : node_units)
         if (u.unit == unit) return true;
     return false;
 }
+/// A unit that takes what node_cache has read.
+constexpr bool takes_lines(Unit unit) { return decides_nodes(unit) || unit == Unit::xform; }
 /// Whether two units' causes have the same codes.
 constexpr bool same_causes(Unit a, Unit b) {
     for (std::size_t code = 0; code < cause_count; ++code) {
@@ -131,8 +138,9 @@ constexpr std::size_t pipeline_links = [] {   // the others are what all pipelin
     return n;
 }();
 constexpr std::size_t index(Link c) { return std::size_t(c); }
-constexpr std::uint32_t bit(Link c) { return 1u << index(c); }
-static_assert(link_count <= 32);
+using LinkMask = std::uint64_t;   ///< a bit for each link
+constexpr LinkMask bit(Link c) { return LinkMask(1) << index(c); }
+static_assert(link_count <= 64);
 
 /// Whether a chip of this configuration has the link.
 constexpr bool is_there(Link c, const Config& config) { return is_there(link_infos[index(c)].when, config); }

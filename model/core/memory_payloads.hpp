@@ -27,20 +27,29 @@ struct PrimReq {
     }
 };
 
-/// node memory -> trav.
+/// node memory -> trav, or xform.
 struct NodeRsp {
     std::uint32_t ray = 0;
+    std::uint32_t what = 0;                          ///< LineKind, if there are instances
+    std::array<std::uint32_t, line_bits> beyond{};   ///< bit by bit: what an instance has beyond a node
     Node node;
     Treelet treelet;    ///< takes the place of node in a kd-tree
     GlobeNode globes;   ///< likewise in a hierarchy of bounding spheres
+    Slant slant;        ///< likewise in a tree of planes in any direction
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.has_treelets())
             treelet.fields(v, c);
         else if (c.has_globes())
             globes.fields(v, c);
-        else
+        else if (c.has_slants())
+            slant.fields(v, c);
+        else {
+            if (c.has_instances()) v("what", what, line_kind_bits);
+            const int more = c.has_instances() ? bits_of<Placement>(c) - bits_of<Node>(c) : 0;
+            if (more > 0) v("beyond", beyond, 1, more);
             node.fields(v, c);
+        }
     }
 };
 

@@ -131,6 +131,37 @@ struct BoxReq {
     }
 };
 
+/// node_cache -> xform: the ray as it came, and the instance that came from memory.
+struct XformReq {
+    std::uint32_t ray = 0;
+    Vec3i o{}, d{};
+    Placement placement;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
+        placement.fields(v, c);
+    }
+};
+
+/// xform -> trav, list: the ray in the space of an instance's mesh. It changes, and does not start: its hit
+/// and its distance to beat stay. Next it visits the mesh's root.
+struct Change {
+    std::uint32_t ray = 0;
+    std::uint32_t root = 0, first = 0;             ///< as in Placement
+    Vec3i o{}, d{};                                ///< in the mesh's space, as in Ray
+    std::array<std::uint32_t, 3> recip{}, len{};   ///< of d
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("first", first, c.prim_bits);
+        v("root", root, c.addr_bits);
+        v("o", o, c.origin_width(), 3);
+        v("d", d, c.ray_dir_bits(), 3);
+        v("recip", recip, c.recip_bits + 1, 3);
+        v("len", len, exp_bits, 3);
+    }
+};
+
 /// trav -> treelet: the same of a kd-tree.
 struct TreeletReq {
     std::uint32_t ray = 0;
@@ -144,6 +175,23 @@ struct TreeletReq {
         v("recip", recip, c.recip_bits + 1, 3);
         v("len", len, exp_bits, 3);
         treelet.fields(v, c);
+    }
+};
+
+/// trav -> slant: the same of planes in any direction, with the ray's direction.
+struct SlantReq {
+    std::uint32_t ray = 0;
+    Vec3i o{};
+    std::array<std::uint32_t, 3> recip{}, len{};
+    Vec3i along{};   ///< direction, moved up to ray_dir_bits: aligned() in model/bsp/slant.hpp
+    Slant slant;
+    template <class V> void fields(V& v, const Config& c) {
+        v("ray", ray, c.ray_bits());
+        v("o", o, c.origin_width(), 3);
+        v("recip", recip, c.recip_bits + 1, 3);
+        v("len", len, exp_bits, 3);
+        v("along", along, c.ray_dir_bits(), 3);
+        slant.fields(v, c);
     }
 };
 
@@ -163,9 +211,9 @@ struct GlobeReq {
     }
 };
 
-/// box, treelet, globe -> trav: the children that the ray's line meets in front of its origin. Inner children
-/// first, then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for inner
-/// children.
+/// box, treelet, globe, slant -> trav: the children that the ray's line meets in front of its origin. Inner
+/// children first, then leaves, each sorted by (t_near, offset); entries beyond are zero. `count` is 0 for
+/// inner children.
 struct BoxRsp {
     std::uint32_t ray = 0;
     std::uint32_t base = 0;

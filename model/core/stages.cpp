@@ -27,6 +27,7 @@ Stages::Stages(const Config& config) {
     plane = 3 + multiply + 3 * cut;
     exits = 2 + 2 * cut;
     globe = 7 + 3 * multiply + 10 * cut;
+    crossing = 4 + multiply + 7 * cut + divide(crossing_bits);
     cache = cut;
 
     cross_share = std::min(config.tri_interval, 3);
@@ -42,6 +43,10 @@ Stages::Stages(const Config& config) {
     direction = 1 + 2 * cut;
     recip = 1 + 3 * cut + divide(config.recip_bits);
     slope = 1 + config.dir_bits / 2;
+
+    map_share = config.xform_interval;
+    recip_share = std::min(config.xform_interval, 3);
+    map = cut + multiply + map_share - 1 + 2;
 }
 int Stages::divide(int bits) const { return (bits + quotient_bits - 1) / quotient_bits; }
 
@@ -62,11 +67,19 @@ int Config::globe_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.globe + stages.rank;
 }
+int Config::slant_latency() const {
+    const Stages stages(*this);
+    return stages.cut + stages.crossing + stages.exits + stages.rank;
+}
 int Config::tri_latency() const {
     const Stages stages(*this);
     const int test = is_sheared() ? stages.shear : stages.edges;
     const int triangle = test + stages.compare + stages.hit_divide;
     return stages.cut + (spheres ? std::max(triangle, stages.sphere) : triangle);
+}
+int Config::xform_latency() const {
+    const Stages stages(*this);
+    return stages.map + stages.recip + stages.recip_share - 1;
 }
 int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
 

@@ -26,7 +26,17 @@ constexpr Cause starved(const char* by) { return {Kind::starved, by}; }
 constexpr Cause stalled(const char* by) { return {Kind::stalled, by}; }
 
 /// When a part of the machine exists.
-enum class When : std::uint8_t { always, shading, shared_cache, nodes, boxes, treelets, globes };
+enum class When : std::uint8_t {
+    always,
+    shading,
+    shared_cache,
+    nodes,
+    boxes,
+    treelets,
+    globes,
+    slants,
+    instances
+};
 constexpr bool is_there(When when, const Config& config) {
     switch (when) {
         case When::shading: return config.shading != 0;
@@ -35,6 +45,8 @@ constexpr bool is_there(When when, const Config& config) {
         case When::boxes: return config.is_bvh();
         case When::treelets: return config.has_treelets();
         case When::globes: return config.has_globes();
+        case When::slants: return config.has_slants();
+        case When::instances: return config.has_instances();
         default: return true;
     }
 }
@@ -62,6 +74,8 @@ enum class Place : std::uint8_t { pipeline, engine, shared, beside };
     UNIT(shade, pipeline, shading, busy(), starved("memory"), starved("list"), stalled("queue"))       \
     UNIT(treelet, engine, treelets, RAYCLOCK_DECIDE_CAUSES)                                            \
     UNIT(globe, engine, globes, RAYCLOCK_DECIDE_CAUSES)                                                \
+    UNIT(slant, engine, slants, RAYCLOCK_DECIDE_CAUSES)                                                \
+    UNIT(xform, engine, instances, busy(), starved("memory"), starved("trav"))                         \
     UNIT(dispatch, shared, always, busy(), starved("frame"), stalled("sched"))                         \
     UNIT(memport, shared, always, busy(), starved("caches"), stalled("memory"))                        \
     UNIT(l2, shared, shared_cache, RAYCLOCK_CACHE_CAUSES("memport", "memport"))                        \

@@ -6,33 +6,33 @@
 
 namespace rayclock {
 
-WideTreelet widen(const Treelet& treelet, int node_width) {
-    WideTreelet wide;
-    wide.open = treelet.open != 0;
-    wide.lo = treelet.lo, wide.hi = treelet.hi;
-    const auto width = std::size_t(node_width);
-    for (std::size_t i = 0; i + 1 < width; ++i) {
-        wide.axis[i] = std::uint8_t(treelet.axis[i]);
-        wide.at[i] = treelet.at[i];
-    }
-    WideNode& exits = wide.exits;
-    exits.base = treelet.base;
-    const auto place = [&](std::size_t exit, std::uint32_t offset, std::uint32_t count) {
-        wide.exit[exits.children] = std::uint8_t(exit);
+void WideExits::place(std::uint32_t base, const std::array<std::uint32_t, max_width>& kind,
+                      std::size_t width) {
+    exits.base = base;
+    const auto place = [&](std::size_t at, std::uint32_t offset, std::uint32_t count) {
+        exit[exits.children] = std::uint8_t(at);
         exits.offset[exits.children] = std::uint8_t(offset);
         exits.count[exits.children] = std::uint8_t(count);
         ++exits.children;
     };
     for (std::size_t i = 0; i < width; ++i)
-        if (treelet.kind[i] == 1) place(i, 2u * exits.children, 0);
+        if (kind[i] == 1) place(i, 2u * exits.children, 0);
     exits.inner_mask = std::uint8_t((1u << exits.children) - 1);
     std::uint32_t half_lines = 2u * exits.children;
     for (std::size_t i = 0; i < width; ++i) {
-        if (treelet.kind[i] < 2) continue;
-        place(i, half_lines, treelet.kind[i] - 1);
-        half_lines += treelet.kind[i] - 1;
+        if (kind[i] < 2) continue;
+        place(i, half_lines, kind[i] - 1);
+        half_lines += kind[i] - 1;
     }
     exits.children_mask = std::uint8_t((1u << exits.children) - 1);
+}
+
+WideTreelet widen(const Treelet& treelet, int node_width) {
+    WideTreelet wide(treelet, node_width);
+    for (std::size_t i = 0; i + 1 < std::size_t(node_width); ++i) {
+        wide.axis[i] = std::uint8_t(treelet.axis[i]);
+        wide.at[i] = treelet.at[i];
+    }
     return wide;
 }
 
@@ -83,17 +83,14 @@ struct Span {
 
 }   // namespace
 
-std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const Config& c,
-                            std::uint32_t* t_near) {
+std::uint32_t exits_met(const BoxRay& ray, const WideExits& treelet, const AllSides& sides, const Config& c,
+                        std::uint32_t* t_near) {
     Span box{0, (1u << c.t_bits()) - 1};
     for (std::uint32_t k = 0; k < 3 && !treelet.open; ++k) {
         box.cut(plane_sides(ray, k, treelet.lo[k], c), true);
         box.cut(plane_sides(ray, k, treelet.hi[k], c), false);
     }
-    std::array<PlaneSides, max_width - 1> sides;
     const auto width = std::uint32_t(c.node_width);
-    for (std::uint32_t i = 0; i + 1 < width; ++i)
-        sides[i] = plane_sides(ray, treelet.axis[i], treelet.at[i], c);
     std::uint32_t hits = 0;
     for (std::uint32_t child = 0; child < treelet.exits.children; ++child) {
         Span span = box;
@@ -107,6 +104,14 @@ std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const
         hits |= std::uint32_t(span.met && span.from <= span.to) << child;
     }
     return hits;
+}
+
+std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const Config& c,
+                            std::uint32_t* t_near) {
+    AllSides sides;
+    for (std::size_t i = 0; i + 1 < std::size_t(c.node_width); ++i)
+        sides[i] = plane_sides(ray, treelet.axis[i], treelet.at[i], c);
+    return exits_met(ray, treelet, sides, c, t_near);
 }
 
 }   // namespace rayclock

@@ -3,16 +3,29 @@
 
 namespace rayclock {
 
-/// A treelet unpacked for the model. Its exits are told as children of a node are, inner ones first, so that
-/// what follows (trav, list) need not know which structure they come from; `exit` says where each of them
-/// lies.
-struct WideTreelet {
+/// The exits of a treelet (or a slant, model/bsp) unpacked for the model. They are told as children of a node
+/// are, inner ones first, so that what follows (trav, list) need not know which structure they come from;
+/// `exit` says where each of them lies.
+struct WideExits {
     WideNode exits;                               ///< no planes, org and exp
     std::array<std::uint8_t, max_width> exit{};   ///< [child]
+    bool open = false;                            ///< has no box
+    Vec3i lo{}, hi{};
+
+    WideExits() = default;
+    template <class Line> WideExits(const Line& line, int node_width)
+        : open(line.open != 0), lo(line.lo), hi(line.hi) {
+        place(line.base, line.kind, std::size_t(node_width));
+    }
+
+private:
+    void place(std::uint32_t base, const std::array<std::uint32_t, max_width>& kind, std::size_t width);
+};
+/// A treelet unpacked.
+struct WideTreelet : WideExits {
+    using WideExits::WideExits;
     std::array<std::uint8_t, max_width - 1> axis{};
     std::array<std::int32_t, max_width - 1> at{};
-    bool open = false;   ///< has no box
-    Vec3i lo{}, hi{};
 };
 WideTreelet widen(const Treelet& treelet, int node_width);
 
@@ -25,6 +38,12 @@ struct PlaneSides {
     std::uint32_t far_from = 0;     ///< no point of the far side is before
 };
 PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, const Config& config);
+
+/// Of all planes of a treelet, in the order of a heap.
+using AllSides = std::array<PlaneSides, max_width - 1>;
+/// The exits that are met within the box, bit by bit, and t_near by child.
+std::uint32_t exits_met(const BoxRay& ray, const WideExits& treelet, const AllSides& sides,
+                        const Config& config, std::uint32_t* t_near);
 
 /// Which exits of a treelet a ray meets, conservative: an exit in whose closed cell the ray has a point o + s
 /// d with s > 0 is never left out, and its t_near is never beyond that point (docs/planes.md).

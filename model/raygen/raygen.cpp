@@ -34,10 +34,12 @@ Vec3i direction_of(std::int64_t x, std::int64_t y, int frac, const Frame& frame,
     }
     const int drop = guard_bits + frac,
               shift = std::clamp(config.dir_bits - 1 + drop - int(std::bit_width(used)), 0, most_shift);
-    const std::int32_t most = (1 << (config.dir_bits - 1)) - 1;
+    const std::int32_t most = (1 << (config.dir_bits - 1)) - 1,
+                       least = config.has_instances() ? -most : -most - 1;   // a mirror needs its opposite
     Vec3i d{};
     for (std::size_t k = 0; k < 3; ++k)
-        d[k] = std::min(std::int32_t(((sum[k] << shift) + (std::int64_t(1) << (drop - 1))) >> drop), most);
+        d[k] = std::clamp(std::int32_t(((sum[k] << shift) + (std::int64_t(1) << (drop - 1))) >> drop), least,
+                          most);
     return d;
 }
 

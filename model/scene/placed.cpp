@@ -82,9 +82,12 @@ std::uint64_t primitive_count(const PlacedScene& scene) {
 }
 
 Scene flattened(PlacedScene scene) {
+    if (scene.instances.empty()) return std::move(scene.own);
+    Scene flat = scene.own;
     for (const Instance& instance : scene.instances)
-        append_triangles(scene.own, scene.meshes[instance.mesh], instance.place, instance.material, 0);
-    return std::move(scene.own);
+        append_triangles(flat, scene.meshes[instance.mesh], instance.place, instance.material, 0);
+    flat.placed = std::make_shared<const PlacedScene>(std::move(scene));
+    return flat;
 }
 
 }   // namespace rayclock

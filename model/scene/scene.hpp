@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,6 +77,8 @@ struct Scene {
     std::vector<Light> lights;
     std::optional<Camera> camera;   ///< absent: found by fit_camera()
     glm::dvec3 background{0.078, 0.361, 0.753};
+    /// What was written out to make it, if it has instances: a machine of two levels walks these.
+    std::shared_ptr<const struct PlacedScene> placed;
 };
 
 inline std::size_t primitive_count(const Scene& scene) {

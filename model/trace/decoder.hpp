@@ -1,6 +1,7 @@
 #pragma once
 #include "model/accel/memory_image.hpp"
 #include "model/trace/line_cache.hpp"
+#include "model/bsp/slant.hpp"
 #include "model/bvh/box.hpp"
 #include "model/globe/globe.hpp"
 #include "model/kd/treelet.hpp"
@@ -19,11 +20,18 @@ public:
           nodes_(config.is_bvh() ? image.lines() : 0),
           treelets_(config.has_treelets() ? image.lines() : 0),
           globes_(config.has_globes() ? image.lines() : 0),
+          slants_(config.has_slants() ? image.lines() : 0),
+          placements_(config.has_instances() ? image.lines() : 0),
           prims_(std::size_t(image.lines()) * 2),
           surfaces_(config.shading ? image.lines() - image.surfaces : 0) {}
 
     const WideNode& node(std::uint32_t line) const {
         return nodes_.get(line, [&] { return read_node_(image_.line(line)); });
+    }
+    /// With two levels: what a line holds, and an instance.
+    LineKind kind(std::uint32_t line) const { return line_kind(image_.line(line)); }
+    const Placement& placement(std::uint32_t line) const {
+        return placements_.get(line, [&] { return unpack<Placement>(image_.line(line), config_); });
     }
     /// Of a kd-tree.
     const WideTreelet& treelet(std::uint32_t line) const {
@@ -35,14 +43,23 @@ public:
         return globes_.get(
             line, [&] { return widen(unpack<GlobeNode>(image_.line(line), config_), config_.node_width); });
     }
+    /// Of a tree of planes in any direction.
+    const WideSlant& slant(std::uint32_t line) const {
+        return slants_.get(
+            line, [&] { return widen(unpack<Slant>(image_.line(line), config_), config_.node_width); });
+    }
     /// Of any tree: what the node in a line says of its children, where they lie and how many there are.
     const WideNode& below(std::uint32_t line) const {
         return config_.has_treelets() ? treelet(line).exits
                : config_.has_globes() ? globes(line).children
+               : config_.has_slants() ? slant(line).exits
                                       : node(line);
     }
-    /// How many children or exits the node in a line has.
-    std::uint32_t children(std::uint32_t line) const { return below(line).children; }
+    /// How many children or exits the node in a line has; an instance has none.
+    std::uint32_t children(std::uint32_t line) const {
+        if (config_.has_instances() && kind(line) == LineKind::placement) return 0;
+        return below(line).children;
+    }
     /// Of a list: the page that begins in a line, and the next one's line, 0 after the last.
     WideNode page(std::uint32_t line) const { return page_of(line, image_.listed, config_.node_width); }
     std::uint32_t next_page(std::uint32_t line) const {
@@ -64,6 +81,8 @@ private:
     LineCache<WideNode> nodes_;
     LineCache<WideTreelet> treelets_;
     LineCache<WideGlobes> globes_;
+    LineCache<WideSlant> slants_;
+    LineCache<Placement> placements_;
     LineCache<PrimData> prims_;
     LineCache<Surface> surfaces_;
 };

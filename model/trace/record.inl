@@ -128,6 +128,7 @@ struct WordWriter {
     RecordTotals& totals;
     std::uint32_t *word, *head = nullptr;   // the next; that of the visit
     std::uint32_t line = 0;
+    bool enters = false;
 
     RAYCLOCK_INLINE WordWriter(std::vector<std::uint32_t>& words_, std::size_t at, RecordTotals& totals_)
         : words(words_), totals(totals_), word(words_.data() + at) {}
@@ -138,9 +139,10 @@ struct WordWriter {
             word = words.data() + offset;
         }
         head = word++;
+        enters = walk.enters();
         line = walk.line();
         ++totals.visits;
-        totals.box_tests += walk.node().children;
+        totals.box_tests += enters ? 0 : walk.node().children;
     }
     RAYCLOCK_INLINE void test(std::uint32_t half_line) { *word++ = half_line; }
     RAYCLOCK_INLINE void decided(std::uint32_t dropped, bool done) {
@@ -150,7 +152,7 @@ struct WordWriter {
             word[-1] |= Trace::last_flag;
             totals.triangle_tests += tests;
         }
-        flags |= dropped << Trace::turns_shift;
+        flags |= enters ? Trace::entry_flags : dropped << Trace::turns_shift;
         totals.turns += dropped;
         *head = flags;
     }
@@ -193,7 +195,7 @@ template <class Way, class... Parts> static void record_rays(const RecordJob& jo
 
 static void record(const RecordJob& job, const RecordBlock& block, RecordScratch& scratch, Closest* hits,
                    RecordTotals& totals) {
-    if (!job.config().is_bvh())
+    if (!job.config().is_bvh() || job.config().has_instances())
         record_rays<FromUnits>(job, block, scratch, hits, totals, job.decoder(), job.config());
     else if (job.config().test() == PrimitiveTest::exact)
         record_rays<ExactFromEye>(job, block, scratch, hits, totals, job);

@@ -3,6 +3,7 @@
 #include "model/isect/any.hpp"
 #include "model/isect/primitive.hpp"
 #include "model/trace/decoder.hpp"
+#include "model/xform/inside.hpp"
 
 namespace rayclock {
 
@@ -14,7 +15,9 @@ struct UnitWay {
     TriTest* primitive_test;
     Ray ray{};
     BoxRay from{};
-    GlobeRay toward{};   ///< if there are globes
+    GlobeRay toward{};    ///< if there are globes
+    Vec3i along{};        ///< the direction as slants want it
+    InsideRay inside{};   ///< if there are instances
     BestHit hit{};
     TriRsp tri{};   ///< the last answer
     WideNode page{};
@@ -23,6 +26,7 @@ struct UnitWay {
         ray = ray_;
         from = box_ray(ray);
         if (config.has_globes()) toward = globe_ray(ray, config);
+        if (config.has_slants()) along = aligned(ray, config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
@@ -42,19 +46,40 @@ struct UnitWay {
             hits = globe_children(toward, globes, config, t_near);
             return globes.children;
         }
+        if (config.has_slants()) {
+            const WideSlant& slant = decoder.slant(line);
+            hits = slant_exits(from, along, slant, config, t_near);
+            return slant.exits;
+        }
+        inside.enters = config.has_instances() && decoder.kind(line) == LineKind::placement;
+        if (inside.enters) return inside.enter(ray, decoder.placement(line), config, t_near, hits);
         const WideNode& node = decoder.node(line);
-        hits = box_children(from, node, config, t_near);
+        hits = box_children(from_at(line), node, config, t_near);
         return node;
     }
+    bool enters() const { return inside.enters; }
+    /// The ray as box wants it, in the space of the node in a line.
+    const BoxRay& from_at(std::uint32_t line) const {
+        return config.has_instances() && decoder.kind(line) == LineKind::mesh_node ? inside.from : from;
+    }
+    /// A primitive, numbered as the scene does it.
+    PrimData primitive(std::uint32_t half_line) const {
+        PrimData prim = decoder.prim(half_line);
+        if (config.has_instances()) prim.prim += inside.change.first;
+        return prim;
+    }
+    const Vec3i& o() const { return config.has_instances() ? inside.change.o : ray.o; }   ///< as tri sees it
+    const Vec3i& d() const { return config.has_instances() ? inside.change.d : ray.d; }
     bool is_list() const { return config.is_list(); }
     std::uint32_t next_page(std::uint32_t line) const { return decoder.next_page(line); }
     void test(std::uint32_t half_line) {
-        const PrimData& prim = decoder.prim(half_line);
         tri.ray = ray.ray;
         if (config.shading)
-            any_test(ray, prim, hit.best(), config, tri);
+            any_test(ray, decoder.prim(half_line), hit.best(), config, tri);
+        else if (config.has_instances())
+            primitive_test(o(), d(), primitive(half_line), hit.best(), config, tri);
         else
-            primitive_test(ray.o, ray.d, prim, hit.best(), config, tri);
+            primitive_test(ray.o, ray.d, decoder.prim(half_line), hit.best(), config, tri);
         hit.take(tri);
     }
     std::uint32_t t() const { return hit.t(); }
@@ -78,8 +103,8 @@ public:
 
     std::uint32_t node() const { return steps_.line(); }   ///< the next, or that under way
 
-    /// box (treelet, globe), on the next node, and trav on its answer; of a list, trav on the next page. True
-    /// if list has a triangle to be tested.
+    /// box (treelet, globe, slant), on the next node, and trav on its answer; of a list, trav on the next
+    /// page. True if list has a triangle to be tested.
     bool test_node() { return has_leaves_ = steps_.visit(); }
     bool has_leaves() const { return has_leaves_; }   ///< what it returned
     std::uint32_t met() const {
@@ -104,7 +129,13 @@ public:
     int stack_height() const { return stack_.height(); }
 
     const Ray& ray() const { return way_.ray; }
-    const BoxRay& box_ray() const { return way_.from; }
+    const Vec3i& along() const { return way_.along; }
+    const BoxRay& box_ray() const { return way_.from_at(node()); }   ///< for the next node
+    bool enters() const { return way_.enters(); }                    ///< what was visited last is an instance
+    const Change& change() const { return way_.inside.change; }      ///< xform's answer there
+    const Vec3i& o() const { return way_.o(); }                      ///< of the ray as tri sees it
+    const Vec3i& d() const { return way_.d(); }
+    PrimData primitive() const { return way_.primitive(prim()); }   ///< the next, or that under way
     const GlobeRay& globe_ray() const { return way_.toward; }
     const Best& best() const { return way_.hit.best(); }
     const TriRsp& tri() const { return way_.tri; }

@@ -70,6 +70,18 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_node();
             return;
         }
+        case Link::xform_req: {
+            Walk& w = walk(m);
+            tell(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_)});
+            w.test_node();
+            return;
+        }
+        case Link::change: {
+            tell(walk(m).change());
+            bool done = false;
+            walk(m).decide(done);
+            return;
+        }
         case Link::treelet_req: {
             Walk& w = walk(m);
             const BoxRay& r = w.box_ray();
@@ -85,6 +97,15 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             w.test_node();
             return;
         }
+        case Link::slant_req: {
+            Walk& w = walk(m);
+            const BoxRay& r = w.box_ray();
+            tell(SlantReq{m.id, r.o, r.recip, r.len, w.along(),
+                          unpack<Slant>(image_.line(w.node()), config_)});
+            w.test_node();
+            return;
+        }
+        case Link::slant_rsp:
         case Link::globe_rsp:
         case Link::treelet_rsp:
         case Link::box_rsp: {
@@ -100,8 +121,8 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
         case Link::tri_req: {
             Walk& w = walk(m);
             const Ray& r = w.ray();
-            tell(TriReq{m.id, r.o, r.d, unpack<PrimData>(image_.half_line(w.prim()), config_), w.best(),
-                        r.shear, r.kind, r.self, r.inside, r.finite});
+            tell(TriReq{m.id, w.o(), w.d(), w.primitive(), w.best(), r.shear, r.kind, r.self, r.inside,
+                        r.finite});
             w.test_triangle();
             return;
         }

@@ -9,7 +9,8 @@
 namespace rayclock {
 
 LevelsPicture trace_levels(const LevelsImage& levels, const Camera& camera, FrameSize size,
-                           const Config& config, int threads, const Progress& progress) {
+                           const Config& given, int threads, const Progress& progress) {
+    const Config config = with_two_levels(given, given.name);
     LevelsPicture picture;
     picture.frame = make_frame(camera, size, levels.image, config);
     picture.hits = {size, std::vector<Hit>(std::size_t(size.width) * std::size_t(size.height))};
@@ -18,7 +19,7 @@ LevelsPicture trace_levels(const LevelsImage& levels, const Camera& camera, Fram
     const HitScale scale(picture.frame, levels.image.lattice, config);
     std::mutex mutex;
     for_each_tile(size, threads, "two levels", progress, [&](const PixelTile& tile) {
-        LevelWalk walk(levels.image, decoder, config);
+        LevelWalk walk(picture.frame, decoder, config);
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
                 const auto column = std::uint32_t(x), row = std::uint32_t(y);

@@ -18,12 +18,12 @@ Vec3i mapped(const Placement& p, const Vec3i& v, const Vec3l& b, int frac) {
 
 }   // namespace
 
-Ray xform(const Ray& ray, const Placement& placement, const Config& config) {
-    const int frac = map_frac(config);
-    Ray moved = make_ray(mapped(placement, ray.o, placement.b, frac), mapped(placement, ray.d, {}, frac),
-                         config, RayKind(ray.kind));
-    moved.ray = ray.ray;
-    return moved;
+Change xform(const XformReq& req, const Config& config) {
+    const Placement& p = req.placement;
+    const int frac = config.map_frac();
+    const Ray moved =
+        make_ray(mapped(p, req.o, p.b, frac), mapped(p, req.d, {}, frac), config, RayKind::camera);
+    return {req.ray, p.root, p.first, moved.o, moved.d, moved.recip, moved.len};
 }
 
 }   // namespace rayclock

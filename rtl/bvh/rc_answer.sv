@@ -1,5 +1,6 @@
 // What every unit that decides nodes does at its end: it puts the children that are met in order,
-// and keeps its answers in a queue until trav takes them. Part of rc_box, rc_treelet and rc_globe.
+// and keeps its answers in a queue until trav takes them. Part of rc_box, rc_treelet, rc_globe and
+// rc_slant.
 //
 // The unit's stages are counted as its valid bits are. A node's ray, base and kinds come with
 // stage In, which children are met and from when on with stage Latency - RankStages - 1. Model:

@@ -27,6 +27,9 @@ module rc_rank #(
   localparam int unsigned Levels = W == 2 ? 1 : W == 4 ? 3 : 6;
   localparam int unsigned Middle = W == 2 ? 0 : 2; // level with a register in every chip
   localparam int unsigned Cut    = rc_pkg::Cut;
+  // Exits of treelets and slants come in any order.
+  localparam bit Exits = rc_pkg::Structure == rc_pkg::StructureKd
+      || rc_pkg::Structure == rc_pkg::StructureBsp;
 
   // Where each child lies in the block, and how many of each kind are hit.
   logic [W*O-1:0] s0_offset;
@@ -52,7 +55,7 @@ module rc_rank #(
         s0_count = s0_leaf[i] ? s0_kind_i[i*C +: C] - C'(1) : '0;
         s0_counts[i*C +: C] = s0_count;
         s0_offset[i*O +: O] = s0_leaf[i] ? s0_inner + s0_triangles
-                            : rc_pkg::Structure == rc_pkg::StructureKd ? s0_lines : O'(2 * i);
+                            : Exits ? s0_lines : O'(2 * i);
         if (s0_kind_i[i*C +: C] == C'(1)) s0_lines = s0_lines + O'(2);
         s0_triangles = s0_triangles + {{(O-C){1'b0}}, s0_count};
         s0_leaves    = s0_leaves + {{(G-1){1'b0}}, s0_hit_i[i] && s0_leaf[i]};

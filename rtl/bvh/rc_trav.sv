@@ -11,7 +11,14 @@
 // costs another turn through both stages (before new steps), unless `below`, the nearest
 // t_near of all groups under it, says that nothing there can matter. A new ray starts at the
 // root when no other node waits. A node that comes back from memory goes on to box, with its
-// ray, in the same cycle. Model: model/bvh/trav.hpp. The compiled scene must not need more
+// ray, in the same cycle.
+//
+// With two levels an instance that comes back goes on to xform, with the ray as it came. The ray
+// that xform makes of it is kept beside that one, and goes on to the root of the mesh before new
+// rays start; stack and distance to beat stay. Which of the two box gets is said by the line that
+// was read: whether it is a node of the scene's tree or of a mesh's.
+//
+// Model: model/bvh/trav.hpp. The compiled scene must not need more
 // than StackDepth groups.
 `default_nettype none
 module rc_trav (
@@ -48,7 +55,13 @@ module rc_trav (
   input  logic              done_ready_i,
   output rc_pkg::done_t     done_o,
   // What it did; rc_pkg::trav_cause_e
-  output logic [2:0]        cause_o
+  output logic [2:0]        cause_o,
+  // With two levels: to and from xform
+  output logic               xform_req_valid_o,
+  input  logic               xform_req_ready_i,
+  output rc_pkg::xform_req_t xform_req_o,
+  input  logic               change_fires_i,
+  input  rc_pkg::change_t    change_i
 );
   localparam int unsigned I = rc_pkg::RayBits;
   localparam int unsigned A = rc_pkg::AddrBits;
@@ -66,19 +79,28 @@ module rc_trav (
   logic ray_fires, keep;
   logic [3*M-1:0]     ray_d;
   logic [I-1:0]       keep_ray;
-  logic [BoxRayW-1:0] keep_data, box_ray;
+  logic [BoxRayW-1:0] keep_data, kept_ray, box_ray;
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
+  // Of DirBits only: shadow rays fill RayDirBits.
+  logic is_short;
+  if (rc_pkg::Shading != 0) begin : gen_kinds
+    assign is_short = ray_i.kind != rc_pkg::RayShadow;
+  end else begin : gen_camera
+    assign is_short = 1'b1;
+  end
   if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_toward
-    logic is_short;
-    if (rc_pkg::Shading != 0) begin : gen_kinds
-      assign is_short = ray_i.kind != rc_pkg::RayShadow;
-    end else begin : gen_camera
-      assign is_short = 1'b1;
-    end
     rc_toward u_toward (
       .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
       .short_i(is_short), .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
+  end else if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_along
+    logic [3*M-1:0] along;
+    for (genvar k = 0; k < 3; k++) begin : gen_axis
+      assign along[k*M +: M] = ray_d[k*M +: M] << (is_short ? M - rc_pkg::DirBits : 0);
+    end
+    assign keep      = ray_fires;
+    assign keep_ray  = ray_i.ray;
+    assign keep_data = {ray_i.o, ray_i.recip, ray_i.len, along};
   end else begin : gen_signs
     assign keep      = ray_fires;
     assign keep_ray  = ray_i.ray;
@@ -86,11 +108,43 @@ module rc_trav (
   end
   rc_ram #(.Width(BoxRayW), .Depth(T)) u_ray (
     .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
-    .read_addr_i(node_rsp_i.ray), .read_data_o(box_ray));
-  assign decide_req_valid_o = node_rsp_valid_i;
-  assign node_rsp_ready_o   = decide_req_ready_i;
+    .read_addr_i(node_rsp_i.ray), .read_data_o(kept_ray));
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
-  assign node_rsp     = node_rsp_i;
+  assign node_rsp  = node_rsp_i;
+  if (rc_pkg::Levels == 1) begin : gen_nodes
+    assign box_ray          = kept_ray;
+    assign decide_req_valid_o = node_rsp_valid_i;
+    assign node_rsp_ready_o   = decide_req_ready_i;
+    assign {xform_req_valid_o, xform_req_o} = '0;
+    logic unused;
+    assign unused = xform_req_ready_i;
+  end else begin : gen_instances
+    logic               is_instance;
+    logic [3*M-1:0]     kept_d, change_d;
+    logic [BoxRayW-1:0] changed_ray;
+    assign change_d = change_i.d;
+    rc_ram #(.Width(3 * M), .Depth(T)) u_direction (
+      .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(ray_d),
+      .read_addr_i(node_rsp_i.ray), .read_data_o(kept_d));
+    rc_ram #(.Width(BoxRayW), .Depth(T)) u_changed (
+      .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray),
+      .write_data_i({change_i.o, change_d[3*M-1], change_d[2*M-1], change_d[M-1], change_i.recip,
+                     change_i.len}),
+      .read_addr_i(node_rsp_i.ray), .read_data_o(changed_ray));
+    assign box_ray           = node_rsp_i.what == rc_pkg::LineMeshNode ? changed_ray : kept_ray;
+    assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
+    assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
+    assign xform_req_valid_o = node_rsp_valid_i && is_instance;
+    assign node_rsp_ready_o  = is_instance ? xform_req_ready_i : decide_req_ready_i;
+    assign xform_req_o = {node_rsp_i.ray, kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth], kept_d,
+                          node_rsp[rc_pkg::PlacementW-1:0]};
+`ifndef SYNTHESIS
+    a_changed: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                change_fires_i && node_rsp_valid_i
+                                    |-> change_i.ray != node_rsp_i.ray)
+      else $error("a mesh's node is there before the ray in its space");
+`endif
+  end
   assign decide_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
 
   // Box's answer, and the ray's distance to beat.
@@ -234,8 +288,8 @@ module rc_trav (
   end
 
   // Nodes to fetch; new rays wait for a gap.
-  logic           visit_valid, visit_ready, spawn_valid, spawn_ready;
-  logic [I+A-1:0] visit_data;
+  logic           visit_valid, visit_ready, spawn_valid, spawn_ready, root_valid, root_ready;
+  logic [I+A-1:0] visit_data, root_data;
   logic [I-1:0]   spawn_ray;
   rc_queue #(.Width(I + A), .Depth(T)) u_visit (
     .clk_i, .rst_ni, .push_i(visit),
@@ -244,11 +298,27 @@ module rc_trav (
   rc_fifo #(.Width(I), .Depth(2)) u_spawn (
     .clk_i, .rst_ni, .valid_i(ray_valid_i), .ready_o(ray_ready_o), .data_i(ray_i.ray),
     .valid_o(spawn_valid), .ready_i(spawn_ready), .data_o(spawn_ray));
+  if (rc_pkg::Levels == 1) begin : gen_new
+    assign root_valid  = spawn_valid;
+    assign spawn_ready = root_ready;
+    assign root_data   = {spawn_ray, frame_i.root};
+  end else begin : gen_changed   // roots of meshes first
+    logic           mesh_valid, mesh_ready;
+    logic [I+A-1:0] mesh_data;
+    rc_queue #(.Width(I + A), .Depth(T)) u_mesh (
+      .clk_i, .rst_ni, .push_i(change_fires_i), .data_i({change_i.ray, change_i.root}),
+      .valid_o(mesh_valid), .pop_i(mesh_valid && mesh_ready), .data_o(mesh_data));
+    rc_merge #(.Width(I + A)) u_root (
+      .clk_i, .rst_ni,
+      .first_valid_i(mesh_valid), .first_ready_o(mesh_ready), .first_i(mesh_data),
+      .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
+      .second_i({spawn_ray, frame_i.root}),
+      .valid_o(root_valid), .ready_i(root_ready), .data_o(root_data));
+  end
   rc_merge #(.Width(I + A)) u_node (
     .clk_i, .rst_ni,
     .first_valid_i(visit_valid), .first_ready_o(visit_ready), .first_i(visit_data),
-    .second_valid_i(spawn_valid), .second_ready_o(spawn_ready),
-    .second_i({spawn_ray, frame_i.root}),
+    .second_valid_i(root_valid), .second_ready_o(root_ready), .second_i(root_data),
     .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
   rc_queue #(.Width(I), .Depth(T)) u_done (
@@ -263,9 +333,12 @@ module rc_trav (
 
   logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
   logic [rc_pkg::FrameW-1:0] frame_flat;
+  logic [rc_pkg::ChangeW-1:0] change_flat;
   logic                      unused;
-  assign ray_flat   = ray_i;
-  assign frame_flat = frame_i;
-  assign unused     = ^{node_rsp, ray_flat, frame_flat, in_offset, end_tested, leaves_near};
+  assign ray_flat    = ray_i;
+  assign frame_flat  = frame_i;
+  assign change_flat = change_i;
+  assign unused      = ^{is_short, node_rsp, ray_flat, frame_flat, change_fires_i, change_flat,
+                         in_offset, end_tested, leaves_near};
 endmodule
 `default_nettype wire

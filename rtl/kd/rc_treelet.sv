@@ -21,7 +21,6 @@ module rc_treelet (
   localparam int unsigned N  = rc_pkg::CoordBits;
   localparam int unsigned T  = rc_pkg::TBits;
   localparam int unsigned L  = rc_pkg::TreeletLatency;
-  localparam int unsigned Levels = $clog2(W);
   // Stages: a treelet comes in, its planes' times are there.
   localparam int unsigned In   = rc_pkg::Cut;
   localparam int unsigned Meet = In + rc_pkg::PlaneStages;
@@ -49,33 +48,13 @@ module rc_treelet (
   assign in_axis = in.axis;
   assign in_at   = in.at;
 
-  // Of the box around what the treelet's cell holds: where the ray enters and leaves it.
-  logic [3*N-1:0] in_lo, in_hi;
-  logic [3*T-1:0] box_from, box_to;
-  logic [2:0]     box_there;
-  assign in_lo = in.lo;
-  assign in_hi = in.hi;
-  for (genvar k = 0; k < 3; k++) begin : gen_side
-    logic         turned_lo, turned_hi, near_lo, near_hi, far_lo, far_hi;
-    logic [T-1:0] to_lo, to_hi, from_lo, from_hi;
-    logic [1:0]   axis;
-    assign axis = in.open ? 2'd3 : 2'(k);
-    rc_plane u_lo (
-      .clk_i, .valid_i(valid[Meet-1:In]),
-      .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
-      .s0_axis_i(axis), .s0_at_i($signed(in_lo[N*k +: N])),
-      .turned_o(turned_lo), .near_o(near_lo), .far_o(far_lo),
-      .near_to_o(to_lo), .far_from_o(from_lo));
-    rc_plane u_hi (
-      .clk_i, .valid_i(valid[Meet-1:In]),
-      .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
-      .s0_axis_i(axis), .s0_at_i($signed(in_hi[N*k +: N])),
-      .turned_o(turned_hi), .near_o(near_hi), .far_o(far_hi),
-      .near_to_o(to_hi), .far_from_o(from_hi));
-    assign box_from[k*T +: T] = turned_hi ? from_hi : from_lo;
-    assign box_to[k*T +: T]   = turned_lo ? to_lo : to_hi;
-    assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;
-  end
+  // Where the ray enters and leaves the box around what the treelet's cell holds.
+  logic [T-1:0] box_enter, box_leave;
+  logic         box_met;
+  rc_bounds u_bounds (
+    .clk_i, .valid_i(valid[Meet+In:In]), .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip),
+    .s0_len_i(in.len), .s0_open_i(in.open), .s0_lo_i(in.lo), .s0_hi_i(in.hi),
+    .enter_o(box_enter), .leave_o(box_leave), .met_o(box_met));
 
   // Of each plane: which sides there are, and when the ray changes from one to the other.
   logic [Q-1:0]   turned, near, far;
@@ -89,48 +68,12 @@ module rc_treelet (
       .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
   end
 
-  // The latest entry and the earliest end, of the box and on the way to each exit: of two axes or
-  // levels, of the third, then of both.
-  logic [T-1:0] box_enter, box_leave;
-  logic         box_met;
-  rc_span u_box (
-    .clk_i, .valid_i(valid[Meet+In]), .from_i(box_from), .to_i(box_to), .there_i(box_there),
-    .from_o(box_enter), .to_o(box_leave), .there_o(box_met));
-
-  // On a plane's upper side the ray is first if it is turned.
   logic [W-1:0]   met;
   logic [W*T-1:0] near_t;
-  for (genvar i = 0; i < W; i++) begin : gen_exit
-    logic [3*T-1:0] from, to;
-    logic [2:0]     there;
-    for (genvar l = 0; l < 3; l++) begin : gen_level
-      if (l < Levels) begin : gen_plane_there
-        // Plane of level l on the way to exit i, and the exit's side of it.
-        localparam int unsigned At    = (1 << l) - 1 + (i >> (Levels - l));
-        localparam int unsigned Upper = (i >> (Levels - 1 - l)) & 1;
-        logic first;
-        assign first = turned[At] == (Upper != 0);
-        assign from[l*T +: T] = first ? '0 : far_from[At*T +: T];
-        assign to[l*T +: T]   = first ? near_to[At*T +: T] : '1;
-        assign there[l]       = first ? near[At] : far[At];
-      end else begin : gen_no_plane
-        assign from[l*T +: T] = '0;
-        assign to[l*T +: T]   = '1;
-        assign there[l]       = 1'b1;
-      end
-    end
-    logic [T-1:0] way_enter, way_leave, first, last, enter, leave;
-    logic         way_met, may_meet;
-    rc_span u_way (
-      .clk_i, .valid_i(valid[Meet+In]), .from_i(from), .to_i(to), .there_i(there),
-      .from_o(way_enter), .to_o(way_leave), .there_o(way_met));
-    assign first = way_enter > box_enter ? way_enter : box_enter;
-    assign last  = way_leave < box_leave ? way_leave : box_leave;
-    rc_cut #(.Width(2 * T + 1)) u_both (
-      .clk_i, .data_i({first, last, way_met && box_met}), .data_o({enter, leave, may_meet}));
-    assign met[i]           = enter <= leave && may_meet;
-    assign near_t[i*T +: T] = enter;
-  end
+  rc_exits u_exits (
+    .clk_i, .valid_i(valid[Meet+In]), .turned_i(turned), .near_i(near), .far_i(far),
+    .near_to_i(near_to), .far_from_i(far_from), .enter_i(box_enter), .leave_i(box_leave),
+    .met_i(box_met), .met_o(met), .near_o(near_t));
 
   logic [rc_pkg::TreeletRspW-1:0] rsp;
   rc_answer #(.Latency(L)) u_answer (

@@ -15,7 +15,9 @@
 // memory goes on to tri, with its ray, in the same cycle.
 //
 // A ray's start clears its hit; a ray that goes to trav, which is listened to, is only kept
-// for tri. Both are one event today. Model: model/list/list.hpp.
+// for tri. Both are one event today. With two levels tri gets the ray in the space of the instance
+// that it entered last, and the number of that instance's first primitive is added to a
+// primitive's own. Model: model/list/list.hpp.
 `default_nettype none
 module rc_list (
   input  logic              clk_i,
@@ -25,6 +27,9 @@ module rc_list (
   input  rc_pkg::start_t    start_i,
   input  logic              ray_fires_i,
   input  rc_pkg::ray_t      ray_i,
+  // With two levels: it changes
+  input  logic              change_fires_i,
+  input  rc_pkg::change_t   change_i,
   // From trav
   input  logic              leaves_fires_i,
   input  rc_pkg::leaves_t   leaves_i,
@@ -242,10 +247,23 @@ module rc_list (
   // and in tri_req_t under the same names.
   localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;
+  logic               keep;
+  logic [I-1:0]       keep_ray;
   logic [TriRayW-1:0] ray_for_tri, tri_ray;
   logic [BestW-1:0] tri_best;
   logic             tri_found;
-  if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_slopes
+  if (rc_pkg::Levels == 1) begin : gen_ray
+    assign keep     = ray_fires_i;
+    assign keep_ray = ray_i.ray;
+  end else begin : gen_change
+    assign keep     = change_fires_i;
+    assign keep_ray = change_i.ray;
+    logic unused;
+    assign unused = ray_fires_i;
+  end
+  if (rc_pkg::Levels != 1) begin : gen_changed_ray
+    assign ray_for_tri = {change_i.o, change_i.d};
+  end else if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_slopes
     assign ray_for_tri = {ray_i.axis, ray_i.neg, ray_i.size, ray_i.slope, ray_i.o};
   end else if (rc_pkg::Shading == 0) begin : gen_camera_ray
     assign ray_for_tri = {ray_i.o, ray_i.d};
@@ -260,7 +278,7 @@ module rc_list (
     assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
   end
   rc_ram #(.Width(TriRayW), .Depth(T)) u_ray (
-    .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(ray_for_tri),
+    .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(ray_for_tri),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
   rc_ram #(.Width(BestW), .Depth(T)) u_best (
     .clk_i, .write_i(closer), .write_addr_i(came.ray),
@@ -291,12 +309,22 @@ module rc_list (
   end
   assign tri_req_valid_o  = prim_rsp_valid_i;
   assign prim_rsp_ready_o = tri_req_ready_i;
+  logic [rc_pkg::PrimBits-1:0]   prim_number;
   logic [rc_pkg::PrimitiveW-1:0] prim_data;
+  if (rc_pkg::Levels == 1) begin : gen_own_number
+    assign prim_number = prim_rsp_i.prim;
+  end else begin : gen_scene_number
+    logic [rc_pkg::PrimBits-1:0] first_number;
+    rc_ram #(.Width(rc_pkg::PrimBits), .Depth(T)) u_first_number (
+      .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.first),
+      .read_addr_i(prim_rsp_i.ray), .read_data_o(first_number));
+    assign prim_number = prim_rsp_i.prim + first_number;
+  end
   if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kinds_of_primitives
     assign prim_data = {prim_rsp_i.prim_kind, prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c,
-                        prim_rsp_i.prim};
+                        prim_number};
   end else begin : gen_triangles
-    assign prim_data = {prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c, prim_rsp_i.prim};
+    assign prim_data = {prim_rsp_i.a, prim_rsp_i.b, prim_rsp_i.c, prim_number};
   end
   assign tri_req_o = {prim_rsp_i.ray, tri_ray, prim_data, tri_found,
                       tri_found ? tri_best : {BestW{1'b0}}};
@@ -320,6 +348,6 @@ module rc_list (
   assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
 
   logic unused;
-  assign unused = ^{ray_i};   // what only trav uses of a ray
+  assign unused = ^{ray_i, change_fires_i, change_i};   // what only trav uses of a ray
 endmodule
 `default_nettype wire

@@ -24,10 +24,17 @@ module rc_node_cache (
   output logic               waits_o,
   output logic [2:0]         deed_o
 );
-  localparam int unsigned NodeW = rc_pkg::NodeBits;
-  logic [NodeW-1:0]                      word;     // a node takes the lowest bits of a word
-  logic [rc_pkg::LineBits-NodeW-1:0]     beyond;
-  assign {beyond, word} = fill_i.line;
+  // A node takes the lowest bits of a word, or all; with two levels the highest say what it is.
+  localparam int unsigned NodeW = rc_pkg::NodePartBits;
+  localparam int unsigned LowW  = rc_pkg::Levels == 1 ? NodeW : NodeW - rc_pkg::LineKindBits;
+  logic [rc_pkg::LineBits-1:0] line;
+  logic [NodeW-1:0]            word;
+  assign line = fill_i.line;
+  if (rc_pkg::Levels == 1) begin : gen_node
+    assign word = line[LowW-1:0];
+  end else begin : gen_what
+    assign word = {line[rc_pkg::LineBits-1 -: rc_pkg::LineKindBits], line[LowW-1:0]};
+  end
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(NodeW),
     .Sets(rc_pkg::NodeSets), .Ways(rc_pkg::NodeWays), .Words(rc_pkg::NodeWords),
@@ -38,6 +45,6 @@ module rc_node_cache (
     .fill_word_i(word), .waits_o, .deed_o);
 
   logic unused;
-  assign unused = ^beyond;
+  assign unused = ^line;
 endmodule
 `default_nettype wire

@@ -3,7 +3,8 @@
 // The three sums are moved up together until one fills its width, by MostShift bits at most,
 // so that a ray in the middle of a wide picture has as many bits as one in its corners.
 // Then they are rounded to DirBits, to nearest, halves up; what would round to 2^(DirBits-1),
-// which does not fit, is one less. model/core/frame.hpp has the rule.
+// which does not fit, is one less, and with two levels -2^(DirBits-1) is one more.
+// model/core/frame.hpp has the rule.
 //
 // Latency rc_pkg::DirectionStages, throughput 1 per cycle. Model: direction_of() in
 // model/raygen/raygen.cpp. The host sees to it that the sums fit and that none of them is too
@@ -50,12 +51,17 @@ module rc_direction #(
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic [G-1:0] s1_moved;
     logic [M-1:0] s1_whole, whole, rounded;
-    logic         half;
+    logic         s1_up, up;
     assign s1_moved = s1_sum_q[k*G +: G] << s1_shift_q;
     assign s1_whole = s1_moved[G-1 -: M];
+    if (rc_pkg::Levels == 1) begin : gen_nearest
+      assign s1_up = s1_moved[G-M-1];
+    end else begin : gen_with_opposite   // the least number has none, and a mirror needs it
+      assign s1_up = s1_moved[G-M-1] || s1_whole == {1'b1, {(M-1){1'b0}}};
+    end
     rc_cut #(.Width(M + 1)) u_whole (
-      .clk_i, .data_i({s1_whole, s1_moved[G-M-1]}), .data_o({whole, half}));
-    assign rounded = whole + {{(M-1){1'b0}}, half};
+      .clk_i, .data_i({s1_whole, s1_up}), .data_o({whole, up}));
+    assign rounded = whole + {{(M-1){1'b0}}, up};
     assign dir_o[k*M +: M] = !whole[M-1] && rounded[M-1] ? whole : rounded;
     logic unused;
     assign unused = ^s1_moved[G-M-2:0];

@@ -64,8 +64,9 @@ module rc_contexts #(
 
   // ---- The state: x and y, what all chips have, what only some have, in that order.
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
-  localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 17 + 17);
-  localparam int unsigned BendW   = rc_pkg::DepthBits + 17 + rc_pkg::RatioBits + 1 + 17 + 1;
+  localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 2 * rc_pkg::ValueBits);
+  localparam int unsigned BendW   = rc_pkg::DepthBits + rc_pkg::RatioBits
+                                  + 2 * (rc_pkg::ValueBits + 1);
   localparam int unsigned SelfW   = PB + 1;
   localparam int unsigned PlainW  = rc_pkg::ShadeStateW - PixelW - SampleW - BendW - SelfW;
   logic [PixelW-1:0]  pixel;

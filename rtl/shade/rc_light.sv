@@ -36,7 +36,7 @@ module rc_light #(
 
   // s1: the light.
   logic [Lights*3*LB-1:0] place;
-  logic [Lights*51-1:0]   colour;
+  logic [Lights*3*VB-1:0] colour;
   logic [Lights-1:0]      near, clear;
   assign place  = frame_i.place;
   assign colour = frame_i.colour;
@@ -124,7 +124,7 @@ module rc_light #(
   logic [12:0] s15_diffuse, s15_highlight, s24_highlight;
   logic [13:0] s15_shine, s17_shine;
   logic [38:0] s15_albedo, s16_albedo;
-  rc_wait #(.Width(17 + 13 + 13 + 14 + 39), .Stages(15)) u_surface (
+  rc_wait #(.Width(VB + 13 + 13 + 14 + 39), .Stages(15)) u_surface (
     .clk_i, .rst_ni, .valid_i(valid_i[0]),
     .data_i({s0_state_i.cosine, s0_state_i.diffuse, s0_state_i.highlight, s0_state_i.shine,
              s0_state_i.albedo}),

@@ -231,7 +231,7 @@ module rc_pass #(
       .clk_i, .frame_i, .valid_i(end_at[3:0]), .s0_state_i(state_i), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
-    rc_wait #(.Width(1 + 69 + 3 * 51), .Stages(L - 4)) u_end (
+    rc_wait #(.Width(1 + 69 + 3 * 3 * VB), .Stages(L - 4)) u_end (
       .clk_i, .rst_ni, .valid_i(end_at[4]), .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample

@@ -9,6 +9,7 @@
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -21,6 +22,7 @@ template <class Work> double best_seconds(Work work) {
     for (int i = 0; i < 3 || total < 0.5; ++i) {
         const Stopwatch watch;
         work();
+        stop_if_interrupted();
         const double seconds = watch.seconds();
         best = std::min(best, seconds);
         total += seconds;
@@ -55,8 +57,8 @@ Seconds measure(const Scene& scene, const Job& job, int threads) {
     Seconds s;
     s.compile = best_seconds([&] { make_job(scene, *scene.camera, job.size, job.config); });
     std::vector<FrameTrace> traces;
-    traces.push_back(record_frame(job, job.frame, threads));
-    s.record = best_seconds([&] { record_frame(job, job.frame, threads); });
+    traces.push_back(record_frame(job, job.frame, threads, stopping({})));
+    s.record = best_seconds([&] { record_frame(job, job.frame, threads, stopping({})); });
     s.replay = best_seconds([&] { replay(job.config, job.khz, traces); });
     s.model = best_seconds([&] {
         std::vector<FrameTrace> fresh;
@@ -64,7 +66,7 @@ Seconds measure(const Scene& scene, const Job& job, int threads) {
     });
     s.rtl = best_seconds([&] { run_rtl(job); });
     const Reference tracer(scene);
-    s.reference = best_seconds([&] { tracer.frame(*scene.camera, job.size, 1); });
+    s.reference = best_seconds([&] { tracer.frame(*scene.camera, job.size, 1, stopping({})); });
     return s;
 }
 
@@ -105,10 +107,13 @@ int run(const Options& o) {
     const Config config = load_config(o.config);
     check_rtl(config);
     o.json.check();
-    const Scene scene = ready_scene(o.scene, size, terminal_progress(), o.view);
+    catch_interrupts();
+    const Progress progress = stopping(terminal_progress());
+    const Scene scene = ready_scene(o.scene, size, progress, o.view);
     build_rtl(config);
-    const Job job = make_job(scene, *scene.camera, size, config);
+    const Job job = make_job(scene, *scene.camera, size, config, progress);
     const FrameRun frame = run_model(job);
+    stop_if_interrupted();
     const Seconds seconds = measure(scene, job, o.threads);
     if (!o.json.is_alone()) {
         fmt::print("{}, {}x{}, configuration {}: {} cycles\n\n", scene.name, size.width, size.height,

@@ -25,6 +25,7 @@ Compared compare(const Request& request, const Job& job, const MachineFrame& mad
         c.reference = shade(scene, c.reference_hits);
         c.error = frame_error(c.hits, c.picture, c.reference_hits, c.reference);
         const Answered answered{c.reference_hits, made.answers, c.picture};
+        if (!can_judge(request.config)) return c;
         if (judged) c.judgement = judge(asked, answered, threads, progress);
         if (pixel) c.stages = stages_of(asked, answered, *pixel);
     }

@@ -3,17 +3,17 @@
 
 #include "model/base/error.hpp"
 #include "sim/app/clock.hpp"
-#include "sim/app/commands.hpp"
 #include "sim/app/command_line.hpp"
+#include "sim/app/commands.hpp"
 #include "sim/app/explained.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/explain/page.hpp"
 #include "sim/files/output.hpp"
 #include "sim/files/streams.hpp"
-#include "sim/report_page/frame.hpp"
-#include "sim/report/text.hpp"
 #include "sim/report/tables.hpp"
+#include "sim/report/text.hpp"
+#include "sim/report_page/frame.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -76,10 +76,12 @@ int run(const Options& o) {
         check_page_library();
     }
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    const Request request =
+        request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
     const int khz = one_clock_of(o.clock, request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
+    const Job job =
+        make_job(request.scene, path[0], size, request.config, stopping(progress), request.settings);
     std::vector<FrameTrace> traces;
     for (const Camera& camera : path)
         traces.push_back(record_frame(job, job_frame(job, camera), o.threads, stopping(progress)));

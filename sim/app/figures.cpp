@@ -15,6 +15,7 @@
 #include "sim/pages/figures/page.hpp"
 #include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -65,7 +66,7 @@ int run(const Options& o) {
     studio.size = parse_size(o.size);
     studio.engines = engines_of(o.engines);
     studio.threads = o.threads;
-    studio.progress = terminal_progress();
+    studio.progress = stopping(terminal_progress());
     o.json.check();
     figures::Page page(studio, o.output);
     const std::string text = figures::make_page(page, command_of(o));

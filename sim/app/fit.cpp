@@ -15,6 +15,7 @@
 #include "sim/fit/report.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -192,13 +193,16 @@ int run(const Options& o) {
     if (!base.is_bvh())
         throw UserError("fit: structure must be bvh, not " + structure_names()[std::size_t(base.structure)] +
                         ": the widths that it looks for are those of boxes");
+    if (base.has_instances())
+        throw UserError(
+            "fit: levels must be 1, not 2: the widths that it looks for are those of a flat scene");
     o.json.check();
     if (o.output != "-")
         check_writable(o.output);
     else if (o.json.is_alone())
         throw UserError("-o and --json cannot both go to standard output");
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress, o.view);
+    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
     Measure measure(scene, size, o.threads);
     Fit fit = search_for(o, goal, base, measure, progress);
     fit.config.name = printable(name_of(o.scene), 80);

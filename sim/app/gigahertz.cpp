@@ -11,6 +11,7 @@
 #include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/interrupt.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -52,7 +53,7 @@ int run(const Options& o) {
     const std::string path = (folder / "gigahertz.md").string(), plot = (folder / "gigahertz").string();
     check_writable(path);
     plot::check_plot_path(plot);
-    const gigahertz::Figures figures = gigahertz::measure(study, terminal_progress());
+    const gigahertz::Figures figures = gigahertz::measure(study, stopping(terminal_progress()));
     plot::write_plot(plot, gigahertz::picture(figures, study));
     write_file(path, gigahertz::page(figures, study, command_of(o), "gigahertz"));
     fmt::print("{} written\n", printable(path));

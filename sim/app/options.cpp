@@ -71,6 +71,8 @@ void view_options(Parser& parser, ViewChoice& o) {
     parser.option("--fov", o.fov, "angle between the picture's upper and lower edge, degrees").under(group);
     parser.option("--orbit", o.orbit, "turn the camera about that point, around the up axis, degrees")
         .under(group);
+    parser.flag("--ground", o.ground, "lay a grey square under the scene, four times as wide as the scene")
+        .under(group);
 }
 
 void judge_option(Parser& parser, bool& no_judge) {

@@ -7,7 +7,6 @@
 #include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
-#include "model/xform/picture.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/engine/engine.hpp"
@@ -15,7 +14,7 @@
 #include "sim/report/json.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
-#include "sim/request/placed.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -35,7 +34,7 @@ struct Options {
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
-    int threads = 0, levels = 1;
+    int threads = 0;
     JsonOutput json;
 };
 
@@ -48,13 +47,6 @@ void declare(Parser& parser, Options& o) {
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
     parser.option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number")
         .required();
-    parser
-        .option(
-            "--levels", o.levels,
-            "1: instances are written out as triangles; 2: a tree over instances, each mesh once (what the "
-            "camera rays hit, by the model; cycles are not known yet)")
-        .within(1, 2)
-        .with_default();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
@@ -96,39 +88,7 @@ Drawn draw_machine(const Request& request, FrameSize size, bool is_rtl, const Pr
     return drawn;
 }
 
-/// Two levels: what every camera ray does is there, when it does it is not.
-Drawn draw_levels(const Options& o, FrameSize size, const Config& config, Scene& scene,
-                  const Progress& progress) {
-    const PlacedScene placed = told_placed(o.scene, progress);
-    scene = flattened(placed);
-    look(scene, size, o.view);
-    const Stopwatch watch;
-    const LevelsImage levels = compile_levels(placed, scene.camera->eye, config);
-    const LevelsPicture picture = trace_levels(levels, *scene.camera, size, config, o.threads, progress);
-    Drawn drawn;
-    drawn.picture = shade(scene, picture.hits);
-    drawn.hits = picture.hits;
-    drawn.json["config"] = config_json_object(config);
-    drawn.json["levels"] = {
-        {"instances", levels.maps.instances.size()},   {"meshes", levels.maps.classes.size()},
-        {"bytes", levels.image.report.bytes},          {"node_steps", picture.counts.visits},
-        {"instances_entered", picture.counts.changes}, {"triangle_tests", picture.counts.tests}};
-    drawn.json["digest"] = digest_text(rayclock::digest_of(picture.answers, 0));
-    drawn.seconds = watch.seconds();
-    return drawn;
-}
-
-/// The machine that walks two levels, or a sentence why there is none.
-Config config_of_levels(const Options& o) {
-    if (o.engine != "model")
-        throw UserError("--levels 2 is drawn by --engine model only; the others see instances as triangles");
-    if (o.finish.is_asked())
-        throw UserError("--levels 2 draws what camera rays hit; a finished picture needs --levels 1");
-    return load_config(o.config);
-}
-
 Drawn draw(const Options& o, FrameSize size, Scene& scene, const Progress& progress) {
-    if (o.levels == 2) return draw_levels(o, size, config_of_levels(o), scene, progress);
     Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
     if (o.engine == "rtl") check_rtl(request.config);
     const Stopwatch watch;
@@ -145,9 +105,10 @@ int run(const Options& o) {
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
     check_picture_path(o.output);
     o.json.check();
-    const Progress progress = terminal_progress();
+    catch_interrupts();
     Scene scene;
-    const Drawn drawn = draw(o, size, scene, progress);
+    const Drawn drawn = draw(o, size, scene, stopping(terminal_progress()));
+    stop_if_interrupted();
     write_picture(o.output, drawn.picture, drawn.hits);
     if (!o.json.is_alone())
         fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height,

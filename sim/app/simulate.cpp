@@ -18,13 +18,14 @@
 #include "sim/app/picture_folder.hpp"
 #include "sim/cause/finished.hpp"
 #include "sim/files/output.hpp"
+#include "sim/jobs/threads.hpp"
 #include "sim/observe/replay.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
 #include "sim/report_page/frame.hpp"
 #include "sim/report_page/page.hpp"
-#include "sim/jobs/threads.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -143,7 +144,8 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
         s.runs.push_back({work.clocks[0], {frame_run(s.traces[0], timings[0])}});
     } else {
         for (const Camera& camera : work.path)
-            s.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
+            s.traces.push_back(
+                record_frame(work.job, job_frame(work.job, camera), o.threads, stopping(progress)));
         s.runs = s.is_model ? replay_clocks(work.job, work.clocks, s.traces, traffic, o.threads, progress)
                             : run_rtl_clocks(work.job, work.clocks, s.traces, traffic, int(o.traffic.seed),
                                              progress);
@@ -325,13 +327,14 @@ int run(const Options& o) {
         check_page_library();
     }
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    const Progress stop = stopping(progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
     if (o.engine == "rtl") check_rtl(request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     const Work work{request, size, clocks_of(o.clock, request.config), path,
-                    make_job(request.scene, path[0], size, request.config, progress, request.settings)};
+                    make_job(request.scene, path[0], size, request.config, stop, request.settings)};
     Simulated simulated = run_engine(o, work, traffic, progress);
-    if (!o.no_reference && !simulated.partial) compare(simulated, o, work, progress);
+    if (!o.no_reference && !simulated.partial) compare(simulated, o, work, stop);
     const double seconds = watch.seconds();
 
     const Totals totals = totals_of(simulated);

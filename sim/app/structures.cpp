@@ -12,6 +12,7 @@
 #include "sim/pages/typed.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -70,7 +71,7 @@ int run(const Options& o) {
     const std::string path = (folder / "structures.md").string(), plot = (folder / "structures").string();
     check_writable(path);
     plot::check_plot_path(plot);
-    const Progress progress = terminal_progress();
+    const Progress progress = stopping(terminal_progress());
     structures::Figures figures;
     auto machines = kinds;
     machines.push_back(structures::list(study.base));

@@ -9,6 +9,7 @@
 #include "sim/image/image.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/stopping.hpp"
 #include "sim/sweep/cost.hpp"
 #include "sim/sweep/shard.hpp"
 
@@ -92,7 +93,7 @@ int run(const Options& o) {
     const std::vector<std::size_t> mine = keep_part(points, shard);
     check_outputs(o.outputs);
     const Progress progress = terminal_progress();
-    const Scene scene = ready_scene(o.scene, size, progress, o.view);
+    const Scene scene = ready_scene(o.scene, size, stopping(progress), o.view);
     jobs::Cache cache(rtl_cache() / "sweep", o.fresh);
     sweep::Merged swept{scene_json(scene),
                         config,

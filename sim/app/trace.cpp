@@ -9,11 +9,11 @@
 #include "sim/app/clock.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
-#include "sim/app/stopping.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/observe/replay.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 #include "sim/timeline/timeline.hpp"
 
 namespace rayclock {
@@ -120,10 +120,12 @@ int run(const Options& o) {
     if (!view.empty()) check_writable(view);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    const Request request =
+        request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
     const int khz = one_clock_of(o.clock, request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Job job = make_job(request.scene, path[0], size, request.config, progress, request.settings);
+    const Job job =
+        make_job(request.scene, path[0], size, request.config, stopping(progress), request.settings);
     std::vector<FrameTrace> traces;
     for (const Camera& camera : path)
         traces.push_back(record_frame(job, job_frame(job, camera), o.threads, stopping(progress)));

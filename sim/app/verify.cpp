@@ -23,6 +23,7 @@
 #include "sim/report/lockstep.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -101,15 +102,15 @@ struct Pictures {
     WhittedFrame finished;   ///< the reference's, of a finished picture
 };
 
-/// The lockstep has one thread: the reference works beside it.
+/// The lockstep has one thread: the reference works beside it, and Ctrl-C ends both.
 Pictures draw_reference(const Request& request, const Camera& camera, FrameSize size, int threads) {
     const Reference tracer(request.scene);
     if (!request.finished) {
-        HitFrame hits = tracer.frame(camera, size, threads);
+        HitFrame hits = tracer.frame(camera, size, threads, stopping({}));
         Picture picture = shade(request.scene, hits);
         return {std::move(hits), std::move(picture), {}, {}, {}};
     }
-    WhittedFrame frame = tracer.whitted(camera, size, request.settings, threads);
+    WhittedFrame frame = tracer.whitted(camera, size, request.settings, threads, stopping({}));
     Picture picture = picture_of(frame);
     HitFrame hits = frame.hits;
     return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
@@ -154,7 +155,8 @@ struct Verified {
 Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
     Verified v;
     for (const Camera& camera : work.path)
-        v.traces.push_back(record_frame(work.job, job_frame(work.job, camera), o.threads, progress));
+        v.traces.push_back(
+            record_frame(work.job, job_frame(work.job, camera), o.threads, stopping(progress)));
     auto reference = std::async(std::launch::async, [&] {
         return draw_reference(work.request, work.path.back(), work.size, o.threads);
     });
@@ -195,7 +197,7 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
     const FrameRun& judged = v.judged();
     const Asked asked{scene, work.path.back(), v.traces.back().frame, work.job.image.lattice,
                       work.request.config};
-    const bool judges = !v.partial() && !o.no_judge;
+    const bool judges = !v.partial() && !o.no_judge && can_judge(work.request.config);
     if (judges && !work.request.finished)
         v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
     const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
@@ -268,18 +270,19 @@ int run(const Options& o) {
     o.json.check();
     const Limits limits = limits_of(o);
     const Progress progress = terminal_progress();
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, progress, o.view);
+    const Progress stop = stopping(progress);
+    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
     check_rtl(request.config);
     if (!o.output.empty())
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     Work work{request, size, path,
-              make_job(request.scene, path[0], size, request.config, progress, request.settings)};
+              make_job(request.scene, path[0], size, request.config, stop, request.settings)};
     work.job.khz = clocks[0];
     Verified verified = run_machines(o, work, traffic, progress);
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified, progress);
-    compare(verified, o, work, progress);
+    compare(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) write_pictures(o.output, verified.named_pictures());
     const double seconds = watch.seconds();
 

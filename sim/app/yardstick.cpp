@@ -8,6 +8,7 @@
 #include "sim/pages/yardstick.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/interrupt.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
 
@@ -25,7 +26,7 @@ void declare(Parser& parser, Options& o) {
 
 int run(const Options& o) {
     check_writable(o.output);
-    const Progress progress = terminal_progress();
+    const Progress progress = stopping(terminal_progress());
     catch_interrupts();
     write_file(o.output, yardstick_page(o.threads, progress));
     fmt::print("{} written\n", printable(o.output));

@@ -25,11 +25,14 @@ bool lists(const Config& c) { return c.is_list(); }
 bool has_boxes(const Config& c) { return c.is_bvh(); }
 bool has_treelets(const Config& c) { return c.has_treelets(); }
 bool has_globes(const Config& c) { return c.has_globes(); }
+bool has_slants(const Config& c) { return c.has_slants(); }
+bool has_instances(const Config& c) { return c.has_instances(); }
 
 }   // namespace
 
 Config shading_alone(Config c) {
     c.shading = 1;
+    c.levels = 1;
     for (int Config::*unit : further) c.*unit = 0;
     // What check_config() asks of it.
     c.origin_bits = std::max(
@@ -60,14 +63,13 @@ std::vector<Variant> variants_of(const Config& base) {
 }
 
 const std::vector<UnitRow>& unit_rows() {
-    static const std::vector<UnitRow> rows{{"sched", true, always},     {"raygen", true, always},
-                                           {"trav", true, has_nodes},   {"node_cache", true, has_nodes},
-                                           {"box", true, has_boxes},    {"treelet", true, has_treelets},
-                                           {"globe", true, has_globes}, {"none", true, lists},
-                                           {"list", true, always},      {"prim_cache", true, always},
-                                           {"tri", true, always},       {"surf_cache", true, shades},
-                                           {"shade", true, shades},     {"dispatch", false, always},
-                                           {"arbiter", false, always},  {"l2", false, has_l2}};
+    static const std::vector<UnitRow> rows{
+        {"sched", true, always},         {"raygen", true, always},     {"trav", true, has_nodes},
+        {"node_cache", true, has_nodes}, {"box", true, has_boxes},     {"treelet", true, has_treelets},
+        {"globe", true, has_globes},     {"slant", true, has_slants},  {"none", true, lists},
+        {"xform", true, has_instances},  {"list", true, always},       {"prim_cache", true, always},
+        {"tri", true, always},           {"surf_cache", true, shades}, {"shade", true, shades},
+        {"dispatch", false, always},     {"arbiter", false, always},   {"l2", false, has_l2}};
     return rows;
 }
 

@@ -70,6 +70,8 @@ struct Answered {
     const std::vector<Closest>& answers;
     const Picture& picture;   ///< of the machine's answers
 };
+/// Whether there is a judge: it knows flat scenes on one lattice, and no instances.
+inline bool can_judge(const Config& config) { return !config.has_instances(); }
 /// Judges every pixel on all cores, or as many as `threads` says.
 Judgement judge(const Asked& asked, const Answered& answered, int threads = 0, const Progress& progress = {});
 

@@ -89,8 +89,8 @@ private:
         for (std::size_t i = 0; i < capture_.links.size(); ++i) {
             const auto [pipeline, link] = capture_.links[i];
             const bool shared = index(link) >= pipeline_links;
-            const std::uint32_t bit_of_link = bit(link);
-            const auto has = [&](std::uint32_t own, std::uint32_t common) {
+            const LinkMask bit_of_link = bit(link);
+            const auto has = [&](LinkMask own, LinkMask common) {
                 return ((shared ? common : own) & bit_of_link) != 0;
             };
             LinkCycle& state = capture_.cycles.back()[i];

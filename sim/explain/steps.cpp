@@ -11,6 +11,8 @@ Step::Kind kind_of(const Stay& stay) {
         case Unit::node_cache:
         case Unit::treelet:
         case Unit::globe:
+        case Unit::slant:
+        case Unit::xform:
         case Unit::box: return Step::Kind::visit;
         case Unit::list:
         case Unit::prim_cache:
@@ -25,10 +27,10 @@ bool has(const Step& step, Unit unit) {
     return false;
 }
 
-/// The unit that decides a node has had it.
+/// The unit that decides a node, or xform, has had the line that was read.
 bool decides(const Step& step) {
     for (const Stay* stay : step.stays)
-        if (decides_nodes(Unit(stay->place))) return true;
+        if (takes_lines(Unit(stay->place))) return true;
     return false;
 }
 

@@ -130,6 +130,8 @@ std::map<std::string, std::string> tables() {
             {"node", layout<Node>(plain)},
             {"treelet", layout<Treelet>(plain)},
             {"globes", layout<GlobeNode>(plain)},
+            {"slant", layout<Slant>(plain)},
+            {"instance", layout<Placement>(plain)},
             {"primitive", layout<PrimData>(plain)},
             {"primitive of several kinds", layout<PrimData>(all)},
             {"surface", layout<Surface>(all)},

@@ -17,6 +17,8 @@ const char* when_text(When when) {
         case When::boxes: return "`structure` is bvh";
         case When::treelets: return "`structure` is kd or octree";
         case When::globes: return "`structure` is spheres";
+        case When::slants: return "`structure` is bsp";
+        case When::instances: return "`levels` is 2";
         default: return "always";
     }
 }

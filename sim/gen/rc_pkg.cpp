@@ -79,6 +79,7 @@ std::string host_constants(const Config& config) {
     for (std::size_t u = 0; u < pipeline_units + shared_units; ++u)
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
+    text += constant("XformUnit", std::uint32_t(index(Unit::xform)));
     text += constant("DecideUnit", std::uint32_t(index(node_unit(config).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
     return text + list("SharedUnitsThere", shared, 1);
@@ -226,9 +227,19 @@ void derived(Package& p, const Config& c) {
     p.constant("CountBits", count_bits);
     p.constant("GlobeBits", globe_bits);
     p.constant("TowardBits", toward_bits);
-    p.constant("NodeBits", bits_of<NodeRsp>(c) - c.ray_bits());
+    Config nodes = c;
+    nodes.levels = 1;
+    p.constant("NodeBits", bits_of<NodeRsp>(nodes) - c.ray_bits());
+    p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line, in the node cache
     p.constant("NodeReqBits", bits_on(node_unit(c).req, c));
+    p.constant("LineKindBits", line_kind_bits);
+    p.constant("MapFrac", c.map_frac());
+    p.constant("MapBits", c.map_bits());
+    p.constant("MovedBits", c.moved_bits());
     p.constant("NodePlanes", c.planes_of_node());
+    p.constant("NormalStepBits", normal_step_bits);
+    p.constant("PlaneOffsetBits", c.offset_of_plane_bits());
+    p.constant("CrossingBits", crossing_bits);
     p.constant("LineBits", line_bits);
     p.constant("TileCoordBits", c.tile_coord_bits());
     p.constant("ClientBits", c.client_bits());
@@ -244,6 +255,7 @@ void derived(Package& p, const Config& c) {
     p.constant("PlaneStages", stages.plane);
     p.constant("ExitStages", stages.exits);
     p.constant("GlobeStages", stages.globe);
+    p.constant("CrossingStages", stages.crossing);
     p.constant("QuotientBits", stages.quotient_bits);
     p.constant("CrossShare", stages.cross_share);
     p.constant("DotShare", stages.dot_share);
@@ -256,12 +268,17 @@ void derived(Package& p, const Config& c) {
     p.constant("DirectionStages", stages.direction);
     p.constant("RecipStages", stages.recip);
     p.constant("SlopeStages", stages.slope);
+    p.constant("MapShare", stages.map_share);
+    p.constant("RecipShare", stages.recip_share);
+    p.constant("MapStages", stages.map);
     p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
     p.constant("BoxInterval", c.box_interval());
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
+    p.constant("SlantLatency", c.slant_latency());
+    p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
@@ -274,7 +291,13 @@ void enumerations(Package& p) {
                              {{"Bvh", Structure::bvh},
                               {"Kd", Structure::kd},
                               {"None", Structure::none},
-                              {"Spheres", Structure::spheres}});
+                              {"Spheres", Structure::spheres},
+                              {"Bsp", Structure::bsp}});
+    p.say("What a line of memory holds, if there are two levels.");
+    p.enumeration<LineKind>("line_kind_e", "Line", line_kind_bits,
+                            {{"SceneNode", LineKind::scene_node},
+                             {"MeshNode", LineKind::mesh_node},
+                             {"Placement", LineKind::placement}});
     p.say("What a ray is for, what a primitive is, which test tri makes.");
     p.enumeration<RayKind>("ray_kind_e", "Ray", 2,
                            {{"Camera", RayKind::camera},
@@ -308,10 +331,11 @@ void enumerations(Package& p) {
                               {"Mshrs", CacheDeed::mshrs},
                               {"Conflict", CacheDeed::conflict},
                               {"Answers", CacheDeed::answers}});
-    for (const UnitInfo& unit : unit_infos)
-        if (unit.place < Place::beside && unit.place != Place::engine &&
-            unit.causes.back().kind == Kind::none)
+    for (std::size_t u = 0; u < unit_count; ++u) {
+        const UnitInfo& unit = unit_infos[u];
+        if (unit.place < Place::beside && !decides_nodes(Unit(u)) && unit.causes.back().kind == Kind::none)
             p.causes(unit.name, unit);
+    }
     p.causes("decide", unit_infos[index(node_units[0].unit)]);   // of every unit that decides nodes
 }
 
@@ -348,6 +372,8 @@ std::string rc_package(const Config& config) {
     p.record<Node>("node");
     p.record<Treelet>("treelet");
     p.record<GlobeNode>("globe_node");
+    p.record<Slant>("slant");
+    p.record<Placement>("placement");
     p.record<PrimData>("primitive");
     p.record<Surface>("surface");
     return std::move(p).end();

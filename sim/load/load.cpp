@@ -1,5 +1,4 @@
 #include "sim/load/load.hpp"
-#include "sim/load/placed.hpp"
 
 #include <filesystem>
 #include <new>
@@ -45,42 +44,23 @@ JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& 
     return is_made ? JsonLoad{make_placed(spec, primitives), true} : load_file(spec, loading);
 }
 
-/// `finish` makes of the load what is asked for.
-template <class Finish> auto loaded(const std::string& spec, const Progress& progress, Primitives primitives,
-                                    std::vector<std::string>* notes, const Finish& finish) {
+}   // namespace
+
+Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
+                 std::vector<std::string>* notes) {
     Loading loading(progress, {}, average_colour);
     try {
-        auto made = finish(load_anything(spec, primitives, loading));
+        JsonLoad load = load_anything(spec, primitives, loading);
+        Scene scene = flattened(std::move(load.scene));
+        check_scene(scene, printable(spec));
+        if (!load.has_lights) add_missing_lights(scene);
         if (notes) *notes = loading.notes();
-        return made;
+        return scene;
     } catch (const std::bad_alloc&) {
         Place{spec}.refuse("the scene does not fit in memory");
     } catch (const std::filesystem::filesystem_error& error) {
         Place{spec}.refuse("cannot be read (" + error.code().message() + ")");
     }
-}
-
-}   // namespace
-
-Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
-                 std::vector<std::string>* notes) {
-    return loaded(spec, progress, primitives, notes, [&](JsonLoad load) {
-        Scene scene = flattened(std::move(load.scene));
-        check_scene(scene, printable(spec));
-        if (!load.has_lights) add_missing_lights(scene);
-        return scene;
-    });
-}
-
-PlacedScene load_placed(const std::string& spec, const Progress& progress, Primitives primitives,
-                        std::vector<std::string>* notes) {
-    return loaded(spec, progress, primitives, notes, [&](JsonLoad load) {
-        Scene flat = flattened(load.scene);
-        check_scene(flat, printable(spec));
-        if (!load.has_lights) add_missing_lights(flat);
-        load.scene.own.lights = std::move(flat.lights);
-        return std::move(load.scene);
-    });
 }
 
 }   // namespace rayclock

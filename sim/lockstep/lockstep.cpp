@@ -181,11 +181,11 @@ private:
                      [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
         });
         for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
-            if (const std::uint32_t differ =
+            if (const LinkMask differ =
                     (model_.valid_mask(p) ^ rtl_.valid_mask(p)) | (model_.fire_mask(p) ^ rtl_.fire_mask(p)))
                 part(now, p, differ, {model_.valid_mask(p), model_.fire_mask(p)},
                      {rtl_.valid_mask(p), rtl_.fire_mask(p)});
-        if (const std::uint32_t differ =
+        if (const LinkMask differ =
                 (model_.shared_valid() ^ rtl_.shared_valid()) | (model_.shared_fire() ^ rtl_.shared_fire());
             differ && !parted_)
             part(now, 0, differ, {model_.shared_valid(), model_.shared_fire()},
@@ -220,15 +220,15 @@ private:
     }
 
     struct Masks {
-        std::uint32_t valid, fire;
+        LinkMask valid, fire;
     };
     /// The machines no longer move in step: one of them offers or accepts what the other does not.
-    void part(std::uint64_t now, int pipeline, std::uint32_t differ, Masks model, Masks rtl) {
+    void part(std::uint64_t now, int pipeline, LinkMask differ, Masks model, Masks rtl) {
         parted_ = true;
         if (result_.first) return;
         // An offer comes out of registers; whether it is accepted may hang on another offer of the same
         // cycle.
-        const std::uint32_t offers = differ & (model.valid ^ rtl.valid);
+        const LinkMask offers = differ & (model.valid ^ rtl.valid);
         const Link c = Link(std::countr_zero(offers ? offers : differ));
         const auto tell = [&](const Masks& m) {
             return m.fire & bit(c)    ? "a transfer"

@@ -47,8 +47,10 @@ constexpr std::size_t place_after(Link link) {
         case Link::slot:
         case Link::spawn: return index(Unit::raygen);
         case Link::ray:
+        case Link::change:
         case Link::tested: return index(Unit::trav);
         case Link::node_req: return index(Unit::node_cache);
+        case Link::xform_req: return index(Unit::xform);
         case Link::leaves:
         case Link::tri_rsp: return index(Unit::list);
         case Link::prim_req: return index(Unit::prim_cache);

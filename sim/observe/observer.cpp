@@ -48,8 +48,8 @@ void Observer::step(Machine& machine) {
             if (deed <= CacheDeed::merge) looked_up(int(p), c, deed);
             ++state.waits.deeds[c][std::size_t(deed)];
         }
-        const std::uint32_t fire = machine.fire_mask(int(p));
-        for (std::uint32_t left = machine.valid_mask(int(p)) & ~fire; left; left &= left - 1) {
+        const LinkMask fire = machine.fire_mask(int(p));
+        for (LinkMask left = machine.valid_mask(int(p)) & ~fire; left; left &= left - 1) {
             const int link = std::countr_zero(left);
             ++costs_.refused[std::size_t(link)];
             if (std::size_t(link) < pipeline_links) ++state.waits.refused[std::size_t(link)];
@@ -69,14 +69,14 @@ void Observer::step(Machine& machine) {
 
 void Observer::count_runs(const Machine& machine) {
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
-        const std::uint32_t refused = machine.valid_mask(int(p)) & ~machine.fire_mask(int(p));
+        const LinkMask refused = machine.valid_mask(int(p)) & ~machine.fire_mask(int(p));
         std::uint32_t link = 0;
         for (std::uint32_t& run : pipelines_[p].waits.run) run = refused >> link++ & 1 ? run + 1 : 0;
     }
 }
 
 void Observer::shared(const Machine& machine) {
-    for (std::uint32_t left = machine.shared_valid() & ~machine.shared_fire(); left; left &= left - 1)
+    for (LinkMask left = machine.shared_valid() & ~machine.shared_fire(); left; left &= left - 1)
         ++costs_.refused[std::size_t(std::countr_zero(left))];
     if (!has_l2_) return;
     const CacheDeed deed = machine.deed(0, Unit::l2);

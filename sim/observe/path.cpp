@@ -70,7 +70,7 @@ Closest note_visits(const Decoder& decoder, const Config& config, Walk& walk, Ra
         bool more = walk.test_node();
         visit.children =
             int(config.is_list() ? decoder.page(visit.line).children : decoder.children(visit.line));
-        visit.met = std::popcount(walk.met());
+        visit.met = walk.enters() ? 0 : std::popcount(walk.met());
         for (; more; more = walk.advance()) {
             TestValues test;
             test.half_line = walk.prim();

@@ -10,14 +10,17 @@ namespace rayclock {
 
 namespace {
 
-std::uint64_t count_of(Unit unit, const FrameRun& run) {
+/// Rays that xform has moved into an instance's space: it is busy for so many cycles with each.
+std::uint64_t entered(const Config& config, const FrameRun& run) {
+    return run.accounts.units[index(Unit::xform)][0] / std::uint64_t(config.xform_interval);
+}
+
+std::uint64_t count_of(const Config& config, Unit unit, const FrameRun& run) {
     switch (unit) {
         case Unit::trav:
         case Unit::node_cache:
-        case Unit::box:
-        case Unit::treelet:
-        case Unit::globe:
         case Unit::list: return run.visits;
+        case Unit::xform: return entered(config, run);
         case Unit::prim_cache:
         case Unit::tri: return run.triangle_tests;
         case Unit::memory: return run.memory.reads;
@@ -34,7 +37,7 @@ std::vector<UnitAccount> unit_accounts(const Config& config, const FrameRun& run
         if (!is_there(Unit(u), config)) continue;
         UnitAccount account{unit_infos[u].name,
                             u < pipeline_units ? config.pipelines : 1,
-                            count_of(Unit(u), run),
+                            count_of(config, Unit(u), run),
                             0,
                             0,
                             0,
@@ -71,7 +74,8 @@ double peak_bytes_per_second(const Config& config, int khz) {
 
 Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     Bound bound;
-    bound.nodes = double(run.visits) * config.box_interval() / config.pipelines;
+    const std::uint64_t tested = (run.visits - entered(config, run)) * std::uint64_t(config.box_interval());
+    bound.nodes = double(std::max(run.visits, tested)) / config.pipelines;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
     bound.memory = double(bytes_read(run)) / peak_bytes_per_second(config, khz) * khz * 1e3;
     bound.cycles = std::max({bound.nodes, bound.triangles, bound.memory});

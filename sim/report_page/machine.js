@@ -1,7 +1,7 @@
 // The block diagram, and the order in which everything is shown.
 
 // Where a unit's box lies: column and row.
-const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], box: [4, 0], treelet: [4, 0], globe: [4, 0], node_cache: [5, 1],
+const unitPlaces = { dispatch: [0, 1], sched: [1, 1], raygen: [2, 1], trav: [3, 1], box: [4, 0], treelet: [4, 0], globe: [4, 0], slant: [4, 0], xform: [5, 0], node_cache: [5, 1],
   list: [3, 2], prim_cache: [5, 2], tri: [4, 3], shade: [2, 3], surf_cache: [5, 4], memport: [6, 1.5], l2: [6, 3],
   memory: [7, 1.5] };
 
@@ -77,7 +77,7 @@ async function showAll() {
   const share = (kinds, at) => kinds[at] / (kinds[0] + kinds[1] + kinds[2] || 1);
   await show("rays", linesSpec("Rays under way", "contexts in use", windowRows(w => ({ rays: w.rays_under_way })), "",
     data.pipelines * data.contexts));
-  const shown = ["trav", "box", "treelet", "globe", "tri", "shade", "memory"];
+  const shown = ["trav", "box", "treelet", "globe", "slant", "xform", "tri", "shade", "memory"];
   await show("activity", linesSpec("Busy units", "share of cycles", windowRows(w => Object.fromEntries(
     shown.filter(unit => w.units[unit]).map(unit => [unit, share(w.units[unit], 0)]))), "%", 1));
   await show("hits", linesSpec("Hit rates", "hits of look-ups", windowRows(w => Object.fromEntries(

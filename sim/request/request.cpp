@@ -7,9 +7,9 @@
 
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
-#include "sim/load/placed.hpp"
+#include "sim/load/load.hpp"
+#include "sim/request/ground.hpp"
 #include "sim/request/idle.hpp"
-#include "sim/request/placed.hpp"
 
 namespace rayclock {
 
@@ -38,23 +38,18 @@ void tell(const std::vector<std::string>& notes) {
         std::fprintf(stderr, "rayclock: warning: %zu more warnings\n", notes.size() - most);
 }
 
-}   // namespace
-
+/// Gives a scene its camera for a picture of this size, and turns it as it was asked to.
 void look(Scene& scene, FrameSize size, const ViewChoice& view) {
     if (!scene.camera) scene.camera = fit_camera(scene, double(size.width) / size.height);
     if (view.is_asked()) scene.camera = chosen_camera(*scene.camera, view, size);
+    if (view.ground) lay_ground(scene);
 }
+
+}   // namespace
 
 Scene told_scene(const std::string& spec, const Progress& progress, Primitives primitives) {
     std::vector<std::string> notes;
     Scene scene = load_scene(spec, progress, primitives, &notes);
-    tell(notes);
-    return scene;
-}
-
-PlacedScene told_placed(const std::string& spec, const Progress& progress) {
-    std::vector<std::string> notes;
-    PlacedScene scene = load_placed(spec, progress, Primitives::triangles, &notes);
     tell(notes);
     return scene;
 }
@@ -73,6 +68,9 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
                                      [](const std::string& item) { return item.starts_with("shading="); });
     r.config = finish.is_asked() && !by_hand ? load_config({config.name, {}}) : load_config(config);
+    if (view.ground && r.config.has_instances())
+        throw UserError(
+            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();

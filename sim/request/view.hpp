@@ -11,6 +11,7 @@ namespace rayclock {
 struct ViewChoice {
     std::optional<std::string> eye, at;   ///< "x,y,z"
     std::optional<double> fov, orbit;     ///< degrees
+    bool ground = false;                  ///< lay_ground()
 
     bool is_asked() const { return eye || at || fov || orbit; }
 };

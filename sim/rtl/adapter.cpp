@@ -36,8 +36,11 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 /// Where a pipeline's link shows: in the engine, under a name that does not depend on the unit that decides
 /// nodes, or in rc_pipeline, at a port if one end lies outside, else as a net.
 PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index) {
-    const bool inside = link.of_engine(), answer = link.to == std::string_view("trav");
-    const std::string name = !inside ? link.name : answer ? "decide_rsp" : "decide_req";
+    const bool inside = link.of_engine();
+    const Link number = Link(&link - link_infos.data());
+    const std::string name = asks_of_node(number)    ? "decide_req"
+                             : tells_of_node(number) ? "decide_rsp"
+                                                     : link.name;
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
     const bool fires = link.flow == Flow::fires;
@@ -111,15 +114,25 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         return {{"frame", fixed}, {"start", fixed}, {"tile", granted}, {"slot", out},
                 {"pixel", in},    {"hit", out},     {"cause", plain}};
     if (module == "rc_raygen") return {{"frame", fixed}, {"spawn", in}, {"slot", in}, {"ray", out}};
-    if (module == "rc_trav")
-        return {{"frame", fixed}, {"start", listen},   {"ray", in},        {"node_req", out},
-                {"node_rsp", in}, {"decide_req", out}, {"decide_rsp", in}, {"leaves", PortKind::fires},
-                {"tested", in},   {"done", out},       {"cause", plain}};
-    if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_tri")
+    if (module == "rc_trav") {
+        std::vector<PortSpec> ports{
+            {"frame", fixed}, {"start", listen},   {"ray", in},        {"node_req", out},
+            {"node_rsp", in}, {"decide_req", out}, {"decide_rsp", in}, {"leaves", PortKind::fires},
+            {"tested", in},   {"done", out},       {"cause", plain}};
+        if (config.has_instances()) ports.push_back({"xform_req", out}), ports.push_back({"change", listen});
+        return ports;
+    }
+    if (module == "rc_xform") return {{"req", in}, {"rests", plain}, {"change", PortKind::fires}};
+    if (module == "rc_box" || module == "rc_treelet" || module == "rc_globe" || module == "rc_slant" ||
+        module == "rc_tri")
         return {{"req", in}, {"rsp", out}};
-    if (module == "rc_list")
-        return {{"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
-                {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
+    if (module == "rc_list") {
+        std::vector<PortSpec> ports{
+            {"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
+            {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
+        if (config.has_instances()) ports.push_back({"change", listen});
+        return ports;
+    }
     if (module == "rc_node_cache" || module == "rc_prim_cache" || module == "rc_l2")
         return {{"req", in}, {"rsp", out}, {"miss", out}, {"fill", listen}, {"deed", plain}};
     if (module == "rc_shade")

@@ -129,11 +129,11 @@ void RtlMachine::settle() {
     rtl_.settle();
     moved_ = false;
     for (std::size_t p = 0; p < links_.size(); ++p) {
-        std::uint32_t valid = 0, fire = 0;
+        LinkMask valid = 0, fire = 0;
         for (const std::size_t c : there_) {
             const RcPort& link = *links_[p][c];
-            valid |= std::uint32_t(*link.valid) << c;
-            fire |= std::uint32_t(link.ready ? *link.valid & *link.ready : *link.valid) << c;
+            valid |= LinkMask(*link.valid) << c;
+            fire |= LinkMask(link.ready ? *link.valid & *link.ready : *link.valid) << c;
         }
         valid_[p] = valid;
         fire_[p] = fire;
@@ -143,8 +143,8 @@ void RtlMachine::settle() {
     for (std::size_t c = pipeline_links; c < link_count; ++c) {
         const RcPort* link = links_[0][c];
         if (!link) continue;
-        shared_valid_ |= std::uint32_t(*link->valid) << c;
-        shared_fire_ |= std::uint32_t(link->ready ? *link->valid & *link->ready : *link->valid) << c;
+        shared_valid_ |= LinkMask(*link->valid) << c;
+        shared_fire_ |= LinkMask(link->ready ? *link->valid & *link->ready : *link->valid) << c;
     }
     moved_ = moved_ || shared_fire_;
 }

@@ -52,10 +52,10 @@ public:
     bool done() const { return hits_ >= pixels_; }
     std::uint64_t cycle() const { return now_; }
     std::uint64_t hits() const { return hits_; }
-    std::uint32_t valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
-    std::uint32_t fire_mask(int pipeline) const { return fire_[std::size_t(pipeline)]; }
-    std::uint32_t shared_valid() const { return shared_valid_; }
-    std::uint32_t shared_fire() const { return shared_fire_; }
+    LinkMask valid_mask(int pipeline) const { return valid_[std::size_t(pipeline)]; }
+    LinkMask fire_mask(int pipeline) const { return fire_[std::size_t(pipeline)]; }
+    LinkMask shared_valid() const { return shared_valid_; }
+    LinkMask shared_fire() const { return shared_fire_; }
     bool moved() const { return moved_; }
     /// Packed payload that a link offers in this cycle; shared ones have pipeline 0.
     const RcPort& link(int pipeline, Link c) const { return *links_[std::size_t(pipeline)][index(c)]; }
@@ -99,8 +99,8 @@ private:
     std::vector<Sink> sinks_;
     RayCounts rays_;   // refracted ones are counted with the reflected: the link does not tell them apart
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;
-    std::vector<std::uint32_t> valid_, fire_;
-    std::uint32_t shared_valid_ = 0, shared_fire_ = 0;
+    std::vector<LinkMask> valid_, fire_;
+    LinkMask shared_valid_ = 0, shared_fire_ = 0;
     bool moved_ = false;
     std::vector<std::uint8_t> under_way_;   // [id] of requests to memory
     std::vector<std::uint8_t> given_;       // [y * width + x] of the frame's pixels

@@ -44,13 +44,13 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
 }
 
 /// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
-constexpr std::array timing_only{"contexts",  "raygen_queue", "box_queue",     "tri_queue",   "tri_interval",
-                                 "box_lanes", "cache_queue",  "pipelines",     "tile_bits",   "node_sets",
-                                 "node_ways", "node_line",    "node_mshrs",    "prim_sets",   "prim_ways",
-                                 "prim_line", "prim_mshrs",   "l2_sets",       "l2_ways",     "l2_line",
-                                 "l2_mshrs",  "dram",         "dram_channels", "mem_latency", "mem_interval",
-                                 "timing",    "lights",       "bounces",       "shade_queue", "surf_sets",
-                                 "surf_ways", "surf_line",    "surf_mshrs"};
+constexpr std::array timing_only{
+    "contexts",  "raygen_queue", "box_queue",      "tri_queue",     "tri_interval", "cache_queue",
+    "pipelines", "tile_bits",    "node_sets",      "node_ways",     "node_line",    "node_mshrs",
+    "prim_sets", "prim_ways",    "prim_line",      "prim_mshrs",    "l2_sets",      "l2_ways",
+    "l2_line",   "l2_mshrs",     "dram",           "dram_channels", "mem_latency",  "mem_interval",
+    "timing",    "lights",       "bounces",        "shade_queue",   "surf_sets",    "surf_ways",
+    "surf_line", "surf_mshrs",   "xform_interval", "box_lanes"};
 
 /// One value for each of the linked parameters. A memory alone may be the path of its file.
 std::vector<std::string> values_of(const std::string& value, const std::string& key) {
@@ -122,6 +122,8 @@ std::vector<Point> make_points(const std::vector<Axis>& axes, const Config& base
         }
         try {
             check_config(point.config, "--axis");
+            if (point.config.has_instances())
+                throw UserError("levels must be 1, not 2: a sweep counts cracks, and knows flat scenes only");
             for (std::size_t a = 0; a < axes.size(); ++a) ++legal[a][index[a]];
         } catch (const UserError& e) {
             point.refused = e.what();

@@ -123,10 +123,10 @@ TEST_CASE("what two levels cannot do is refused", "[levels]") {
     Config config = format(18, 20);
     CHECK(refused(config, scene).empty());
     config.shading = 1;
-    CHECK(refused(config, scene).find("two levels need") != std::string::npos);
+    CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(18, 20);
     config.structure = int(Structure::kd);
-    CHECK(refused(config, scene).find("two levels need") != std::string::npos);
+    CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(18, 20);
     PlacedScene round = scene;
     round.own.spheres.emplace_back();

@@ -161,12 +161,14 @@ struct Tally {
     std::uint64_t rays = 0, hits = 0, wrong = 0, unbalanced = 0, crossings = 0, outside = 0, entered = 0;
 };
 
-Tally judge(const PlacedScene& scene, const Config& config, const glm::dvec3& eye, int rays,
+Tally judge(const PlacedScene& scene, const Config& given, const glm::dvec3& eye, int rays,
             std::uint32_t seed) {
+    const Config config = with_two_levels(given, "the test");
     const LevelsImage levels = compile_levels(scene, eye, config);
     const Truth truth(scene, levels, config);
     const Decoder decoder(levels.image, config);
-    LevelWalk walk(levels.image, decoder, config);
+    Frame frame;
+    LevelWalk walk(frame, decoder, config);
     Tally tally;
     const Vec3i o = levels.image.lattice.snap(eye);
     Aim aim(scene, levels, o, config, seed);

@@ -63,6 +63,19 @@ TEST_CASE("every command that draws a scene takes a view, and the machine is sti
     runs({"sweep", "gears:1", "--axis", "contexts=8,16", "--no-netlist"});
 }
 
+TEST_CASE("a ground is two triangles of the scene that is drawn, and the camera stays") {
+    const json own = simulated({}), ground = simulated({"--ground"});
+    CHECK(ground["camera"] == own["camera"]);
+    CHECK(ground["scene"]["triangles"].get<int>() == own["scene"]["triangles"].get<int>() + 2);
+    CHECK(ground["digest"] != own["digest"]);
+    const Outcome finished = run_program(
+        {"simulate", "balls:1", "--ground", "--depth", "2", "--size", "24x18", "--clock", "66"});   // judged
+    INFO(finished.err);
+    CHECK(finished.code == 0);
+    check_refused(run_program({"render", "gearbox:1", "--set", "levels=2", "--ground", "-o", "a.png"}),
+                  {"--ground", "levels=1"});
+}
+
 TEST_CASE("views that make no sense") {
     const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& words) {
         more.insert(more.begin(), {"simulate", "gears:1"});

@@ -5,27 +5,62 @@ mutant(xform_rounds_down FILE model/xform/xform.cpp TEST accel [levels]
   OLD [[std::int64_t sum = b[i] + (std::int64_t(1) << (frac - 1));]]
   NEW [[std::int64_t sum = b[i];]])
 mutant(xform_moves_directions_as_points FILE model/xform/xform.cpp TEST accel [levels]
-  OLD [[mapped(placement, ray.d, {}, frac)]]
-  NEW [[mapped(placement, ray.d, placement.b, frac)]])
+  OLD [[mapped(p, req.d, {}, frac)]]
+  NEW [[mapped(p, req.d, p.b, frac)]])
 mutant(xform_mixes_rows_and_columns FILE model/xform/xform.cpp TEST accel [levels]
   OLD [[(p.a[3 * i + k])]]
   NEW [[(p.a[i + 3 * k])]])
-mutant(walk_keeps_the_scenes_reciprocals FILE model/xform/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
+mutant(walk_keeps_the_scenes_reciprocals FILE model/xform/inside.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
   TEST accel [levels]
-  OLD [[from_mesh = box_ray(mesh);]]
-  NEW [[from_mesh = box_ray({mesh.ray, mesh.o, mesh.d, scene.recip, scene.len});]])
-mutant(walk_goes_back_in_the_wrong_space FILE model/xform/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
+  OLD [[from = box_ray(change);]]
+  NEW [[from = box_ray(change), from.recip = ray.recip, from.len = ray.len;]])
+mutant(walk_goes_back_in_the_wrong_space FILE model/xform/inside.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
   TEST accel [levels]
-  OLD [[mesh = xform(scene, placement, config);]]
-  NEW [[mesh = xform(first != 0 ? mesh : scene, placement, config);]])
-mutant(walk_forgets_the_first_number FILE model/xform/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
+  OLD [[xform({ray.ray, ray.o, ray.d, placement}, config);]]
+  NEW [[xform({ray.ray, change.first ? change.o : ray.o, change.first ? change.d : ray.d, placement}, config);]])
+mutant(walk_forgets_the_first_number FILE model/trace/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
   TEST accel [levels]
-  OLD [[prim.prim += first;]]
-  NEW [[prim.prim += 0 * first;]])
-mutant(walk_starts_where_it_changes FILE model/xform/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
+  OLD [[prim.prim += inside.change.first;]]
+  NEW [[prim.prim += 0 * inside.change.first;]])
+mutant(walk_starts_where_it_changes FILE model/trace/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
   TEST accel [levels]
-  OLD [[first = placement.first;]]
-  NEW [[first = placement.first, hit = {{scene.ray, scene.kind}, reach_of(RayKind(scene.kind), config)};]])
+  OLD [[if (inside.enters) return inside.enter(]]
+  NEW [[if (inside.enters) hit = BestHit({ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config));
+        if (inside.enters) return inside.enter(]])
+
+# ---- The same in RTL, and what its neighbours keep of a ray.
+mutant(rtl_xform_rounds_down FILE rtl/xform/rc_xform.sv TEST unit [xform]
+  OLD [[Half = SW'(1) << (K - 1);]]
+  NEW [[Half = '0;]])
+mutant(rtl_xform_mixes_rows_and_columns FILE rtl/xform/rc_xform.sv TEST unit [xform]
+  OLD [[in_o[(i%3)*N +:]]
+  NEW [[in_o[(i/3)*N +:]])
+mutant(rtl_xform_drops_a_bit FILE rtl/xform/rc_xform.sv TEST unit [xform]
+  OLD [[X'($signed(in_d[(i%3)*M +: M]))]]
+  NEW [[X'($signed(in_d[(i%3)*M +: M])) & ~X'(1)]])
+mutant(rtl_xform_divides_one_axis_only FILE rtl/xform/rc_xform.sv TEST unit [xform]
+  OLD [[valid[Moved] ? d[First*M +: M] : wait_q[M-1:0];]]
+  NEW [[valid[Moved] || wait_q[0] ? d[First*M +: M] : wait_q[M-1:0];]])
+mutant(rtl_xform_rests_too_little FILE rtl/xform/rc_xform.sv TEST unit [xform]
+  OLD [[RestW'(rc_pkg::XformInterval - 1)]]
+  NEW [[RestW'(rc_pkg::XformInterval - 2)]])
+mutant(rtl_trav_keeps_the_scenes_reciprocals FILE rtl/bvh/rc_trav.sv TEST system "model and RTL walk instances alike"
+  OLD [[change_d[M-1], change_i.recip,]]
+  NEW [[change_d[M-1], ray_i.recip,]])
+mutant(rtl_trav_does_not_restore_the_ray FILE rtl/bvh/rc_trav.sv TEST system "model and RTL walk instances alike"
+  OLD [[node_rsp_i.what == rc_pkg::LineMeshNode ?]]
+  NEW [[node_rsp_i.what != rc_pkg::LinePlacement ?]])
+mutant(rtl_list_forgets_the_first_number FILE rtl/list/rc_list.sv TEST system "model and RTL walk instances alike"
+  OLD [[prim_rsp_i.prim + first_number;]]
+  NEW [[prim_rsp_i.prim | first_number;]])
+mutant(rtl_list_starts_where_a_ray_changes FILE rtl/list/rc_list.sv TEST system "model and RTL walk instances alike"
+  OLD [[.clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
+    .set_i(closer)]]
+  NEW [[.clk_i, .rst_ni, .clear_i(start_fires_i || change_fires_i),
+    .clear_at_i(change_fires_i ? change_i.ray : start_ray), .set_i(closer)]])
+mutant(rtl_direction_without_opposite FILE rtl/raygen/rc_direction.sv TEST unit "a camera ray of two levels has an opposite"
+  OLD [[s1_up = s1_moved[G-M-1] || s1_whole ==]]
+  NEW [[s1_up = s1_moved[G-M-1] && s1_whole ==]])
 
 # ---- Its compiler: boxes hold what is rounded, rows keep within 1, classes keep apart.
 mutant(levels_boxes_without_what_is_rounded FILE model/accel/levels/maps.cpp TEST accel [levels]

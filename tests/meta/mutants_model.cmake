@@ -67,8 +67,9 @@ mutant(model_raygen_looks_at_two_axes FILE model/raygen/raygen.cpp TEST unit [ra
   OLD [[        used |= std::uint64_t(]]
   NEW [[        if (k < 2) used |= std::uint64_t(]])
 mutant(model_raygen_direction_wraps FILE model/raygen/raygen.cpp TEST unit [raygen]
-  OLD [[>> drop), most);]]
-  NEW [[>> drop), most + 1);]])
+  OLD [[>> drop), least,
+                          most);]]
+  NEW [[>> drop), least, most + 1);]])
 mutant(frame_takes_a_camera_that_is_too_wide FILE model/accel/frame.cpp TEST accel "a camera that is too wide*"
   OLD [[if (!(scale * least - off >=]]
   NEW [[if (!(scale * std::max(m, least) - off >=]])

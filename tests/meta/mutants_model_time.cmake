@@ -64,5 +64,8 @@ mutant(model_trace_shadow_ray_goes_beyond_the_surface FILE model/trace/record.in
   OLD [[reach_of(RayKind(from.kind), config)]]
   NEW [[reach_of(RayKind::camera, config)]])
 mutant(model_trace_forgets_turns FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit [trace]
-  OLD [[flags |= dropped << Trace::turns_shift;]]
-  NEW [[flags |= std::uint32_t(dropped > 0) << Trace::turns_shift;]])
+  OLD [[Trace::entry_flags : dropped << Trace::turns_shift;]]
+  NEW [[Trace::entry_flags : std::uint32_t(dropped > 0) << Trace::turns_shift;]])
+mutant(model_trace_forgets_entries FILE model/trace/record.inl WITH model/trace/record.cpp TEST system "a machine of two levels*"
+  OLD [[enters = walk.enters();]]
+  NEW [[enters = false;]])

@@ -195,8 +195,8 @@ mutant(merge_changes_its_mind FILE rtl/prim/rc_merge.sv TEST unit [list][lockste
   OLD [[assign second         = held_q ? held_second_q : !first_valid_i;]]
   NEW [[assign second         = held_q && first_valid_i && held_second_q ? 1'b0 : !first_valid_i;]])
 mutant(raygen_direction_rounded_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
-  OLD [[assign rounded = whole + {{(M-1){1'b0}}, half};]]
-  NEW [[assign rounded = whole + {{(M-1){1'b0}}, half && 1'b0};]])
+  OLD [[assign rounded = whole + {{(M-1){1'b0}}, up};]]
+  NEW [[assign rounded = whole + {{(M-1){1'b0}}, up && 1'b0};]])
 mutant(raygen_direction_wraps FILE rtl/raygen/rc_direction.sv TEST unit [raygen]
   OLD [[= !whole[M-1] && rounded[M-1] ? whole : rounded;]]
   NEW [[= rounded;]])
@@ -385,8 +385,8 @@ mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [rayg
   OLD [[assign mag_power = (mag & (mag - 1'b1)) == '0;]]
   NEW [[assign mag_power = (mag & (mag - 1'b1)) == '0 && mag == '0;]])
 mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen][small]
-  OLD [[.data_i({s1_whole, s1_moved[G-M-1]})]]
-  NEW [[.data_i({s1_whole, s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0})]])
+  OLD [[assign s1_up = s1_moved[G-M-1];]]
+  NEW [[assign s1_up = s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0;]])
 mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
   OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])

@@ -48,18 +48,18 @@ mutant(plane_near_side_to_rounded_down FILE rtl/kd/rc_plane.sv TEST unit [treele
 mutant(plane_with_the_origin_on_it_is_ahead FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
   OLD [[assign ahead       = way_q > $signed(D'(0));]]
   NEW [[assign ahead       = way_q >= $signed(D'(0));]])
-mutant(treelet_exits_in_another_order FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+mutant(treelet_exits_in_another_order FILE rtl/kd/rc_exits.sv TEST unit [treelet][lockstep]
   OLD [[localparam int unsigned Upper = (i >> (Levels - 1 - l)) & 1;]]
   NEW [[localparam int unsigned Upper = (i >> l) & 1;]])
-mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_exits.sv TEST unit [treelet][lockstep]
   OLD [[= enter <= leave &&]]
   NEW [[= enter < leave &&]])
-mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_treelet.sv TEST unit [treelet][lockstep]
+mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_bounds.sv TEST unit [treelet][lockstep]
   OLD [[assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;]]
   NEW [[assign box_there[k]       = k == 1 || (turned_lo ? near_lo && far_hi : far_lo && near_hi);]])
 mutant(rank_exit_off_by_one FILE rtl/bvh/rc_rank.sv TEST unit [treelet][lockstep]
-  OLD [[rc_pkg::StructureKd ? s0_lines : O'(2 * i)]]
-  NEW [[rc_pkg::StructureKd ? s0_lines + O'(2) : O'(2 * i)]])
+  OLD [[Exits ? s0_lines : O'(2 * i)]]
+  NEW [[Exits ? s0_lines + O'(2) : O'(2 * i)]])
 mutant(model_plane_from_rounded_up FILE model/kd/treelet.cpp TEST unit [treelet]
   OLD [[std::floor(std::ldexp(r * w_lo, shift))]]
   NEW [[std::ceil(std::ldexp(r * w_lo, shift))]])
@@ -70,13 +70,60 @@ mutant(model_treelet_early_end_too_early FILE model/kd/treelet.cpp TEST system "
   OLD [[hits |= std::uint32_t(span.met && span.from <= span.to) << child;]]
   NEW [[hits |= std::uint32_t(span.met && span.from + 4 <= span.to) << child;]])
 
+# ---- bsp: planes in any direction are rounded outward, in the unit and in its model.
+mutant(crossing_far_side_from_too_late QUICK FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[assign from_d = {1'b0, quo} - (V+1)'(2);]]
+  NEW [[assign from_d = {1'b0, quo} + (V+1)'(2);]])
+mutant(crossing_near_side_to_too_early FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[|| &to_t ? '1 : to_t + T'(1);]]
+  NEW [[|| &to_t ? '1 : to_t;]])
+mutant(crossing_with_the_origin_on_it_is_ahead FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[assign ahead = !on && num_q[NW-1] == neg;]]
+  NEW [[assign ahead = num_q[NW-1] == neg;]])
+mutant(crossing_of_a_ray_in_the_plane_has_one_side FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[assign near  = zero ? ahead || on : ahead;]]
+  NEW [[assign near  = ahead;]])
+mutant(crossing_divisor_one_bit_too_far FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+  OLD [[if (den_abs[i]) den_len = E'(i + 1);]]
+  NEW [[if (den_abs[i]) den_len = E'(i == 0 ? 2 : i + 1);]])
+mutant(slant_box_comes_too_early FILE rtl/bsp/rc_slant.sv TEST unit [slant][lockstep]
+  OLD [[.valid_i(valid[Meet+In:Box]), .data_i({enter, leave, there}),]]
+  NEW [[.valid_i(valid[Meet+In:Box]), .data_i({leave, enter, there}),]])
+mutant(trav_keeps_a_shadow_rays_direction_moved_up FILE rtl/bvh/rc_trav.sv TEST system "model and RTL agree on finished pictures of planes in any direction"
+  OLD [[<< (is_short ? M - rc_pkg::DirBits : 0);]]
+  NEW [[<< (is_short ? 0 : M - rc_pkg::DirBits);]])
+mutant(model_crossing_from_too_late FILE model/bsp/slant.cpp TEST unit [slant]
+  OLD [[moved(q - 2, x, beyond)]]
+  NEW [[moved(q + 2, x, beyond)]])
+mutant(model_crossing_to_too_early FILE model/bsp/slant.cpp TEST unit [slant]
+  OLD [[moved(q + 2, x, beyond - 1) + 1]]
+  NEW [[moved(q - 2, x, beyond - 1) + 1]])
+mutant(model_crossing_ends_at_a_plane_that_it_begins_on FILE model/bsp/slant.cpp TEST unit [slant]
+  OLD [[sides.near = num > 0;]]
+  NEW [[sides.near = num >= 0;]])
+
+# ---- The compiler of bsp: nothing is lost.
+mutant(bsp_clips_inward FILE model/accel/kd/clip.cpp TEST accel [slant]
+  OLD [[wall.at + (wall.upper ? -beside : beside)]]
+  NEW [[wall.at + (wall.upper ? 40 : -40)]])
+mutant(bsp_loses_a_straddler FILE model/accel/kd/cell.cpp TEST accel [slant]
+  OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
+  NEW [[if ((reach.hi > cut.plane && (cut.axis != no_axis || reach.lo >= cut.plane)) || (flat && cut.flat_above))
+            take(item, above, upper);]])
+mutant(bsp_cuts_what_it_should_not FILE model/accel/bsp/facets.cpp TEST accel "images of planes in any direction hold what they say"
+  OLD [[if (stops_ && below + above + flat > all) return;]]
+  NEW [[if (stops_ && below + above + flat > all + 1) return;]])
+mutant(bsp_knows_no_plane_but_across_axes FILE model/accel/bsp/facets.cpp TEST accel "some planes of real scenes lie across no axis"
+  OLD [[(normal[2] != 0) < 2) continue;]]
+  NEW [[(normal[2] != 0) < 4) continue;]])
+
 # ---- The compiler of kd: nothing is lost.
 mutant(kd_clips_inward FILE model/accel/kd/clip.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);]]
   NEW [[constexpr double slack = 1.0 / 1024, outward = -3.0;]])
 mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/cell.cpp TEST system "rays of every family hit the same in every structure"
-  OLD [[if (hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
-  NEW [[if (hi > cut.plane) take(item, above, upper);]])
+  OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
+  NEW [[if (reach.hi > cut.plane) take(item, above, upper);]])
 mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
   NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
@@ -86,7 +133,7 @@ mutant(octree_octants_change_places FILE model/accel/octree/build.cpp TEST syste
   OLD [[beside(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1))]]
   NEW [[beside(joined(octants + half, above, axis + 1), joined(octants, below, axis + 1))]])
 mutant(octree_straddler_is_on_one_side FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
-  OLD [[pieces_.divide(part.items, part.box, cut, lower.items, upper.items);]]
+  OLD [[pieces_.divide(part.items, {part.box}, cut, lower.items, upper.items);]]
   NEW [[for (const kd::Item& item : part.items)
                 (item.box.hi[axis] > cut.plane ? upper : lower).items.push_back(item);]])
 mutant(octree_loses_the_straddlers_of_a_node FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"

@@ -52,6 +52,10 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
     CHECK(costs.moved[index(Link::box_req)] * std::uint64_t(config.box_interval()) == account(Unit::box, 0));
     CHECK(costs.moved[index(Link::treelet_req)] == account(Unit::treelet, 0));
     CHECK(costs.moved[index(Link::globe_req)] == account(Unit::globe, 0));
+    CHECK(costs.moved[index(Link::slant_req)] == account(Unit::slant, 0));
+    CHECK(costs.moved[index(Link::xform_req)] * std::uint64_t(config.xform_interval) ==
+          account(Unit::xform, 0));
+    CHECK(costs.moved[index(Link::change)] == costs.moved[index(Link::xform_req)]);
     CHECK(costs.moved[index(Link::tri_req)] * std::uint64_t(config.tri_interval) == account(Unit::tri, 0));
     CHECK(costs.moved[index(Link::ray)] == account(Unit::raygen, 0));
     CHECK(costs.refused[index(Link::ray)] == account(Unit::raygen, 2));

@@ -43,8 +43,11 @@ inline const std::vector<Watched>& watched_machines() {
         {"spheres", {{"timing", "fast"}, {"l2_sets", "4"}, {"l2_line", "128"}}, true, {9, 20, 3}},
         {"gears:1", {{"structure", "kd"}}},
         {"gears:1", {{"structure", "spheres"}}},
+        {"gears:1", {{"structure", "bsp"}}},
         {"tetra:2", {{"structure", "none"}}},
         {"gears:2", {{"tri_interval", "4"}, {"box_lanes", "2"}}},
+        {"gearbox:2", {{"levels", "2"}}},
+        {"gearbox:2", {{"levels", "2"}, {"timing", "fast"}, {"xform_interval", "1"}, {"node_sets", "2"}}},
     };
     return all;
 }

@@ -102,12 +102,16 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     CHECK(code(Unit::sched, 0) == pixels);
     const std::uint64_t sent = config.shading ? trace.counts.all() - totally_reflected(trace) : pixels;
     CHECK(code(Unit::raygen, 0) == sent);
-    CHECK(code(Unit::trav, 0) >= run.visits);
-    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == run.visits + trace.turns);   // a turn is work, or
-                                                                                    // holds a step up
-    const std::uint64_t nodes = config.is_list() ? 0 : run.visits;                  // pages are no nodes
-    CHECK(code(Unit::box, 0) + code(Unit::treelet, 0) + code(Unit::globe, 0) ==
-          nodes * config.box_interval());
+    const std::uint64_t entered = code(Unit::xform, 0) / std::uint64_t(config.xform_interval);
+    CHECK(code(Unit::xform, 0) % std::uint64_t(config.xform_interval) == 0);
+    CHECK((entered > 0) == config.has_instances());
+    const std::uint64_t steps = run.visits - entered;   // a ray that changed goes on without one
+    CHECK(code(Unit::trav, 0) >= steps);
+    CHECK(code(Unit::trav, 0) + code(Unit::trav, 2) == steps + trace.turns);   // a turn is work, or
+                                                                               // holds a step up
+    const std::uint64_t nodes = config.is_list() ? 0 : run.visits;             // pages are no nodes
+    CHECK(code(Unit::box, 0) + code(Unit::treelet, 0) + code(Unit::globe, 0) + code(Unit::slant, 0) ==
+          (nodes - entered) * std::uint64_t(config.box_interval()));
     CHECK(code(Unit::tri, 0) == config.tri_interval * run.triangle_tests);
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == nodes);
     CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) ==
@@ -121,7 +125,7 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
     CHECK(run.memory.reads ==
           (config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words));
-    CHECK(run.box_tests >= (config.is_bvh() ? run.visits : 0));
+    CHECK(run.box_tests >= (config.is_bvh() ? steps : 0));
     CHECK(run.box_tests <= run.visits * std::uint64_t(config.node_width));
 }
 

@@ -24,7 +24,7 @@ std::string text_of(const Config& config) {
 
 void check_config_in_lockstep(const Config& config) {
     INFO(text_of(config));
-    for (const char* scene : {"teapot:5", "gears:1", "mount:3"}) {
+    for (const char* scene : {"teapot:5", config.has_instances() ? "gearbox:1" : "gears:1", "mount:3"}) {
         const Shot shot = make_deep_shot(scene, {32, 24}, config);
         check_lockstep(shot.job);
         check_lockstep(shot.job, {9, 30, 77}, 77);
@@ -36,6 +36,7 @@ void check_config_in_lockstep(const Config& config) {
 Shot random_shot(std::uint64_t seed, const Config& config) {
     const FrameSize size = config.contexts < 16 ? FrameSize{8, 6} : FrameSize{16, 12};
     if (config.is_list()) return make_deep_shot(seed % 2 ? "teapot:1" : "cornell", size, config);
+    if (config.has_instances()) return make_deep_shot("gearbox:1", {32, 24}, config);
     return make_deep_shot(seed % 3 == 0   ? "mount:3"
                           : seed % 3 == 1 ? "gears:1"
                                           : "teapot:4",

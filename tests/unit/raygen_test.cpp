@@ -74,7 +74,9 @@ void judge(const Slot& slot, const Ray& ray, const Frame& frame, const Config& c
     }
     const std::array<oracle::Int, 3> direction = oracle::filled(exact, config.dir_bits, most_shift);
     for (std::size_t k = 0; k < 3; ++k) {
-        const oracle::Int d = direction[k];
+        // With two levels the least number, which has no opposite, is one more.
+        const oracle::Int least = config.has_instances() - (oracle::Int(1) << (config.dir_bits - 1)),
+                          d = std::max(direction[k], least);
         CAPTURE(k, d);
         REQUIRE(ray.d[k] == d);
         REQUIRE(ray.len[k] == std::uint32_t(oracle::digits(d)));
@@ -105,6 +107,25 @@ TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reci
                    Model<RaygenUnit>, Rtl<RaygenUnit>) {
     const auto name = GENERATE("default", "small", "narrow", "wide", "sheared:default");
     for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 250);
+}
+
+TEMPLATE_TEST_CASE("a camera ray of two levels has an opposite", "[raygen]", Model<RaygenUnit>,
+                   Rtl<RaygenUnit>) {
+    Config config = format(GENERATE("default", "fast:narrow"));
+    config.levels = 2;
+    int longest = 0;
+    for (unsigned seed = 1; seed <= 24; ++seed) {
+        INFO(config.name << ", seed " << seed);
+        const Frame frame = short_camera(int(seed % 3), seed, config);
+        Draw draw{seed};
+        TestType dut{config, frame, int(seed)};
+        const auto ask = [&](Draw& from) { return random_slot(from, config); };
+        stream(dut, config, flows[0], draw, 4, ask, [&](const Slot& slot, const Ray& ray) {
+            judge(slot, ray, frame, config);
+            for (const std::int32_t d : ray.d) longest += d == 1 - (1 << (config.dir_bits - 1));
+        });
+    }
+    REQUIRE(longest > 0);
 }
 
 TEST_CASE("a reciprocal brackets the exact one for every direction of 12 bits", "[raygen]") {

@@ -1,5 +1,7 @@
 #include "model/accel/kd/cell.hpp"
 
+#include <algorithm>
+
 namespace rayclock::kd {
 
 CellPtr leaf_of(const Items& items) {
@@ -7,6 +9,15 @@ CellPtr leaf_of(const Items& items) {
     cell->bounds = bounds_of(items);
     for (const Item& item : items) cell->prims.push_back(item.prim);
     return cell;
+}
+
+Region Region::part(const Cut& cut, bool upper) const {
+    Region half = *this;
+    if (cut.axis == no_axis)
+        half.walls.push_back({cut.normal, cut.plane, upper});
+    else
+        (upper ? half.box.lo : half.box.hi)[cut.axis] = cut.plane;
+    return half;
 }
 
 Pieces::Pieces(const std::vector<PrimData>& prims, const Config& config) {
@@ -28,29 +39,51 @@ Items Pieces::all() const {
         if (endless < endless_.size() && endless_[endless] == i)
             ++endless;
         else
-            take({i, beyond}, space_, items);
+            take({i, beyond}, {space_}, items);
     return items;
 }
 
-void Pieces::take(const Item& item, const LatticeBox& box, Items& out) const {
+void Pieces::take(const Item& item, const Region& region, Items& out) const {
     bool inside = true;
+    LatticeBox box = region.box;
     for (std::size_t k = 0; k < 3; ++k)
         inside = inside && item.box.lo[k] >= box.lo[k] && item.box.hi[k] <= box.hi[k];
-    if (inside)
-        out.push_back(item);
-    else if (const auto clipped = clippers_[item.prim](box))
+    std::array<Wall, most_walls> walls;   // those that cut the item
+    std::size_t count = 0;
+    for (const Wall& wall : region.walls) {
+        const Clipper::Reach reach = this->reach(item, wall.normal);
+        if (wall.upper ? reach.lo < wall.at : reach.hi > wall.at) walls[count++] = wall;
+    }
+    if (inside && count == 0) return out.push_back(item);
+    if (!region.walls.empty())   // what walls have cut off before stays off
+        for (std::size_t k = 0; k < 3; ++k)
+            box.lo[k] = std::max(box.lo[k], item.box.lo[k]), box.hi[k] = std::min(box.hi[k], item.box.hi[k]);
+    if (const auto clipped = clippers_[item.prim](box, {walls.data(), count}))
         out.push_back({item.prim, *clipped});
 }
 
-void Pieces::divide(const Items& items, const LatticeBox& box, const Cut& cut, Items& lower,
+Clipper::Reach Pieces::reach(const Item& item, const Vec3i& n) const {
+    Clipper::Reach box{}, reach = clippers_[item.prim].reach(n);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t a = std::int64_t(n[k]) * item.box.lo[k], b = std::int64_t(n[k]) * item.box.hi[k];
+        box.lo += std::min(a, b);
+        box.hi += std::max(a, b);
+    }
+    return {std::max(box.lo, reach.lo), std::min(box.hi, reach.hi)};
+}
+
+void Pieces::divide(const Items& items, const Region& region, const Cut& cut, Items& lower,
                     Items& upper) const {
-    LatticeBox below = box, above = box;
-    below.hi[cut.axis] = above.lo[cut.axis] = cut.plane;
+    const Region below = region.part(cut, false), above = region.part(cut, true);
     for (const Item& item : items) {
-        const std::int32_t lo = item.box.lo[cut.axis], hi = item.box.hi[cut.axis];
-        const bool flat = lo == cut.plane && hi == cut.plane;
-        if (lo < cut.plane || (flat && !cut.flat_above)) take(item, below, lower);
-        if (hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);
+        Clipper::Reach reach;
+        if (cut.axis == no_axis)
+            reach = this->reach(item, cut.normal);
+        else
+            reach = {item.box.lo[cut.axis], item.box.hi[cut.axis]};
+        const bool flat = reach.lo == cut.plane && reach.hi == cut.plane;
+        if (reach.lo < cut.plane || (flat && !cut.flat_above)) take(item, below, lower);
+        if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);
     }
 }
 

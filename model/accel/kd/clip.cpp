@@ -1,13 +1,16 @@
 #include "model/accel/kd/clip.hpp"
 
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 namespace rayclock::kd {
 
 namespace {
 
 constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);   // lattice steps
-constexpr std::size_t most_corners = 9;                           // three, and one more for each plane
+constexpr double wall_slack = 1.0 / 256;                          // of n . x
+constexpr std::size_t most_corners = 9 + most_walls;              // three, and one more for each plane
 using Corner = std::array<double, 3>;
 
 struct Polygon {
@@ -16,21 +19,37 @@ struct Polygon {
     void add(const Corner& corner) { corners[size++] = corner; }
 };
 
-/// The part with x_axis <= at, or >= at.
-void cut(const Polygon& from, std::size_t axis, double at, bool below, Polygon& to) {
+/// A coordinate, and what lies in its plane.
+struct Along {
+    std::size_t axis;
+    double operator()(const Corner& c) const { return c[axis]; }
+    void settle(Corner& c, double at) const { c[axis] = at; }
+};
+/// n . x.
+struct Across {
+    const Vec3i& n;
+    double operator()(const Corner& c) const { return n[0] * c[0] + n[1] * c[1] + n[2] * c[2]; }
+    void settle(Corner&, double) const {}
+};
+
+/// The part with value <= at, or >= at.
+template <class Value> void cut(const Polygon& from, const Value& value, double at, bool below, Polygon& to) {
     to.size = 0;
-    const auto is_in = [&](const Corner& c) { return below ? c[axis] <= at : c[axis] >= at; };
+    const auto is_in = [&](const Corner& c) { return below ? value(c) <= at : value(c) >= at; };
     for (std::size_t i = 0; i < from.size; ++i) {
         const Corner &a = from.corners[i], &b = from.corners[i + 1 < from.size ? i + 1 : 0];
         if (is_in(a)) to.add(a);
         if (is_in(a) == is_in(b)) continue;
-        const double part = (at - a[axis]) / (b[axis] - a[axis]);
+        const double part = (at - value(a)) / (value(b) - value(a));
         Corner c;
         for (std::size_t k = 0; k < 3; ++k) c[k] = a[k] + part * (b[k] - a[k]);
-        c[axis] = at;
+        value.settle(c, at);
         to.add(c);
     }
 }
+
+/// What n . x changes by, at most, if no coordinate changes by more than 1.
+int size(const Vec3i& n) { return std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]); }
 
 Corner corner(const Vec3i& p) { return {double(p[0]), double(p[1]), double(p[2])}; }
 
@@ -56,7 +75,22 @@ Clipper::Clipper(const PrimData& prim, int coord_bits, int margin) : prim_(prim)
         }
 }
 
-std::optional<LatticeBox> Clipper::operator()(const LatticeBox& cell) const {
+Clipper::Reach Clipper::reach(const Vec3i& n) const {
+    const auto across = [&](const Vec3i& p) {
+        std::int64_t sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) sum += std::int64_t(n[k]) * p[k];
+        return sum;
+    };
+    if (PrimKind(prim_.kind) == PrimKind::sphere) {
+        const auto most = std::int64_t(double(radius_ + 1) * std::sqrt(double(across(n))) + 1);
+        return {across(prim_.a) - most, across(prim_.a) + most};   // a step more than the radius
+    }
+    const std::int64_t a = across(prim_.a), b = across(prim_.b), c = across(prim_.c);
+    const auto beside = std::int64_t(margin_ * size(n));
+    return {std::min({a, b, c}) - beside, std::max({a, b, c}) + beside};
+}
+
+std::optional<LatticeBox> Clipper::operator()(const LatticeBox& cell, Walls walls) const {
     LatticeBox common;
     bool whole = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -67,15 +101,20 @@ std::optional<LatticeBox> Clipper::operator()(const LatticeBox& cell) const {
     }
     if (PrimKind(prim_.kind) == PrimKind::sphere)
         return meets_sphere(cell) ? std::optional(common) : std::nullopt;
-    return whole ? std::optional(common) : triangle(cell);
+    return whole && walls.empty() ? std::optional(common) : triangle(cell, walls);
 }
 
-std::optional<LatticeBox> Clipper::triangle(const LatticeBox& cell) const {
+std::optional<LatticeBox> Clipper::triangle(const LatticeBox& cell, Walls walls) const {
     Polygon one, other;
     for (const Vec3i& p : {prim_.a, prim_.b, prim_.c}) one.add(corner(p));
     for (std::size_t k = 0; k < 3 && one.size > 0; ++k) {
-        cut(one, k, cell.lo[k] - margin_ - slack, false, other);
-        cut(other, k, cell.hi[k] + margin_ + slack, true, one);
+        cut(one, Along{k}, cell.lo[k] - margin_ - slack, false, other);
+        cut(other, Along{k}, cell.hi[k] + margin_ + slack, true, one);
+    }
+    for (const Wall& wall : walls) {
+        const double beside = wall_slack + margin_ * size(wall.normal);
+        cut(one, Across{wall.normal}, wall.at + (wall.upper ? -beside : beside), !wall.upper, other);
+        std::swap(one, other);
     }
     if (one.size == 0) return {};
     LatticeBox box;

@@ -27,7 +27,19 @@ struct Place {
     }
 };
 
-class Emitter {
+void put(const Cell& cell, std::size_t plane, Treelet& treelet) {
+    treelet.axis[plane] = cell.axis;
+    if (cell.axis != no_axis) treelet.at[plane] = cell.at;
+}
+void put(const Cell& cell, std::size_t plane, Slant& slant) {
+    for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
+    slant.at[plane] = cell.at;
+}
+void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
+void put_none(std::size_t, Slant&) {}
+
+/// `Line` is what a node is: a treelet or a slant.
+template <class Line> class Emitter {
 public:
     Emitter(const Cell& root, const std::vector<PrimData>& prims, const Config& config,
             const std::string& name, MemoryImage& image)
@@ -51,21 +63,23 @@ private:
     };
 
     /// The part of a treelet under plane `plane`, which has the exits from `exit` on.
-    void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Treelet& treelet) {
-        if (exits == 1 || plane >= treelet.axis.size()) {   // the second says it to GCC 14
+    void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& treelet) {
+        if (exits == 1 || plane >= treelet.at.size()) {   // the second says it to GCC 14
             exits_[exit] = place;
             return;
         }
         const bool cut = !place.is_leaf();
-        treelet.axis[plane] = cut && !place.cell->is_leaf() ? place.cell->axis : no_axis;
-        if (treelet.axis[plane] != no_axis) treelet.at[plane] = place.cell->at;
+        if (cut && !place.cell->is_leaf())
+            put(*place.cell, plane, treelet);
+        else
+            put_none(plane, treelet);
         fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, treelet);
         fill(cut ? place.upper() : Place(), 2 * plane + 2, exit + exits / 2, exits / 2, treelet);
     }
 
     void emit(const Pending& at) {
         const auto width = std::size_t(config_.node_width);
-        Treelet treelet;
+        Line treelet;
         const LatticeBox& bounds = at.place.cell->bounds;
         treelet.open = bounds.lo[0] > bounds.hi[0];
         if (!treelet.open) treelet.lo = bounds.lo, treelet.hi = bounds.hi;
@@ -112,7 +126,10 @@ private:
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                 MemoryImage& image) {
     const kd::CellPtr root = (config.is_octree() ? octree::build : kd::build)(prims, config);
-    Emitter{*root, prims, config, name, image}.run();
+    if (config.has_slants())
+        Emitter<Slant>{*root, prims, config, name, image}.run();
+    else
+        Emitter<Treelet>{*root, prims, config, name, image}.run();
 }
 
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,

@@ -11,9 +11,9 @@
 namespace rayclock {
 namespace {
 
+constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
+
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
-    if (!config.is_bvh() || config.test() != PrimitiveTest::exact || config.shading)
-        throw UserError(name + ": two levels need structure=bvh, primitive_test=exact and shading=0");
     if (!scene.own.spheres.empty() || !scene.own.planes.empty())
         throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
     const std::uint64_t count = primitive_count(scene);
@@ -63,6 +63,10 @@ public:
         image_.report.triangles = number;
         image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
         check_stack(image_.report.stack_need, config_, name_);
+        if (image_.report.stack_need > most_groups)
+            throw UserError(name_ + ": two levels keep " + std::to_string(most_groups) +
+                            " sibling groups of a ray at most, and this tree needs " +
+                            std::to_string(image_.report.stack_need));
     }
 
 private:
@@ -172,9 +176,16 @@ private:
 
 }   // namespace
 
-LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& config) {
+Config with_two_levels(Config config, const std::string& where) {
+    config.levels = 2;
+    check_config(config, where);
+    return config;
+}
+
+LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& given) {
     const Stopwatch watch;
     const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
+    const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
     const SharedMesh own{"", scene.own.vertices, {}, scene.own.triangles};
     LevelParts parts;

@@ -10,8 +10,11 @@ struct LevelsImage {
     std::vector<std::uint32_t> roots;   ///< by class: line of its root, 0 if nothing is left of it
 };
 
-/// Boxes in boxes and the exact test, without shading: throws UserError for any other configuration, for a
-/// scene with true spheres or planes, and as compile_scene() does.
+/// The configuration with levels=2. Throws UserError if no machine can be both.
+Config with_two_levels(Config config, const std::string& where);
+
+/// For that configuration. Throws UserError as it does, for a scene with true spheres or planes, and as
+/// compile_scene() does.
 LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& config);
 
 }   // namespace rayclock

@@ -170,7 +170,7 @@ private:
     /// Returns by how many steps its box reaches beyond what a node can say.
     double map_one(std::size_t number, InstanceMap& map, const Seen& seen) {
         const MeshClass& made = maps_.classes[map.mesh_class];
-        const int frac = map_frac(config_);
+        const int frac = config_.map_frac();
         const std::int64_t one = std::int64_t(1) << frac;
         map.is_whole = true;
         glm::dmat3 linear;   // as stored

@@ -5,7 +5,6 @@
 #include "model/accel/memory_image.hpp"
 #include "model/accel/tree.hpp"
 #include "model/scene/placed.hpp"
-#include "model/xform/placement.hpp"
 
 namespace rayclock {
 

@@ -91,7 +91,7 @@ private:
             lower.items = part.items;
         } else {
             lower.box.hi[axis] = upper.box.lo[axis] = cut.plane;
-            pieces_.divide(part.items, part.box, cut, lower.items, upper.items);
+            pieces_.divide(part.items, {part.box}, cut, lower.items, upper.items);
         }
         halve(lower, axis + 1, octants);
         halve(upper, axis + 1, octants + (std::size_t(4) >> axis));

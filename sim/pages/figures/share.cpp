@@ -47,7 +47,7 @@ Measured measure(RefGeometry& geometry, const Scene& scene, FrameSize size, bool
         m.effort.tests_all = tests_all;
         geometry.watch(&m.effort);
         const Stopwatch watch;
-        ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, {});
+        ref_whitted(geometry, scene, *scene.camera, size, {.depth = depth}, 1, stopping({}));
         m.total = watch.seconds();
         geometry.watch(nullptr);
         const double cost = clock_cost() * double(m.effort.rays);   // of one reading: the other one is

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
 
 namespace rayclock::figures {
@@ -17,10 +16,6 @@ Job job_of(const Studio& studio, const Scene& scene, FrameSize size, const Whitt
 }   // namespace
 
 bool Studio::has(Engine e) const { return std::find(engines.begin(), engines.end(), e) != engines.end(); }
-
-void stop_if_interrupted() {
-    if (interrupted()) throw UserError("interrupted: nothing was written");
-}
 
 Stage::Stage(const Studio& studio, const std::string& scene, const Whitted& most, FrameSize size)
     : studio_(studio),

@@ -6,6 +6,7 @@
 
 #include "model/reference/reference.hpp"
 #include "sim/engine/engine.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock::figures {
 
@@ -48,8 +49,5 @@ private:
     Job job_;
     Reference reference_;
 };
-
-/// Throws UserError if Ctrl-C was pressed: a page is written whole or not at all.
-void stop_if_interrupted();
 
 }   // namespace rayclock::figures

@@ -7,6 +7,7 @@
 #include "model/base/error.hpp"
 #include "sim/load/load.hpp"
 #include "sim/request/request.hpp"
+#include "sim/rtl/stopping.hpp"
 
 namespace rayclock::structures {
 
@@ -39,13 +40,13 @@ Frame frame_of(const Config& config, const std::vector<FrameTrace>& frames) {
 
 std::vector<FrameTrace> recorded(const Job& job, const Study& study) {
     std::vector<FrameTrace> frames;
-    frames.push_back(record_frame(job, job.frame, study.threads));
+    frames.push_back(record_frame(job, job.frame, study.threads, stopping({})));
     return frames;
 }
 
 void measure_camera(const Scene& scene, const Kind& kind, const Study& study, Cell& cell) {
     const double begin = processor_seconds();
-    const Job job = make_job(scene, *scene.camera, study.size, kind.config);
+    const Job job = make_job(scene, *scene.camera, study.size, kind.config, stopping({}));
     cell.build = processor_seconds() - begin;
     cell.report = job.image.report;
     const std::vector<FrameTrace> frames = recorded(job, study);
@@ -60,8 +61,8 @@ void measure_camera(const Scene& scene, const Kind& kind, const Study& study, Ce
 Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study) {
     const FrameSize half{study.size.width / 2, study.size.height / 2};
     const Whitted settings{.depth = depth};
-    const Job job =
-        make_job(scene, *scene.camera, half, fitted_config(scene, settings, kind.config), {}, settings);
+    const Job job = make_job(scene, *scene.camera, half, fitted_config(scene, settings, kind.config),
+                             stopping({}), settings);
     return frame_of(job.config, recorded(job, study));
 }
 
@@ -71,7 +72,8 @@ std::vector<Kind> trees(const Config& base) {
     return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
             kind_of("spheres", base, Structure::spheres, Straddlers::leaves),
             kind_of("kd", base, Structure::kd, Straddlers::leaves),
-            kind_of("octree", base, Structure::octree, Straddlers::leaves)};
+            kind_of("octree", base, Structure::octree, Straddlers::leaves),
+            kind_of("bsp", base, Structure::bsp, Straddlers::leaves)};
 }
 Kind list(const Config& base) { return kind_of("none", base, Structure::none, Straddlers::leaves); }
 Kind inner_octree(const Config& base) {
@@ -85,10 +87,10 @@ const std::vector<int>& cache_sets() {
 
 SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, const Study& study, bool finished,
                    const Progress& progress) {
-    const Scene scene = ready_scene(name, study.size, {});
+    const Scene scene = ready_scene(name, study.size, stopping({}));
     std::optional<Scene> native;
     if (finished) {
-        native = load_scene(name, {}, Primitives::native);
+        native = load_scene(name, stopping({}), Primitives::native);
         native->camera = scene.camera;
     }
     SceneCells result{name, scene.triangles.size(), {}};

@@ -1,5 +1,5 @@
 #pragma once
-// Requests for treelet, and the verdict of exact geometry on its answers.
+// Requests for treelet, and the verdict of exact geometry on its answers and on those of slant.
 #include "model/oracle/exact.hpp"
 #include "tests/support/world/traffic.hpp"
 
@@ -11,6 +11,17 @@ struct TreeletCase {
     Vec3i d{};
     bool is_long = false;   ///< d fills ray_dir_bits, as a shadow ray's, and not only dir_bits
 };
+
+/// What raygen tells of the direction.
+template <class Case> void set_reciprocals(Case& c, const Config& config) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int d = c.d[k];
+        c.req.len[k] = std::uint32_t(oracle::digits(d));
+        if (d != 0 && !c.is_long) c.req.len[k] += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
+        c.req.recip[k] =
+            d == 0 ? 1 : std::uint32_t(oracle::floor(oracle::scaled_reciprocal(d, config.recip_bits)));
+    }
+}
 
 /// Half of the rays are aimed at planes, their edges and corners.
 inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
@@ -55,13 +66,8 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
     }
     if (draw.below(3) == 0) d[std::size_t(draw.below(3))] = 0;
     c.d = d;
-    for (std::size_t k = 0; k < 3; ++k) {
-        c.req.neg[k] = d[k] < 0;
-        c.req.len[k] = std::uint32_t(oracle::digits(d[k]));
-        if (d[k] != 0 && !c.is_long) c.req.len[k] += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
-        c.req.recip[k] =
-            d[k] == 0 ? 1 : std::uint32_t(oracle::floor(oracle::scaled_reciprocal(d[k], config.recip_bits)));
-    }
+    set_reciprocals(c, config);
+    for (std::size_t k = 0; k < 3; ++k) c.req.neg[k] = d[k] < 0;
     return c;
 }
 
@@ -69,6 +75,26 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
 struct ExitTimes {
     bool there = true;
     oracle::Rational enter = 0, leave = -1, grown_enter = 0, grown_leave = -1;   ///< -1: never
+
+    /// A side of a plane: `num` before the origin, which the ray comes nearer by `den` a unit of its
+    /// direction; a distance from the upper side. `unit`: such units in one of t. `loose`: what rounding may
+    /// add to a time.
+    template <class Loose> void cut(const oracle::Rational& num, const oracle::Int& den, bool upper,
+                                    const oracle::Rational& unit, Loose&& loose_of) {
+        if (den == 0) {
+            there = there && (upper ? num <= 0 : num >= 0);
+            return;
+        }
+        const oracle::Rational time = num / den * unit, loose = loose_of(time);
+        if (upper == (den < 0)) {   // the side that the ray is on first
+            if (time <= 0) there = false;
+            if (leave < 0 || time < leave) leave = time;
+            if (grown_leave < 0 || time + loose < grown_leave) grown_leave = time + loose;
+        } else {
+            enter = std::max(enter, time);
+            grown_enter = std::max(grown_enter, oracle::Rational(time - loose));
+        }
+    }
     bool is_met() const { return there && leave != 0 && (leave < 0 || enter <= leave); }
     /// Beyond the largest time all are the same.
     bool may_be_met(const oracle::Int& beyond) const {
@@ -76,48 +102,54 @@ struct ExitTimes {
     }
 };
 
-inline ExitTimes exit_times(const TreeletCase& c, std::size_t exit, const Config& config) {
+/// `planes` is called with the times, to cut them, and with side(), which cuts them by a plane across an
+/// axis.
+template <class Case, class Line, class Planes>
+ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&& planes) {
     using oracle::Rational;
     ExitTimes times;
     const int frac = config.origin_frac(), bits = c.is_long ? config.ray_dir_bits() : config.dir_bits;
     const auto side = [&](std::uint32_t k, std::int32_t at, bool upper) {
         const Rational way =
             Rational(oracle::Int(at)) - Rational(oracle::Int(c.req.o[k]), oracle::Int(1) << frac);
-        const int d = c.d[k];
-        if (d == 0) {
-            times.there = times.there && (upper ? way <= 0 : way >= 0);
-            return;
-        }
-        const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits), time = way / d * unit;
+        const oracle::Int d = c.d[k];
+        const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
         // A step more or less of the way, and 1 of a reciprocal of R bits; and rounding to whole units.
-        const Rational step = unit / abs(oracle::Int(d));
-        const Rational loose = (abs(time) + step) * oracle::power_of_two(1 - config.recip_bits) +
-                               (frac > 0 ? step : Rational(0)) + 1;
-        if (upper == (d < 0)) {   // the side that the ray is on first
-            if (time <= 0) times.there = false;
-            if (times.leave < 0 || time < times.leave) times.leave = time;
-            if (times.grown_leave < 0 || time + loose < times.grown_leave) times.grown_leave = time + loose;
-        } else {
-            times.enter = std::max(times.enter, time);
-            times.grown_enter = std::max(times.grown_enter, Rational(time - loose));
-        }
+        times.cut(way, d, upper, unit, [&](const Rational& time) {
+            const Rational step = unit / abs(d);
+            return Rational((abs(time) + step) * oracle::power_of_two(1 - config.recip_bits) +
+                            (frac > 0 ? step : Rational(0)) + 1);
+        });
     };
-    const Treelet& t = c.req.treelet;
     for (std::uint32_t k = 0; k < 3 && !t.open; ++k) side(k, t.lo[k], true), side(k, t.hi[k], false);
+    planes(times, side);
+    return times;
+}
+
+/// Planes on the way to an exit, and on which side of them it is.
+template <class See> void for_each_plane(std::size_t exit, const Config& config, See&& see) {
     std::size_t plane = 0;
     for (std::size_t half = std::size_t(config.node_width) / 2; half > 0; half /= 2) {
         const bool upper = exit & half;
-        if (t.axis[plane] != no_axis) side(t.axis[plane], t.at[plane], upper);
+        see(plane, upper);
         plane = 2 * plane + 1 + upper;
     }
-    return times;
+}
+
+inline ExitTimes exit_times(const TreeletCase& c, std::size_t exit, const Config& config) {
+    const Treelet& t = c.req.treelet;
+    return exit_times(c, t, config, [&](ExitTimes&, auto&& side) {
+        for_each_plane(exit, config, [&](std::size_t plane, bool upper) {
+            if (t.axis[plane] != no_axis) side(t.axis[plane], t.at[plane], upper);
+        });
+    });
 }
 
 /// No exit that the ray meets is missing, t_near is never beyond the entry, and no exit is there that exact
 /// planes, moved by what rounding may move them, would not meet. Inner exits come first, each part by
 /// (t_near, offset); what is beyond is zero.
-inline void judge(const TreeletCase& c, const BoxRsp& rsp, const Config& config) {
-    const Treelet& t = c.req.treelet;
+template <class Case, class Line>
+void judge(const Case& c, const Line& t, const BoxRsp& rsp, const Config& config) {
     const oracle::Int beyond = (oracle::Int(1) << config.t_bits()) - 1;
     const auto width = std::size_t(config.node_width);
     std::uint32_t lines = 0, primitives = 0, before = 0, found = 0;
@@ -146,6 +178,10 @@ inline void judge(const TreeletCase& c, const BoxRsp& rsp, const Config& config)
         if (n == 0 || n == rsp.inner || n >= found) continue;
         REQUIRE(std::pair(rsp.t_near[n - 1], rsp.offset[n - 1]) < std::pair(rsp.t_near[n], rsp.offset[n]));
     }
+}
+
+inline void judge(const TreeletCase& c, const BoxRsp& rsp, const Config& config) {
+    judge(c, c.req.treelet, rsp, config);
 }
 
 }   // namespace rayclock::test

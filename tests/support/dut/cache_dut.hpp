@@ -28,7 +28,10 @@ struct NodeCache {
     static std::uint32_t id(const Req& req) { return req.ray; }
     static std::uint32_t id(const Rsp& rsp) { return rsp.ray; }
     static Rsp answer(const Req& req, const Config& c) {
-        return {req.ray, unpack<Node>(line_at(req.addr).data(), c), {}, {}};
+        NodeRsp rsp;
+        rsp.ray = req.ray;
+        rsp.node = unpack<Node>(line_at(req.addr).data(), c);
+        return rsp;
     }
 };
 struct PrimCache {

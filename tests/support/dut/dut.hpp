@@ -9,6 +9,7 @@
 #include "model/isect/tri.hpp"
 #include "model/raygen/raygen.hpp"
 #include "model/bvh/box.hpp"
+#include "model/bsp/slant.hpp"
 #include "model/globe/globe.hpp"
 #include "model/kd/treelet.hpp"
 #include "sim/rtl/rtl_module.hpp"
@@ -96,6 +97,15 @@ struct GlobeUnit {
     static int latency(const Config& c) { return c.globe_latency(); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const GlobeReq& req, const Frame&, const Config& c) { return globe(req, c); }
+};
+struct SlantUnit {
+    using Req = SlantReq;
+    using Rsp = BoxRsp;
+    static constexpr const char *name = "rc_slant", *in = "req", *out = "rsp";
+    static constexpr bool has_frame = false;
+    static int latency(const Config& c) { return c.slant_latency(); }
+    static int queue(const Config& c) { return c.box_queue; }
+    static BoxRsp answer(const SlantReq& req, const Frame&, const Config& c) { return slant(req, c); }
 };
 struct TriUnit {
     using Req = TriReq;

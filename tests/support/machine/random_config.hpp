@@ -25,7 +25,8 @@ inline int most_of(const Parameter& p) {
 }
 
 /// Legal configuration; every other value from a corner of its range. `single`: one that does not shade, on
-/// one pipeline. One pipeline, or one time in four two; a shared cache one time in three.
+/// one pipeline. One pipeline, or one time in four two; a shared cache one time in three; two levels every
+/// other time where they can be.
 inline Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);
     const auto draw = [&](const Parameter& p, int hi) {
@@ -39,12 +40,16 @@ inline Config random_config(std::uint64_t seed, bool single) {
     for (;;) {
         Config config;
         config.name = "random " + std::to_string(seed);
-        for (const Parameter& p : parameters()) config.*p.member = draw(p, most_of(p));
+        for (const Parameter& p : parameters())
+            if (p.member != &Config::levels && p.member != &Config::xform_interval)
+                config.*p.member = draw(p, most_of(p));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
         config.addr_bits = std::max(config.least_addr_bits(), 15 + widths.below(max_addr_bits - 14));
         config.prim_bits = 16 + widths.below(max_prim_bits - 15);
         config.pixel_bits = 7 + widths.below(max_pixel_bits - 6);
+        config.xform_interval = 1 << widths.below(3);
+        config.levels = 1 + widths.below(2);
         config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
         if (rng.below(3) != 0) config.l2_sets = 0;
         // Two in three do not shade. The others have what the scenes need at least: spheres, planes and
@@ -55,6 +60,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
             config.bounces = std::max(config.bounces, 5);
         else
             config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
+        if (!config.is_bvh() || config.is_sheared() || config.shading) config.levels = 1;
         try {
             check_config(config, config.name);
             return config;

@@ -58,15 +58,8 @@ TEST_CASE("treelet is right for every plane and origin of one axis, on planes an
                     c.req.treelet.at[0] = at;
                     c.req.treelet.kind = {2, 1};
                     c.req.treelet.open = 1;
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        c.req.neg[k] = c.d[k] < 0;
-                        c.req.len[k] = std::uint32_t(oracle::digits(c.d[k]));
-                        if (c.d[k] != 0)
-                            c.req.len[k] += std::uint32_t(config.ray_dir_bits() - config.dir_bits);
-                        c.req.recip[k] = c.d[k] == 0 ? 1
-                                                     : std::uint32_t(oracle::floor(oracle::scaled_reciprocal(
-                                                           c.d[k], config.recip_bits)));
-                    }
+                    set_reciprocals(c, config);
+                    for (std::size_t k = 0; k < 3; ++k) c.req.neg[k] = c.d[k] < 0;
                     CAPTURE(d, axis, at, o);
                     judge(c, treelet(c.req, config), config);
                 }

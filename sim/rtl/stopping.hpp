@@ -6,10 +6,15 @@
 
 namespace rayclock {
 
+/// Throws std::runtime_error after Ctrl-C.
+inline void stop_if_interrupted() {
+    if (interrupted()) throw std::runtime_error("interrupted: nothing is written");
+}
+
 /// The same, and Ctrl-C ends the work that reports to it: for work of which nothing is kept.
 inline Progress stopping(const Progress& progress) {
     return [progress](std::string_view what, std::uint64_t done, std::uint64_t total) {
-        if (interrupted()) throw std::runtime_error("interrupted: nothing is written");
+        stop_if_interrupted();
         if (progress) progress(what, done, total);
     };
 }

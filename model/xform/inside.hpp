@@ -1,0 +1,30 @@
+#pragma once
+#include "model/bvh/box.hpp"
+#include "model/xform/xform.hpp"
+
+namespace rayclock {
+
+/// A ray in the space of the instance that it entered last. For the walk the line of an instance is a node
+/// with one child, the root of its mesh, which every ray meets at once. In which space a later node lies is
+/// said by its line, not by what the ray did before: a ray that comes back from an instance needs nothing to
+/// be put right.
+struct InsideRay {
+    Change change;
+    BoxRay from;
+    WideNode entry;
+    bool enters = false;   ///< the line that was read last is an instance
+
+    /// The ray changes, and goes on: its best hit and its distance to beat stay.
+    const WideNode& enter(const Ray& ray, const Placement& placement, const Config& config,
+                          std::uint32_t* t_near, std::uint32_t& hits) {
+        change = xform({ray.ray, ray.o, ray.d, placement}, config);
+        from = box_ray(change);
+        entry.base = change.root;
+        entry.children = entry.children_mask = entry.inner_mask = 1;
+        t_near[0] = 0;
+        hits = 1;
+        return entry;
+    }
+};
+
+}   // namespace rayclock

@@ -1,0 +1,57 @@
+// Where a ray enters and leaves the box around what a treelet's or a slant's cell holds: parallel
+// planes, the fast case of rc_plane. Part of rc_treelet and rc_slant, which have the valid bits:
+// operands come with valid_i[0], the answer rc_pkg::PlaneStages + 1 + Cut later.
+`default_nettype none
+module rc_bounds #(
+  localparam int unsigned N  = rc_pkg::CoordBits,
+  localparam int unsigned OW = rc_pkg::OriginWidth,
+  localparam int unsigned R1 = rc_pkg::RecipBits + 1,
+  localparam int unsigned E  = rc_pkg::ExpBits,
+  localparam int unsigned T  = rc_pkg::TBits,
+  localparam int unsigned P  = rc_pkg::PlaneStages,
+  localparam int unsigned L  = P + 1 + rc_pkg::Cut
+) (
+  input  logic            clk_i,
+  input  logic [L-1:0]    valid_i,   // valid_i[i]: stage i holds a treelet
+  input  logic [3*OW-1:0] s0_o_i,
+  input  logic [2:0]      s0_neg_i,
+  input  logic [3*R1-1:0] s0_recip_i,
+  input  logic [3*E-1:0]  s0_len_i,
+  input  logic            s0_open_i, // there is no box
+  input  logic [3*N-1:0]  s0_lo_i,
+  input  logic [3*N-1:0]  s0_hi_i,
+  output logic [T-1:0]    enter_o,
+  output logic [T-1:0]    leave_o,
+  output logic            met_o
+);
+  logic [3*T-1:0] box_from, box_to;
+  logic [2:0]     box_there;
+  for (genvar k = 0; k < 3; k++) begin : gen_side
+    logic         turned_lo, turned_hi, near_lo, near_hi, far_lo, far_hi;
+    logic [T-1:0] to_lo, to_hi, from_lo, from_hi;
+    logic [1:0]   axis;
+    assign axis = s0_open_i ? 2'd3 : 2'(k);
+    rc_plane u_lo (
+      .clk_i, .valid_i(valid_i[P-1:0]),
+      .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
+      .s0_axis_i(axis), .s0_at_i($signed(s0_lo_i[N*k +: N])),
+      .turned_o(turned_lo), .near_o(near_lo), .far_o(far_lo),
+      .near_to_o(to_lo), .far_from_o(from_lo));
+    rc_plane u_hi (
+      .clk_i, .valid_i(valid_i[P-1:0]),
+      .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
+      .s0_axis_i(axis), .s0_at_i($signed(s0_hi_i[N*k +: N])),
+      .turned_o(turned_hi), .near_o(near_hi), .far_o(far_hi),
+      .near_to_o(to_hi), .far_from_o(from_hi));
+    assign box_from[k*T +: T] = turned_hi ? from_hi : from_lo;
+    assign box_to[k*T +: T]   = turned_lo ? to_lo : to_hi;
+    assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;
+  end
+  rc_span u_box (
+    .clk_i, .valid_i(valid_i[L-1]), .from_i(box_from), .to_i(box_to), .there_i(box_there),
+    .from_o(enter_o), .to_o(leave_o), .there_o(met_o));
+
+  logic unused;
+  assign unused = ^valid_i;
+endmodule
+`default_nettype wire

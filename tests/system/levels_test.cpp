@@ -1,0 +1,69 @@
+// Two levels: model and RTL walk instances alike, and what moves rays into them does not change what they
+// hit.
+#include <catch2/catch.hpp>
+
+#include "model/xform/picture.hpp"
+#include "tests/support/machine/build_all.hpp"
+#include "tests/system/frames.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+Config two(const std::string& name, int interval, const Values& more = {}) {
+    Values values{{"levels", 2}, {"xform_interval", interval}};
+    values.insert(values.end(), more.begin(), more.end());
+    return with(quick_config(name), values);
+}
+
+/// Formats, intervals and paths: each its own RTL.
+const std::vector<Config>& chips() {
+    static const std::vector<Config> all{
+        two("default", 2), two("small", 4),
+        two("small", 1, {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
+        two("narrow", 4), two("broad", 2)};
+    return all;
+}
+
+}   // namespace
+
+TEST_CASE("the RTL of two levels builds", "[.build]") {
+    std::vector<RtlJob> jobs;
+    for (const Config& config : chips()) jobs.push_back({"rc_chip", config.name + ", two levels", config});
+    REQUIRE_NOTHROW(build_all(jobs));
+}
+
+TEST_CASE("model and RTL walk instances alike", "[levels]") {
+    const Config config = GENERATE(from_range(chips()));
+    INFO(config.name << " every " << config.xform_interval);
+    const Shot shot = make_deep_shot("gearbox:1", {32, 24}, config);
+    check_lockstep(shot.job);
+    const FrameSize small{12, 9};
+    check_lockstep(make_deep_shot("gearbox:2", small, config).job, {9, 30, 77}, 77);
+    check_lockstep(make_deep_shot("teapot:3", small, config).job);   // one instance, the scene itself
+}
+
+TEST_CASE("a machine of two levels hits what its rays hit alone, whatever the memory", "[levels]") {
+    const Config config = two("default", GENERATE(1, 2, 4));
+    const Scene scene = make_builtin("gearbox:2");
+    const FrameSize size{40, 30};
+    const LevelsPicture alone =
+        trace_levels(compile_levels(*scene.placed, scene.camera->eye, config), *scene.camera, size, config);
+    for (const Values& values : {Values{}, Values{{"dram", 0}, {"mem_latency", 60}, {"node_sets", 1}},
+                                 Values{{"contexts", 1}, {"pipelines", 2}}}) {
+        const Job job = make_shot("gearbox:2", size, with(config, values)).job;
+        const FrameRun run = run_model(job, {20, 30, 5});
+        REQUIRE(run.answers.size() == alone.answers.size());
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < alone.answers.size(); ++i) {
+            const Closest &a = run.answers[i], &b = alone.answers[i];
+            wrong += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v;
+        }
+        CHECK(wrong == 0);
+        CHECK(run.visits == alone.counts.visits + alone.counts.changes);
+        CHECK(run.triangle_tests == alone.counts.tests);
+        CHECK(run.accounts.units[index(Unit::xform)][0] ==
+              alone.counts.changes * std::uint64_t(config.xform_interval));
+    }
+}

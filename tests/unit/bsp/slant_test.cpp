@@ -1,0 +1,116 @@
+// slant: which exits a ray meets, against exact planes.
+#include "tests/support/cases/slant_cases.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+/// As many answers may wait as slant takes cycles.
+Config bsp_format(const std::string& name) {
+    Config config = format(name);
+    config.structure = int(Structure::bsp);
+    config.box_queue = 64;
+    return config;
+}
+
+SlantReq random_req(Draw& draw, const Config& config) { return random_slant_case(draw, config).req; }
+
+/// One plane, and a ray that nothing else stops.
+SlantCase one_plane(const Vec3i& normal, int at, const Vec3i& o, const Vec3i& d, const Config& config) {
+    SlantCase c;
+    for (std::size_t k = 0; k < 3; ++k) c.req.slant.normal[k] = normal[k];
+    c.req.slant.at[0] = at;
+    c.req.slant.kind = {2, 1};
+    c.req.slant.open = 1;
+    c.req.o = o;
+    set_direction(c, d, config);
+    return c;
+}
+
+}   // namespace
+
+TEMPLATE_TEST_CASE("slant loses no exit that the ray meets and takes few others", "[slant]", Model<SlantUnit>,
+                   Rtl<SlantUnit>) {
+    const std::string name = GENERATE(as<std::string>{}, "default", "shading:narrow");
+    const Config config = bsp_format(name);
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        INFO(name << ", seed " << seed);
+        Draw draw{seed};
+        std::deque<SlantCase> cases;
+        TestType dut{config, Frame{}, int(seed)};
+        stream(
+            dut, config, flows[seed - 1], draw, 1500,
+            [&](Draw& from) {
+                cases.push_back(random_slant_case(from, config));
+                return cases.back().req;
+            },
+            [&](const SlantReq&, const BoxRsp& rsp) {
+                judge(cases.front(), rsp, config);
+                cases.pop_front();
+            });
+    }
+}
+
+TEST_CASE("slant is right for every small plane, origin and direction", "[slant]") {
+    Config config = bsp_format("default");
+    config.coord_bits = config.dir_bits = 12;
+    config.node_width = 2;
+    config.shading = GENERATE(0, 1);
+    config.origin_bits = 2;
+    const int frac = config.origin_frac();
+    std::vector<Vec3i> small;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z) small.push_back({x, y, z});
+    for (const Vec3i& normal :
+         {Vec3i{1, 0, 0}, Vec3i{1, 1, 0}, Vec3i{0, 2, -1}, Vec3i{-1, 2, 3}, Vec3i{63, -64, 1}})
+        for (const Vec3i& d : small)
+            for (const Vec3i& between : small)
+                for (int at = -2; at <= 2; ++at) {
+                    Vec3i o = between;   // quarters of a step, if the chip shades
+                    for (auto& x : o) x += frac > 0 ? 4 : 0;
+                    CAPTURE(at, normal[0], normal[1], normal[2], d[0], d[1], d[2], o[0], o[1], o[2]);
+                    const SlantCase c = one_plane(normal, at, o, d, config);
+                    judge(c, slant(c.req, config), config);
+                }
+}
+
+TEST_CASE("a ray in a plane is on both of its sides, one from a plane only on the side that it goes to",
+          "[slant]") {
+    Config config = bsp_format("default");
+    config.node_width = 2;
+    const auto exits = [&](const Vec3i& o, const Vec3i& d) {
+        const BoxRsp rsp = slant(one_plane({3, -5, 7}, 5, o, d, config).req, config);
+        return rsp.inner + 2 * rsp.leaves;   // the upper exit is an inner one
+    };
+    CHECK(exits({0, -1, 0}, {5, 3, 0}) == 3);
+    CHECK(exits({0, -1, 0}, {5, 3, 1}) == 1);
+    CHECK(exits({0, -1, 0}, {5, 3, -1}) == 2);
+    CHECK(exits({0, 0, 0}, {5, 3, 0}) == 2);   // beside it
+    CHECK(exits({0, -2, 0}, {5, 3, 0}) == 1);
+}
+
+TEST_CASE("model and rtl of slant make the same moves in every cycle", "[slant][lockstep]") {
+    const Config config = bsp_format(GENERATE("default", "shading:narrow"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 12; ++seed)
+            check_lockstep<SlantUnit>(config, {}, flow, seed, 2000,
+                                      [&](Draw& draw) { return random_req(draw, config); });
+}
+
+TEST_CASE("model and rtl of a fast slant make the same moves in every cycle", "[slant][lockstep][fast]") {
+    const Config config = bsp_format("fast:default");
+    for (const Flow& flow : flows)
+        check_lockstep<SlantUnit>(config, {}, flow, 11, 2000,
+                                  [&](Draw& draw) { return random_req(draw, config); });
+}
+
+TEMPLATE_TEST_CASE("slant answers after exactly its latency, and takes one in every cycle", "[slant]",
+                   Model<SlantUnit>, Rtl<SlantUnit>) {
+    const Config config = bsp_format(GENERATE("default", "fast:default"));
+    TestType dut{config};
+    check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
+    TestType again{config};
+    check_throughput(again, config, [&](Draw& draw) { return random_req(draw, config); });
+}
