@@ -168,14 +168,14 @@ private:
     Pipe<RayNumber> raygen_;
     Trav trav_;
     Cache node_cache_;
-    Delay box_, boxed_;                        // boxed_, tried_: what trav and list look at in a fast chip
-    std::uint32_t box_rests_, box_rest_ = 0;   // cycles after a node in which box takes none; that are left
+    Delay box_, boxed_;   // boxed_, tried_: what trav and list look at in a fast chip
     Delay xform_;
     std::uint32_t xform_rests_, xform_rest_ = 0;   // as tri's
     List list_;
     Cache prim_cache_;
     Delay tri_, tried_;
-    std::uint32_t tri_rests_, tri_rest_ = 0;   // likewise of tri, after a primitive
+    std::uint32_t tri_rests_, tri_rest_ = 0;   // cycles after a primitive in which tri takes none; that are
+                                               // left
     bool late_;                                // there are boxed_ and tried_
     Cache surf_cache_;
     Shade shade_;
@@ -215,7 +215,7 @@ template <bool shades, bool levels>
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && Trace::enters(rays_[read].head);
-    m.offer(Link::box_req, node_cache_.valid() & !enters, box_.ready() & (box_rest_ == 0), read);
+    m.offer(Link::box_req, node_cache_.valid() & !enters, box_.ready(), read);
     m.read = m[Link::box_req].fires;
     if constexpr (levels) {
         const OnLink changed = xform_.answer(now);
@@ -255,10 +255,7 @@ template <bool shades, bool levels>
     const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
                         raygen = raygen_codes[std::size_t(progress(Link::ray))],
                         trav = trav_codes[turn + 2 * free],
-                        box =
-                            box_rest_ > 0
-                                ? 0u
-                                : test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
+                        box = test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
                         list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
                         tri =
                             tri_rest_ > 0
@@ -340,7 +337,6 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
-    box_rest_ = select(m[Link::box_req].fires, box_rests_, box_rest_ - (box_rest_ > 0));
     if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 
@@ -375,8 +371,8 @@ template <bool shades, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
     account_units(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (box_rest_ > 0) |
-                         (tri_rest_ > 0) | (levels && xform_rest_ > 0);
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (tri_rest_ > 0) |
+                         (levels && xform_rest_ > 0);
     clock_sched<shades>(m, shared.tile);
     clock_raygen<shades>(m, now);
     clock_trav<shades, levels>(m);
