@@ -198,7 +198,6 @@ struct Config {
     }                                                 ///< of the unit that decides a node
     int map_frac() const { return coord_bits + 3; }   ///< K: fraction bits of an instance's map
     int map_bits() const { return map_frac() + 2; }   ///< of an entry of it, signed; 1 is possible
-    int moved_bits() const { return coord_bits > dir_bits ? coord_bits : dir_bits; }   ///< that xform takes
     int xform_latency() const;
     int planes_of_node() const { return node_width - 1; }   ///< of a treelet or a slant
     int offset_of_plane_bits() const {

@@ -38,7 +38,7 @@ mutant(model_sched_keeps_the_last_frames_pixel FILE model/sched/sched.hpp WITH t
   OLD [[        height_ = frame.height;
         look();]]
   NEW [[        height_ = frame.height;]])
-mutant(model_blames_trav FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
+mutant(model_blames_trav FILE model/pipeline.inl WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
   OLD [[progress(Link::box_req) + 3 * node_cache_.waits()]]
   NEW [[progress(Link::box_req) + 3 * !node_cache_.waits()]])
 mutant(model_sleeps_through_an_answer QUICK FILE model/machine.cpp TEST unit "idle cycles that are passed over*"
@@ -51,7 +51,7 @@ mutant(model_where_forgets_trav FILE model/pipeline.cpp TEST unit [stuck]
   OLD [[    if (const char* place = trav_.where(ray)) return place;
 ]]
   NEW [[]])
-mutant(model_takes_no_hit FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
+mutant(model_takes_no_hit FILE model/pipeline.inl WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
   OLD [[m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());]]
   NEW [[m.offer(Link::hit, trav_.done_valid(), sink_.ready() & (trav_.done_ray() != 7), trav_.done_ray());]])
 mutant(model_trace_looks_on_after_a_light_is_blocked QUICK FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
