@@ -15,6 +15,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       node_cache_(node_cache_shape(config)),
       box_(config.node_latency(), config.box_queue),
       boxed_(std::max(0, Stages(config).arrive - 1), config.contexts),
+      box_rests_(std::uint32_t(config.box_interval() - 1)),
       xform_(config.xform_latency() - 1, config.contexts),
       xform_rests_(std::uint32_t(config.xform_interval - 1)),
       list_(config),

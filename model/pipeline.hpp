@@ -168,14 +168,14 @@ private:
     Pipe<RayNumber> raygen_;
     Trav trav_;
     Cache node_cache_;
-    Delay box_, boxed_;   // boxed_, tried_: what trav and list look at in a fast chip
+    Delay box_, boxed_;                        // boxed_, tried_: what trav and list look at in a fast chip
+    std::uint32_t box_rests_, box_rest_ = 0;   // cycles after a node in which box takes none; that are left
     Delay xform_;
     std::uint32_t xform_rests_, xform_rest_ = 0;   // as tri's
     List list_;
     Cache prim_cache_;
     Delay tri_, tried_;
-    std::uint32_t tri_rests_, tri_rest_ = 0;   // cycles after a primitive in which tri takes none; that are
-                                               // left
+    std::uint32_t tri_rests_, tri_rest_ = 0;   // likewise of tri, after a primitive
     bool late_;                                // there are boxed_ and tried_
     Cache surf_cache_;
     Shade shade_;

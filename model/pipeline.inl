@@ -15,7 +15,7 @@ template <bool shades, bool levels>
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && Trace::enters(rays_[read].head);
-    m.offer(Link::box_req, node_cache_.valid() & !enters, box_.ready(), read);
+    m.offer(Link::box_req, node_cache_.valid() & !enters, box_.ready() & (box_rest_ == 0), read);
     m.read = m[Link::box_req].fires;
     if constexpr (levels) {
         const OnLink changed = xform_.answer(now);
@@ -55,7 +55,10 @@ template <bool shades, bool levels>
     const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
                         raygen = raygen_codes[std::size_t(progress(Link::ray))],
                         trav = trav_codes[turn + 2 * free],
-                        box = test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
+                        box =
+                            box_rest_ > 0
+                                ? 0u
+                                : test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
                         list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
                         tri =
                             tri_rest_ > 0
@@ -137,6 +140,7 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
+    box_rest_ = select(m[Link::box_req].fires, box_rests_, box_rest_ - (box_rest_ > 0));
     if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 
@@ -171,8 +175,8 @@ template <bool shades, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
     account_units(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (tri_rest_ > 0) |
-                         (levels && xform_rest_ > 0);
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (box_rest_ > 0) |
+                         (tri_rest_ > 0) | (levels && xform_rest_ > 0);
     clock_sched<shades>(m, shared.tile);
     clock_raygen<shades>(m, now);
     clock_trav<shades, levels>(m);

@@ -43,8 +43,8 @@ template <class Moving> BoxRay box_ray(const Moving& ray) {   ///< a Ray, or a C
 /// is 0, negative far a miss; both saturate at all ones. A zero component only asks whether o lies between
 /// the planes (rounded outward). If the chip shades, M is ray_dir_bits() here, in which len counts, and o may
 /// lie between lattice points: D of near is taken from the one further along the ray, D of far from the other
-/// (docs/origins.md, Boxes). Mirror of rtl/bvh/rc_box.sv, latency Config::box_latency() + 1, one node per
-/// cycle.
+/// (docs/origins.md, Boxes). Mirror of rtl/bvh/rc_box.sv, latency Config::box_latency() + 1, one node
+/// every Config::box_interval() cycles.
 ///
 /// Gives the children met, bit by bit, and t_near by child.
 using BoxTest = std::uint32_t(const BoxRay& ray, const WideNode& node, const Config& config,

@@ -130,6 +130,8 @@ const std::vector<Parameter>& parameters() {
         {"raygen_queue", &Config::raygen_queue, 2, 256, true, "answers raygen may hold"},
         {"box_queue", &Config::box_queue, 2, 256, true, "answers box may hold"},
         {"tri_queue", &Config::tri_queue, 2, 256, true, "answers tri may hold"},
+        {"box_lanes", &Config::box_lanes, 1, 8, true,
+         "children of a node that box tests at once; a node with more takes several cycles"},
         {"tri_interval", &Config::tri_interval, 1, 4, true,
          "cycles from a primitive that tri takes to the next; more share multipliers"},
         {"xform_interval", &Config::xform_interval, 1, 4, true,

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -89,6 +90,7 @@ struct Config {
     int raygen_queue = 16;    ///< answers raygen may hold, a power of two
     int box_queue = 16;       ///< answers box may hold, a power of two
     int tri_queue = 32;       ///< answers tri may hold, a power of two
+    int box_lanes = 8;        ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
     int tri_interval = 1;     ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
     int xform_interval = 2;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
     int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
@@ -187,6 +189,9 @@ struct Config {
     int stack_bits() const;       ///< count 0..stack_depth
     int raygen_latency() const;
     int box_latency() const;
+    int box_interval() const {
+        return is_bvh() ? std::max(1, node_width / box_lanes) : 1;
+    }   ///< cycles from a node that box takes to the next
     int treelet_latency() const;
     int globe_latency() const;
     int slant_latency() const;

@@ -19,7 +19,7 @@ Stages::Stages(const Config& config) {
     quotient_bits = fast ? 1 : 2;
     slab_planes = 2 + 2 * cut;
     slab = slab_planes + multiply + 1 + 2 * cut;
-    meet = 1 + 2 * cut;
+    meet = 1 + 2 * cut + config.box_interval() - 1;
     rank = 2 + exchange_levels(config.node_width) * cut;
     arrive = 2 * cut;
     tried = 3 * cut;

@@ -13,7 +13,7 @@ struct Stages {
     // The box test, rtl/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
     int slab_planes = 0;   ///< before a child's planes are multiplied
     int slab = 0;          ///< from a node to its children's intervals on an axis
-    int meet = 0;          ///< from these to the intervals' intersection
+    int meet = 0;          ///< from these, of the first children, to the intersections of all
     int rank = 0;          ///< from that to the children's order
     // The treelet, rtl/kd/rc_treelet.sv, rc_plane.sv; its exits' order as in box.
     int plane = 0;      ///< from a treelet to the times of its planes

@@ -1,13 +1,13 @@
-// One axis of the slab test for all children of a node: where the ray enters and
-// leaves each slab, rounded down and up. Part of rc_box, which has the valid bits: operands
-// and planes come with valid_i[0], the interval rc_pkg::SlabStages later (zero in a relaxed
-// chip if nothing is there).
+// One axis of the slab test for the children of a node that are tested at once: where the
+// ray enters and leaves each slab, rounded down and up. Part of rc_box, which has the valid
+// bits: operands and planes come with valid_i[0], the interval rc_pkg::SlabStages later (zero
+// in a relaxed chip if nothing is there).
 // If the origin has fraction bits, near planes are measured from the lattice point before
 // or beyond it that lies further along the ray, far planes from the other one: at most a
 // lattice step more (docs/origins.md, Boxes). Model: model/bvh/slab.hpp and slab.inl.
 `default_nettype none
 module rc_slab #(
-  localparam int unsigned W  = rc_pkg::NodeWidth,
+  localparam int unsigned W  = rc_pkg::NodeWidth / rc_pkg::BoxInterval,   // lanes
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned OW = rc_pkg::OriginWidth,
   localparam int unsigned B  = rc_pkg::BoxBits,

@@ -65,7 +65,12 @@ module rc_tree (
     .xform_req_valid_o(xform_req_valid), .xform_req_ready_i(xform_req_ready),
     .xform_req_o(xform_req), .change_fires_i(change_fires), .change_i(change));
 
-  // What decides a node; a further structure has a branch here.
+  // What decides a node; a further structure has a branch here. Only box may take a node every few
+  // cycles, and rest in between.
+  logic decide_rests;
+  if (rc_pkg::Structure != rc_pkg::StructureBvh) begin : gen_never_rests
+    assign decide_rests = 1'b0;
+  end
   if (rc_pkg::Structure == rc_pkg::StructureKd) begin : gen_treelet
     rc_treelet u_treelet (
       .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
@@ -84,8 +89,8 @@ module rc_tree (
   end else begin : gen_box
     rc_box u_box (
       .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
-      .req_i(decide_req), .rsp_valid_o(decide_rsp_valid), .rsp_ready_i(decide_rsp_ready),
-      .rsp_o(decide_rsp));
+      .req_i(decide_req), .rests_o(decide_rests), .rsp_valid_o(decide_rsp_valid),
+      .rsp_ready_i(decide_rsp_ready), .rsp_o(decide_rsp));
   end
 
   // What takes an instance, if there are two levels.
@@ -107,7 +112,8 @@ module rc_tree (
   assign change_o       = change;
 
   always_comb begin
-    if (decide_req_valid)
+    if (decide_rests) decide_cause_o = rc_pkg::DecideBusyWork;
+    else if (decide_req_valid)
       decide_cause_o = decide_req_ready ? rc_pkg::DecideBusyWork : rc_pkg::DecideStalledTrav;
     else
       decide_cause_o = node_waits_i ? rc_pkg::DecideStarvedMemory : rc_pkg::DecideStarvedTrav;

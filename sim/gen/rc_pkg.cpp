@@ -273,6 +273,7 @@ void derived(Package& p, const Config& c) {
     p.constant("StackStages", stages.stack);
     p.constant("RaygenLatency", c.raygen_latency());
     p.constant("BoxLatency", c.box_latency());
+    p.constant("BoxInterval", c.box_interval());
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
     p.constant("SlantLatency", c.slant_latency());

@@ -74,7 +74,8 @@ double peak_bytes_per_second(const Config& config, int khz) {
 
 Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     Bound bound;
-    bound.nodes = double(run.visits) / config.pipelines;
+    const std::uint64_t tested = (run.visits - entered(config, run)) * std::uint64_t(config.box_interval());
+    bound.nodes = double(std::max(run.visits, tested)) / config.pipelines;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
     bound.memory = double(bytes_read(run)) / peak_bytes_per_second(config, khz) * khz * 1e3;
     bound.cycles = std::max({bound.nodes, bound.triangles, bound.memory});
@@ -85,13 +86,15 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
 
 std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     const Bound bound = bound_of(config, khz, run);
-    const std::string tests =
-        config.tri_interval == 1 ? "one a cycle" : fmt::format("one every {} cycles", config.tri_interval);
+    const auto every = [](int interval) {
+        return interval == 1 ? "one a cycle" : fmt::format("one every {} cycles", interval);
+    };
     const bool is_port = config.dram_part() && peak_bytes_per_second(config, khz) >= 64.0 * khz * 1e3;
-    const std::string work = bound.unit == "trav"  ? "node visits, one a cycle and pipeline"
-                             : bound.unit == "tri" ? "triangle tests, " + tests + " and pipeline"
-                             : is_port             ? "the port to memory, 64 bytes a cycle,"
-                                                   : "the memory's data bus";
+    const std::string work =
+        bound.unit == "trav"  ? "node visits, " + every(config.box_interval()) + " and pipeline"
+        : bound.unit == "tri" ? "triangle tests, " + every(config.tri_interval) + " and pipeline"
+        : is_port             ? "the port to memory, 64 bytes a cycle,"
+                              : "the memory's data bus";
     std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work,
                                    bound.unit == "memory" ? "s" : "", bound.reached * 100);
     // What keeps the unit that bounds it from working in every cycle.

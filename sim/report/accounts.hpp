@@ -30,7 +30,7 @@ struct CacheAccount {
 CacheAccount cache_account(const FrameRun& run, Unit cache);
 
 /// The least cycles that the machine can need for a frame's work: a node and a triangle a cycle in each
-/// pipeline, and what the memory's data bus can carry.
+/// pipeline, or one every box_interval() and tri_interval cycles, and what the memory's data bus can carry.
 struct Bound {
     double nodes = 0, triangles = 0, memory = 0;   ///< cycles
     std::string unit;                              ///< "trav", "tri" or "memory": the largest of the three

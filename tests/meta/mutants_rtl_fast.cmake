@@ -1,5 +1,5 @@
 # Faults in what only a fast chip has (timing=fast): registers, and what passes by them. At the end, those of a tri that shares
-# its multipliers (tri_interval).
+# its multipliers (tri_interval), and of a box of few lanes.
 
 # ---- A register is taken away.
 mutant(fast_hitdiv_loses_a_stage QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
@@ -55,3 +55,14 @@ mutant(shared_v_before_u FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
 mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
+
+# ---- box that tests a node's children beat by beat.
+mutant(box_rests_a_cycle_less QUICK FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
+  OLD [[|valid_q[K-2:0];]]
+  NEW [[|valid_q[(K-1)/2:0];]])
+mutant(box_planes_do_not_move_on FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
+  OLD [[held.lo >> 3 * S * B;]]
+  NEW [[held.lo;]])
+mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
+  OLD [[assign all_met  = {met, met_q};]]
+  NEW [[assign all_met  = {met_q, met};]])

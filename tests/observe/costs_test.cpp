@@ -49,7 +49,7 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
         for (const PurposeCost& p : costs.purposes)
             CHECK(p.bytes == p.misses[0] * words[0] + p.misses[1] * words[1] + p.misses[2] * words[2]);
     }
-    CHECK(costs.moved[index(Link::box_req)] == account(Unit::box, 0));
+    CHECK(costs.moved[index(Link::box_req)] * std::uint64_t(config.box_interval()) == account(Unit::box, 0));
     CHECK(costs.moved[index(Link::treelet_req)] == account(Unit::treelet, 0));
     CHECK(costs.moved[index(Link::globe_req)] == account(Unit::globe, 0));
     CHECK(costs.moved[index(Link::slant_req)] == account(Unit::slant, 0));

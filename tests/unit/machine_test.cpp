@@ -132,7 +132,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
                                                                                                     // holds a
                                                                                                     // step up
     REQUIRE(frame.trace.turns > 0);
-    REQUIRE(code(Unit::box, 0) == count(Link::box_req));
+    REQUIRE(code(Unit::box, 0) == job.config.box_interval() * count(Link::box_req));
     REQUIRE(code(Unit::tri, 0) == job.config.tri_interval * count(Link::tri_req));
     REQUIRE(code(Unit::dispatch, 0) == count(Link::tile));
     REQUIRE(code(Unit::memport, 0) == count(asked));
@@ -178,7 +178,9 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
 }
 
 TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") {
-    const Job job = small_job(GENERATE("tetra:3", "gears:1"), {16, 12}, format("small"));
+    const auto [scene, name] = GENERATE(table<const char*, const char*>(
+        {{"tetra:3", "small"}, {"gears:1", "small"}, {"gears:1", "lanes1:small"}}));
+    const Job job = small_job(scene, {16, 12}, format(name));
     const FrameTrace frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic :
          {rayclock::Traffic{}, disturbed(3), rayclock::Traffic{0, 75, 4}}) {   // the last: both caches wait

@@ -76,6 +76,7 @@ struct BoxUnit {
     static constexpr const char *name = "rc_box", *in = "req", *out = "rsp";
     static constexpr bool has_frame = false;
     static int latency(const Config& c) { return c.box_latency(); }
+    static int interval(const Config& c) { return c.box_interval(); }
     static int queue(const Config& c) { return c.box_queue; }
     static BoxRsp answer(const BoxReq& req, const Frame&, const Config& c) { return box(req, c); }
 };
@@ -240,12 +241,17 @@ private:
 /// the widest; each also as "sheared:..." with that primitive test, one whose reciprocals are longer than its
 /// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, as
 /// "samples:..." of one with several samples in a pixel and triangles only, and as "fast:..." with its paths
-/// cut for a fast clock, and as "every2:..." or "every4:..." of one whose tri takes a primitive every so many
-/// cycles.
+/// cut for a fast clock, as "every2:..." or "every4:..." of one whose tri takes a primitive every so many
+/// cycles, and as "lanes1:..." to "lanes4:..." of one whose box tests so many children at once.
 inline Config format(const std::string& name) {
     if (name.starts_with("every2:") || name.starts_with("every4:")) {
         Config config = format(name.substr(7));
         config.tri_interval = name[5] - '0';
+        return config;
+    }
+    if (name.starts_with("lanes") && name.find(':') == 6) {
+        Config config = format(name.substr(7));
+        config.box_lanes = name[5] - '0';
         return config;
     }
     if (name.starts_with("fast:")) {

@@ -59,7 +59,12 @@ inline const std::vector<Values>& shapes() {
          {"prim_ways", 1},
          {"contexts", 1},
          {"dram", 2}},
-        {{"node_line", 256}, {"prim_line", 128}, {"node_sets", 8}, {"dram", 1}, {"tri_interval", 4}},
+        {{"node_line", 256},
+         {"prim_line", 128},
+         {"node_sets", 8},
+         {"dram", 1},
+         {"tri_interval", 4},
+         {"box_lanes", 2}},
         {{"dram", 0}, {"raygen_queue", 2}, {"box_queue", 2}, {"tri_queue", 2}, {"mem_latency", 1}},
     };
     return all;

@@ -125,13 +125,15 @@ TEST_CASE("box sees a ray that starts on a face or inside at distance 0", "[box]
 }
 
 TEMPLATE_TEST_CASE("box answers after exactly its latency", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
-    const Config config = format(GENERATE("default", "narrow", "fast:default"));
+    const Config config = format(GENERATE("default", "narrow", "fast:default", "lanes4:default",
+                                          "lanes1:default", "lanes2:fast:default", "lanes1:fast:default"));
     TestType dut{config};
     check_latency(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
 
-TEMPLATE_TEST_CASE("box takes a node in every cycle", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
-    const Config config = format(GENERATE("default", "wide", "fast:default"));
+TEMPLATE_TEST_CASE("box takes a node in every cycle, or every few", "[box]", Model<BoxUnit>, Rtl<BoxUnit>) {
+    const Config config = format(GENERATE("default", "wide", "fast:default", "lanes4:default",
+                                          "lanes1:default", "lanes2:fast:default", "lanes1:fast:default"));
     TestType dut{config};
     check_throughput(dut, config, [&](Draw& draw) { return random_req(draw, config); });
 }
@@ -142,6 +144,18 @@ TEST_CASE("model and rtl of box make the same moves in every cycle", "[box][lock
 
 TEST_CASE("model and rtl of a fast box make the same moves in every cycle", "[box][lockstep][fast]") {
     same_moves(format(GENERATE("fast:default", "fast:small", "fast:shading:narrow")));
+}
+
+TEST_CASE("model and rtl of a box of few lanes make the same moves in every cycle",
+          "[box][lockstep][lanes]") {
+    same_moves(format(GENERATE("lanes2:default", "lanes1:fast:default")));
+}
+
+TEST_CASE("model and rtl of a box of few lanes make the same moves in every format",
+          "[box][lockstep][lanes][slow]") {
+    same_moves(format(GENERATE("lanes1:default", "lanes4:default", "lanes4:fast:default",
+                               "lanes2:fast:default", "lanes1:small", "lanes2:fast:small", "lanes2:wide",
+                               "lanes1:shading:narrow", "lanes2:fast:shading:default")));
 }
 
 TEST_CASE("model and rtl of box make the same moves in every cycle with bounces and shadow rays",
