@@ -299,7 +299,8 @@ Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& co
 }
 
 void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
-                  const Texts& texts, const nlohmann::ordered_json& json) {
+                  const Texts& texts, const nlohmann::ordered_json& json, const Progress& progress) {
+    if (progress) progress("writing the page", 0, 1);
     const Request& request = work.request;
     const Picture picture = picture_of(work, s);
     const Picture* reference = s.compared ? &s.compared->reference : nullptr;
@@ -309,6 +310,7 @@ void write_report(const Options& o, const Work& work, const Simulated& s, const 
     origin.emplace_back("digest of pixels and cycles", json.at("digest").get<std::string>());
     write_bytes(o.report, report_page({json, request.config, s.runs[0].khz, s.runs[0].last(), costs, picture,
                                        reference, judgement, explain_line(s.runs[0].khz), texts, origin}));
+    if (progress) progress("writing the page", 1, 1);
 }
 
 int run(const Options& o) {
@@ -345,7 +347,7 @@ int run(const Options& o) {
         json["work_by_kind"] = work_by_kind_json(costs);
         if (!costs.partial)
             write_report(o, work, simulated, costs,
-                         explain_slowest(work, simulated, costs, traffic, progress), json);
+                         explain_slowest(work, simulated, costs, traffic, progress), json, progress);
         if (!o.json.is_alone()) fmt::print("  report: {}\n", printable(o.report));
     }
     if (!o.output.empty() && !simulated.partial) {

@@ -122,6 +122,8 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     const Request request =
         request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
+    if (!request.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
+        throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
     const int khz = one_clock_of(o.clock, request.config);
     const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
     const Job job =

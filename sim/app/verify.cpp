@@ -133,6 +133,9 @@ struct Verified {
     std::optional<Judgement> judgement;
     Picture difference;   ///< of the judgement
     GoldenResult golden;
+    /// Of the host, from the start of the command: when the first divergence was found, and when its waveform
+    /// and page were written.
+    std::optional<double> divergence_seconds, waveform_seconds;
 
     std::vector<NamedPicture> named_pictures() const {
         std::vector<NamedPicture> all{{"reference.png", pictures.reference, pictures.hits},
@@ -152,7 +155,8 @@ struct Verified {
 };
 
 /// The frames on both machines, and the reference's picture.
-Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
+Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Stopwatch& watch,
+                      const Progress& progress) {
     Verified v;
     for (const Camera& camera : work.path)
         v.traces.push_back(
@@ -161,6 +165,10 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
         return draw_reference(work.request, work.path.back(), work.size, o.threads);
     });
     v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed));
+    if (v.result.first) {
+        const std::chrono::duration<double> since = std::chrono::steady_clock::now() - v.result.first->found;
+        v.divergence_seconds = watch.seconds() - since.count();
+    }
     v.pictures = reference.get();
     return v;
 }
@@ -168,7 +176,7 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
 /// Machines that do not agree are run again for a waveform. What goes wrong there is no reason to say nothing
 /// of the divergence.
 std::string show_first_divergence(const Options& o, const Work& work, Traffic traffic, Verified& v,
-                                  const Progress& progress) {
+                                  const Stopwatch& watch, const Progress& progress) {
     if (!v.result.first || o.no_wave || interrupted()) return {};
     try {
         const DivergenceFiles files =
@@ -176,6 +184,7 @@ std::string show_first_divergence(const Options& o, const Work& work, Traffic tr
                              work.request.scene.name, command_line()},
                             o.output.empty() ? "." : o.output, progress);
         v.result.first->wave = files.wave;
+        v.waveform_seconds = watch.seconds();
         return fmt::format("    waveform: gtkwave {}\n    page: {}\n{}", printable(files.view),
                            printable(files.page), files.note.empty() ? "" : "    " + files.note + "\n");
     } catch (const std::exception& error) {
@@ -227,6 +236,10 @@ void print(const Options& o, const Work& work, const Verified& v, const std::str
     if (!o.output.empty()) fmt::print("  pictures: {}\n", picture_paths(o.output, v.named_pictures()));
 }
 
+nlohmann::ordered_json seconds_or_null(const std::optional<double>& seconds) {
+    return seconds ? nlohmann::ordered_json(*seconds) : nlohmann::ordered_json(nullptr);
+}
+
 nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits& limits, double seconds) {
     const Config& config = work.request.config;
     const LockstepResult& result = v.result;
@@ -255,7 +268,11 @@ nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits
             {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.job.khz, {frame}})})},
             {"units", units_json(config, frame)},
             {"memory", memory_json(config, work.job.khz, frame)},
-            {"host", {{"seconds", seconds}, {"judge_seconds", v.judgement ? v.judgement->seconds : 0}}},
+            {"host",
+             {{"seconds", seconds},
+              {"judge_seconds", v.judgement ? v.judgement->seconds : 0},
+              {"divergence_seconds", seconds_or_null(v.divergence_seconds)},
+              {"waveform_seconds", seconds_or_null(v.waveform_seconds)}}},
             {"digest", digest_text(frame.digest)}};
 }
 
@@ -280,8 +297,8 @@ int run(const Options& o) {
     Work work{request, size, path,
               make_job(request.scene, path[0], size, request.config, stop, request.settings)};
     work.job.khz = clocks[0];
-    Verified verified = run_machines(o, work, traffic, progress);
-    const std::string wave_lines = show_first_divergence(o, work, traffic, verified, progress);
+    Verified verified = run_machines(o, work, traffic, watch, progress);
+    const std::string wave_lines = show_first_divergence(o, work, traffic, verified, watch, progress);
     compare(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) write_pictures(o.output, verified.named_pictures());
     const double seconds = watch.seconds();

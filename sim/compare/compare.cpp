@@ -92,7 +92,13 @@ NamedReport read_report(const std::string& file) {
     if (!report.is_object()) refuse("it is not an object");
     for (const char* key : {"scene", "config", "frame", "clocks", "units", "memory", "digest"})
         if (!report.contains(key)) refuse(fmt::format("it has no key '{}'", key));
+    for (const char* key : {"scene", "config", "frame", "memory"})
+        if (!report[key].is_object()) refuse(fmt::format("its '{}' is no object", key));
     if (!report["clocks"].is_array() || report["clocks"].empty()) refuse("it has no clock");
+    for (const json& clock : report["clocks"])
+        if (!clock.is_object() || !clock.value("mhz", json()).is_number() ||
+            !clock.value("cycles", json()).is_number())
+            refuse("a clock has not its 'mhz' and 'cycles'");
     return {file, report, is_page ? parse_json(file, element_of(file, text, "data")) : json()};
 }
 

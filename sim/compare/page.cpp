@@ -36,7 +36,10 @@ std::vector<std::uint32_t> cycles_of(const NamedReport& report) {
         for (const json& map : report.page.at("maps"))
             if (map.at("key") == "cycles") return values_of(map, width * height);
     } catch (const std::exception& e) {
-        throw UserError(printable(report.file) + " has no figures of pixels that can be read: " + e.what());
+        // The library's own words stand after a bracket.
+        const std::string what = e.what();
+        throw UserError(printable(report.file) + " has no figures of pixels that can be read: " +
+                        what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2));
     }
     throw UserError(printable(report.file) + " has no cycles of pixels");
 }

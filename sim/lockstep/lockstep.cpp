@@ -169,6 +169,7 @@ private:
         watched_.reset();
         if (result_.first) return;
         result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
+        result_.first->found = std::chrono::steady_clock::now();
     }
 
     void cycle(FrameCollector& hits) {
@@ -280,17 +281,19 @@ private:
         const bool is_ray = link_infos[index(c)].carries_ray;
         const Slot pixel =
             is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
-        return {now,
-                unit_name(link_infos[index(c)].from, pipeline, c),
-                link_infos[index(c)].name,
-                id,
-                pixel.x,
-                pixel.y,
-                "",
-                "",
-                "",
-                pipeline,
-                c};
+        Divergence d{now,
+                     unit_name(link_infos[index(c)].from, pipeline, c),
+                     link_infos[index(c)].name,
+                     id,
+                     pixel.x,
+                     pixel.y,
+                     "",
+                     "",
+                     "",
+                     pipeline,
+                     c};
+        d.found = std::chrono::steady_clock::now();
+        return d;
     }
 
     std::string unit_name(const char* unit, int pipeline, Link c) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -19,10 +20,11 @@ struct Divergence {
     std::string got;        ///< what the RTL did
     std::string later;      ///< of a transfer that only one of them made: when the other did; empty otherwise
     int pipeline = 0;
-    std::optional<Link> on{};         ///< the link; nothing if an assertion of the RTL failed
-    std::size_t frame = 0;            ///< its number
-    std::uint64_t frame_begins = 0;   ///< cycle of the machine
-    std::string wave{};               ///< file of the waveform, if there is one
+    std::optional<Link> on{};                        ///< the link; nothing if an assertion of the RTL failed
+    std::size_t frame = 0;                           ///< its number
+    std::uint64_t frame_begins = 0;                  ///< cycle of the machine
+    std::string wave{};                              ///< file of the waveform, if there is one
+    std::chrono::steady_clock::time_point found{};   ///< of the host
 };
 
 /// The first counter, in the order of the units, that differs at the end of a frame.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "sim/report/terminal_line.hpp"
 #include "sim/rtl/builder.hpp"
 
 namespace rayclock {
@@ -18,10 +19,9 @@ namespace {
 void draw(const BuildStep& step) {
     const std::string left = step.left ? fmt::format(", about {:.0f} s left", *step.left) : "";
     if (step.stage.empty())
-        std::fputs("\r\033[K", stderr);
+        wipe_line();
     else
-        fmt::print(stderr, "\r\033[Kbuilding {}: {}, {:.0f} s{}", step.what, step.stage, step.seconds, left);
-    std::fflush(stderr);
+        draw_line(fmt::format("building {}: {}, {:.0f} s{}", step.what, step.stage, step.seconds, left));
 }
 
 /// One line for each build, at its beginning.

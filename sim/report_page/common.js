@@ -2,7 +2,8 @@
 "use strict";
 const byId = id => document.getElementById(id);
 const data = JSON.parse(byId("data").textContent);
-const grouped = n => Number(n).toLocaleString("en-US");
+const numbers = new Intl.NumberFormat("en-US");   // made once: thousands of figures are written
+const grouped = n => numbers.format(Number(n));
 
 const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
 async function inflated(text) {
@@ -23,6 +24,13 @@ const inferno = [[0, 0, 4], [31, 12, 72], [85, 15, 109], [136, 34, 106], [186, 5
 function heat(share) {
   const at = Math.min(1, Math.max(0, share)) * (inferno.length - 1), k = Math.min(inferno.length - 2, Math.floor(at));
   return inferno[k].map((c, i) => Math.round(c + (inferno[k + 1][i] - c) * (at - k)));
+}
+const heatSteps = 1024, heats = new Uint8Array(4 * (heatSteps + 1));
+for (let i = 0; i <= heatSteps; ++i) heats.set([...heat(i / heatSteps), 255], 4 * i);
+// Of every value, as a canvas has it.
+function heatPixels(values, end, pixels) {
+  const colours = new Uint32Array(heats.buffer), to = new Uint32Array(pixels.buffer);
+  for (let i = 0; i < values.length; ++i) to[i] = colours[Math.min(heatSteps, Math.round(values[i] / end * heatSteps))];
 }
 // Vega's modules ask for each other by require(); this is what its own entry point makes of them.
 const vega = (() => {

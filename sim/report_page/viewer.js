@@ -13,15 +13,12 @@ function addPicture(id, name) {
   if (image) layers.push({ name, draw: context => context.drawImage(image, 0, 0), legend: id === "difference" });
 }
 function addMap(map) {
-  const end = scaleEnd(map.values);
   layers.push({
-    name: map.name, end, map,
+    name: map.name, map,
     draw(context) {
+      this.end = this.end || scaleEnd(map.values);
       const pixels = context.createImageData(data.width, data.height);
-      for (let i = 0; i < map.values.length; ++i) {
-        const [r, g, b] = heat(map.values[i] / end);
-        pixels.data.set([r, g, b, 255], 4 * i);
-      }
+      heatPixels(map.values, this.end, pixels.data);
       context.putImageData(pixels, 0, 0);
     }
   });

@@ -81,6 +81,15 @@ TEST_CASE("compare refuses what is no report") {
     check_refused(run_program({"compare", a, empty}), {"empty.json", "no report", "'scene'"});
     check_refused(run_program({"compare", a, list}), {"list.json", "no report"});
     check_refused(run_program({"compare", a, broken}), {"broken.json"});
+    const auto changed = [&](const char* pointer, const json& value) {   // as another version might write it
+        json other = json::parse(bytes_of(a));
+        other[json::json_pointer(pointer)] = value;
+        return folder.write("other.json", other.dump());
+    };
+    check_refused(run_program({"compare", a, changed("/clocks/0/mhz", "x")}), {"other.json", "'mhz'"});
+    check_refused(run_program({"compare", a, changed("/clocks/0", json::object())}),
+                  {"other.json", "'mhz' and 'cycles'"});
+    check_refused(run_program({"compare", a, changed("/frame", 3)}), {"other.json", "'frame' is no object"});
     check_refused(run_program({"compare", a, folder.name("missing.json")}), {"missing.json"});
     check_refused(run_program({"compare", a, a, "--max-worse", "much"}), {"--max-worse", "much"});
     check_refused(run_program({"compare", a, a, "--figure", "x"}), {"--figure", "--max-worse"});

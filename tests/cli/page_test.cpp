@@ -2,7 +2,10 @@
 // it.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include "tests/cli/browser.hpp"
 
@@ -10,6 +13,28 @@ using namespace rayclock::test;
 using nlohmann::json;
 
 namespace {
+
+/// A map's value of every pixel, unpacked by zlib and a decoder of the test's own.
+std::vector<std::uint32_t> values_of(const nlohmann::json& map, std::size_t pixels) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<Bytef> packed;
+    std::uint32_t bits = 0, held = 0;
+    for (const char c : map["data"].get<std::string>()) {
+        if (c == '=') break;
+        bits = bits << 6 | std::uint32_t(digits.find(c));
+        held += 6;
+        if (held >= 8) packed.push_back(Bytef(bits >> (held -= 8)));
+    }
+    const std::size_t bytes = map["bytes"];
+    std::vector<Bytef> planes(bytes * pixels);
+    uLongf size = uLongf(planes.size());
+    REQUIRE(uncompress(planes.data(), &size, packed.data(), uLong(packed.size())) == Z_OK);
+    REQUIRE(size == planes.size());
+    std::vector<std::uint32_t> values(pixels);
+    for (std::size_t i = 0; i < bytes * pixels; ++i)
+        values[i % pixels] += std::uint32_t(planes[i]) << 8 * (i / pixels);
+    return values;
+}
 
 /// Without what differs from run to run.
 json lasting(json report) {
@@ -73,6 +98,44 @@ TEST_CASE("a report is one file, and its figures are those of the JSON report") 
         for (const char* link :
              {"src=\"http", "href=\"http", "url(http", "@import", "<link rel=\"stylesheet"})
             CHECK(page.find(link) == page.npos);
+    }
+}
+
+TEST_CASE("the maps of a report have what explain says of each pixel, and its slowest are the slowest") {
+    constexpr std::size_t width = 40, height = 30;
+    const Folder folder;
+    const std::vector<std::string> scene{"gears:2", "--size", "40x30", "--clock", "66", "--no-judge"};
+    const auto with = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+        words.insert(words.end(), scene.begin(), scene.end());
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    REQUIRE(run_program(with({"simulate"}, {"--report", folder.name("a.html")})).code == 0);
+    const json data = data_of(bytes_of(folder.name("a.html")), "data");
+    std::map<std::string, std::vector<std::uint32_t>> maps;
+    for (const json& map : data["maps"]) maps[map["key"]] = values_of(map, width * height);
+
+    const std::vector<std::size_t> slowest = data["slowest"];
+    const std::vector<std::uint32_t>& cycles = maps["cycles"];
+    REQUIRE(slowest.size() == 100);
+    std::vector<std::uint32_t> sorted = cycles;
+    std::sort(sorted.rbegin(), sorted.rend());
+    for (std::size_t i = 0; i < slowest.size(); ++i) CHECK(cycles[slowest[i]] == sorted[i]);
+
+    const std::map<std::string, std::string> names{
+        {"rays", "rays"},           {"visits", "node_visits"}, {"tests", "primitive_tests"},
+        {"misses", "cache_misses"}, {"bytes", "bytes"},        {"first", "first_cycle"},
+        {"cycles", "cycles"}};
+    for (const std::size_t pixel : {slowest[0], slowest[50], std::size_t(17 * width + 23)}) {
+        const std::string place = std::to_string(pixel % width) + "," + std::to_string(pixel / width);
+        INFO("pixel " << place);
+        const Outcome told = run_program(with({"explain"}, {place, "--json", "-"}));
+        REQUIRE(told.code == 0);
+        const json cost = json::parse(told.out)["cost"];
+        for (const auto& [map, figure] : names) {
+            INFO(map);
+            CHECK(maps[map].at(pixel) == cost[figure]);
+        }
     }
 }
 

@@ -15,6 +15,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include "tests/cli/under_test.hpp"
+
 namespace rayclock::test {
 
 namespace fs = std::filesystem;
@@ -86,23 +88,28 @@ Outcome run(std::string program, const std::vector<std::string>& arguments,
 
 }   // namespace
 
+std::string program_under_test() {
+    const char* const other = std::getenv("RAYCLOCK_PROGRAM");
+    return other ? other : RAYCLOCK_PROGRAM;
+}
+
 Outcome run_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
-    return run(RAYCLOCK_PROGRAM, arguments, environment, {});
+    return run(program_under_test(), arguments, environment, {});
 }
 Outcome run_in_shell(const std::string& script, const std::vector<std::string>& arguments) {
-    std::vector<std::string> all{"-c", script, "sh", RAYCLOCK_PROGRAM};
+    std::vector<std::string> all{"-c", script, "sh", program_under_test()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return run("/bin/sh", all, {}, {});
 }
 Outcome run_and_interrupt(const std::vector<std::string>& arguments, int milliseconds) {
-    return run(RAYCLOCK_PROGRAM, arguments, {}, [milliseconds](pid_t child) {
+    return run(program_under_test(), arguments, {}, [milliseconds](pid_t child) {
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         ::kill(child, SIGINT);
     });
 }
 Outcome run_and_stop(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
                      int signal, const std::function<bool()>& ready) {
-    return run(RAYCLOCK_PROGRAM, arguments, environment, [&](pid_t child) {
+    return run(program_under_test(), arguments, environment, [&](pid_t child) {
         for (int i = 0; i < 6000 && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ::kill(child, signal);
     });

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "tests/cli/fake_tools.hpp"
+#include "tests/cli/under_test.hpp"
 
 using namespace rayclock::test;
 using Catch::Contains;
@@ -182,7 +183,7 @@ TEST_CASE("on a terminal a build shows its stage and its time, and wipes the lin
     tools.replace("c++", FakeTools::compiler("/bin/sleep 0.3; echo built > \"$out\""));
     std::string command = "env";
     for (const std::string& variable : tools.environment()) command += " '" + variable + "'";
-    command += " " RAYCLOCK_PROGRAM " rtl";
+    command += " " + program_under_test() + " rtl";
     tools.folder().write("run.sh", command);
     REQUIRE(
         std::system(("script -qec 'sh " + tools.path("run.sh") + "' " + tools.path("seen") + " > /dev/null")

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/browser.hpp"
+#include "tests/cli/under_test.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;
@@ -169,7 +170,7 @@ std::string grid_words() {
 }
 /// `script` with rayclock in its PATH, in the folder.
 void run_script(const Place& p, const std::string& script) {
-    const std::string program = RAYCLOCK_PROGRAM;
+    const std::string program = program_under_test();
     const Outcome o =
         run_in_shell("cd '" + p.folder.name("") + "' && PATH='" + program.substr(0, program.rfind('/')) +
                          "':$PATH && export PATH '" + p.cache[0] + "' && " + script,

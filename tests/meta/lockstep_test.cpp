@@ -44,8 +44,9 @@ private:
     fs::path folder_;
 };
 
-Job small_job() {
+Job small_job(int tri_interval = 1) {
     Config config = named_config("small");   // builds fastest
+    config.tri_interval = tri_interval;
     Scene scene = load_scene("icosphere:2");
     scene.camera = fit_camera(scene, 4.0 / 3);
     return make_job(scene, *scene.camera, {24, 18}, config);
@@ -161,6 +162,18 @@ TEST_CASE("lockstep names the first cycle in which the RTL is late") {
     CHECK(result.model.hits.hits == result.rtl.hits.hits);
     CHECK(result.rtl.cycles > result.model.cycles);
     CHECK(result.value_mismatches == 0);
+}
+
+TEST_CASE("lockstep names the first cycle in which the RTL is early") {
+    const Mutant mutant("isect/rc_tri.sv", "|valid_q[Interval-2:0];", "|valid_q[Interval-3:0];");
+    const LockstepResult result = run_lockstep(small_job(4));
+    REQUIRE(result.first);
+    CHECK(result.first->unit == "tri");   // which took it too soon
+    CHECK(result.first->link == "tri_req");
+    CHECK(result.first->expected == "an offer that is not accepted");
+    CHECK(result.first->got == "a transfer");
+    CHECK(result.first->later == "the model makes it 1 cycle later");
+    CHECK_FALSE(result.agrees());
 }
 
 TEST_CASE("lockstep ends when the RTL never gives a pixel") {

@@ -1,6 +1,6 @@
-# cmake -DNAME= -DFOLDER= -DSOURCE= -DFILE= -DPROGRAM= -DFILTER= [-DCACHE=] [-DSIMULATE=ON] [-DEXPECT=pass] -P run_mutant.cmake
+# cmake -DNAME= -DFOLDER= -DSOURCE= -DFILE= -DPROGRAM= -DFILTER= [-DCACHE=] [-DSIMULATE=ON] [-DMUTANT=] [-DEXPECT=pass] -P run_mutant.cmake
 # Runs a test program on a mutant; the program must fail, and not because the mutant cannot be built. For an RTL mutant a
-# copy of rtl/ is changed here; for one of the model, PROGRAM was built with the change.
+# copy of rtl/ is changed here; for one of the model, PROGRAM was built with the change, or is a test of the MUTANT.
 if(FILE MATCHES "^rtl/")
   file(REMOVE_RECURSE ${FOLDER}/rtl ${FOLDER}/cache)
   file(COPY ${SOURCE}/rtl DESTINATION ${FOLDER})
@@ -38,6 +38,9 @@ if(SIMULATE)
     message(FATAL_ERROR "${NAME} SURVIVED: ${FILE} is wrong, and simulate did not notice on ${FILTER}")
   endif()
   return()
+endif()
+if(MUTANT)
+  set(ENV{RAYCLOCK_PROGRAM} ${MUTANT})
 endif()
 execute_process(COMMAND ${PROGRAM} ${FILTER} --abort WORKING_DIRECTORY ${SOURCE} TIMEOUT 600
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
