@@ -70,13 +70,26 @@ std::vector<int> seeds_of(const std::string& typed) {
     return seeds;
 }
 
-/// A folder that is there or can be made.
-void make_folder(const std::string& path) {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error) throw UserError(fmt::format("{}: {}", printable(path), error.message()));
-    check_writable((fs::path(path) / "report.txt").string());
-}
+/// A folder that is there or can be made. If it was made and nothing came into it, it goes again.
+class OutputFolder {
+public:
+    explicit OutputFolder(const std::string& path) : path_(path) {
+        if (path.empty()) return;
+        std::error_code error;
+        is_new_ = fs::create_directories(path_, error);
+        if (error) throw UserError(fmt::format("{}: {}", printable(path), error.message()));
+        check_writable((path_ / "report.txt").string());
+    }
+    ~OutputFolder() {
+        std::error_code ignored;   // it is not empty
+        if (is_new_) fs::remove(path_, ignored);
+    }
+    OutputFolder(const OutputFolder&) = delete;
+
+private:
+    fs::path path_;
+    bool is_new_ = false;
+};
 
 std::string text_of(const std::vector<chip::Result>& all) {
     std::string text;
@@ -185,7 +198,7 @@ int run(const Options& o) {
     const Progress progress = terminal_progress();
     const Asked asked = asked_of(o, progress);
     const std::vector<std::string> tops = tops_of(o, asked.config);
-    if (!o.output.empty()) make_folder(o.output);
+    const OutputFolder folder(o.output);
     jobs::Cache cache(rtl_cache() / "chip", o.fresh);
     if (o.fast) return tell_estimate(o, {asked.config, "chip", device, seeds}, cache, progress);
     std::vector<chip::Result> all;
