@@ -53,7 +53,8 @@ int run(const Options& o) {
     const std::string path = (folder / "gigahertz.md").string(), plot = (folder / "gigahertz").string();
     check_writable(path);
     plot::check_plot_path(plot);
-    const gigahertz::Figures figures = gigahertz::measure(study, stopping(terminal_progress()));
+    const Progress progress = stopping(terminal_progress());
+    const gigahertz::Figures figures = gigahertz::measure(study, progress);
     plot::write_plot(plot, gigahertz::picture(figures, study));
     write_file(path, gigahertz::page(figures, study, command_of(o), "gigahertz"));
     fmt::print("{} written\n", printable(path));

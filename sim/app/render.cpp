@@ -107,7 +107,8 @@ int run(const Options& o) {
     o.json.check();
     catch_interrupts();
     Scene scene;
-    const Drawn drawn = draw(o, size, scene, stopping(terminal_progress()));
+    const Progress progress = stopping(terminal_progress());   // also for who waits for the file
+    const Drawn drawn = draw(o, size, scene, progress);
     stop_if_interrupted();
     write_picture(o.output, drawn.picture, drawn.hits);
     if (!o.json.is_alone())
