@@ -66,19 +66,18 @@ Watched watch(const std::vector<std::string>& arguments, const std::string& fold
 
 TEST_CASE("nobody waits at a terminal for two seconds without being told for what", "[slow]") {
     const std::vector<std::vector<std::string>> commands{
-        {"render", "tree:8", "--engine", "reference", "--size", "1024x768", "--aa", "3", "--depth", "5", "-o",
-         "out.png"},
-        {"simulate", "mount:9", "--clock", "66", "--report", "out.html"},
-        {"simulate", "spheres", "--depth", "6", "--aa", "3", "--size", "1024x768"},
-        {"verify", "gears:4", "--size", "256x192", "--config", "small", "-o", "out"},
         {"explain", "tree:8", "255,190", "--report", "out.html"},
         {"trace", "gears:8", "--cycles", "100000:101000", "-o", "out.kanata"},
+        {"export", "gears:8", "-o", "out"},
+        {"simulate", "gears:8", "--clock", "66", "--report", "out.html"},
+        {"simulate", "spheres", "--depth", "4", "--aa", "2", "--size", "512x384"},
+        {"render", "balls:4", "--engine", "reference", "--size", "1024x768", "-o", "out.png"},
+        {"stress", "--test", "all", "--rays", "1e5"},
+        {"fit", "gears:2", "--size", "128x96", "-o", "out.json"},
+        {"bench", "gears:4", "--size", "128x96"},
+        {"verify", "gears:4", "--size", "128x96", "--config", "small", "-o", "out"},
         {"sweep", "gears:4", "--size", "128x96", "--axis", "pipelines=1,2", "--axis", "clock=33,66", "-o",
          "out.csv"},
-        {"fit", "gears:2", "--size", "128x96", "--no-route", "-o", "out.json"},
-        {"stress", "--test", "all", "--rays", "1e5"},
-        {"bench", "gears:4", "--size", "128x96"},
-        {"export", "gears:8", "-o", "out"},
     };
     for (const std::vector<std::string>& command : commands) {
         Watched watched;
