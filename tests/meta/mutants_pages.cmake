@@ -62,9 +62,6 @@ mutant(compare_gains_what_it_loses FILE sim/compare/page.cpp TEST cli "pages of 
 mutant(explain_mean_is_of_rays FILE sim/explain/json.cpp TEST cli "the mean that explain*"
   OLD [[{"node_visits", double(sums.visits) / pixels},]]
   NEW [[{"node_visits", double(sums.visits) / double(sums.rays + 1)},]])
-mutant(explain_forgets_merged_misses FILE sim/explain/json.cpp TEST cli "explain tells every ray*"
-  OLD [[{"cache_misses", ray.misses + ray.merges},]]
-  NEW [[{"cache_misses", ray.misses},]])
 mutant(explain_counts_a_cycle_twice FILE sim/explain/json.cpp TEST cli "explain tells every ray*"
   OLD [[{"work", step.work()}, ]]
   NEW [[{"work", step.work() + 1}, ]])
@@ -92,3 +89,7 @@ mutant(divergence_waveform_has_the_sides_swapped FILE sim/divergence/waveform.cp
                 set(signals_[i].rtl[f], field, link.rtl);]]
   NEW [[                set(signals_[i].model[f], field, link.rtl);
                 set(signals_[i].rtl[f], field, link.model);]])
+
+mutant(line_is_not_drawn_again FILE sim/report/text.cpp TEST cli "nobody waits*"
+  OLD [[if (seconds_since_line() > silence) draw]]
+  NEW [[if (seconds_since_line() < 0) draw]])
