@@ -66,3 +66,22 @@ mutant(box_planes_do_not_move_on FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
 mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
   OLD [[assign all_met  = {met, met_q};]]
   NEW [[assign all_met  = {met_q, met};]])
+
+# ---- shade that makes a pass every few cycles.
+mutant(shade_rests_a_cycle_less QUICK FILE rtl/shade/rc_pass.sv TEST unit [shade][interval]
+  OLD [[|turn[Every-2:0];]]
+  NEW [[|turn[(Every-1)/2:0];]])
+mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pass][interval]
+  OLD [[if (turn_i[i+Inside]) p_q <= p;]]
+  NEW [[if (turn_i[i+1]) p_q <= p;]])
+mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
+  OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
+  NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
+mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
+  OLD [[.Stages(Every - 1)) u_last]]
+  NEW [[.Stages(Every / 4)) u_last]])
+mutant(shade_starves_while_it_rests FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[    if (rests)
+      cause_o]]
+  NEW [[    if (rests && 1'b0)
+      cause_o]])

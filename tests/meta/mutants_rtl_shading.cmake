@@ -102,8 +102,8 @@ mutant(unit_not_clamped FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
   OLD [[whole[37:35] != '0 ? 17'h10000 : {1'b0, whole[34:19]};]]
   NEW [[&whole[37:35] ? 17'h10000 : {1'b0, whole[34:19]};]])
 mutant(unit_components_wait_for_others FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
-  OLD [[.valid_i(valid_q[5:3]), .data_i(s4_a_q)]]
-  NEW [[.valid_i(valid_q[4:2]), .data_i(s4_a_q)]])
+  OLD [[.valid_i(ends[6:4]), .data_i(s4_a_q)]]
+  NEW [[.valid_i(ends[5:3]), .data_i(s4_a_q)]])
 mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
   OLD [[s5_none_q  <= s4_none_q ||]]
   NEW [[s5_none_q  <= (s4_none_q && s4_y_q[0]) ||]])
@@ -119,8 +119,8 @@ mutant(pass_pending_forgets_the_answer QUICK FILE rtl/shade/rc_start.sv TEST uni
   OLD [[(state_i.pending == rc_pkg::PendingAnswer && !found)]]
   NEW [[(state_i.pending == rc_pkg::PendingAnswer)]])
 mutant(pass_first_hit_of_any_depth FILE rtl/shade/rc_start.sv TEST unit [pass][all]
-  OLD [[arrives_o && state_i.depth == '0 && state_i.sample]]
-  NEW [[arrives_o && state_i.sample]])
+  OLD [[arrives && state_i.depth == '0 && state_i.sample]]
+  NEW [[arrives && state_i.sample]])
 mutant(pass_leaves_with_the_ratio_of_entering FILE rtl/shade/rc_start.sv TEST unit [pass][all]
   OLD [[back ? surface_i.leave : surface_i.enter]]
   NEW [[back ? surface_i.enter : surface_i.leave]])
@@ -204,8 +204,8 @@ mutant(snell_ratio_not_rounded FILE rtl/shade/rc_snell.sv TEST unit [pass][all]
   OLD [[s1_long_q + 33'h800;]]
   NEW [[s1_long_q + 33'h0;]])
 mutant(schlick_fourth_power FILE rtl/shade/rc_schlick.sv TEST unit [pass][all]
-  OLD [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q};]]
-  NEW [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q | 17'h10000};]])
+  OLD [[s3_q5, s2_q,]]
+  NEW [[s3_q5, s2_q | 17'h10000,]])
 mutant(bounce_component_above_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][all]
   OLD [[s14_unit > 26'sh10000 ? 18'sh10000]]
   NEW [[s14_unit > 26'sh18000 ? 18'sh10000]])
