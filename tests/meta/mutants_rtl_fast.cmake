@@ -2,7 +2,7 @@
 # its multipliers (tri_interval), and of a box of few lanes.
 
 # ---- A register is taken away.
-mutant(fast_hitdiv_loses_a_stage QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
+mutant(fast_hitdiv_loses_a_stage FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
   OLD [[rc_cut #(.Width(T + 1)) u_t_last]]
   NEW [[rc_cut #(.Width(T + 1), .Stages(0)) u_t_last]])
 mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][fast]
@@ -35,7 +35,7 @@ mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
 mutant(tags_fast_tree_that_is_written FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[: touched_q && same_late ? late_recent : kept;]]
   NEW [[: kept;]])
-mutant(mshr_fast_new_line_is_not_waited_for QUICK FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
+mutant(mshr_fast_new_line_is_not_waited_for FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
   OLD [[takes ? set_i == ahead_set_i : set_q == ahead_set_i;]]
   NEW [[set_q == ahead_set_i;]])
 mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]

@@ -1,7 +1,7 @@
 # Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
 
 # ---- box, list, trav, raygen, sched of a chip that shades.
-mutant(slab_near_from_the_point_before QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
+mutant(slab_near_from_the_point_before FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
   OLD [[D'(s0_org_i) - D'(s0_point) - $signed({{(D-1){1'b0}}, s0_between});]]
   NEW [[D'(s0_org_i) - D'(s0_point);]])
 mutant(slab_far_from_the_nearer_point FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
@@ -31,7 +31,7 @@ mutant(stack_stop_keeps_the_stack FILE rtl/bvh/rc_stack.sv TEST unit [trav][shad
 mutant(stack_visits_a_child_when_stopped FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
   OLD [[forward       = !stop &&]]
   NEW [[forward       =]])
-mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
+mutant(raygen_away_counts_as_long FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
   OLD [[is_short = dir_kind_q != rc_pkg::RayShadow;]]
   NEW [[is_short = dir_kind_q != rc_pkg::RayShadow && dir_kind_q != rc_pkg::RayAway;]])
 mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
@@ -257,7 +257,7 @@ mutant(contexts_stack_half_as_deep FILE rtl/shade/rc_contexts.sv TEST torture "m
 mutant(finish_contrast_itself_is_too_much FILE rtl/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
   OLD [[s1_apart <= contrast &&]]
   NEW [[s1_apart < contrast &&]])
-mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
+mutant(hitdiv_t_wraps FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
   OLD [[assign t_o = end_beyond || (&t_down)]]
   NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
