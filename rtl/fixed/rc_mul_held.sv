@@ -30,13 +30,14 @@ module rc_mul_held #(
   for (genvar m = 0; m < Multipliers; m++) begin : gen_multiplier
     localparam int unsigned First = m * Share;
     localparam int unsigned Own   = Products - First < Share ? Products - First : Share;
+    localparam int          Early = Own - 1;   // that are not the last
     logic [AW-1:0] a;
     logic [BW-1:0] b;
     logic [PW-1:0] p;
     always_comb begin
       a = a_i[(First+Own-1)*AW +: AW];
       b = b_i[(First+Own-1)*BW +: BW];
-      for (int i = 0; i + 1 < int'(Own); i++)
+      for (int i = 0; i < Early; i++)
         if (turn_i[i]) begin
           a = a_i[(First+i)*AW +: AW];
           b = b_i[(First+i)*BW +: BW];
