@@ -42,8 +42,7 @@ template <bool shades, bool levels>
         m.offer(Link::surf_req, shade_.surf_valid(), surf_cache_.ready(), shade_.surf_ray());
         m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready(), surf_cache_.answer());
         m.offer(Link::spawn, shade_.spawn_valid(), raygen_.ready() & !camera, shade_.spawn_ray());
-        const bool offered = shade_.offers(surf_cache_.valid());
-        m.shade_code = offered ? (shade_.ready() ? 0 : 3) : surf_cache_.waits() ? 1 : 2;
+        m.shade_code = shade_.code(surf_cache_.valid(), surf_cache_.waits());
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
@@ -194,7 +193,7 @@ template <bool shades, bool levels>
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
     if constexpr (shades) {
-        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) &
+        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() &
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade(m, now);

@@ -136,6 +136,8 @@ const std::vector<Parameter>& parameters() {
          "cycles from a primitive that tri takes to the next; more share multipliers"},
         {"xform_interval", &Config::xform_interval, 1, 4, true,
          "cycles from a ray that xform takes to the next, with levels=2; more share multipliers"},
+        {"shade_interval", &Config::shade_interval, 1, 8, true,
+         "cycles from a pass that shade takes to the next, with shading; more share multipliers"},
         {"pipelines", &Config::pipelines, 1, 16, true, "P: pipelines"},
         {"tile_bits", &Config::tile_bits, 0, 6, false, "pixels go out in squares of 2^k; 0: row by row"},
         {"node_sets", &Config::node_sets, 1, 4096, true, "node cache of a pipeline: sets"},

@@ -93,6 +93,7 @@ struct Config {
     int box_lanes = 8;        ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
     int tri_interval = 1;     ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
     int xform_interval = 2;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
+    int shade_interval = 1;   ///< cycles from a pass that shade takes to the next, 1, 2, 4 or 8; with shading
     int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by
                           ///< row

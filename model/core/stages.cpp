@@ -81,6 +81,8 @@ int Config::xform_latency() const {
     const Stages stages(*this);
     return stages.map + stages.recip + stages.recip_share - 1;
 }
-int Config::shade_latency() const { return 28; }   // rtl/shade/rc_pass.sv
+int Config::shade_latency() const {   // what is held for several cycles is in a register to begin with
+    return Stages(*this).pass * shade_interval + (shade_interval > 1);
+}
 
 }   // namespace rayclock

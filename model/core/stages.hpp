@@ -43,6 +43,9 @@ struct Stages {
     int map_share = 1;
     int recip_share = 1;
     int map = 0;
+    // A pass of shade, rtl/shade/rc_pass.sv: a pass stays in each of so many stages for shade_interval
+    // cycles.
+    int pass = 28;
     // Units that keep what they know of a ray.
     int arrive = 0;   ///< more of trav's, from box's answer to its leaves
     int tried = 0;    ///< more of list's, from tri's answer on

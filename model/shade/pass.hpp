@@ -9,7 +9,7 @@ namespace rayclock {
 /// Local light: ambient, Lambert, and Phong 1975. Reflection R = 2 (N . V) N - V and refraction by Snell's
 /// law (Whitted 1980), the surrounding medium's index being 1; Schlick 1994 for Fresnel's term. Every product
 /// is rounded once, to nearest, halves up, unless said otherwise; colours saturate at 1. Mirror of
-/// rtl/shade/rc_shade.sv, latency Config::shade_latency() + 1, one pass a cycle.
+/// rtl/shade/rc_shade.sv, latency Config::shade_latency() + 1, one pass every shade_interval cycles.
 PassOut pass(const PassIn& in, const Frame& frame, const Config& config);
 
 }   // namespace rayclock

@@ -1,10 +1,12 @@
 // c^(n/16): c from 0 to 2^16 with UnitBits of fraction (16), n of 14 bits, 4 of them
 // fraction. 0 of c = 0. Error bounds: model/shade/power.hpp, the model.
 //
-// Latency rc_pkg::PowerStages, throughput 1 per cycle, no stall; a stage works only if
-// valid_i came with its operands.
+// Latency rc_pkg::PowerStages stages of Every cycles, a power as often, no stall; operands are
+// held as long. A stage works only if valid_i came with them, in its first cycle.
 `default_nettype none
-module rc_power (
+module rc_power #(
+  parameter int unsigned Every = rc_pkg::ShadeInterval
+) (
   input  logic        clk_i,
   input  logic        valid_i,
   input  logic [16:0] c_i,
@@ -15,8 +17,15 @@ module rc_power (
   localparam int unsigned LogW   = 30;
   localparam int unsigned ExpW   = 28;
 
-  logic [Stages-1:0] valid_q;
-  always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
+  // In which cycle of which stage a power is; ends[i]: one goes on from stage i.
+  logic [Stages*Every-1:1] turn_q;
+  logic [Stages*Every-1:0] turn;
+  logic [Stages-1:0]       ends;
+  assign turn = {turn_q, valid_i};
+  always_ff @(posedge clk_i) turn_q <= turn[Stages*Every-2:0];
+  for (genvar i = 0; i < Stages; i++) begin : gen_ends
+    assign ends[i] = turn[i*Every+Every-1];
+  end
 
   // s1: m = c 2^below, 2^16 <= m < 2^17.
   logic [4:0]  s0_below, s1_below_q, s2_below_q;
@@ -25,20 +34,20 @@ module rc_power (
   always_comb begin
     s0_below = 5'd17;   // c = 0
     s0_m     = '0;
-    if (valid_i) begin
+    if (ends[0]) begin
       for (int i = 0; i < 17; i++) if (c_i[i]) s0_below = 5'd16 - 5'(i);
       s0_m = c_i << s0_below;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (valid_i) begin
+    if (ends[0]) begin
       s1_below_q <= s0_below;
       s1_m_q     <= s0_m[15:0];
     end
   end
   logic [13:0] s3_n;
   rc_delay #(.Width(14), .Stages(3)) u_n (
-    .clk_i, .valid_i({valid_q[1:0], valid_i}), .data_i(n_i), .data_o(s3_n));
+    .clk_i, .valid_i(ends[2:0]), .data_i(n_i), .data_o(s3_n));
 
   // s2, s3: -log2(c), 18 bits of fraction.
   logic [LogW-1:0] log_mem [128];
@@ -48,14 +57,16 @@ module rc_power (
   logic [20:0]     s2_more;
   logic [22:0]     s3_neg_q;
   logic            s3_zero_q;
-  assign s2_more = {9'd0, s2_entry_q[11:0]} * {12'd0, s2_frac_q};
+  rc_mul_held #(.AW(12), .BW(9), .Signed(1'b0), .Every(Every)) u_more (
+    .clk_i, .turn_i(turn[2*Every +: Every]), .a_i(s2_entry_q[11:0]), .b_i(s2_frac_q),
+    .p_o(s2_more));
   always_ff @(posedge clk_i) begin
-    if (valid_q[0]) begin
+    if (ends[1]) begin
       s2_entry_q <= log_mem[s1_m_q[15:9]];
       s2_frac_q  <= s1_m_q[8:0];
       s2_below_q <= s1_below_q;
     end
-    if (valid_q[1]) begin
+    if (ends[2]) begin
       s3_neg_q  <= {s2_below_q, 18'd0} - {5'd0, s2_entry_q[29:12]} - {11'd0, s2_more[20:9]};
       s3_zero_q <= s2_below_q == 5'd17;
     end
@@ -65,9 +76,10 @@ module rc_power (
   logic [36:0] s3_product;
   logic [32:0] s4_y_q;
   logic        s4_none_q;
-  assign s3_product = {14'd0, s3_neg_q} * {23'd0, s3_n};
+  rc_mul_held #(.AW(23), .BW(14), .Signed(1'b0), .Every(Every)) u_product (
+    .clk_i, .turn_i(turn[3*Every +: Every]), .a_i(s3_neg_q), .b_i(s3_n), .p_o(s3_product));
   always_ff @(posedge clk_i) begin
-    if (valid_q[2]) begin
+    if (ends[3]) begin
       s4_y_q    <= s3_product[36:4];
       s4_none_q <= s3_zero_q;
     end
@@ -82,15 +94,17 @@ module rc_power (
   logic [4:0]      s5_whole_q, s6_whole_q;
   logic            s5_none_q, s6_none_q;
   logic [17:0]     s6_g_q;
-  assign s5_less = {11'd0, s5_entry_q[9:0]} * {10'd0, s5_frac_q};
+  rc_mul_held #(.AW(10), .BW(11), .Signed(1'b0), .Every(Every)) u_less (
+    .clk_i, .turn_i(turn[5*Every +: Every]), .a_i(s5_entry_q[9:0]), .b_i(s5_frac_q),
+    .p_o(s5_less));
   always_ff @(posedge clk_i) begin
-    if (valid_q[3]) begin
+    if (ends[4]) begin
       s5_entry_q <= exp_mem[s4_y_q[17:11]];
       s5_frac_q  <= s4_y_q[10:0];
       s5_whole_q <= s4_y_q[22:18];
       s5_none_q  <= s4_none_q || s4_y_q[32:18] > 15'd17;
     end
-    if (valid_q[4]) begin
+    if (ends[5]) begin
       s6_g_q     <= s5_entry_q[27:10] - {8'd0, s5_less[20:11]};
       s6_whole_q <= s5_whole_q;
       s6_none_q  <= s5_none_q;
@@ -101,11 +115,11 @@ module rc_power (
   logic [18:0] s6_moved;
   logic [16:0] s7_power_q;
   assign s6_moved = ({1'b0, s6_g_q} + (19'd1 << s6_whole_q)) >> s6_whole_q;
-  always_ff @(posedge clk_i) if (valid_q[5]) s7_power_q <= s6_none_q ? '0 : s6_moved[17:1];
+  always_ff @(posedge clk_i) if (ends[6]) s7_power_q <= s6_none_q ? '0 : s6_moved[17:1];
   assign power_o = s7_power_q;
 
   logic unused;
-  assign unused = ^{valid_q[Stages-1:6], s0_m[16], s2_more[8:0], s3_product[3:0], s5_less[10:0],
+  assign unused = ^{turn, s0_m[16], s2_more[8:0], s3_product[3:0], s5_less[10:0],
                     s6_moved[18], s6_moved[0]};
 endmodule
 `default_nettype wire

@@ -1,11 +1,12 @@
 // Square root by digit recurrence, two bits of it a stage.
 //
-// Answers floor(sqrt(square)), and whether something is left over. Latency Stages,
-// throughput 1 per cycle, no stall; a stage works only if `valid_i` came with its
-// operand. Proven: tests/formal/sqrt.sv.
+// Answers floor(sqrt(square)), and whether something is left over. A square every Every cycles,
+// which stays as long in each but the first of Stages stages; no stall. A stage works only if
+// `valid_i` came with its operand. Proven: tests/formal/sqrt.sv.
 `default_nettype none
 module rc_sqrt #(
   parameter  int unsigned Stages  = 4,
+  parameter  int unsigned Every   = 1,
   localparam int unsigned RootW   = 2 * Stages,
   localparam int unsigned SquareW = 2 * RootW
 ) (
@@ -31,7 +32,8 @@ module rc_sqrt #(
       assign root_d   = '0;
       assign square_d = square_i;
     end else begin : gen_next
-      assign valid_d  = gen_stage[i-1].valid_q;
+      rc_cut #(.Width(1), .Stages(Every - 1)) u_last (
+        .clk_i, .data_i(gen_stage[i-1].valid_q), .data_o(valid_d));
       assign rem_d    = gen_stage[i-1].rem_q;
       assign root_d   = gen_stage[i-1].root_q;
       assign square_d = gen_stage[i-1].square_q;

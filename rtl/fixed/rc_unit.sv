@@ -1,11 +1,12 @@
 // A vector's direction: v / |v| with UnitBits of fraction (16), each component from
 // -2^16 to 2^16; zero of zero. Error bounds: model/shade/unit_vector.hpp, the model.
 //
-// Latency rc_pkg::UnitStages, throughput 1 per cycle, no stall; a stage works only if
-// valid_i came with its vector.
+// Latency rc_pkg::UnitStages stages of Every cycles, a vector as often, no stall; it is held as
+// long. A stage works only if valid_i came with its vector, in its first cycle.
 `default_nettype none
 module rc_unit #(
-  parameter int unsigned W = 44   // bits of a component, signed
+  parameter int unsigned W     = 44,   // bits of a component, signed
+  parameter int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic           clk_i,
   input  logic           valid_i,
@@ -16,8 +17,15 @@ module rc_unit #(
   localparam int unsigned L      = $clog2(W + 1);   // of a component's length
   localparam int unsigned EntryW = 29;
 
-  logic [Stages-1:0] valid_q;
-  always_ff @(posedge clk_i) valid_q <= {valid_q[Stages-2:0], valid_i};
+  // In which cycle of which stage a vector is; ends[i]: one goes on from stage i.
+  logic [Stages*Every-1:1] turn_q;
+  logic [Stages*Every-1:0] turn;
+  logic [Stages-1:0]       ends;
+  assign turn = {turn_q, valid_i};
+  always_ff @(posedge clk_i) turn_q <= turn[Stages*Every-2:0];
+  for (genvar i = 0; i < Stages; i++) begin : gen_ends
+    assign ends[i] = turn[i*Every+Every-1];
+  end
 
   // s1: sizes and signs.
   logic [3*W-1:0] s0_size, s1_size_q;
@@ -28,9 +36,9 @@ module rc_unit #(
     assign s0_neg[k] = v[W-1];
     assign s0_size[k*W +: W] = v[W-1] ? -v : v;
   end
-  always_ff @(posedge clk_i) if (valid_i) s1_size_q <= s0_size;
+  always_ff @(posedge clk_i) if (ends[0]) s1_size_q <= s0_size;
   rc_delay #(.Width(3), .Stages(Stages)) u_neg (
-    .clk_i, .valid_i({valid_q[Stages-2:0], valid_i}), .data_i(s0_neg), .data_o(end_neg));
+    .clk_i, .valid_i(ends), .data_i(s0_neg), .data_o(end_neg));
 
   // s2: length of the longest.
   logic [W-1:0]   s1_any;
@@ -39,11 +47,11 @@ module rc_unit #(
   assign s1_any = s1_size_q[0 +: W] | s1_size_q[W +: W] | s1_size_q[2*W +: W];
   always_comb begin
     s1_len = '0;
-    if (valid_q[0])
+    if (ends[1])
       for (int i = 0; i < W; i++) if (s1_any[i]) s1_len = L'(i) + 1'b1;
   end
   always_ff @(posedge clk_i) begin
-    if (valid_q[0]) begin
+    if (ends[1]) begin
       s2_len_q  <= s1_len;
       s2_size_q <= s1_size_q;
     end
@@ -55,22 +63,24 @@ module rc_unit #(
     logic [W+16:0] moved;
     always_comb begin
       moved = '0;
-      if (valid_q[1]) moved = {s2_size_q[k*W +: W], 17'd0} >> s2_len_q;
+      if (ends[2]) moved = {s2_size_q[k*W +: W], 17'd0} >> s2_len_q;
     end
     assign s2_a[k*17 +: 17] = moved[16:0];
     logic unused;
     assign unused = ^moved[W+16:17];
   end
-  always_ff @(posedge clk_i) if (valid_q[1]) s3_a_q <= s2_a;
+  always_ff @(posedge clk_i) if (ends[2]) s3_a_q <= s2_a;
 
   // s4: squares.
-  logic [3*34-1:0] s4_square_q;
-  for (genvar k = 0; k < 3; k++) begin : gen_square
-    logic [33:0] a;
-    assign a = {17'd0, s3_a_q[k*17 +: 17]};
-    always_ff @(posedge clk_i) if (valid_q[2]) s4_square_q[k*34 +: 34] <= a * a;
+  logic [3*34-1:0] s3_square, s4_square_q;
+  rc_mul_held #(.AW(17), .BW(17), .Signed(1'b0), .Products(3), .Every(Every)) u_squares (
+    .clk_i, .turn_i(turn[3*Every +: Every]), .a_i(s3_a_q), .b_i(s3_a_q), .p_o(s3_square));
+  always_ff @(posedge clk_i) begin
+    if (ends[3]) begin
+      s4_square_q <= s3_square;
+      s4_a_q      <= s3_a_q;
+    end
   end
-  always_ff @(posedge clk_i) if (valid_q[2]) s4_a_q <= s3_a_q;
 
   // s5: their sum, between 2^32 and 3 * 2^34; four times that if below 2^34. In units of 2^17.
   logic [35:0] s4_sum;
@@ -80,7 +90,7 @@ module rc_unit #(
       + {2'd0, s4_square_q[68 +: 34]};
   assign s4_low = s4_sum[35:34] == '0;
   always_ff @(posedge clk_i) begin
-    if (valid_q[3]) begin
+    if (ends[4]) begin
       s5_sum_q <= s4_low ? s4_sum[33:15] : s4_sum[35:17];
       s5_low_q <= s4_low;
     end
@@ -96,33 +106,38 @@ module rc_unit #(
   logic [18:0]       s7_r_q;
   logic [8:0]        s5_index;
   assign s5_index = s5_sum_q[18:10] - 9'd128;
-  assign s6_less  = {10'd0, s6_entry_q[9:0]} * {10'd0, s6_frac_q};
+  rc_mul_held #(.AW(10), .BW(10), .Signed(1'b0), .Every(Every)) u_less (
+    .clk_i, .turn_i(turn[6*Every +: Every]), .a_i(s6_entry_q[9:0]), .b_i(s6_frac_q),
+    .p_o(s6_less));
   always_ff @(posedge clk_i) begin
-    if (valid_q[4]) begin
+    if (ends[5]) begin
       s6_entry_q <= root_mem[s5_index];
       s6_frac_q  <= s5_sum_q[9:0];
     end
-    if (valid_q[5]) s7_r_q <= s6_entry_q[28:10] - {9'd0, s6_less[19:10]};
+    if (ends[6]) s7_r_q <= s6_entry_q[28:10] - {9'd0, s6_less[19:10]};
   end
 
   // s8: a r, rounded. Components wait from s4 to s7.
   logic [50:0] s7_a;
   logic        s7_low;
   rc_delay #(.Width(51), .Stages(3)) u_a (
-    .clk_i, .valid_i(valid_q[5:3]), .data_i(s4_a_q), .data_o(s7_a));
+    .clk_i, .valid_i(ends[6:4]), .data_i(s4_a_q), .data_o(s7_a));
   rc_delay #(.Width(1), .Stages(2)) u_low (
-    .clk_i, .valid_i(valid_q[5:4]), .data_i(s5_low_q), .data_o(s7_low));
+    .clk_i, .valid_i(ends[6:5]), .data_i(s5_low_q), .data_o(s7_low));
+  logic [3*36-1:0] s7_product;
+  rc_mul_held #(.AW(17), .BW(19), .Signed(1'b0), .Products(3), .Every(Every)) u_products (
+    .clk_i, .turn_i(turn[7*Every +: Every]), .a_i(s7_a), .b_i({3{s7_r_q}}), .p_o(s7_product));
   for (genvar k = 0; k < 3; k++) begin : gen_out
     logic [35:0] product;
     logic [36:0] doubled;
     logic [37:0] whole;
     logic [16:0] s8_size_q, size;
     logic [17:0] answer;
-    assign product = {19'd0, s7_a[k*17 +: 17]} * {17'd0, s7_r_q};
+    assign product = s7_product[k*36 +: 36];
     assign doubled = s7_low ? {product, 1'b0} : {1'b0, product};
     assign whole   = {1'b0, doubled} + 38'h40000;
     assign size    = whole[37:35] != '0 ? 17'h10000 : {1'b0, whole[34:19]};
-    always_ff @(posedge clk_i) if (valid_q[6]) s8_size_q <= size;
+    always_ff @(posedge clk_i) if (ends[7]) s8_size_q <= size;
     assign answer = end_neg[k] ? -{1'b0, s8_size_q} : {1'b0, s8_size_q};
     assign u_o[k*18 +: 18] = answer;
     logic unused;
@@ -130,6 +145,6 @@ module rc_unit #(
   end
 
   logic unused;
-  assign unused = ^{valid_q[Stages-1], s6_less[9:0], s4_sum[14:0]};
+  assign unused = ^{turn, s6_less[9:0], s4_sum[14:0]};
 endmodule
 `default_nettype wire

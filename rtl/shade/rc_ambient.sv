@@ -2,10 +2,12 @@
 // which has the valid bits; the colour from the registers of s6, the light from those of s7.
 `default_nettype none
 module rc_ambient #(
-  localparam int unsigned VB = rc_pkg::ValueBits
+  localparam int unsigned VB    = rc_pkg::ValueBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic             clk_i,
   input  logic [6:0]       valid_i,
+  input  logic [7*Every-1:0] turn_i,   // in which cycle of which stage a pass is
   input  rc_pkg::surface_t s0_surface_i,
   input  logic [VB-1:0]    s0_weight_i,
   input  logic             s0_odd_i,   // of a checker's squares
@@ -19,13 +21,20 @@ module rc_ambient #(
   assign s0_checkered = s0_surface_i.checkered;
   assign s0_colour    = s0_surface_i.colour;
   assign s0_other     = s0_surface_i.other;
-  assign s0_weighted  = {13'd0, s0_weight_i} * {{VB{1'b0}}, s0_surface_i.ambient};
+  logic [12:0] s0_ambient;
+  assign s0_ambient = s0_surface_i.ambient;
+  rc_mul_held #(.AW(VB), .BW(13), .Signed(1'b0)) u_weigh (
+    .clk_i, .turn_i(turn_i[Every-1:0]), .a_i(s0_weight_i), .b_i(s0_ambient), .p_o(s0_weighted));
   rc_delay #(.Width(81), .Stages(5)) u_colour (
     .clk_i, .valid_i(valid_i[4:0]),
     .data_i({s0_ends_i, s0_odd_i, s0_checkered, s0_colour, s0_other}),
     .data_o({s5_ends, s5_odd, s5_checkered, s5_colour, s5_other}));
   rc_delay #(.Width(30), .Stages(6)) u_weighted (
     .clk_i, .valid_i(valid_i[5:0]), .data_i(s0_weighted), .data_o(s6_weighted));
+  logic [3*43-1:0] s6_product;
+  rc_mul_held #(.AW(30), .BW(13), .Signed(1'b0), .Products(3)) u_products (
+    .clk_i, .turn_i(turn_i[6*Every +: Every]), .a_i({3{s6_weighted}}), .b_i(s6_albedo_o),
+    .p_o(s6_product));
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [12:0] colour, other;
     logic [13:0] between;
@@ -37,8 +46,7 @@ module rc_ambient #(
       if (valid_i[5])
         s6_albedo_o[k*13 +: 13] <= !s5_checkered ? colour : s5_ends ? between[13:1]
                                  : s5_odd ? other : colour;
-      if (valid_i[6])
-        s7_ambient_q <= {13'd0, s6_weighted} * {30'd0, s6_albedo_o[k*13 +: 13]};
+      if (valid_i[6]) s7_ambient_q <= s6_product[k*43 +: 43];
     end
     assign rounded = s7_ambient_q + 43'h800000;
     assign s7_ambient_o[k*VB +: VB] = rounded[40:24];
@@ -47,6 +55,6 @@ module rc_ambient #(
   end
 
   logic unused;
-  assign unused = ^s0_surface_i;
+  assign unused = ^{s0_surface_i, turn_i};
 endmodule
 `default_nettype wire

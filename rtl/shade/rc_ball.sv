@@ -5,10 +5,12 @@
 module rc_ball #(
   localparam int unsigned M = rc_pkg::DirBits,
   localparam int unsigned P = rc_pkg::OriginWidth,
-  localparam int unsigned T = rc_pkg::TBits
+  localparam int unsigned T = rc_pkg::TBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic           clk_i,
   input  logic [3:0]     valid_i,
+  input  logic [Every-1:0] turn_i,    // in which cycle of s0 a pass is
   input  logic [3:0]     sphere_i,
   input  logic [3*P-1:0] s0_o_i,
   input  logic [3*M-1:0] s0_d_i,
@@ -23,13 +25,15 @@ module rc_ball #(
   logic [3*P-1:0] s1_o;
   rc_delay #(.Width(3 * P), .Stages(1)) u_o (
     .clk_i, .valid_i(valid_i[0] && sphere_i[0]), .data_i(s0_o_i), .data_o(s1_o));
+  logic [3*Q-1:0] s0_way;
+  rc_mul_held #(.AW(M), .BW(T + 1), .Products(3)) u_ways (
+    .clk_i, .turn_i, .a_i(s0_d_i), .b_i({3{1'b0, s0_t_i}}), .p_o(s0_way));
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [Q-1:0] s1_way_q, s1_rounded;
     logic signed [A-1:0] s2_at_q;
     assign s1_rounded = (s1_way_q + $signed(Q'(65'(1) << Drop >> 1))) >>> Drop;
     always_ff @(posedge clk_i) begin
-      if (valid_i[0] && sphere_i[0])
-        s1_way_q <= Q'($signed(s0_d_i[k*M +: M])) * $signed({{(Q-T){1'b0}}, s0_t_i});
+      if (valid_i[0] && sphere_i[0]) s1_way_q <= s0_way[k*Q +: Q];
       if (valid_i[1] && sphere_i[1]) s2_at_q <= A'($signed(s1_o[k*P +: P])) + A'(s1_rounded);
       if (valid_i[2] && sphere_i[2])
         s3_o_o[k*P +: P] <= s2_at_q > Most ? Most[P-1:0] : s2_at_q < -Most ? -Most[P-1:0]

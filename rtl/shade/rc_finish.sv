@@ -3,11 +3,13 @@
 // Model: finish() in model/shade/pass.cpp.
 `default_nettype none
 module rc_finish #(
-  localparam int unsigned VB = rc_pkg::ValueBits
+  localparam int unsigned VB    = rc_pkg::ValueBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic                 clk_i,
   input  rc_pkg::shade_frame_t frame_i,
   input  logic [3:0]           valid_i,
+  input  logic [Every-1:0]     turn_i,      // in which cycle of s1 a pass is
   input  rc_pkg::shade_state_t s0_state_i,
   input  logic [3*VB-1:0]      s0_colour_i,
   output logic                 s4_more_o,
@@ -38,6 +40,10 @@ module rc_finish #(
   always_ff @(posedge clk_i)
     if (valid_i[0]) s1_share_q <= s0_some ? frame_i.first_share : frame_i.share;
 
+  logic [3*23-1:0] s1_sum;
+  logic [3*40-1:0] s1_product;
+  rc_mul_held #(.AW(23), .BW(VB), .Signed(1'b0), .Products(3)) u_mean (
+    .clk_i, .turn_i, .a_i(s1_sum), .b_i({3{s1_share_q}}), .p_o(s1_product));
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [22:0] s1_sum_q, s2_sum_q, s3_sum_q;
     logic [VB-1:0] colour, least, most;
@@ -49,6 +55,7 @@ module rc_finish #(
     assign colour   = s0_colour_i[k*VB +: VB];
     assign least    = s0_least[k*VB +: VB];
     assign most     = s0_most[k*VB +: VB];
+    assign s1_sum[k*23 +: 23] = s1_sum_q;
     assign s1_apart = s1_most_q - s1_least_q;
     assign s2_rounded = s2_mean_q + 40'h8000;
     always_ff @(posedge clk_i) begin
@@ -62,7 +69,7 @@ module rc_finish #(
         s2_least_q <= s1_least_q;
         s2_most_q  <= s1_most_q;
         s2_same_q  <= s1_apart <= contrast && contrast != '0;
-        s2_mean_q  <= {{VB{1'b0}}, s1_sum_q} * {23'd0, s1_share_q};
+        s2_mean_q  <= s1_product[k*40 +: 40];
       end
       if (valid_i[2]) begin
         s3_sum_q   <= s2_sum_q;

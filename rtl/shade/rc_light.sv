@@ -11,12 +11,14 @@ module rc_light #(
   localparam int unsigned P  = rc_pkg::PointWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned LB = rc_pkg::LightBits,
-  localparam int unsigned V  = LB + B + 1   // of the way to the light, signed
+  localparam int unsigned V  = LB + B + 1,  // of the way to the light, signed
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
   input  rc_pkg::shade_frame_t frame_i,
-  input  logic [27:0]          valid_i,
+  input  logic [28:0]          valid_i,
+  input  logic [28*Every-1:0]  turn_i,      // in which cycle of which stage a pass is
   input  logic [6:0]           s0_light_i,
   input  logic [3*P-1:0]       s0_o_i,
   input  logic                 s0_far_i,    // beyond the lattice
@@ -84,18 +86,23 @@ module rc_light #(
   logic [3*D-1:0]  s15_away;
   rc_delay #(.Width(3 * V), .Stages(3)) u_to (
     .clk_i, .valid_i(valid_i[4:2]), .data_i(s2_to_q), .data_o(s5_to_o));
-  rc_wait #(.Width(3 * 34), .Stages(24)) u_strength (
-    .clk_i, .rst_ni, .valid_i(valid_i[2]), .data_i(s2_strength_q), .data_o(s26_strength));
-  rc_wait #(.Width(3 * N + 2), .Stages(27)) u_place (
-    .clk_i, .rst_ni, .valid_i(valid_i[1]), .data_i({s1_lattice, s1_near_q, s1_clear_q}),
+  rc_beside #(.Width(3 * 34), .Stages(24)) u_strength (
+    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
+    .data_o(s26_strength));
+  rc_beside #(.Width(3 * N + 2), .Stages(27)) u_place (
+    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[28]), .data_i({s1_lattice, s1_near_q, s1_clear_q}),
     .data_o({s28_place_o, s28_near_o, s28_clear_o}));
-  rc_wait #(.Width(2), .Stages(14)) u_near (
-    .clk_i, .rst_ni, .valid_i(valid_i[1]), .data_i({s1_near_q, s1_far}),
+  rc_beside #(.Width(2), .Stages(14)) u_near (
+    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
     .data_o({s15_near, s15_far}));
-  rc_wait #(.Width(3 * D), .Stages(13)) u_from (
-    .clk_i, .rst_ni, .valid_i(valid_i[2]), .data_i(s2_from), .data_o(s15_from));
+  rc_beside #(.Width(3 * D), .Stages(13)) u_from (
+    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[15]), .data_i(s2_from), .data_o(s15_from));
   rc_delay #(.Width(3 * AB), .Stages(2)) u_unit (
     .clk_i, .valid_i(valid_i[14:13]), .data_i(s13_unit_i), .data_o(s15_unit));
+  logic [3*2*VB-1:0] s1_strength;
+  rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_strengths (
+    .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_colour_q), .b_i({3{s1_weight}}),
+    .p_o(s1_strength));
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     logic signed [V-1:0] at, from;
     logic signed [M-1:0] away;
@@ -107,8 +114,7 @@ module rc_light #(
     always_ff @(posedge clk_i) begin
       if (valid_i[1]) begin
         s2_to_q[k*V +: V]         <= at - V'($signed(s1_o[k*P +: P]));
-        s2_strength_q[k*34 +: 34] <= {{VB{1'b0}}, s1_colour_q[k*VB +: VB]}
-            * {{VB{1'b0}}, s1_weight};
+        s2_strength_q[k*34 +: 34] <= s1_strength[k*34 +: 34];
       end
     end
     rc_turn u_turn (.unit_i(s15_unit[k*AB +: AB]), .d_o(away));
@@ -124,13 +130,14 @@ module rc_light #(
   logic [12:0] s15_diffuse, s15_highlight, s24_highlight;
   logic [13:0] s15_shine, s17_shine;
   logic [38:0] s15_albedo, s16_albedo;
-  rc_wait #(.Width(VB + 13 + 13 + 14 + 39), .Stages(15)) u_surface (
-    .clk_i, .rst_ni, .valid_i(valid_i[0]),
+  rc_beside #(.Width(VB + 13 + 13 + 14 + 39), .Stages(15)) u_surface (
+    .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[15]),
     .data_i({s0_state_i.cosine, s0_state_i.diffuse, s0_state_i.highlight, s0_state_i.shine,
              s0_state_i.albedo}),
     .data_o({s15_cosine, s15_diffuse, s15_highlight, s15_shine, s15_albedo}));
-  rc_wait #(.Width(13), .Stages(9)) u_highlight (
-    .clk_i, .rst_ni, .valid_i(valid_i[15]), .data_i(s15_highlight), .data_o(s24_highlight));
+  rc_beside #(.Width(13), .Stages(9)) u_highlight (
+    .clk_i, .rst_ni, .come_i(valid_i[15]), .leave_i(valid_i[24]), .data_i(s15_highlight),
+    .data_o(s24_highlight));
   rc_delay #(.Width(14), .Stages(2)) u_shine (
     .clk_i, .valid_i(valid_i[16:15]), .data_i(s15_shine), .data_o(s17_shine));
 
@@ -143,41 +150,62 @@ module rc_light #(
   logic [VB-1:0]        s17_phong_q, s24_phong;
   assign s16_rounded = {1'b0, s16_double_q} + 36'h8000;
   assign s16_phong   = $signed({1'b0, s16_rounded[35:16]}) - 21'(s16_mirror_q);
+  logic [33:0] s15_double;
+  logic [29:0] s15_matte, s24_gloss;
+  rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_double (
+    .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_cosine_i), .b_i(s15_cosine),
+    .p_o(s15_double));
+  rc_mul_held #(.AW(13), .BW(VB), .Signed(1'b0)) u_lit (
+    .clk_i, .turn_i(turn_i[15*Every +: Every]), .a_i(s15_diffuse), .b_i(s15_cosine_i),
+    .p_o(s15_matte));
+  rc_mul_held #(.AW(13), .BW(VB), .Signed(1'b0)) u_gloss (
+    .clk_i, .turn_i(turn_i[24*Every +: Every]), .a_i(s24_highlight), .b_i(s24_phong),
+    .p_o(s24_gloss));
   always_ff @(posedge clk_i) begin
     if (valid_i[15]) begin
-      s16_double_q <= {{{VB{1'b0}}, s15_cosine_i} * {{VB{1'b0}}, s15_cosine}, 1'b0};
+      s16_double_q <= {s15_double, 1'b0};
       s16_mirror_q <= s15_mirror_i;
-      s16_matte_q  <= {{VB{1'b0}}, s15_diffuse} * {13'd0, s15_cosine_i};
+      s16_matte_q  <= s15_matte;
       s16_albedo   <= s15_albedo;
     end
     if (valid_i[16])
       s17_phong_q <= s16_phong[20] ? '0 : s16_phong[19:16] != '0 ? 17'h10000
                    : {1'b0, s16_phong[15:0]};
-    if (valid_i[24]) s25_gloss_q <= {{VB{1'b0}}, s24_highlight} * {13'd0, s24_phong};
+    if (valid_i[24]) s25_gloss_q <= s24_gloss;
   end
   rc_power u_power (
-    .clk_i, .valid_i(valid_i[17]), .c_i(s17_phong_q), .n_i(s17_shine), .power_o(s24_phong));
+    .clk_i, .valid_i(Every == 1 ? valid_i[17] : turn_i[17*Every]), .c_i(s17_phong_q), .n_i(s17_shine), .power_o(s24_phong));
   assign s25_rounded = s25_gloss_q + 30'h800;
 
   // s26: matte and gloss; s28: in the light's colour.
   logic [3*VB-1:0] s17_matte, s25_matte;
-  rc_wait #(.Width(3 * VB), .Stages(8)) u_matte (
-    .clk_i, .rst_ni, .valid_i(valid_i[17]), .data_i(s17_matte), .data_o(s25_matte));
+  rc_beside #(.Width(3 * VB), .Stages(8)) u_matte (
+    .clk_i, .rst_ni, .come_i(valid_i[17]), .leave_i(valid_i[25]), .data_i(s17_matte),
+    .data_o(s25_matte));
+  logic [3*43-1:0] s16_product;
+  logic [3*52-1:0] s26_product;
+  logic [3*18-1:0] s26_lit;
+  rc_mul_held #(.AW(30), .BW(13), .Signed(1'b0), .Products(3)) u_matte_products (
+    .clk_i, .turn_i(turn_i[16*Every +: Every]), .a_i({3{s16_matte_q}}), .b_i(s16_albedo),
+    .p_o(s16_product));
+  rc_mul_held #(.AW(18), .BW(34), .Signed(1'b0), .Products(3)) u_share_products (
+    .clk_i, .turn_i(turn_i[26*Every +: Every]), .a_i(s26_lit), .b_i(s26_strength),
+    .p_o(s26_product));
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [42:0] s17_matte_q, s17_rounded;
     logic [17:0] s26_lit_q;
     logic [51:0] s27_share_q;
     logic [52:0] s27_rounded;
     logic [VB-1:0] s28_share_q;
+    assign s26_lit[k*18 +: 18] = s26_lit_q;
     assign s17_rounded = s17_matte_q + 43'h800000;
     assign s17_matte[k*VB +: VB] = s17_rounded[40:24];
     assign s27_rounded = {1'b0, s27_share_q} + 53'h8000000;
     always_ff @(posedge clk_i) begin
-      if (valid_i[16]) s17_matte_q <= {13'd0, s16_matte_q} * {30'd0, s16_albedo[k*13 +: 13]};
+      if (valid_i[16]) s17_matte_q <= s16_product[k*43 +: 43];
       if (valid_i[25])
         s26_lit_q <= {1'b0, s25_matte[k*VB +: VB]} + {1'b0, s25_rounded[28:12]};
-      if (valid_i[26])
-        s27_share_q <= {34'd0, s26_lit_q} * {18'd0, s26_strength[k*34 +: 34]};
+      if (valid_i[26]) s27_share_q <= s26_product[k*52 +: 52];
       if (valid_i[27])
         s28_share_q <= s27_rounded[52:44] != '0 ? 17'h10000 : {1'b0, s27_rounded[43:28]};
     end
@@ -188,6 +216,6 @@ module rc_light #(
 
   logic unused;
   assign unused = ^{frame_i, s0_state_i, s1_place_q, s16_rounded[15:0], s25_rounded[29],
-                    s25_rounded[11:0], valid_i};
+                    s25_rounded[11:0], valid_i, turn_i};
 endmodule
 `default_nettype wire

@@ -2,9 +2,12 @@
 // sample's colour, works out the next ray or light, and says what the context does next.
 // Model: pass() in model/shade/pass.hpp.
 //
-// Latency rc_pkg::ShadeLatency, throughput 1 per cycle, no stall. A pass is for one event;
-// only the parts that it needs work on it: surf (s0 to s7), light (s0 to s28), bounce (s0
+// Latency rc_pkg::ShadeLatency, a pass every ShadeInterval cycles, no stall. A pass is for one
+// event; only the parts that it needs work on it: surf (s0 to s7), light (s0 to s28), bounce (s0
 // to s15), finish (s0 to s4), which share unit vectors, cosines and the side of a direction.
+//
+// A pass stays in each stage for ShadeInterval cycles, and the registers before the stage hold
+// what it needs. So products of a stage can share a multiplier (rc_mul_held).
 `default_nettype none
 module rc_pass #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -24,6 +27,7 @@ module rc_pass #(
   input  rc_pkg::shade_frame_t frame_i,
   // From rc_contexts and surf_cache
   input  logic                 valid_i,
+  output logic                 rests_o,    // takes none: the last one is in its first stage
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t state_i,
   input  logic [HitW-1:0]      hit_i,      // found, back, prim, t, u, v of the last ray
@@ -42,61 +46,116 @@ module rc_pass #(
   output logic [rc_pkg::SpawnW-1:0] spawn_o,
   output logic [rc_pkg::PixelW-1:0] pixel_o
 );
-  localparam int unsigned L     = rc_pkg::ShadeLatency;
+  localparam int unsigned L     = rc_pkg::ShadeStages;
+  localparam int unsigned Every = rc_pkg::ShadeInterval;
   localparam int unsigned N     = rc_pkg::CoordBits;
   localparam int unsigned NB    = rc_pkg::NormalBits;
   localparam int unsigned V     = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
   localparam int unsigned UnitW = V > NB ? V : NB;   // V also holds a sum of corner normals
 
+  // ---- What has come; it is held if a pass stays for more than a cycle.
+  logic                 valid;
+  logic [I-1:0]         ray;
+  rc_pkg::shade_state_t state;
+  logic [HitW-1:0]      hit;
+  logic [3*P-1:0]       o;
+  logic [3*M-1:0]       d;
+  rc_pkg::surface_t     surface;
+  rc_pkg::waiting_t     top_came;
+  if (Every == 1) begin : gen_as_it_comes
+    assign valid    = valid_i;
+    assign ray      = ray_i;
+    assign state    = state_i;
+    assign hit      = hit_i;
+    assign o        = o_i;
+    assign d        = d_i;
+    assign surface  = surface_i;
+    assign top_came = top_i;
+  end else begin : gen_held
+    localparam int unsigned InW = I + rc_pkg::ShadeStateW + HitW + 3 * P + 3 * M
+                                  + rc_pkg::SurfaceW + rc_pkg::WaitingW;
+    always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
+    rc_delay #(.Width(InW), .Stages(1)) u_in (
+      .clk_i, .valid_i, .data_i({ray_i, state_i, hit_i, o_i, d_i, surface_i, top_i}),
+      .data_o({ray, state, hit, o, d, surface, top_came}));
+  end
+
   // ---- s0: what the pass is for.
-  logic                 back, arrives, s0_surf, s0_light, s0_refract, s0_bounce, s0_end;
+  logic [L:0]           ends;   // a pass goes on from the stage; to the last it has come
+  logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end;
   logic [TB-1:0]        t;
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]          colour;
   rc_pkg::shade_state_t known;
   logic                 hit_found;
   logic [PB-1:0]        hit_prim;
-  assign {hit_found, back, hit_prim, t, u, v} = hit_i;
+  assign {hit_found, back, hit_prim, t, u, v} = hit;
   rc_start u_start (
-    .valid_i, .state_i, .hit_i, .surface_i, .arrives_o(arrives), .surf_o(s0_surf),
-    .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract), .end_o(s0_end),
+    .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
+    .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract), .end_o(s0_end),
     .colour_o(colour), .known_o(known));
 
-  // Which stages hold what; s0 lowest.
-  logic [L:1] valid_q, surf_q, light_q, bounce_q, end_q;
-  logic [L:0] valid_at, surf_at, light_at, bounce_at, end_at;
-  assign valid_at  = {valid_q, valid_i};
-  assign surf_at   = {surf_q, s0_surf};
-  assign light_at  = {light_q, s0_light};
-  assign bounce_at = {bounce_q, s0_bounce};
-  assign end_at    = {end_q, s0_end};
+  // In which cycle of which stage a pass is, s0 lowest. It is over in the last one's first cycle.
+  logic [L*Every:0] turn;
+  logic [L*Every:1] turn_q;
+  assign turn = {turn_q, valid};
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= '0;
-    else         valid_q <= valid_at[L-1:0];
-    surf_q   <= surf_at[L-1:0];
-    light_q  <= light_at[L-1:0];
-    bounce_q <= bounce_at[L-1:0];
-    end_q    <= end_at[L-1:0];
+    if (!rst_ni) turn_q <= '0;
+    else         turn_q <= turn[L*Every-1:0];
   end
-  assign end_valid_o = valid_q[L];
+  for (genvar i = 0; i < L; i++) begin : gen_ends
+    assign ends[i] = turn[i*Every+Every-1];
+  end
+  assign ends[L]     = turn[L*Every];
+  assign end_valid_o = ends[L];
+  if (Every == 1) begin : gen_never_rests
+    assign rests_o = 1'b0;
+  end else begin : gen_rests
+    assign rests_o = |turn[Every-2:0];
+  end
+
+  // What those are for that go on.
+  logic [L:0] surf_at, light_at, bounce_at, end_at;
+  logic [L:1] surf_q, light_q, bounce_q, end_q;
+  always_ff @(posedge clk_i) begin
+    for (int i = 0; i < L; i++)
+      if (Every == 1 || ends[i]) begin
+        surf_q[i+1]   <= surf_at[i];
+        light_q[i+1]  <= light_at[i];
+        bounce_q[i+1] <= bounce_at[i];
+        end_q[i+1]    <= end_at[i];
+      end
+  end
+  if (Every == 1) begin : gen_always_on
+    assign surf_at   = {surf_q, s0_surf};
+    assign light_at  = {light_q, s0_light};
+    assign bounce_at = {bounce_q, s0_bounce};
+    assign end_at    = {end_q, s0_end};
+  end else begin : gen_goes_on
+    assign surf_at   = {surf_q & ends[L:1], s0_surf};
+    assign light_at  = {light_q & ends[L:1], s0_light};
+    assign bounce_at = {bounce_q & ends[L:1], s0_bounce};
+    assign end_at    = {end_q & ends[L:1], s0_end};
+  end
 
   // ---- The state as far as it is known waits for the end.
   localparam int unsigned KnownW = I + rc_pkg::ShadeStateW + rc_pkg::WaitingW;
   logic [I-1:0]         end_ray;
   rc_pkg::shade_state_t was;
   rc_pkg::waiting_t     top;
-  rc_wait #(.Width(KnownW), .Stages(L)) u_known (
-    .clk_i, .rst_ni, .valid_i, .data_i({ray_i, known, top_i}),
+  rc_beside #(.Width(KnownW), .Stages(L)) u_known (
+    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i({ray, known, top_came}),
     .data_o({end_ray, was, top}));
 
   // What others take from it on the way.
   logic [3*AB-1:0]     s13_normal, s13_view;
   logic [3*NB-1:0] s15_n;
-  rc_wait #(.Width(108), .Stages(13)) u_vectors (
-    .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i({state_i.normal, state_i.view}),
-    .data_o({s13_normal, s13_view}));
-  rc_wait #(.Width(3 * NB), .Stages(15)) u_n (
-    .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i(state_i.n), .data_o(s15_n));
+  rc_beside #(.Width(108), .Stages(13)) u_vectors (
+    .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
+    .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
+  rc_beside #(.Width(3 * NB), .Stages(15)) u_n (
+    .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
+    .data_i(state.n), .data_o(s15_n));
 
   // ---- The surface.
   logic [3*PW-1:0]    s5_o, surf_o;
@@ -106,18 +165,22 @@ module rc_pass #(
   logic [38:0]        s6_albedo, surf_albedo;
   logic [3*VB-1:0]        s7_ambient, surf_ambient;
   rc_surf #(.UnitW(UnitW)) u_surf (
-    .clk_i, .valid_i(surf_at[6:0]), .s0_u_i(u), .s0_v_i(v), .s0_t_i(t), .s0_back_i(back),
-    .s0_surface_i(surface_i), .s0_o_i(o_i), .s0_d_i(d_i), .s0_weight_i(state_i.weight),
+    .clk_i, .valid_i(surf_at[6:0]), .turn_i(turn[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
+    .s0_t_i(t), .s0_back_i(back),
+    .s0_surface_i(surface), .s0_o_i(o), .s0_d_i(d), .s0_weight_i(state.weight),
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
-  rc_wait #(.Width(3 * PW + 3 * NB + 2), .Stages(L - 5)) u_point (
-    .clk_i, .rst_ni, .valid_i(surf_at[5]), .data_i({s5_o, s5_n, s5_far, s5_lost}),
+  rc_beside #(.Width(3 * PW + 3 * NB + 2), .Stages(L - 5)) u_point (
+    .clk_i, .rst_ni, .come_i(surf_at[5]), .leave_i(surf_at[L]),
+    .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
-  rc_wait #(.Width(39), .Stages(L - 6)) u_albedo (
-    .clk_i, .rst_ni, .valid_i(surf_at[6]), .data_i(s6_albedo), .data_o(surf_albedo));
-  rc_wait #(.Width(3 * VB), .Stages(L - 7)) u_ambient (
-    .clk_i, .rst_ni, .valid_i(surf_at[7]), .data_i(s7_ambient), .data_o(surf_ambient));
+  rc_beside #(.Width(39), .Stages(L - 6)) u_albedo (
+    .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[L]), .data_i(s6_albedo),
+    .data_o(surf_albedo));
+  rc_beside #(.Width(3 * VB), .Stages(L - 7)) u_ambient (
+    .clk_i, .rst_ni, .come_i(surf_at[7]), .leave_i(surf_at[L]), .data_i(s7_ambient),
+    .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
   logic [3*V-1:0]     s5_to;
@@ -125,19 +188,22 @@ module rc_pass #(
   logic [VB-1:0]        s15_cosine, surf_cosine;
   logic signed [18:0] s15_mirror;
   for (genvar k = 0; k < 3; k++) begin : gen_target
-    assign s5_target[k*UnitW +: UnitW] = light_at[5] ? UnitW'($signed(s5_to[k*V +: V]))
+    assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*V +: V]))
                                                      : s5_toward[k*UnitW +: UnitW];
   end
   rc_angles #(.UnitW(UnitW)) u_angles (
-    .clk_i, .rst_ni, .surf_i(surf_at[14:0]), .light_i(light_at[14:0]), .s0_d_i(d_i),
+    .clk_i, .rst_ni, .surf_i(surf_at[14:0]), .light_i(light_at[14:0]),
+    .turn_i(turn[14*Every-1:0]), .s13_surf_i(surf_q[13]), .s0_d_i(d),
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
-  rc_wait #(.Width(108), .Stages(L - 13)) u_surf_vectors (
-    .clk_i, .rst_ni, .valid_i(surf_at[13]), .data_i({s13_unit, s13_new_view}),
+  rc_beside #(.Width(108), .Stages(L - 13)) u_surf_vectors (
+    .clk_i, .rst_ni, .come_i(surf_at[13]), .leave_i(surf_at[L]),
+    .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
-  rc_wait #(.Width(VB), .Stages(L - 15)) u_cosine (
-    .clk_i, .rst_ni, .valid_i(surf_at[15]), .data_i(s15_cosine), .data_o(surf_cosine));
+  rc_beside #(.Width(VB), .Stages(L - 15)) u_cosine (
+    .clk_i, .rst_ni, .come_i(surf_at[15]), .leave_i(surf_at[L]), .data_i(s15_cosine),
+    .data_o(surf_cosine));
 
   // ---- A light, a bounce.
   logic            light_near, light_clear, s13_total, bounce_total;
@@ -147,57 +213,69 @@ module rc_pass #(
   logic [VB-1:0]     s9_weight, bounce_weight;
   logic [3*M-1:0]  s15_bounce_d;
   rc_light u_light (
-    .clk_i, .rst_ni, .frame_i, .valid_i(light_at[27:0]), .s0_light_i(state_i.light),
-    .s0_o_i(state_i.o), .s0_far_i(state_i.is_far), .s0_weight_i(state_i.weight),
-    .s0_state_i(state_i), .s5_to_o(s5_to),
+    .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .turn_i(turn[28*Every-1:0]),
+    .s0_light_i(state.light),
+    .s0_o_i(state.o), .s0_far_i(state.is_far), .s0_weight_i(state.weight),
+    .s0_state_i(state), .s5_to_o(s5_to),
     .s13_unit_i(s13_unit), .s15_cosine_i(s15_cosine), .s15_mirror_i(s15_mirror),
     .s15_d_o(s15_light_d), .s28_place_o(light_place),
     .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
   rc_bounce u_bounce (
-    .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .s0_refract_i(s0_refract), .s0_state_i(state_i),
+    .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .turn_i(turn[14*Every-1:0]),
+    .s0_refract_i(s0_refract), .s0_state_i(state),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
-  rc_wait #(.Width(VB), .Stages(L - 9)) u_weight (
-    .clk_i, .rst_ni, .valid_i(bounce_at[9]), .data_i(s9_weight), .data_o(bounce_weight));
-  rc_wait #(.Width(1), .Stages(L - 13)) u_total (
-    .clk_i, .rst_ni, .valid_i(bounce_at[13]), .data_i(s13_total), .data_o(bounce_total));
+  rc_beside #(.Width(VB), .Stages(L - 9)) u_weight (
+    .clk_i, .rst_ni, .come_i(bounce_at[9]), .leave_i(bounce_at[L]), .data_i(s9_weight),
+    .data_o(bounce_weight));
+  rc_beside #(.Width(1), .Stages(L - 13)) u_total (
+    .clk_i, .rst_ni, .come_i(bounce_at[13]), .leave_i(bounce_at[L]), .data_i(s13_total),
+    .data_o(bounce_total));
 
   // ---- The background, of a ray that met nothing or of a bounce that is not traced.
   logic [3*VB-1:0] background, s10_background, end_background;
   logic [VB-1:0] state_weight, s9_ray_weight, s9_share;
-  assign state_weight = state_i.weight;
+  assign state_weight = state.weight;
   assign background   = frame_i.background;
-  rc_wait #(.Width(VB), .Stages(9)) u_ray_weight (
-    .clk_i, .rst_ni, .valid_i(arrives), .data_i(state_weight), .data_o(s9_ray_weight));
-  assign s9_share = bounce_at[9] ? s9_weight : s9_ray_weight;
+  rc_beside #(.Width(VB), .Stages(9)) u_ray_weight (
+    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[9]), .data_i(state_weight),
+    .data_o(s9_ray_weight));
+  assign s9_share = bounce_q[9] ? s9_weight : s9_ray_weight;
+  logic [3*2*VB-1:0] s9_product;
+  rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_background_product (
+    .clk_i, .turn_i(turn[9*Every +: Every]), .a_i({3{s9_share}}), .b_i(background),
+    .p_o(s9_product));
   for (genvar k = 0; k < 3; k++) begin : gen_background
     logic [33:0] s10_product_q, rounded;
     always_ff @(posedge clk_i)
-      if (valid_at[9]) s10_product_q <= {{VB{1'b0}}, s9_share}
-          * {{VB{1'b0}}, background[k*VB +: VB]};
+      if (ends[9]) s10_product_q <= s9_product[k*2*VB +: 2*VB];
     assign rounded = s10_product_q + 34'h8000;
     assign s10_background[k*VB +: VB] = rounded[32:16];
     logic unused;
     assign unused = ^{rounded[33], rounded[15:0]};
   end
-  rc_wait #(.Width(3 * VB), .Stages(L - 10)) u_background (
-    .clk_i, .rst_ni, .valid_i(valid_at[10]), .data_i(s10_background), .data_o(end_background));
+  rc_beside #(.Width(3 * VB), .Stages(L - 10)) u_background (
+    .clk_i, .rst_ni, .come_i(ends[10]), .leave_i(ends[L]), .data_i(s10_background),
+    .data_o(end_background));
 
   // ---- On which side of the surface a direction leaves, exactly.
   logic s17_above, s17_below, end_above, end_below, end_positive;
   for (genvar k = 0; k < 3; k++) begin : gen_d
-    assign s15_d[k*D +: D] = light_at[15] ? s15_light_d[k*D +: D]
+    assign s15_d[k*D +: D] = light_q[15] ? s15_light_d[k*D +: D]
                                           : D'($signed(s15_bounce_d[k*M +: M]));
   end
   rc_side u_side (
-    .clk_i, .valid_i((light_at[16:15] | bounce_at[16:15])), .s15_n_i(s15_n), .s15_d_i(s15_d),
+    .clk_i, .valid_i((light_at[16:15] | bounce_at[16:15])), .turn_i(turn[15*Every +: Every]),
+    .s15_n_i(s15_n), .s15_d_i(s15_d),
     .s17_above_o(s17_above), .s17_below_o(s17_below));
-  rc_wait #(.Width(2), .Stages(L - 17)) u_sides (
-    .clk_i, .rst_ni, .valid_i(light_at[17] || bounce_at[17]), .data_i({s17_above, s17_below}),
+  rc_beside #(.Width(2), .Stages(L - 17)) u_sides (
+    .clk_i, .rst_ni, .come_i(light_at[17] || bounce_at[17]),
+    .leave_i(light_at[L] || bounce_at[L]), .data_i({s17_above, s17_below}),
     .data_o({end_above, end_below}));
-  rc_wait #(.Width(3 * D + 1), .Stages(L - 15)) u_d (
-    .clk_i, .rst_ni, .valid_i(light_at[15] || bounce_at[15]),
-    .data_i({s15_d, s15_cosine != '0}), .data_o({end_d, end_positive}));
+  rc_beside #(.Width(3 * D + 1), .Stages(L - 15)) u_d (
+    .clk_i, .rst_ni, .come_i(light_at[15] || bounce_at[15]),
+    .leave_i(light_at[L] || bounce_at[L]), .data_i({s15_d, s15_cosine != '0}),
+    .data_o({end_d, end_positive}));
 
   // ---- From beyond the lattice: where the ray comes into it.
   logic           enters;
@@ -205,9 +283,10 @@ module rc_pass #(
   if (rc_pkg::Planes == 1) begin : gen_approach
     logic [3*PW-1:0] s0_o, s15_o;
     logic [3*M-1:0]  s15_short_d;
-    assign s0_o = state_i.o;
-    rc_wait #(.Width(3 * PW), .Stages(15)) u_o (
-      .clk_i, .rst_ni, .valid_i(s0_light || s0_bounce), .data_i(s0_o), .data_o(s15_o));
+    assign s0_o = state.o;
+    rc_beside #(.Width(3 * PW), .Stages(15)) u_o (
+      .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
+      .data_i(s0_o), .data_o(s15_o));
     for (genvar k = 0; k < 3; k++) begin : gen_short
       assign s15_short_d[k*M +: M] = s15_d[k*D +: M];
     end
@@ -228,11 +307,13 @@ module rc_pass #(
     logic [68:0]  s4_sum;
     logic [3*VB-1:0]  s4_least, s4_most, s4_mean;
     rc_finish u_finish (
-      .clk_i, .frame_i, .valid_i(end_at[3:0]), .s0_state_i(state_i), .s0_colour_i(colour),
+      .clk_i, .frame_i, .valid_i(end_at[3:0]), .turn_i(turn[Every +: Every]),
+      .s0_state_i(state), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
-    rc_wait #(.Width(1 + 69 + 3 * 3 * VB), .Stages(L - 4)) u_end (
-      .clk_i, .rst_ni, .valid_i(end_at[4]), .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
+    rc_beside #(.Width(1 + 69 + 3 * 3 * VB), .Stages(L - 4)) u_end (
+      .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[L]),
+      .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample
     assign end_more = 1'b0;
@@ -244,7 +325,7 @@ module rc_pass #(
   // ---- s28: all of it together.
   rc_turnout u_turnout (
     .frame_i, .ray_i(end_ray), .was_i(was), .top_i(top),
-    .surf_i(surf_q[L]), .surf_o_i(surf_o), .surf_n_i(surf_n), .surf_normal_i(surf_normal),
+    .surf_i(surf_at[L]), .surf_o_i(surf_o), .surf_n_i(surf_n), .surf_normal_i(surf_normal),
     .surf_view_i(surf_view), .surf_cosine_i(surf_cosine), .surf_far_i(surf_far),
     .surf_lost_i(surf_lost),
     .surf_albedo_i(surf_albedo), .surf_ambient_i(surf_ambient), .background_i(end_background),
@@ -258,6 +339,6 @@ module rc_pass #(
   assign end_ray_o = end_ray;
 
   logic unused;
-  assign unused = ^{hit_found, hit_prim, valid_at, surf_at, light_at, bounce_at, end_at};
+  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at};
 endmodule
 `default_nettype wire

@@ -3,10 +3,12 @@
 // rc_bounce; from the registers of s7. 16 fraction bits.
 `default_nettype none
 module rc_schlick #(
-  localparam int unsigned VB = rc_pkg::ValueBits
+  localparam int unsigned VB    = rc_pkg::ValueBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic          clk_i,
   input  logic [6:0]    valid_i,
+  input  logic [6*Every-1:0] turn_i,   // in which cycle of which stage a pass is
   input  logic          s0_refract_i,
   input  logic [VB-1:0] s0_cosine_i,
   input  logic [VB-1:0] s0_mirror_i,
@@ -44,18 +46,31 @@ module rc_schlick #(
   rc_delay #(.Width(18), .Stages(5)) u_transmit (
     .clk_i, .valid_i(valid_i[4:0]), .data_i({s0_transmit_i, s0_refract_i}),
     .data_o({s5_transmit, s5_refract}));
+  // The factors of the product of each stage, and the product.
+  logic [6*VB-1:0]   first, second;
+  logic [6*2*VB-1:0] product;
+  assign first  = {s5_transmit, {VB{1'b0}}, 17'h10000 - s3_r0, s2_q4, s1_q2, s0_q};
+  assign second = {s5_refract ? 17'h10000 - s5_schlick_q : s5_schlick_q, {VB{1'b0}}, s3_q5, s2_q,
+                   s1_q2, s0_q};
+  for (genvar i = 0; i < 6; i++) begin : gen_product
+    if (i != 4) begin : gen_stage
+      rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0)) u_product (
+        .clk_i, .turn_i(turn_i[i*Every +: Every]), .a_i(first[i*VB +: VB]),
+        .b_i(second[i*VB +: VB]), .p_o(product[i*2*VB +: 2*VB]));
+    end else begin : gen_sum
+      assign product[i*2*VB +: 2*VB] = '0;
+    end
+  end
   always_ff @(posedge clk_i) begin
-    if (valid_i[0]) s1_square_q <= {{VB{1'b0}}, s0_q} * {{VB{1'b0}}, s0_q};
-    if (valid_i[1]) s2_square_q <= {{VB{1'b0}}, s1_q2} * {{VB{1'b0}}, s1_q2};
-    if (valid_i[2]) s3_fifth_q  <= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q};
+    if (valid_i[0]) s1_square_q <= product[0 +: 34];
+    if (valid_i[1]) s2_square_q <= product[34 +: 34];
+    if (valid_i[2]) s3_fifth_q  <= product[2*34 +: 34];
     if (valid_i[3]) begin
-      s4_rest_q <= {{VB{1'b0}}, 17'h10000 - s3_r0} * {{VB{1'b0}}, s3_q5};
+      s4_rest_q <= product[3*34 +: 34];
       s4_r0     <= s3_r0;
     end
     if (valid_i[4]) s5_schlick_q <= s4_r0 + s4_up[32:16];
-    if (valid_i[5])
-      s6_part_q <= {{VB{1'b0}}, s5_transmit} * {{VB{1'b0}}, s5_refract ? 17'h10000 - s5_schlick_q
-                                                             : s5_schlick_q};
+    if (valid_i[5]) s6_part_q <= product[5*34 +: 34];
   end
 
   // s7: the share.
@@ -77,6 +92,7 @@ module rc_schlick #(
 
   logic unused;
   assign unused = ^{s1_up[33], s1_up[15:0], s2_up[33], s2_up[15:0], s3_up[33], s3_up[15:0],
-                    s4_up[33], s4_up[15:0], s6_up[33], s6_up[15:0]};
+                    s4_up[33], s4_up[15:0], s6_up[33], s6_up[15:0], first, second, product,
+                    turn_i};
 endmodule
 `default_nettype wire

@@ -2,8 +2,8 @@
 // pixel. What it computes: rc_pass; what it keeps of a context: rc_contexts. A camera ray or
 // bounce that has hit something waits for its surface, which is asked for here.
 //
-// A pass enters in every cycle: first those whose surface is there, then those that need
-// another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass to
+// A pass enters every ShadeInterval cycles: first those whose surface is there, then those that
+// need another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass to
 // what it leads to, more if it passes again. closest_i is always accepted; slot_i and ray_i
 // are listened to. frame_i does not change while rays are under way.
 // Model: model/shade/unit.hpp (when), model/shade/pass.hpp (what).
@@ -84,17 +84,20 @@ module rc_shade (
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
   // ---- The door.
-  logic         open, enters, again_valid, again_pop, end_valid, out_valid, out_ready;
+  logic         open, room, rests, enters, again_valid, again_pop, end_valid, out_valid, out_ready;
   logic [I-1:0] again_ray, ray;
   rc_door #(.Credits(rc_pkg::ShadeQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(open));
+    .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(room));
+  assign open        = room && !rests;
   assign surf_rsp_ready_o = open;
   assign enters      = open && (surf_rsp_valid_i || again_valid || arrived_valid);
   assign again_pop   = open && !surf_rsp_valid_i && again_valid;
   assign arrived_pop = open && !surf_rsp_valid_i && !again_valid && arrived_valid;
   assign ray         = surf_rsp_valid_i ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
   always_comb begin
-    if (surf_rsp_valid_i || again_valid || arrived_valid)
+    if (rests)
+      cause_o = rc_pkg::ShadeBusyWork;
+    else if (surf_rsp_valid_i || again_valid || arrived_valid)
       cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;
     else
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
@@ -120,7 +123,8 @@ module rc_shade (
     .d_o(d), .state_o(state), .top_o(top), .write_i(end_valid), .write_ray_i(end_ray),
     .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
   rc_pass u_pass (
-    .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(enters), .ray_i(ray), .state_i(state),
+    .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(enters), .rests_o(rests), .ray_i(ray),
+    .state_i(state),
     .hit_i(hit), .o_i(o), .d_i(d), .surface_i(rc_pkg::SurfaceW'(surf_rsp)), .top_i(top),
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
     .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));

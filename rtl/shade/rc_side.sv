@@ -2,23 +2,22 @@
 `default_nettype none
 module rc_side #(
   localparam int unsigned NB = rc_pkg::NormalBits,
-  localparam int unsigned D  = rc_pkg::RayDirBits
+  localparam int unsigned D  = rc_pkg::RayDirBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic            clk_i,
   input  logic [1:0]      valid_i,
+  input  logic [Every-1:0] turn_i,     // in which cycle of s15 a pass is
   input  logic [3*NB-1:0] s15_n_i,
   input  logic [3*D-1:0]  s15_d_i,
   output logic            s17_above_o,
   output logic            s17_below_o
 );
   localparam int unsigned Q = NB + D;
-  logic [3*Q-1:0] s16_product_q;
-  for (genvar k = 0; k < 3; k++) begin : gen_axis
-    always_ff @(posedge clk_i)
-      if (valid_i[0])
-        s16_product_q[k*Q +: Q] <= Q'($signed(s15_n_i[k*NB +: NB]))
-                                 * Q'($signed(s15_d_i[k*D +: D]));
-  end
+  logic [3*Q-1:0] s15_product, s16_product_q;
+  rc_mul_held #(.AW(NB), .BW(D), .Products(3)) u_products (
+    .clk_i, .turn_i, .a_i(s15_n_i), .b_i(s15_d_i), .p_o(s15_product));
+  always_ff @(posedge clk_i) if (valid_i[0]) s16_product_q <= s15_product;
   logic signed [Q+1:0] s16_sum;
   assign s16_sum = (Q+2)'($signed(s16_product_q[0 +: Q])) + (Q+2)'($signed(s16_product_q[Q +: Q]))
       + (Q+2)'($signed(s16_product_q[2*Q +: Q]));

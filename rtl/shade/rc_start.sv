@@ -12,8 +12,7 @@ module rc_start #(
   input  rc_pkg::shade_state_t state_i,
   input  logic [HitW-1:0]      hit_i,
   input  rc_pkg::surface_t     surface_i,
-  output logic                 arrives_o,  // a camera ray or bounce is done
-  output logic                 surf_o,     // and has hit a surface
+  output logic                 surf_o,     // a camera ray or bounce has hit a surface
   output logic                 light_o,
   output logic                 bounce_o,
   output logic                 refract_o,  // which: refracted, or reflected
@@ -21,13 +20,13 @@ module rc_start #(
   output logic [3*VB-1:0]      colour_o,   // with what was pending
   output rc_pkg::shade_state_t known_o
 );
-  logic          found, back;
+  logic          arrives, found, back;   // arrives: a camera ray or bounce is done
   logic [PB-1:0] prim;
   logic [TB-1:0] t;
   logic [U-1:0]  u, v;
   assign {found, back, prim, t, u, v} = hit_i;
-  assign arrives_o = valid_i && state_i.purpose == rc_pkg::EventArrive;
-  assign surf_o    = arrives_o && found;
+  assign arrives = valid_i && state_i.purpose == rc_pkg::EventArrive;
+  assign surf_o    = arrives && found;
   assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
   assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
   assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
@@ -50,7 +49,7 @@ module rc_start #(
     known_o         = state_i;
     known_o.colour  = colour_o;
     known_o.pending = rc_pkg::PendingNone;
-    if (arrives_o && state_i.depth == '0 && state_i.sample == '0) begin
+    if (arrives && state_i.depth == '0 && state_i.sample == '0) begin
       known_o.found = found;
       known_o.prim  = prim;
       known_o.t     = t;

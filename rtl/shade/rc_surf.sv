@@ -15,10 +15,12 @@ module rc_surf #(
   localparam int unsigned PW = rc_pkg::PointWidth,
   localparam int unsigned NB = rc_pkg::NormalBits,
   localparam int unsigned T  = rc_pkg::TBits,
-  localparam int unsigned U  = rc_pkg::UvBits
+  localparam int unsigned U  = rc_pkg::UvBits,
+  localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic               clk_i,
   input  logic [6:0]         valid_i,
+  input  logic [7*Every-1:0] turn_i,     // in which cycle of which stage a pass is
   input  logic [U-1:0]       s0_u_i,
   input  logic [U-1:0]       s0_v_i,
   input  logic [T-1:0]       s0_t_i,
@@ -59,7 +61,10 @@ module rc_surf #(
   assign s0_sphere    = rc_pkg::Spheres == 1 && s0_surface_i.kind == rc_pkg::PrimSphere;
   assign s0_plane     = rc_pkg::Planes == 1 && s0_surface_i.kind == rc_pkg::PrimPlane;
   assign sphere       = {sphere_q, s0_sphere};
-  always_ff @(posedge clk_i) sphere_q <= sphere[3:0];
+  always_ff @(posedge clk_i) begin
+    for (int i = 0; i < 4; i++)
+      if (Every == 1 || valid_i[i]) sphere_q[i+1] <= sphere[i];
+  end
   assign s0_a         = s0_surface_i.a;
   assign s0_b         = s0_surface_i.b;
   assign s0_c         = s0_surface_i.c;
@@ -128,9 +133,23 @@ module rc_surf #(
   logic [3*P-1:0] s3_ball_o, s4_ball_o;
   logic [2:0]     s4_beyond, s4_outside;
 
+  // Of e1 and e2 each axis with the next but one: what makes the cross product is in front.
+  logic [6*E-1:0]     s1_left, s1_right;
+  logic [3*E-1:0]     s2_e1, s2_e2;
+  logic [6*2*E-1:0]   s1_product;
+  logic [6*(W+E)-1:0] s2_product;
+  rc_mul_held #(.AW(E), .BW(E), .Products(6)) u_cross (
+    .clk_i, .turn_i(turn_i[Every +: Every]), .a_i(s1_left), .b_i(s1_right), .p_o(s1_product));
+  rc_mul_held #(.AW(W), .BW(E), .Products(6)) u_along (
+    .clk_i, .turn_i(turn_i[2*Every +: Every]), .a_i({{3{s2_v_q}}, {3{s2_u_q}}}),
+    .b_i({s2_e2, s2_e1}), .p_o(s2_product));
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     localparam int unsigned I = (k + 1) % 3;
     localparam int unsigned J = (k + 2) % 3;
+    assign s1_left[k*E +: E]      = s1_e1_q[I*E +: E];
+    assign s1_right[k*E +: E]     = s1_e2_q[J*E +: E];
+    assign s1_left[(3+k)*E +: E]  = s1_e1_q[J*E +: E];
+    assign s1_right[(3+k)*E +: E] = s1_e2_q[I*E +: E];
     always_ff @(posedge clk_i) begin
       if (valid_i[0] && !s0_sphere) begin
         s1_e1_q[k*E +: E] <= {s0_b[k*N+N-1], s0_b[k*N +: N]} - {s0_a[k*N+N-1], s0_a[k*N +: N]};
@@ -142,17 +161,19 @@ module rc_surf #(
     logic signed [W+E-1:0] s3_ue1_q, s3_ve2_q;
     logic signed [NB-1:0]  s3_cross_q;
     assign s3_cross[k*NB +: NB] = s3_cross_q;
+    assign s2_e1[k*E +: E] = s2_e1_q;
+    assign s2_e2[k*E +: E] = s2_e2_q;
     always_ff @(posedge clk_i) begin
       if (valid_i[1] && !sphere[1]) begin
-        s2_first_q  <= (2*E)'($signed(s1_e1_q[I*E +: E])) * (2*E)'($signed(s1_e2_q[J*E +: E]));
-        s2_second_q <= (2*E)'($signed(s1_e1_q[J*E +: E])) * (2*E)'($signed(s1_e2_q[I*E +: E]));
+        s2_first_q  <= s1_product[k*2*E +: 2*E];
+        s2_second_q <= s1_product[(3+k)*2*E +: 2*E];
         s2_e1_q     <= $signed(s1_e1_q[k*E +: E]) >>> s1_fine_q;
         s2_e2_q     <= $signed(s1_e2_q[k*E +: E]) >>> s1_fine_q;
       end
       if (valid_i[2] && !sphere[2]) begin
         s3_cross_q <= NB'(s2_first_q) - NB'(s2_second_q);
-        s3_ue1_q   <= (W+E)'(s2_u_q) * (W+E)'(s2_e1_q);
-        s3_ve2_q   <= (W+E)'(s2_v_q) * (W+E)'(s2_e2_q);
+        s3_ue1_q   <= s2_product[k*(W+E) +: W+E];
+        s3_ve2_q   <= s2_product[(3+k)*(W+E) +: W+E];
       end
     end
 
@@ -199,7 +220,8 @@ module rc_surf #(
   // Corner normals, weighted.
   if (rc_pkg::Smooth == 1) begin : gen_smooth
     rc_corners #(.W(W), .S(S)) u_corners (
-      .clk_i, .valid_i(valid_i[3:0]), .s0_normal_i(s0_normal), .s2_rest_i(s2_rest),
+      .clk_i, .valid_i(valid_i[3:0]), .turn_i(turn_i[2*Every +: Every]),
+      .s0_normal_i(s0_normal), .s2_rest_i(s2_rest),
       .s2_u_i(s2_u_q), .s2_v_i(s2_v_q), .s4_sum_o(s4_smooth_sum));
   end else begin : gen_flat
     assign s4_smooth_sum = '0;
@@ -209,7 +231,8 @@ module rc_surf #(
   // A sphere's point: o + t d.
   if (rc_pkg::Spheres == 1) begin : gen_ball
     rc_ball u_ball (
-      .clk_i, .valid_i(valid_i[3:0]), .sphere_i(sphere[3:0]), .s0_o_i, .s0_d_i, .s0_t_i,
+      .clk_i, .valid_i(valid_i[3:0]), .turn_i(turn_i[Every-1:0]), .sphere_i(sphere[3:0]),
+      .s0_o_i, .s0_d_i, .s0_t_i,
       .s3_o_o(s3_ball_o), .s4_o_o(s4_ball_o));
   end else begin : gen_no_ball
     assign s3_ball_o = '0;
@@ -220,10 +243,10 @@ module rc_surf #(
 
   // The colour there.
   rc_ambient u_ambient (
-    .clk_i, .valid_i, .s0_surface_i, .s0_weight_i, .s0_odd_i(s0_odd), .s0_ends_i(s0_ends),
+    .clk_i, .valid_i, .turn_i, .s0_surface_i, .s0_weight_i, .s0_odd_i(s0_odd), .s0_ends_i(s0_ends),
     .s6_albedo_o, .s7_ambient_o);
 
   logic unused;
-  assign unused = ^{s0_surface_i, s0_square_u, s0_square_v};
+  assign unused = ^{s0_surface_i, s0_square_u, s0_square_v, turn_i};
 endmodule
 `default_nettype wire

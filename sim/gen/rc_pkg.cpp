@@ -279,6 +279,7 @@ void derived(Package& p, const Config& c) {
     p.constant("SlantLatency", c.slant_latency());
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
+    p.constant("ShadeStages", stages.pass);
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);

@@ -77,9 +77,13 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     const std::uint64_t tested = (run.visits - entered(config, run)) * std::uint64_t(config.box_interval());
     bound.nodes = double(std::max(run.visits, tested)) / config.pipelines;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
+    bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;   // it rests busily
     bound.memory = double(bytes_read(run)) / peak_bytes_per_second(config, khz) * khz * 1e3;
-    bound.cycles = std::max({bound.nodes, bound.triangles, bound.memory});
-    bound.unit = bound.cycles == bound.memory ? "memory" : bound.cycles == bound.nodes ? "trav" : "tri";
+    bound.cycles = std::max({bound.nodes, bound.triangles, bound.passes, bound.memory});
+    bound.unit = bound.cycles == bound.memory      ? "memory"
+                 : bound.cycles == bound.nodes     ? "trav"
+                 : bound.cycles == bound.triangles ? "tri"
+                                                   : "shade";
     bound.reached = run.cycles ? bound.cycles / double(run.cycles) : 0;
     return bound;
 }
@@ -91,10 +95,11 @@ std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     };
     const bool is_port = config.dram_part() && peak_bytes_per_second(config, khz) >= 64.0 * khz * 1e3;
     const std::string work =
-        bound.unit == "trav"  ? "node visits, " + every(config.box_interval()) + " and pipeline"
-        : bound.unit == "tri" ? "triangle tests, " + every(config.tri_interval) + " and pipeline"
-        : is_port             ? "the port to memory, 64 bytes a cycle,"
-                              : "the memory's data bus";
+        bound.unit == "trav"    ? "node visits, " + every(config.box_interval()) + " and pipeline"
+        : bound.unit == "tri"   ? "triangle tests, " + every(config.tri_interval) + " and pipeline"
+        : bound.unit == "shade" ? "shade's passes, " + every(config.shade_interval) + " and pipeline"
+        : is_port               ? "the port to memory, 64 bytes a cycle,"
+                                : "the memory's data bus";
     std::string text = fmt::format("{} bound{} this frame, at {:.0f} % of the roofline", work,
                                    bound.unit == "memory" ? "s" : "", bound.reached * 100);
     // What keeps the unit that bounds it from working in every cycle.

@@ -29,13 +29,14 @@ struct CacheAccount {
 };
 CacheAccount cache_account(const FrameRun& run, Unit cache);
 
-/// The least cycles that the machine can need for a frame's work: a node and a triangle a cycle in each
-/// pipeline, or one every box_interval() and tri_interval cycles, and what the memory's data bus can carry.
+/// The least cycles that the machine can need for a frame's work: a node, a triangle and a pass of shade a
+/// cycle in each pipeline, or one every box_interval(), tri_interval and shade_interval cycles, and what the
+/// memory's data bus can carry.
 struct Bound {
-    double nodes = 0, triangles = 0, memory = 0;   ///< cycles
-    std::string unit;                              ///< "trav", "tri" or "memory": the largest of the three
-    double cycles = 0;                             ///< of it
-    double reached = 0;                            ///< bound / cycles of the frame
+    double nodes = 0, triangles = 0, passes = 0, memory = 0;   ///< cycles
+    std::string unit;     ///< "trav", "tri", "shade" or "memory": the largest of the four
+    double cycles = 0;    ///< of it
+    double reached = 0;   ///< bound / cycles of the frame
 };
 Bound bound_of(const Config& config, int khz, const FrameRun& run);
 /// The memory's peak, bytes per second; 64 bytes every mem_interval cycles for the ideal one.

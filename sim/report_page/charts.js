@@ -67,7 +67,7 @@ function histogramSpec() {
 // The least cycles that each resource needs, and the frame's.
 function rooflineSpec() {
   const clock = report.clocks[0];
-  const names = { trav: "node visits", tri: "primitive tests", memory: "the memory's data bus" };
+  const names = { trav: "node visits", tri: "primitive tests", shade: "passes of shade", memory: "the memory's data bus" };
   const rows = Object.entries(clock.bounds).map(([unit, cycles]) => ({ name: names[unit] || unit, cycles, bound: unit === clock.bound }));
   rows.push({ name: "the frame", cycles: clock.cycles, frame: true });
   for (const r of rows) r.tooltip = `${r.name}: ${grouped(Math.round(r.cycles))} cycles`;

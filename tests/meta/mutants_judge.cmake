@@ -14,22 +14,22 @@ mutant(judge_weight_above_the_threshold QUICK FILE model/shade/pass.cpp TEST sim
 mutant(judge_threshold_without_slack FILE model/shade/pass.cpp TEST simulate "spheres --depth 3 --threshold 0.064 | spheres --depth 2 --threshold 0.16"
   OLD [[return 2 * weight + 3 * bounce >= frame.shade.threshold;]]
   NEW [[return 2 * weight >= frame.shade.threshold + 4 + 0 * bounce;]])
-mutant(judge_last_light_is_left_out QUICK FILE model/shade/pass.cpp TEST simulate "spheres --depth 1"
+mutant(judge_last_light_is_left_out FILE model/shade/pass.cpp TEST simulate "spheres --depth 1"
   OLD [[light < frame.shade.lights ?]]
   NEW [[light + 1 < frame.shade.lights ?]])
 mutant(judge_first_light_is_left_out FILE model/shade/pass.cpp TEST simulate "balls:1 --depth 1"
   OLD [[        next_light(s, 0, frame, c);]]
   NEW [[        next_light(s, 1, frame, c);]])
-mutant(judge_sum_loses_its_carry QUICK FILE model/shade/pass.cpp TEST simulate "spheres --depth 2"
+mutant(judge_sum_loses_its_carry FILE model/shade/pass.cpp TEST simulate "spheres --depth 2"
   OLD [[std::min(colour[k] + more[k], one);]]
   NEW [[std::min((colour[k] & ~255u) + (more[k] & ~255u) + ((colour[k] + more[k]) & 255u), one);]])
 mutant(judge_sum_does_not_saturate FILE model/shade/pass.cpp TEST simulate "spheres --depth 4 | balls:2 --depth 4 | mirrors --depth 4"
   OLD [[std::min(colour[k] + more[k], one);]]
   NEW [[colour[k] + more[k];]])
-mutant(judge_light_that_is_hidden_counts QUICK FILE model/shade/pass.cpp TEST simulate "spheres --depth 0"
+mutant(judge_light_that_is_hidden_counts FILE model/shade/pass.cpp TEST simulate "spheres --depth 0"
   OLD [[pending == Pending::answer && !in.hit.found]]
   NEW [[pending == Pending::answer]])
-mutant(judge_background_rounded_down QUICK FILE model/shade/pass.cpp TEST simulate "spheres --depth 4"
+mutant(judge_background_rounded_down FILE model/shade/pass.cpp TEST simulate "spheres --depth 4"
   OLD [[std::uint32_t(rounded(std::uint64_t(weight) * frame.shade.background[k], unit_bits));]]
   NEW [[std::uint32_t(std::uint64_t(weight) * frame.shade.background[k] >> unit_bits);]])
 mutant(judge_refracted_ray_stays_outside FILE model/shade/pass.cpp TEST simulate "spheres --depth 4"
@@ -80,7 +80,7 @@ mutant(judge_refraction_bends_too_far FILE model/shade/bounce.cpp TEST simulate 
   NEW [[std::int64_t(square_root(std::uint64_t(cosine2))) + 64;]])
 
 # ---- Where a ray arrives: model/shade/surf.cpp, model/isect/origin.cpp.
-mutant(judge_normal_is_not_turned QUICK FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
+mutant(judge_normal_is_not_turned FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
   OLD [[if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];]]
   NEW [[if (in.hit.back) state.n[k] = -state.n[k];]])
 mutant(judge_side_is_not_turned FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
@@ -122,7 +122,7 @@ mutant(judge_lights_share_a_colour FILE model/accel/surfaces.cpp TEST simulate "
   NEW [[fixed(0.9 * scene.lights[0].colour[int(k)], share_bits,]])
 
 # ---- Rays and primitives: model/isect/any.cpp.
-mutant(judge_bounce_without_its_fraction QUICK FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST simulate "mirrors --depth 3"
+mutant(judge_bounce_without_its_fraction FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST simulate "mirrors --depth 3"
   OLD [[flip = edges.turn();]]
   NEW [[flip = edges.turn(), edges.det >>= frac;]])
 mutant(judge_far_half_of_shadow_rays_is_free FILE model/isect/any.cpp TEST simulate "cornell --depth 1"

@@ -22,7 +22,7 @@ mutant(sheared_zero_counts_for_both QUICK FILE model/isect/sheared.cpp TEST unit
 mutant(sheared_tie_by_one_axis FILE model/isect/sheared.cpp TEST unit [primitive]
   OLD [[edge != 0 ? edge : p.y != q.y ? p.y - q.y : q.x - p.x;]]
   NEW [[edge != 0 ? edge : p.y - q.y;]])
-mutant(sheared_rounds_by_triangle QUICK FILE model/isect/sheared.cpp TEST unit [primitive]
+mutant(sheared_rounds_by_triangle FILE model/isect/sheared.cpp TEST unit [primitive]
   OLD [[b = sheared(triangle.b, o, shear, frac),]]
   NEW [[b = [&] { Corner r = sheared(triangle.b, o, shear, frac); r.x += triangle.prim & 1; return r; }(),]])
 mutant(sheared_product_drops_a_bit FILE model/isect/sheared.cpp TEST unit [primitive]
@@ -47,7 +47,7 @@ mutant(sheared_seams_left_open FILE model/accel/compile.cpp TEST unit [primitive
 mutant(model_box_near_rounded_up FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box]
   OLD [[near_0 = round_down(]]
   NEW [[near_0 = round_up(]])
-mutant(model_box_far_with_r QUICK FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box]
+mutant(model_box_far_with_r FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box]
   OLD [[std::int32_t(ray.recip[k]) + (ray.len[k] != 0));]]
   NEW [[std::int32_t(ray.recip[k]));]])
 mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST unit [raygen]
@@ -74,7 +74,7 @@ mutant(frame_takes_a_camera_that_is_too_wide FILE model/accel/frame.cpp TEST acc
   OLD [[if (!(scale * least - off >=]]
   NEW [[if (!(scale * std::max(m, least) - off >=]])
 # A chip that shades: origins between lattice points, rays that stop, long directions, samples.
-mutant(model_box_near_from_the_point_before QUICK FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
+mutant(model_box_near_from_the_point_before FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.near_o = Lanes{beyond(0), beyond(1), beyond(2), 0};]]
   NEW [[slab.near_o = Lanes{before(0), before(1), before(2), 0 * beyond(0)};]])
 mutant(model_box_far_from_the_point_beyond FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
@@ -101,7 +101,7 @@ mutant(model_trav_goes_on_when_stopped FILE model/bvh/stack.hpp WITH tests/unit/
 mutant(model_recip_of_fewer_bits FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
   OLD [[power / double(m)]]
   NEW [[power / double(float(m))]])
-mutant(model_raygen_away_counts_as_long QUICK FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
+mutant(model_raygen_away_counts_as_long FILE model/raygen/raygen.cpp TEST unit [raygen][shading]
   OLD [[kind == RayKind::shadow ? 0 :]]
   NEW [[ends_at_any(std::uint32_t(kind)) ? 0 :]])
 mutant(model_sample_order_without_strides FILE model/scene/whitted.cpp TEST unit [raygen][shading]
@@ -189,7 +189,7 @@ mutant(dram_trrd_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
 mutant(dram_tras_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
   OLD [[own.precharge = clock + tras_;]]
   NEW [[own.precharge = clock + 1;]])
-mutant(dram_group_gate_ignored QUICK FILE model/mem/dram_banks.cpp TEST unit [dram]
+mutant(dram_group_gate_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
   OLD [[group_of(bank).read = clock + tccd_l_;]]
   NEW [[group_of(bank).read = clock + tccd_;]])
 mutant(dram_channel_takes_its_neighbours_words FILE model/mem/dram_channels.cpp TEST unit [dram]

@@ -1,7 +1,7 @@
 # Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
 
 # ---- Any ray against any primitive: model/isect/any.hpp.
-mutant(model_any_bounce_without_its_fraction QUICK FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST unit [any]~[tri]
+mutant(model_any_bounce_without_its_fraction FILE model/isect/edges.hpp WITH model/isect/any.cpp TEST unit [any]~[tri]
   OLD [[flip = edges.turn();]]
   NEW [[flip = edges.turn(), edges.det >>= frac;]])
 mutant(model_any_end_of_the_way_blocks FILE model/isect/any.cpp TEST unit [any]~[tri]
@@ -114,7 +114,7 @@ mutant(model_threshold_too_much_slack FILE model/shade/pass.cpp TEST unit [thres
 mutant(model_weights_of_twelve_bits FILE model/accel/surfaces.cpp TEST unit [threshold]
   OLD [[s.transmit = std::max(weight_of(m.mirror + m.transmit) - s.mirror, 1u);]]
   NEW [[s.transmit = share_of(m.transmit) << 4;]])
-mutant(model_far_mirror_is_black QUICK FILE model/shade/pass.cpp TEST unit [far]
+mutant(model_far_mirror_is_black FILE model/shade/pass.cpp TEST unit [far]
   OLD [[    if (!start) return see_background(s, found.weight, frame);
     send_bounce(]]
   NEW [[    if (!start) return;
@@ -128,7 +128,7 @@ mutant(model_far_light_asks_planes FILE model/shade/pass.cpp TEST unit [far]
 mutant(model_far_light_from_the_point FILE model/shade/light.cpp TEST unit [far]
   OLD [[state.far ? -out.d[k] :]]
   NEW [[state.far ? out.d[k] :]])
-mutant(model_approach_one_step_short QUICK FILE model/shade/approach.cpp TEST unit [approach]
+mutant(model_approach_one_step_short FILE model/shade/approach.cpp TEST unit [approach]
   OLD [[    at = along(at, d, c.approach_shift());
 ]]
   NEW [[]])

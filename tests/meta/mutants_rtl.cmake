@@ -42,7 +42,7 @@ mutant(edges_product_one_bit_short FILE rtl/isect/rc_edges.sv TEST unit "tri is 
 mutant(edges_origin_counts FILE rtl/isect/rc_edges.sv TEST unit [tri]
   OLD [[&& !end_here && end_num[U-1] == end_flip]]
   NEW [[&& (end_here || end_num[U-1] == end_flip)]])
-mutant(tri_higher_number_wins QUICK FILE rtl/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
+mutant(tri_higher_number_wins FILE rtl/isect/rc_tri.sv TEST unit "tri keeps the nearer hit*"
   OLD [[in_first    = in.prim <= in.best_prim &&]]
   NEW [[in_first    = in.prim >= in.best_prim &&]])
 mutant(tri_equal_is_not_closer FILE rtl/isect/rc_tri.sv TEST unit [tri]
@@ -113,7 +113,7 @@ mutant(trav_gives_the_second_leaf FILE rtl/bvh/rc_trav.sv TEST unit [trav]
 mutant(reach_is_not_reset_by_a_start FILE rtl/prim/rc_reach.sv TEST unit [trav]
   OLD [[.clear_i(start_fires_i),]]
   NEW [[.clear_i(start_fires_i && start_ray != '1),]])
-mutant(list_skips_last_triangle QUICK FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+mutant(list_skips_last_triangle FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[assign more_triangles = cursor_triangle + C'(1) <]]
   NEW [[assign more_triangles = cursor_triangle + C'(2) <]])
 mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
@@ -372,7 +372,7 @@ mutant(mshr_highest_is_taken FILE rtl/mem/rc_mshr.sv TEST unit [cache][lockstep]
 
 
 # ---- What every operand of a small width shows.
-mutant(small_slab_distance_one_bit_short QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
+mutant(small_slab_distance_one_bit_short FILE rtl/bvh/rc_slab.sv TEST unit [box][small]
   OLD [[localparam int unsigned D   = N + 1; ]]
   NEW [[localparam int unsigned D   = N; ]])
 mutant(small_slab_saturation_wraps FILE rtl/bvh/rc_slab.sv TEST unit [box][small]

@@ -2,7 +2,7 @@
 # its multipliers (tri_interval), and of a box of few lanes.
 
 # ---- A register is taken away.
-mutant(fast_hitdiv_loses_a_stage QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
+mutant(fast_hitdiv_loses_a_stage FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][fast]
   OLD [[rc_cut #(.Width(T + 1)) u_t_last]]
   NEW [[rc_cut #(.Width(T + 1), .Stages(0)) u_t_last]])
 mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][fast]
@@ -35,7 +35,7 @@ mutant(tags_fast_old_tree FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
 mutant(tags_fast_tree_that_is_written FILE rtl/mem/rc_tags.sv TEST unit [cache][fast]
   OLD [[: touched_q && same_late ? late_recent : kept;]]
   NEW [[: kept;]])
-mutant(mshr_fast_new_line_is_not_waited_for QUICK FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
+mutant(mshr_fast_new_line_is_not_waited_for FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
   OLD [[takes ? set_i == ahead_set_i : set_q == ahead_set_i;]]
   NEW [[set_q == ahead_set_i;]])
 mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
@@ -66,3 +66,22 @@ mutant(box_planes_do_not_move_on FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
 mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
   OLD [[assign all_met  = {met, met_q};]]
   NEW [[assign all_met  = {met_q, met};]])
+
+# ---- shade that makes a pass every few cycles.
+mutant(shade_rests_a_cycle_less QUICK FILE rtl/shade/rc_pass.sv TEST unit [shade][interval]
+  OLD [[|turn[Every-2:0];]]
+  NEW [[|turn[(Every-1)/2:0];]])
+mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pass][interval]
+  OLD [[if (turn_i[i+Inside]) p_q <= p;]]
+  NEW [[if (turn_i[i+1]) p_q <= p;]])
+mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
+  OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
+  NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
+mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
+  OLD [[.Stages(Every - 1)) u_last]]
+  NEW [[.Stages(Every / 4)) u_last]])
+mutant(shade_starves_while_it_rests FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[    if (rests)
+      cause_o]]
+  NEW [[    if (rests && 1'b0)
+      cause_o]])

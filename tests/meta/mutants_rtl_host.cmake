@@ -1,6 +1,6 @@
 # Faults of the chip's face to its host; how a row reads: mutants_rtl.cmake.
 
-mutant(host_loses_a_word QUICK FILE rtl/host/rc_host.sv TEST unit [host]
+mutant(host_loses_a_word FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[frame_word < 13'(F)));]]
   NEW [[frame_word < 13'(F - 1)));]])
 mutant(host_counts_a_cycle_more FILE rtl/host/rc_host.sv TEST unit [host]

@@ -1,7 +1,7 @@
 # Faults of a chip that shades; how a row reads: mutants_rtl.cmake.
 
 # ---- box, list, trav, raygen, sched of a chip that shades.
-mutant(slab_near_from_the_point_before QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
+mutant(slab_near_from_the_point_before FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
   OLD [[D'(s0_org_i) - D'(s0_point) - $signed({{(D-1){1'b0}}, s0_between});]]
   NEW [[D'(s0_org_i) - D'(s0_point);]])
 mutant(slab_far_from_the_nearer_point FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep][shading]
@@ -31,7 +31,7 @@ mutant(stack_stop_keeps_the_stack FILE rtl/bvh/rc_stack.sv TEST unit [trav][shad
 mutant(stack_visits_a_child_when_stopped FILE rtl/bvh/rc_stack.sv TEST unit [trav][shading]
   OLD [[forward       = !stop &&]]
   NEW [[forward       =]])
-mutant(raygen_away_counts_as_long QUICK FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
+mutant(raygen_away_counts_as_long FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][lockstep][shading]
   OLD [[is_short = dir_kind_q != rc_pkg::RayShadow;]]
   NEW [[is_short = dir_kind_q != rc_pkg::RayShadow && dir_kind_q != rc_pkg::RayAway;]])
 mutant(raygen_new_pixel_before_shade FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][shading]
@@ -102,8 +102,8 @@ mutant(unit_not_clamped FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
   OLD [[whole[37:35] != '0 ? 17'h10000 : {1'b0, whole[34:19]};]]
   NEW [[&whole[37:35] ? 17'h10000 : {1'b0, whole[34:19]};]])
 mutant(unit_components_wait_for_others FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
-  OLD [[.valid_i(valid_q[5:3]), .data_i(s4_a_q)]]
-  NEW [[.valid_i(valid_q[4:2]), .data_i(s4_a_q)]])
+  OLD [[.valid_i(ends[6:4]), .data_i(s4_a_q)]]
+  NEW [[.valid_i(ends[5:3]), .data_i(s4_a_q)]])
 mutant(power_of_nothing QUICK FILE rtl/fixed/rc_power.sv TEST unit [power]
   OLD [[s5_none_q  <= s4_none_q ||]]
   NEW [[s5_none_q  <= (s4_none_q && s4_y_q[0]) ||]])
@@ -119,8 +119,8 @@ mutant(pass_pending_forgets_the_answer QUICK FILE rtl/shade/rc_start.sv TEST uni
   OLD [[(state_i.pending == rc_pkg::PendingAnswer && !found)]]
   NEW [[(state_i.pending == rc_pkg::PendingAnswer)]])
 mutant(pass_first_hit_of_any_depth FILE rtl/shade/rc_start.sv TEST unit [pass][all]
-  OLD [[arrives_o && state_i.depth == '0 && state_i.sample]]
-  NEW [[arrives_o && state_i.sample]])
+  OLD [[arrives && state_i.depth == '0 && state_i.sample]]
+  NEW [[arrives && state_i.sample]])
 mutant(pass_leaves_with_the_ratio_of_entering FILE rtl/shade/rc_start.sv TEST unit [pass][all]
   OLD [[back ? surface_i.leave : surface_i.enter]]
   NEW [[back ? surface_i.enter : surface_i.leave]])
@@ -204,8 +204,8 @@ mutant(snell_ratio_not_rounded FILE rtl/shade/rc_snell.sv TEST unit [pass][all]
   OLD [[s1_long_q + 33'h800;]]
   NEW [[s1_long_q + 33'h0;]])
 mutant(schlick_fourth_power FILE rtl/shade/rc_schlick.sv TEST unit [pass][all]
-  OLD [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q};]]
-  NEW [[<= {{VB{1'b0}}, s2_q4} * {{VB{1'b0}}, s2_q | 17'h10000};]])
+  OLD [[s3_q5, s2_q,]]
+  NEW [[s3_q5, s2_q | 17'h10000,]])
 mutant(bounce_component_above_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][all]
   OLD [[s14_unit > 26'sh10000 ? 18'sh10000]]
   NEW [[s14_unit > 26'sh18000 ? 18'sh10000]])
@@ -257,7 +257,7 @@ mutant(contexts_stack_half_as_deep FILE rtl/shade/rc_contexts.sv TEST torture "m
 mutant(finish_contrast_itself_is_too_much FILE rtl/shade/rc_finish.sv TEST torture "model and RTL agree under torture"
   OLD [[s1_apart <= contrast &&]]
   NEW [[s1_apart < contrast &&]])
-mutant(hitdiv_t_wraps QUICK FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
+mutant(hitdiv_t_wraps FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bits do - Rtl*"
   OLD [[assign t_o = end_beyond || (&t_down)]]
   NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"

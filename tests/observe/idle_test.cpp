@@ -81,6 +81,7 @@ TEST_CASE("of every parameter it is known where it cannot matter, or that it alw
                                 {"lights", {}, "shading=0"},
                                 {"bounces", {}, "shading=0"},
                                 {"shade_queue", {}, "shading=0"},
+                                {"shade_interval", {}, "shading=0"},
                                 {"surf_sets", {}, "shading=0"},
                                 {"surf_ways", {}, "shading=0"},
                                 {"surf_line", {}, "shading=0"},

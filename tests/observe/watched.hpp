@@ -41,6 +41,7 @@ inline const std::vector<Watched>& watched_machines() {
         {"spheres", {}, true},
         {"balls:2", {{"contexts", "8"}, {"surf_sets", "1"}, {"surf_line", "128"}, {"pipelines", "2"}}, true},
         {"spheres", {{"timing", "fast"}, {"l2_sets", "4"}, {"l2_line", "128"}}, true, {9, 20, 3}},
+        {"spheres", {{"shade_interval", "4"}}, true},
         {"gears:1", {{"structure", "kd"}}},
         {"gears:1", {{"structure", "spheres"}}},
         {"gears:1", {{"structure", "bsp"}}},

@@ -113,6 +113,7 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     CHECK(code(Unit::box, 0) + code(Unit::treelet, 0) + code(Unit::globe, 0) + code(Unit::slant, 0) ==
           (nodes - entered) * std::uint64_t(config.box_interval()));
     CHECK(code(Unit::tri, 0) == config.tri_interval * run.triangle_tests);
+    CHECK(code(Unit::shade, 0) % std::uint64_t(config.shade_interval) == 0);   // whole passes
     CHECK(code(Unit::node_cache, 0) + code(Unit::node_cache, 1) + code(Unit::node_cache, 2) == nodes);
     CHECK(code(Unit::prim_cache, 0) + code(Unit::prim_cache, 1) + code(Unit::prim_cache, 2) ==
           run.triangle_tests);

@@ -81,9 +81,10 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
     put(rtl, "valid", 0);
     rtl.reset();
     std::deque<std::optional<PassIn>> under_way(std::size_t(c.shade_latency()), std::nullopt);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0, opens = 0; i < count * c.shade_interval; ++i) {
         INFO(c.name << ", seed " << seed << ", cycle " << i);
-        const bool valid = !idle || draw.coin();
+        const bool valid = i >= opens && (!idle || draw.coin());
+        if (valid) opens = i + c.shade_interval;
         under_way.push_back(valid ? std::optional(random_pass(draw, frame, c)) : std::nullopt);
         put(rtl, "valid", valid);
         if (valid) drive(rtl, *under_way.back(), c);
@@ -131,6 +132,18 @@ TEST_CASE("the rtl's pass is the model's, after exactly its latency, one in a cy
 TEST_CASE("the rtl's pass is the model's without units that are not needed, and at the ends of the lattice",
           "[pass][lockstep]") {
     const auto name = GENERATE("plain", "narrow");
+    check(name, 1, 12, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's if it stays in each stage for several cycles",
+          "[pass][lockstep][interval]") {
+    check("every4:fast:all", 1, 4, 400);
+}
+
+TEST_CASE("the rtl's pass is the model's if it stays for two, four or eight cycles, in every format",
+          "[pass][lockstep][interval][slow]") {
+    const auto name = GENERATE("every2:all", "every4:all", "every8:all", "every8:fast:all",
+                               "every4:fast:plain", "every2:fast:narrow", "every8:fast:narrow");
     check(name, 1, 12, 400);
 }
 

@@ -58,6 +58,8 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_pass", "narrow", test::shaded_format},
                         {"rc_shade", "all", test::shaded_format},
                         {"rc_shade", "plain", test::shaded_format},
+                        {"rc_pass", "every4:fast:all", test::shaded_format},
+                        {"rc_shade", "every4:plain", test::shaded_format},
                         {"rc_sched", "0", tiled},
                         {"rc_sched", "3", tiled},
                         {"rc_dispatch", "1", pipelines},

@@ -91,8 +91,15 @@ TEST_CASE(
     check("plain", 64, 64, 3000);
 }
 
+TEST_CASE("model and rtl of shade make the same moves with a pass every few cycles",
+          "[shade][lockstep][interval]") {
+    check("every4:plain", 64, 64, 6000);
+    check("every4:plain", 64, 8, 3000);
+}
+
 TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {
-    const auto format = GENERATE("all", "plain", "mirror", "narrow", "broad", "short");
+    const auto format = GENERATE("all", "plain", "mirror", "narrow", "broad", "short", "every8:fast:all",
+                                 "every4:all", "every2:plain");
     check(format, 64, 64, 40000);
     check(format, 32, 8, 40000);
     check(format, 1, 2, 40000);
@@ -100,7 +107,7 @@ TEST_CASE("model and rtl of shade make the same moves in every cycle, for long",
 
 // A camera ray that hits nothing passes twice: for its background, and for the sample's end.
 TEMPLATE_TEST_CASE("shade answers after exactly its latency", "[shade]", ShadeModel, ShadeRtl) {
-    const Config c = shape("plain", 64, 64);
+    const Config c = shape(GENERATE("plain", "every4:plain"), 64, 64);
     Frame frame;
     frame.shade.background = {0x8000, 1, 0x10000};
     frame.shade.side = 1;
@@ -127,8 +134,9 @@ TEMPLATE_TEST_CASE("shade answers after exactly its latency", "[shade]", ShadeMo
     }
 }
 
-TEMPLATE_TEST_CASE("shade does a pass in every cycle", "[shade]", ShadeModel, ShadeRtl) {
-    const Config c = shape("plain", 64, 64);
+TEMPLATE_TEST_CASE("shade does a pass in every cycle, or every few", "[shade]", ShadeModel, ShadeRtl) {
+    const Config c = shape(GENERATE("plain", "every4:plain"), 64, 64);
+    const int every = c.shade_interval;
     Frame frame;
     frame.shade.side = 1;
     TestType dut(c, frame);
@@ -141,7 +149,7 @@ TEMPLATE_TEST_CASE("shade does a pass in every cycle", "[shade]", ShadeModel, Sh
         step(dut);
     }
     int first = -1, idle = -1, busy = 0, pixels = 0;   // first cycle with a pass; first one after it without
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 400 * every; ++i) {
         if (i < 64) dut.closest.offer = Closest{std::uint32_t(i), 0, 0, 0, 0, 0, 0};
         dut.eval();
         if (dut.cause == 0) {
@@ -155,6 +163,7 @@ TEMPLATE_TEST_CASE("shade does a pass in every cycle", "[shade]", ShadeModel, Sh
         still(dut);
     }
     REQUIRE(pixels == 64);
-    REQUIRE(busy == 128);
-    REQUIRE((first == 1 && idle == 125));   // then the last four wait for their first pass to end
+    REQUIRE(busy == 128 * every);
+    // Of one in a cycle, the last four wait for their first pass to end.
+    REQUIRE((first == 1 && idle == (every == 1 ? 125 : 1 + 128 * every)));
 }

@@ -11,7 +11,18 @@ namespace rayclock::test {
 /// "all" has every unit of default, "plain" none but shading itself, "mirror" all but refraction; "narrow"
 /// and "broad" are at the ends of the lattice, "short" has directions shorter than a unit vector's
 /// components.
+/// Also as "everyK:..." of a chip whose shade makes a pass every K cycles, and as "fast:...".
 inline Config shaded_format(const std::string& name) {
+    if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
+        Config c = shaded_format(name.substr(colon + 1));
+        c.name = name;
+        if (name.starts_with("fast:"))
+            c.timing = int(Timing::fast), c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
+        else
+            c.shade_interval = std::stoi(name.substr(5));
+        check_config(c, name);
+        return c;
+    }
     Config c;
     c.name = name;
     c.shading = 1;

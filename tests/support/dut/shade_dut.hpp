@@ -33,7 +33,7 @@ public:
         if (shade_.spawn_valid()) spawn.offer = contexts_[shade_.spawn_ray()].out.spawn;
         if (shade_.pixel_valid()) pixel.offer = contexts_[shade_.pixel_ray()].out.pixel;
         surf_rsp.ready = shade_.ready();
-        cause = shade_.offers(surf_rsp.offer.has_value()) ? (shade_.ready() ? 0 : 3) : surf_waits ? 1 : 2;
+        cause = shade_.code(surf_rsp.offer.has_value(), surf_waits);
     }
     void commit() {
         bool wants = false;

@@ -64,6 +64,7 @@ inline const std::vector<Values>& shapes() {
          {"node_sets", 8},
          {"dram", 1},
          {"tri_interval", 4},
+         {"shade_interval", 4},
          {"box_lanes", 2}},
         {{"dram", 0}, {"raygen_queue", 2}, {"box_queue", 2}, {"tri_queue", 2}, {"mem_latency", 1}},
     };

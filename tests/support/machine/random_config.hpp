@@ -41,7 +41,8 @@ inline Config random_config(std::uint64_t seed, bool single) {
         Config config;
         config.name = "random " + std::to_string(seed);
         for (const Parameter& p : parameters())
-            if (p.member != &Config::levels && p.member != &Config::xform_interval)
+            if (p.member != &Config::levels && p.member != &Config::xform_interval &&
+                p.member != &Config::shade_interval)
                 config.*p.member = draw(p, most_of(p));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
@@ -50,6 +51,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
         config.pixel_bits = 7 + widths.below(max_pixel_bits - 6);
         config.xform_interval = 1 << widths.below(3);
         config.levels = 1 + widths.below(2);
+        config.shade_interval = 1 << widths.below(4);
         config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
         if (rng.below(3) != 0) config.l2_sets = 0;
         // Two in three do not shade. The others have what the scenes need at least: spheres, planes and
