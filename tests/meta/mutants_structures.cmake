@@ -159,6 +159,17 @@ mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "ray
   OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
   NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
 
+# ---- Boxes with spatial splits: no part is lost, and no leaf has a primitive twice.
+mutant(splits_lose_the_upper_part FILE model/accel/splits.cpp TEST accel "boxes with spatial splits hold what lies in them"
+  OLD [[upper.items.push_back({s.above, s.whole.index});]]
+  NEW [[upper.box.add(s.above);]])
+mutant(splits_box_the_wrong_part FILE model/accel/splits.cpp TEST accel "boxes with spatial splits hold what lies in them"
+  OLD [[lower.items.push_back({s.below, s.whole.index});]]
+  NEW [[lower.items.push_back({s.above, s.whole.index});]])
+mutant(splits_leave_a_primitive_in_a_leaf_twice FILE model/accel/emit.cpp TEST accel "boxes with spatial splits hold what lies in them"
+  OLD [[once(before);]]
+  NEW [[static_cast<void>(before);]])
+
 # ---- The compiler of octrees: octants in their places, straddlers in every one of them or in the node.
 mutant(octree_octants_change_places FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[beside(joined(octants, below, axis + 1), joined(octants + half, above, axis + 1))]]
