@@ -7,6 +7,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/levels/levels.hpp"
 #include "model/accel/plane.hpp"
+#include "model/accel/splits.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -110,12 +111,13 @@ MemoryImage compile_triangles(const std::vector<PrimData>& triangles, const Conf
     MemoryImage image;
     tell(1);
     if (config.is_bvh() || config.has_globes()) {
-        BinaryTree tree = build_tree(boxes_of(triangles, config));
+        const std::vector<LatticeBox> boxes = boxes_of(triangles, config);
+        BinaryTree tree =
+            config.has_splits() ? build_split_tree(boxes, triangles, config) : build_tree(boxes);
         tell(2);
         optimise_tree(tree);
         tell(3);
         (config.is_bvh() ? emit_boxes : emit_globes)(tree, triangles, config, name, image);
-        image.report.references = triangles.size();
     } else {
         (config.is_list() ? emit_list : emit_cells)(triangles, config, name, image);
     }

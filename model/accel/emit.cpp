@@ -81,7 +81,10 @@ private:
         content_.clear();
         for (const WideChild& child : found_) {
             const std::size_t before = content_.size();
-            if (child.leaf) collapse_.boxes(child.node, content_);
+            if (child.leaf) {
+                collapse_.boxes(child.node, content_);
+                once(before);
+            }
             children_.add(child, std::uint32_t(content_.size() - before));
         }
         const std::size_t base = image_.words.size() / words_per_line;
@@ -96,8 +99,20 @@ private:
 
         const std::uint32_t id = written_.add(at.parent, inner);
         image_.report.leaves += found_.size() - inner;
+        image_.report.references += content_.size();
         for (std::uint32_t i = inner; i-- > 0;)
             pending_.push_back({found_[i].node, std::uint32_t(base + i), id});
+    }
+
+    /// A leaf from `first` on has no primitive twice, though parts of one may have come together in it.
+    void once(std::size_t first) {
+        std::size_t end = first;
+        for (std::size_t i = first; i < content_.size(); ++i) {
+            const auto from = content_.begin() + std::ptrdiff_t(first),
+                       to = content_.begin() + std::ptrdiff_t(end);
+            if (std::find(from, to, content_[i]) == to) content_[end++] = content_[i];
+        }
+        content_.resize(end);
     }
 
     std::uint32_t root_;

@@ -74,6 +74,11 @@ const std::vector<std::string>& straddlers_names() {
     return names;
 }
 
+const std::vector<std::string>& splits_names() {
+    static const std::vector<std::string> names{"off", "on"};
+    return names;
+}
+
 const std::vector<std::string>& timing_names() {
     static const std::vector<std::string> names{"relaxed", "fast"};
     return names;
@@ -121,6 +126,9 @@ const std::vector<Parameter>& parameters() {
          "what a plane cuts is in both leaves, of an octree in the inner node (inner), or of bsp not cut "
          "(stop)",
          &straddlers_names()},
+        {"splits", &Config::splits, 0, int(splits_names().size()) - 1, false,
+         "on: boxes of bvh that would overlap may be cut, and a primitive be in several leaves",
+         &splits_names()},
         {"levels", &Config::levels, 1, 2, false,
          "2: instances are walked as such, by a tree over them and one for each mesh; 1: written out"},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
@@ -332,6 +340,11 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
             "(inner)");
+    if (c.has_splits() && (c.has_instances() || (c.test() != PrimitiveTest::exact && !c.is_sheared())))
+        refuse(
+            "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "
+            "and "
+            "of other tests it is not known how far a hit may lie from its primitive");
     if (c.has_instances() && (!c.is_bvh() || c.test() != PrimitiveTest::exact || c.shading))
         refuse(
             "levels=2 needs structure=bvh, primitive_test=exact and shading=0: of these alone it is known "

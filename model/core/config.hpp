@@ -80,6 +80,7 @@ struct Config {
 
     int structure = 0;    ///< what holds the scene in memory, see structure_names()
     int straddlers = 0;   ///< of an octree and of bsp, see straddlers_names()
+    int splits = 0;       ///< of bvh, see splits_names()
     int levels = 1;       ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
 
     // Shape: counts, depths, latencies.
@@ -143,6 +144,7 @@ struct Config {
     // Derived.
     int t_bits() const { return coord_bits + 2 + t_frac_bits; }   ///< distance, saturating, all ones: beyond
     PrimitiveTest test() const { return PrimitiveTest(primitive_test); }
+    bool has_splits() const { return is_bvh() && splits != 0; }
     bool is_bvh() const { return Structure(structure) == Structure::bvh; }
     bool is_list() const { return Structure(structure) == Structure::none; }
     bool has_treelets() const { return engine() == Structure::kd; }
@@ -245,6 +247,8 @@ const std::vector<std::string>& structure_names();
 
 /// What becomes of what a plane cuts, by the value of Config::straddlers.
 const std::vector<std::string>& straddlers_names();
+/// Whether the compiler of boxes may cut primitives, by the value of Config::splits.
+const std::vector<std::string>& splits_names();
 
 /// How short paths are cut, by the value of Config::timing.
 const std::vector<std::string>& timing_names();

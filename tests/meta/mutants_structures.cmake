@@ -37,6 +37,12 @@ mutant(toward_rounds_down FILE rtl/globe/rc_toward.sv TEST system "model and RTL
 mutant(trav_keeps_a_long_ray_as_a_short_one FILE rtl/bvh/rc_trav.sv TEST system "model and RTL agree on finished pictures of globes"
   OLD [[assign is_short = ray_i.kind != rc_pkg::RayShadow;]]
   NEW [[assign is_short = ray_i.kind != rc_pkg::RayBounce;]])
+mutant(model_globe_leaf_off_by_one FILE model/globe/globe.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[2 * i : 2 * inner + primitives)]]
+  NEW [[2 * i : 2 * inner + primitives + 1)]])
+mutant(model_globe_is_met_when_the_ray_leaves_it FILE model/globe/globe.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[std::max<std::int64_t>(way - half, 0)]]
+  NEW [[std::max<std::int64_t>(way + half, 0)]])
 
 # ---- kd: planes are rounded outward, exits keep their places.
 mutant(plane_far_side_from_rounded_up QUICK FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
@@ -69,6 +75,18 @@ mutant(model_treelet_children_in_wrong_order FILE model/kd/treelet.cpp TEST unit
 mutant(model_treelet_early_end_too_early FILE model/kd/treelet.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[hits |= std::uint32_t(span.met && span.from <= span.to) << child;]]
   NEW [[hits |= std::uint32_t(span.met && span.from + 4 <= span.to) << child;]])
+# Of kd, octrees and bsp.
+mutant(model_leaf_of_an_exit_off_by_one FILE model/kd/treelet.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[place(i, half_lines, kind[i] - 1);]]
+  NEW [[place(i, half_lines + 1, kind[i] - 1);]])
+mutant(cells_change_sides FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, treelet);
+        fill(cut ? place.upper() : Place(), 2 * plane + 2,]]
+  NEW [[fill(cut ? place.upper() : place, 2 * plane + 1, exit, exits / 2, treelet);
+        fill(cut ? place.lower() : Place(), 2 * plane + 2,]])
+mutant(cells_one_line_too_far FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[std::uint32_t(--line)]]
+  NEW [[std::uint32_t(line--)]])
 
 # ---- bsp: planes in any direction are rounded outward, in the unit and in its model.
 mutant(crossing_far_side_from_too_late QUICK FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
@@ -101,8 +119,17 @@ mutant(model_crossing_to_too_early FILE model/bsp/slant.cpp TEST unit [slant]
 mutant(model_crossing_ends_at_a_plane_that_it_begins_on FILE model/bsp/slant.cpp TEST unit [slant]
   OLD [[sides.near = num > 0;]]
   NEW [[sides.near = num >= 0;]])
+mutant(model_crossing_changes_sides FILE model/bsp/slant.cpp TEST system "lines meet as many cells of planes in any direction*"
+  OLD [[sides.turned = den < 0;]]
+  NEW [[sides.turned = den > 0;]])
+mutant(model_crossing_never_ends_the_near_side FILE model/bsp/slant.cpp TEST system "lines meet as many cells of planes in any direction*"
+  OLD [[moved(q + 2, x, beyond - 1) + 1]]
+  NEW [[beyond]])
 
 # ---- The compiler of bsp: nothing is lost.
+mutant(bsp_normal_on_other_axes FILE model/accel/kd/emit.cpp TEST system "lines meet as many cells of planes in any direction*"
+  OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
+  NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
 mutant(bsp_clips_inward FILE model/accel/kd/clip.cpp TEST accel [slant]
   OLD [[wall.at + (wall.upper ? -beside : beside)]]
   NEW [[wall.at + (wall.upper ? 40 : -40)]])
@@ -121,12 +148,27 @@ mutant(bsp_knows_no_plane_but_across_axes FILE model/accel/bsp/facets.cpp TEST a
 mutant(kd_clips_inward FILE model/accel/kd/clip.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[constexpr double slack = 1.0 / 1024, outward = 1.0 / (1 << 20);]]
   NEW [[constexpr double slack = 1.0 / 1024, outward = -3.0;]])
+mutant(kd_loses_a_straddler FILE model/accel/kd/cell.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
+  NEW [[if ((reach.hi > cut.plane && (cut.axis == no_axis || reach.lo >= cut.plane)) || (flat && cut.flat_above))
+            take(item, above, upper);]])
 mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/cell.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[if (reach.hi > cut.plane || (flat && cut.flat_above)) take(item, above, upper);]]
   NEW [[if (reach.hi > cut.plane) take(item, above, upper);]])
 mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
   NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
+
+# ---- Boxes with spatial splits: no part is lost, and no leaf has a primitive twice.
+mutant(splits_lose_the_upper_part FILE model/accel/splits.cpp TEST accel "boxes with spatial splits hold what lies in them"
+  OLD [[upper.items.push_back({s.above, s.whole.index});]]
+  NEW [[upper.box.add(s.above);]])
+mutant(splits_box_the_wrong_part FILE model/accel/splits.cpp TEST accel "boxes with spatial splits hold what lies in them"
+  OLD [[lower.items.push_back({s.below, s.whole.index});]]
+  NEW [[lower.items.push_back({s.above, s.whole.index});]])
+mutant(splits_leave_a_primitive_in_a_leaf_twice FILE model/accel/emit.cpp TEST accel "boxes with spatial splits hold what lies in them"
+  OLD [[once(before);]]
+  NEW [[static_cast<void>(before);]])
 
 # ---- The compiler of octrees: octants in their places, straddlers in every one of them or in the node.
 mutant(octree_octants_change_places FILE model/accel/octree/build.cpp TEST system "rays of every family hit the same in every structure"

@@ -6,23 +6,19 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "model/core/layout.hpp"
-#include "model/raygen/raygen.hpp"
 #include "model/trace/decoder.hpp"
-#include "tests/support/cases/draw.hpp"
-#include "tests/system/frames.hpp"
+#include "tests/system/lines.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
 
 namespace {
 
-constexpr double radius = 60000;   // of a ball around all that there is; what meets it is a line
-
 struct Region {
-    std::array<double, 3> lo{-radius, -radius, -radius}, hi{radius, radius, radius};
+    std::array<double, 3> lo{-ball_radius, -ball_radius, -ball_radius},
+        hi{ball_radius, ball_radius, ball_radius};
     Region cut(std::size_t axis, double at, bool upper) const {
         Region part = *this;
         (upper ? part.lo : part.hi)[axis] = upper ? std::max(lo[axis], at) : std::min(hi[axis], at);
@@ -38,7 +34,7 @@ struct Region {
     double share() const {
         const double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         if (x < 0 || y < 0 || z < 0) return 0;
-        return 2 * (x * y + y * z + z * x) / (4 * std::numbers::pi * radius * radius);
+        return 2 * (x * y + y * z + z * x) / (4 * std::numbers::pi * ball_radius * ball_radius);
     }
 };
 
@@ -95,7 +91,7 @@ public:
         const WideGlobes& node = decoder_.globes(line);
         double sum = 0;
         for (std::uint32_t child = 0; child < inner_of(node.children); ++child) {
-            const double r = std::ldexp(node.radius[child], int(node.exp)) / radius;
+            const double r = std::ldexp(node.radius[child], int(node.exp)) / ball_radius;
             sum += r * r + globes(node.children.base + child);
         }
         return sum;
@@ -121,68 +117,18 @@ private:
     Decoder decoder_;
 };
 
-std::vector<PrimData> triangles(std::uint32_t count) {
-    Draw draw{9};
-    std::vector<PrimData> prims;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        Vec3i middle{}, corner[3];
-        for (int& x : middle) x = draw.between(-26000, 26000);
-        for (Vec3i& c : corner)
-            for (std::size_t k = 0; k < 3; ++k) c[k] = middle[k] + draw.between(-4000, 4000);
-        prims.push_back({corner[0], corner[1], corner[2], i, 0});
-    }
-    return prims;
-}
-
-/// Lines through the ball: a direction, and a point of the disc at right angles to it.
-class Lines {
-public:
-    explicit Lines(const Config& config) : config_(config) {}
-    Ray next_ray() {
-        const auto d = unit();
-        auto side = unit();   // made at right angles
-        const double along = d[0] * side[0] + d[1] * side[1] + d[2] * side[2];
-        double length = 0;
-        for (std::size_t k = 0; k < 3; ++k) side[k] -= along * d[k], length += side[k] * side[k];
-        const double off = radius * std::sqrt(even_(rng_)) / std::sqrt(length);
-        Vec3i o{}, direction{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            o[k] = int(std::lround(off * side[k] - radius * d[k]));
-            direction[k] = int(std::lround(d[k] * ((1 << (config_.dir_bits - 1)) - 1)));
-        }
-        return make_ray(o, direction, config_);
-    }
-    BoxRay next() { return box_ray(next_ray()); }
-
-private:
-    std::array<double, 3> unit() {
-        const double z = 2 * even_(rng_) - 1, turn = 2 * std::numbers::pi * even_(rng_),
-                     r = std::sqrt(1 - z * z);
-        return {r * std::cos(turn), r * std::sin(turn), z};
-    }
-    Config config_;
-    std::mt19937_64 rng_{5};
-    std::uniform_real_distribution<double> even_{0, 1};
-};
-
-/// The mean lies within four standard errors, and above by no more than what conservatism may cost, 2 %.
 void check_visits(const Config& config, int lines) {
     INFO(structure_names()[std::size_t(config.structure)] << ", straddlers " << config.straddlers);
-    const Tree tree(triangles(400), config);
+    const Tree tree(triangles(400, 26000, 4000), config);
     Lines drawn(config);
     const bool globes = config.has_globes();
-    double sum = 0, squares = 0;
-    for (int i = 0; i < lines; ++i) {
-        const double n =
-            globes ? tree.met(0, globe_ray(drawn.next_ray(), config)) : tree.visits(0, drawn.next());
-        sum += n, squares += n * n;
-    }
-    const double mean = sum / lines, error = std::sqrt((squares / lines - mean * mean) / lines),
-                 expected = globes ? tree.globes(0) : tree.expected(0, {});
-    CAPTURE(mean, error, expected, mean / expected);
+    Mean visits;
+    for (int i = 0; i < lines; ++i)
+        visits.add(globes ? tree.met(0, globe_ray(drawn.next(), config))
+                          : tree.visits(0, box_ray(drawn.next())));
+    const double expected = globes ? tree.globes(0) : tree.expected(0, {});
     CHECK(expected > 1);
-    CHECK(mean >= expected - 4 * error);
-    CHECK(mean <= expected * 1.02 + 4 * error);
+    visits.check(expected, expected);
 }
 
 void check_all(int lines) {

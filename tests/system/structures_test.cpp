@@ -38,6 +38,7 @@ std::vector<Config> all_structures(const Config& config) {
     all.push_back(with(all.back(), {{"straddlers", int(Straddlers::inner)}}));
     all.push_back(structured(config, Structure::bsp));
     all.push_back(with(all.back(), {{"straddlers", int(Straddlers::stop)}}));
+    all.push_back(with(structured(config, Structure::bvh), {{"splits", 1}}));
     return all;
 }
 
@@ -204,6 +205,13 @@ TEST_CASE("model and RTL agree on a kd-tree", "[structures]") {
     check_lockstep(make_shot(scene, {48, 36}, kd("default")).job);
 }
 
+// The chip is that of boxes.
+TEST_CASE("model and RTL agree on boxes with spatial splits", "[structures]") {
+    const std::string scene = GENERATE("rings:1", "tree:4");
+    INFO(scene);
+    check_lockstep(make_shot(scene, {48, 36}, with(deep("default", Structure::bvh), {{"splits", 1}})).job);
+}
+
 TEST_CASE("model and RTL agree on globes", "[structures]") {
     const std::string scene = GENERATE("gears:1", "balls:1", "rings:1", "tetra:4");
     INFO(scene);
@@ -277,6 +285,13 @@ TEST_CASE("a structure refuses what it cannot walk", "[structures]") {
     config = deep("default", Structure::spheres);
     config.stack_depth = 1;
     CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
+    config = quick_config("default");
+    config.splits = 1;
+    config.primitive_test = int(PrimitiveTest::woop);
+    CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("splits=on needs"));
+    config.primitive_test = int(PrimitiveTest::exact);
+    config.levels = 2;
+    CHECK_THROWS_WITH(check_config(config, "f"), Catch::Contains("splits=on needs levels=1"));
     config = kd("default");
     config.stack_depth = 1;
     CHECK_THROWS_WITH(make_shot("gears:1", {8, 6}, config), Catch::Contains("--set stack_depth="));
