@@ -1,9 +1,9 @@
 // rayclock verify: model and RTL in lockstep, both against the reference, and the golden picture if there is
 // one.
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <future>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -134,8 +134,10 @@ struct Verified {
     Picture difference;   ///< of the judgement
     GoldenResult golden;
     /// Of the host, from the start of the command: when the first divergence was found, and when its waveform
-    /// and page were written.
+    /// was written.
     std::optional<double> divergence_seconds, waveform_seconds;
+    std::unique_ptr<DivergenceShow> show;   ///< of the first divergence
+    std::string no_show;                    ///< why there is none
 
     std::vector<NamedPicture> named_pictures() const {
         std::vector<NamedPicture> all{{"reference.png", pictures.reference, pictures.hits},
@@ -154,6 +156,22 @@ struct Verified {
     }
 };
 
+Diverged diverged(const Options& o, const Work& work, Traffic traffic, const Verified& v,
+                  const Divergence& first) {
+    return {work.job, v.traces, traffic, int(o.traffic.seed), first, work.request.scene.name, command_line()};
+}
+
+/// Machines that do not agree are run again for a waveform, before they go on. What goes wrong there is no
+/// reason to say nothing of the divergence.
+void capture_first(const Options& o, const Diverged& diverged, Verified& v, const Progress& progress) {
+    if (o.no_wave || interrupted()) return;
+    try {
+        v.show = std::make_unique<DivergenceShow>(diverged, o.output.empty() ? "." : o.output, progress);
+    } catch (const std::exception& error) {
+        v.no_show = error.what();
+    }
+}
+
 /// The frames on both machines, and the reference's picture.
 Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Stopwatch& watch,
                       const Progress& progress) {
@@ -164,31 +182,28 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
     auto reference = std::async(std::launch::async, [&] {
         return draw_reference(work.request, work.path.back(), work.size, o.threads);
     });
-    v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed));
-    if (v.result.first) {
-        const std::chrono::duration<double> since = std::chrono::steady_clock::now() - v.result.first->found;
-        v.divergence_seconds = watch.seconds() - since.count();
-    }
+    v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed),
+                            [&](const Divergence& first) {
+                                v.divergence_seconds = watch.seconds();
+                                capture_first(o, diverged(o, work, traffic, v, first), v, progress);
+                                if (v.show) v.waveform_seconds = watch.seconds();
+                            });
     v.pictures = reference.get();
     return v;
 }
 
-/// Machines that do not agree are run again for a waveform. What goes wrong there is no reason to say nothing
-/// of the divergence.
-std::string show_first_divergence(const Options& o, const Work& work, Traffic traffic, Verified& v,
-                                  const Stopwatch& watch, const Progress& progress) {
-    if (!v.result.first || o.no_wave || interrupted()) return {};
+/// Its page, and where all of it is.
+std::string show_first_divergence(const Options& o, const Work& work, Traffic traffic, Verified& v) {
+    if (!v.result.first) return {};
+    if (!v.no_show.empty()) return fmt::format("    no waveform: {}\n", printable(v.no_show));
+    if (!v.show) return {};
     try {
-        const DivergenceFiles files =
-            show_divergence({work.job, v.traces, traffic, int(o.traffic.seed), *v.result.first,
-                             work.request.scene.name, command_line()},
-                            o.output.empty() ? "." : o.output, progress);
+        const DivergenceFiles files = v.show->page(diverged(o, work, traffic, v, *v.result.first));
         v.result.first->wave = files.wave;
-        v.waveform_seconds = watch.seconds();
         return fmt::format("    waveform: gtkwave {}\n    page: {}\n{}", printable(files.view),
                            printable(files.page), files.note.empty() ? "" : "    " + files.note + "\n");
     } catch (const std::exception& error) {
-        return fmt::format("    no waveform: {}\n", printable(error.what()));
+        return fmt::format("    no page: {}\n", printable(error.what()));
     }
 }
 
@@ -298,7 +313,7 @@ int run(const Options& o) {
               make_job(request.scene, path[0], size, request.config, stop, request.settings)};
     work.job.khz = clocks[0];
     Verified verified = run_machines(o, work, traffic, watch, progress);
-    const std::string wave_lines = show_first_divergence(o, work, traffic, verified, watch, progress);
+    const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
     compare(verified, o, work, verified.partial() ? progress : stop);
     if (!o.output.empty()) write_pictures(o.output, verified.named_pictures());
     const double seconds = watch.seconds();

@@ -9,7 +9,6 @@
 #include "sim/divergence/waveform.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/output.hpp"
-#include "sim/rtl/cache.hpp"
 
 namespace rayclock {
 
@@ -39,21 +38,24 @@ void check_divergence_folder(const std::string& folder) {
     for (const char* name : {wave_name, view_name, page_name}) check_writable((there / name).string());
 }
 
-DivergenceFiles show_divergence(const Diverged& d, const std::string& folder, const Progress& progress) {
-    const WorkFolder work(fs::temp_directory_path() / "rayclock-divergence");
-    const std::string rtl_wave = work.path() / "rtl.fst";
-    const Config& config = d.job.config;
-    const Capture seen = capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave, progress);
+DivergenceShow::DivergenceShow(const Diverged& d, const std::string& folder, const Progress& progress)
+    : work_(fs::temp_directory_path() / "rayclock-divergence"),
+      rtl_wave_(work_.path() / "rtl.fst"),
+      seen_(capture(d.job, d.frames, d.traffic, d.seed, d.first.cycle, rtl_wave_, progress)) {
     if (interrupted()) throw std::runtime_error("interrupted while the waveform was made");
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw UserError(folder + ": cannot be made (" + error.message() + ")");
     const auto path = [&](const char* name) { return (fs::path(folder) / name).lexically_normal().string(); };
-    DivergenceFiles files{path(wave_name), path(view_name), path(page_name), note_of(d.first, seen)};
-    write_bytes(files.wave, waveform(seen, config, rtl_wave));
-    write_bytes(files.view, waveform_view(seen, config, d.first, rtl_wave, wave_name));
-    write_bytes(files.page, divergence_page(d, seen, source_of(d.first), files, rtl_wave));
-    return files;
+    files_ = {path(wave_name), path(view_name), path(page_name), note_of(d.first, seen_)};
+    const Config& config = d.job.config;
+    write_bytes(files_.wave, waveform(seen_, config, rtl_wave_));
+    write_bytes(files_.view, waveform_view(seen_, config, d.first, rtl_wave_, wave_name));
+}
+
+DivergenceFiles DivergenceShow::page(const Diverged& d) {
+    write_bytes(files_.page, divergence_page(d, seen_, source_of(d.first), files_, rtl_wave_));
+    return files_;
 }
 
 }   // namespace rayclock

@@ -2,7 +2,9 @@
 // The first divergence of model and RTL, to be looked at: a waveform, a save file for GTKWave, and a page.
 #include <string>
 
+#include "sim/divergence/capture.hpp"
 #include "sim/lockstep/lockstep.hpp"
+#include "sim/rtl/cache.hpp"
 
 namespace rayclock {
 
@@ -21,11 +23,21 @@ struct DivergenceFiles {
     std::string note;               ///< a sentence if the second run was not like the first; otherwise empty
 };
 
-/// Runs both machines again from reset, the RTL with its signals written for the last cycles before the
-/// divergence, and writes divergence.fst, divergence.gtkw and divergence.html into a folder, which is made.
-/// Throws UserError if they cannot be written, std::runtime_error if interrupted().
-DivergenceFiles show_divergence(const Diverged& diverged, const std::string& folder,
-                                const Progress& progress = {});
+/// Both machines run again from reset, the RTL with its signals written for the last cycles before the
+/// divergence. Writes divergence.fst and divergence.gtkw into a folder, which is made, and the page when more
+/// is known. Throws UserError if they cannot be written, std::runtime_error if interrupted().
+class DivergenceShow {
+public:
+    DivergenceShow(const Diverged& diverged, const std::string& folder, const Progress& progress = {});
+    /// Writes divergence.html, with what has become known of the divergence.
+    DivergenceFiles page(const Diverged& diverged);
+
+private:
+    WorkFolder work_;
+    std::string rtl_wave_;
+    Capture seen_;
+    DivergenceFiles files_;
+};
 
 /// Fails early (UserError) if they could not be written.
 void check_divergence_folder(const std::string& folder);

@@ -84,10 +84,13 @@ std::optional<CounterDifference> first_difference(const Accounts& model, const A
 
 class Lockstep {
 public:
-    Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed)
+    using OnFirst = std::function<void(const Divergence&)>;
+    Lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic, int seed,
+             const OnFirst& on_first)
         : job_(job),
           frames_(frames),
           traffic_(traffic),
+          on_first_(on_first),
           model_(job.config, job.khz, traffic),
           rtl_(job.image, job.config, job.khz, traffic, seed),
           witness_(job.image, job.config) {}
@@ -95,17 +98,26 @@ public:
     LockstepResult run(const Progress& progress) {
         const Stopwatch watch;
         for (std::size_t f = 0; f < frames_.size(); ++f) {
-            const bool agreed = !result_.first;
-            const std::uint64_t begins = model_.cycle();
+            frame_ = f, begins_ = model_.cycle();
             run_frame(frames_[f], progress);
-            if (agreed && result_.first) result_.first->frame = f, result_.first->frame_begins = begins;
+            tell_first();
             if (parted_ || interrupted()) break;
         }
-        for (FrameRun* run : {&result_.model, &result_.rtl}) run->seconds = watch.seconds();
+        for (FrameRun* run : {&result_.model, &result_.rtl}) run->seconds = watch.seconds() - told_seconds_;
         return std::move(result_);
     }
 
 private:
+    /// Once, with the frame in which it lies.
+    void tell_first() {
+        if (told_ || !result_.first) return;
+        told_ = true;
+        result_.first->frame = frame_, result_.first->frame_begins = begins_;
+        const Stopwatch watch;
+        if (on_first_) on_first_(*result_.first);
+        told_seconds_ = watch.seconds();
+    }
+
     void run_frame(const FrameTrace& frame, const Progress& progress) {
         const std::uint64_t pixels = frame.trace.rays.size(),
                             limit = patience(job_.config, job_.khz, traffic_);
@@ -118,6 +130,7 @@ private:
         witness_.start(frame.frame);
         while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
             cycle(hits);
+            tell_first();
             if (model_.quiet() > limit)
                 throw std::runtime_error(fmt::format("nothing has moved for {} cycles at cycle {}\n{}", limit,
                                                      model_.cycle(), where_rays_are(model_)));
@@ -169,7 +182,6 @@ private:
         watched_.reset();
         if (result_.first) return;
         result_.first = {rtl_.cycle(), "rtl", "none", 0, 0, 0, "no assertion fails", assertion.what(), ""};
-        result_.first->found = std::chrono::steady_clock::now();
     }
 
     void cycle(FrameCollector& hits) {
@@ -281,19 +293,17 @@ private:
         const bool is_ray = link_infos[index(c)].carries_ray;
         const Slot pixel =
             is_ray && id < std::uint32_t(job_.config.contexts) ? model_.pixel(pipeline, id) : Slot{};
-        Divergence d{now,
-                     unit_name(link_infos[index(c)].from, pipeline, c),
-                     link_infos[index(c)].name,
-                     id,
-                     pixel.x,
-                     pixel.y,
-                     "",
-                     "",
-                     "",
-                     pipeline,
-                     c};
-        d.found = std::chrono::steady_clock::now();
-        return d;
+        return {now,
+                unit_name(link_infos[index(c)].from, pipeline, c),
+                link_infos[index(c)].name,
+                id,
+                pixel.x,
+                pixel.y,
+                "",
+                "",
+                "",
+                pipeline,
+                c};
     }
 
     std::string unit_name(const char* unit, int pipeline, Link c) const {
@@ -358,6 +368,11 @@ private:
     const Job& job_;
     const std::vector<FrameTrace>& frames_;
     Traffic traffic_;
+    const OnFirst& on_first_;
+    bool told_ = false;
+    double told_seconds_ = 0;   // of the host
+    std::size_t frame_ = 0;     // that runs, and the cycle in which it begins
+    std::uint64_t begins_ = 0;
     Machine model_;
     RtlMachine rtl_;
     Witness witness_;
@@ -384,8 +399,9 @@ private:
 }   // namespace
 
 LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic,
-                            const Progress& progress, int seed) {
-    return Lockstep(job, frames, traffic, seed).run(progress);
+                            const Progress& progress, int seed,
+                            const std::function<void(const Divergence&)>& on_first) {
+    return Lockstep(job, frames, traffic, seed, on_first).run(progress);
 }
 
 LockstepResult run_lockstep(const Job& job, Traffic traffic, const Progress& progress, int seed) {

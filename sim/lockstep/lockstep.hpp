@@ -1,5 +1,5 @@
 #pragma once
-#include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,11 +20,10 @@ struct Divergence {
     std::string got;        ///< what the RTL did
     std::string later;      ///< of a transfer that only one of them made: when the other did; empty otherwise
     int pipeline = 0;
-    std::optional<Link> on{};                        ///< the link; nothing if an assertion of the RTL failed
-    std::size_t frame = 0;                           ///< its number
-    std::uint64_t frame_begins = 0;                  ///< cycle of the machine
-    std::string wave{};                              ///< file of the waveform, if there is one
-    std::chrono::steady_clock::time_point found{};   ///< of the host
+    std::optional<Link> on{};         ///< the link; nothing if an assertion of the RTL failed
+    std::size_t frame = 0;            ///< its number
+    std::uint64_t frame_begins = 0;   ///< cycle of the machine
+    std::string wave{};               ///< file of the waveform, if there is one
 };
 
 /// The first counter, in the order of the units, that differs at the end of a frame.
@@ -55,8 +54,10 @@ struct LockstepResult {
 /// After the first difference in time each machine runs on alone, and pixels are compared. What no machine
 /// can mean, and an assertion of the RTL that fails, is a difference like any other. The result's runs are
 /// those of the last frame.
+/// `on_first` is told of the first divergence as soon as it is found; only `later` is not known then.
 LockstepResult run_lockstep(const Job& job, const std::vector<FrameTrace>& frames, Traffic traffic = {},
-                            const Progress& progress = {}, int seed = 1);
+                            const Progress& progress = {}, int seed = 1,
+                            const std::function<void(const Divergence&)>& on_first = {});
 LockstepResult run_lockstep(const Job& job, Traffic traffic = {}, const Progress& progress = {},
                             int seed = 1);
 
