@@ -28,7 +28,8 @@ module rc_angles #(
   output logic signed [18:0] s15_mirror_o   // a light's unit . view
 );
   rc_unit #(.W(UnitW)) u_unit (
-    .clk_i, .valid_i(Every == 1 ? surf_i[5] || light_i[5] : turn_i[5*Every]), .v_i(s5_toward_i), .u_o(s13_unit_o));
+    .clk_i, .valid_i(Every == 1 ? surf_i[5] || light_i[5] : turn_i[5*Every]),
+    .v_i(s5_toward_i), .u_o(s13_unit_o));
 
   // The view is against the ray.
   logic [3*AB-1:0] s8_along, s8_view;
@@ -38,7 +39,8 @@ module rc_angles #(
     assign s8_view[k*AB +: AB] = -s8_along[k*AB +: AB];
   end
   rc_beside #(.Width(3 * AB), .Stages(5)) u_wait (
-    .clk_i, .rst_ni, .come_i(surf_i[8]), .leave_i(surf_i[13]), .data_i(s8_view), .data_o(s13_view_o));
+    .clk_i, .rst_ni, .come_i(surf_i[8]), .leave_i(surf_i[13]), .data_i(s8_view),
+    .data_o(s13_view_o));
 
   logic [3*AB-1:0] s13_with;
   assign s13_with = s13_surf_i ? s13_view_o : s13_normal_i;

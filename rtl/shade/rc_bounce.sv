@@ -53,7 +53,8 @@ module rc_bounce #(
     logic [VB-1:0] s13_cosine;
     logic [VB-1:0] s7_mirror;
     rc_beside #(.Width(VB), .Stages(13)) u_cosine (
-      .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine), .data_o(s13_cosine));
+      .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]), .data_i(s0_cosine),
+      .data_o(s13_cosine));
     rc_delay #(.Width(VB), .Stages(7)) u_mirror (
       .clk_i, .valid_i(valid_i[6:0]), .data_i(s0_mirror), .data_o(s7_mirror));
     assign s13_along   = $signed({5'd0, s13_cosine, 1'b0});

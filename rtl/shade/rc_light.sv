@@ -90,13 +90,15 @@ module rc_light #(
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
     .data_o(s26_strength));
   rc_beside #(.Width(3 * N + 2), .Stages(27)) u_place (
-    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[28]), .data_i({s1_lattice, s1_near_q, s1_clear_q}),
+    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[28]),
+    .data_i({s1_lattice, s1_near_q, s1_clear_q}),
     .data_o({s28_place_o, s28_near_o, s28_clear_o}));
   rc_beside #(.Width(2), .Stages(14)) u_near (
     .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
     .data_o({s15_near, s15_far}));
   rc_beside #(.Width(3 * D), .Stages(13)) u_from (
-    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[15]), .data_i(s2_from), .data_o(s15_from));
+    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[15]), .data_i(s2_from),
+    .data_o(s15_from));
   rc_delay #(.Width(3 * AB), .Stages(2)) u_unit (
     .clk_i, .valid_i(valid_i[14:13]), .data_i(s13_unit_i), .data_o(s15_unit));
   logic [3*2*VB-1:0] s1_strength;
@@ -174,7 +176,8 @@ module rc_light #(
     if (valid_i[24]) s25_gloss_q <= s24_gloss;
   end
   rc_power u_power (
-    .clk_i, .valid_i(Every == 1 ? valid_i[17] : turn_i[17*Every]), .c_i(s17_phong_q), .n_i(s17_shine), .power_o(s24_phong));
+    .clk_i, .valid_i(Every == 1 ? valid_i[17] : turn_i[17*Every]), .c_i(s17_phong_q),
+    .n_i(s17_shine), .power_o(s24_phong));
   assign s25_rounded = s25_gloss_q + 30'h800;
 
   // s26: matte and gloss; s28: in the light's colour.

@@ -92,7 +92,8 @@ module rc_pass #(
   assign {hit_found, back, hit_prim, t, u, v} = hit;
   rc_start u_start (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
-    .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract), .end_o(s0_end),
+    .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
+    .end_o(s0_end),
     .colour_o(colour), .known_o(known));
 
   // In which cycle of which stage a pass is, s0 lowest. It is over in the last one's first cycle.

@@ -77,15 +77,18 @@ module rc_snell #(
     end
   end
   rc_beside #(.Width(22), .Stages(10)) u_long (
-    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q), .data_o(s12_long));
+    .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[12]), .data_i(s2_long_q),
+    .data_o(s12_long));
   rc_beside #(.Width(2), .Stages(9)) u_flags (
-    .clk_i, .rst_ni, .come_i(valid_i[3]), .leave_i(valid_i[12]), .data_i({s3_refract_q, s3_total_q}),
+    .clk_i, .rst_ni, .come_i(valid_i[3]), .leave_i(valid_i[12]),
+    .data_i({s3_refract_q, s3_total_q}),
     .data_o({s12_refract, s12_total}));
   rc_beside #(.Width(16), .Stages(13)) u_ratio (
     .clk_i, .rst_ni, .come_i(valid_i[0]), .leave_i(valid_i[13]),
     .data_i(s0_refract_i ? s0_ratio_i : 16'd1 << rc_pkg::IndexFrac), .data_o(s13_ratio_o));
 
   logic unused;
-  assign unused = ^{inexact, valid_i, s0_cosine2[33], s1_rounded[11:0], s2_bent_q[23:0], s2_cosine2[41:33]};
+  assign unused = ^{inexact, valid_i, s0_cosine2[33], s1_rounded[11:0], s2_bent_q[23:0],
+    s2_cosine2[41:33]};
 endmodule
 `default_nettype wire

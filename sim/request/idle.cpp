@@ -28,8 +28,8 @@ const std::vector<Part>& parts() {
         {"levels", [](const Config& c) { return c.has_instances(); }, {"xform_interval"}},
         {"shading",
          [](const Config& c) { return c.shading != 0; },
-         {"origin_bits", "lights", "bounces", "shade_queue", "shade_interval", "surf_sets", "surf_ways", "surf_line",
-          "surf_mshrs"}}};
+         {"origin_bits", "lights", "bounces", "shade_queue", "shade_interval", "surf_sets", "surf_ways",
+          "surf_line", "surf_mshrs"}}};
     return all;
 }
 
