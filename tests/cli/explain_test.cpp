@@ -30,17 +30,19 @@ void check_closed(const json& report) {
     const json& cost = report["cost"];
     std::uint64_t cycles = 0, misses = 0;
     for (const json& ray : report["rays"]) {
-        std::uint64_t of_ray = 0, visits = 0, tests = 0;
+        std::uint64_t of_ray = 0, visits = 0, tests = 0, missing = 0;
         for (const json& step : ray["steps"]) {
             CHECK(sum(step["units"]) == step["cycles"]);
             CHECK(sum(step["waits"]) + step["work"].get<std::uint64_t>() == step["cycles"]);
             of_ray += step["cycles"].get<std::uint64_t>();
             visits += step["step"] == "visit";
             tests += step["step"] == "test";
+            missing += step.value("cache", json()) == "miss" || step.value("cache", json()) == "merge";
         }
         CHECK(of_ray == ray["cycles"]);
         CHECK(visits == ray["node_visits"]);
         CHECK(tests == ray["primitive_tests"]);
+        CHECK(missing == ray["cache_misses"]);
         cycles += of_ray, misses += ray["cache_misses"].get<std::uint64_t>();
     }
     CHECK(cycles == cost["cycles"]);
@@ -66,6 +68,19 @@ TEST_CASE("explain tells every ray, visit, test and wait of a pixel, and why its
     const json bare = explained({"gears:2", "0,0", "--size", "40x30", "--no-reference", "--frames", "2"});
     check_closed(bare);
     CHECK(bare["colour"].is_null());
+}
+
+TEST_CASE("explain counts look-ups that asked memory, and those that found their line on its way") {
+    for (const char* pixel : {"12,8", "13,9"}) {
+        const json report = explained({"gears:2", pixel, "--size", "40x30", "--no-reference"});
+        CAPTURE(pixel);
+        check_closed(report);
+        const char* deed = std::string(pixel) == "12,8" ? "miss" : "merge";
+        std::uint64_t those = 0;
+        for (const json& step : report["rays"][0]["steps"]) those += step.value("cache", json()) == deed;
+        CHECK(those > 1);
+        CHECK(those == report["cost"]["cache_misses"]);
+    }
 }
 
 TEST_CASE("the mean that explain reports is the frame's") {

@@ -62,6 +62,9 @@ mutant(compare_gains_what_it_loses FILE sim/compare/page.cpp TEST cli "pages of 
 mutant(explain_mean_is_of_rays FILE sim/explain/json.cpp TEST cli "the mean that explain*"
   OLD [[{"node_visits", double(sums.visits) / pixels},]]
   NEW [[{"node_visits", double(sums.visits) / double(sums.rays + 1)},]])
+mutant(explain_forgets_merged_misses FILE sim/explain/json.cpp TEST cli "explain counts look-ups*"
+  OLD [[{"cache_misses", ray.misses + ray.merges},]]
+  NEW [[{"cache_misses", ray.misses},]])
 mutant(explain_counts_a_cycle_twice FILE sim/explain/json.cpp TEST cli "explain tells every ray*"
   OLD [[{"work", step.work()}, ]]
   NEW [[{"work", step.work() + 1}, ]])

@@ -164,6 +164,7 @@ TEMPLATE_TEST_CASE("shade does a pass in every cycle, or every few", "[shade]", 
     }
     REQUIRE(pixels == 64);
     REQUIRE(busy == 128 * every);
-    // Of one in a cycle, the last four wait for their first pass to end.
-    REQUIRE((first == 1 && idle == (every == 1 ? 125 : 1 + 128 * every)));
+    // Then the last few wait for their first pass to end: four of those of a cycle, six of those of four
+    // cycles.
+    REQUIRE((first == 1 && idle == (every == 1 ? 125 : 1 + 122 * 4)));
 }
