@@ -86,6 +86,11 @@ TEST_CASE("a report is one file, and its figures are those of the JSON report") 
         arguments.insert(arguments.end(), {"--json", "-"});
         json plain = json::parse(run_program(arguments).out), watched = report;
         CHECK(plain["work_by_kind"].is_null());
+        for (const char* kind : {"camera", "shadow", "reflection", "refraction"}) {
+            CAPTURE(kind);
+            const char* rays = std::string(kind) == "camera" ? "primary" : kind;
+            CHECK(report["work_by_kind"][kind]["rays"] == report["rays"][rays]);
+        }
         plain.erase("work_by_kind");
         watched.erase("work_by_kind");
         CHECK(lasting(plain) == lasting(watched));
