@@ -18,14 +18,10 @@ module rc_power #(
   localparam int unsigned ExpW   = 28;
 
   // In which cycle of which stage a power is; ends[i]: one goes on from stage i.
-  logic [Stages*Every-1:1] turn_q;
   logic [Stages*Every-1:0] turn;
   logic [Stages-1:0]       ends;
-  assign turn = {turn_q, valid_i};
-  always_ff @(posedge clk_i) turn_q <= turn[Stages*Every-2:0];
-  for (genvar i = 0; i < Stages; i++) begin : gen_ends
-    assign ends[i] = turn[i*Every+Every-1];
-  end
+  rc_turns #(.Stages(Stages), .Every(Every)) u_turns (
+    .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
 
   // s1: m = c 2^below, 2^16 <= m < 2^17.
   logic [4:0]  s0_below, s1_below_q, s2_below_q;

@@ -11,48 +11,12 @@
 #include "model/machine.hpp"
 #include "model/trace/witness.hpp"
 #include "model/where.hpp"
+#include "sim/lockstep/fields.hpp"
 #include "sim/rtl/rtl_machine.hpp"
 
 namespace rayclock {
 
 namespace {
-
-/// Lists a payload's fields as (name, value).
-class ListVisitor {
-public:
-    std::vector<std::pair<std::string, std::string>> fields;
-    template <class T> void operator()(const char* name, const T& value, int) {
-        fields.emplace_back(name, fmt::format("{}", value));
-    }
-    template <class T, std::size_t n>
-    void operator()(const char* name, const std::array<T, n>& value, int, int count) {
-        for (int i = 0; i < count; ++i)
-            fields.emplace_back(fmt::format("{}[{}]", name, i), fmt::format("{}", value[std::size_t(i)]));
-    }
-};
-
-/// The fields in which two payloads differ, as "name=value" of each side.
-template <class P> void describe(P model, P rtl, const Config& config, Divergence& d) {
-    ListVisitor a, b;
-    model.fields(a, config);
-    rtl.fields(b, config);
-    for (std::size_t i = 0; i < a.fields.size(); ++i) {
-        if (a.fields[i].second == b.fields[i].second) continue;
-        d.expected += (d.expected.empty() ? "" : " ") + a.fields[i].first + "=" + a.fields[i].second;
-        d.got += (d.got.empty() ? "" : " ") + b.fields[i].first + "=" + b.fields[i].second;
-    }
-}
-
-template <class P> std::uint32_t id_of(const P& p) {
-    if constexpr (requires { p.closest; })
-        return p.closest.ray;
-    else if constexpr (requires { p.ray; })
-        return p.ray;
-    else if constexpr (requires { p.id; })
-        return p.id;
-    else
-        return 0;
-}
 
 /// "the RTL makes it 1 cycle later"
 std::string later_text(const char* who, std::uint64_t cycles, bool same) {
