@@ -141,12 +141,12 @@ prove(mutant:formal_divide_one_bit_short TOP divide RTL fixed/rc_divide.sv CYCLE
 
 # ---- Square root, for every operand.
 foreach(stages IN ITEMS 2 3)
-  prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL fixed/rc_sqrt.sv WITH Stages=${stages} INDUCTION 6)
+  prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL rc_pkg.sv prim/rc_cut.sv fixed/rc_sqrt.sv WITH Stages=${stages} INDUCTION 6)
 endforeach()
-prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
+prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL rc_pkg.sv prim/rc_cut.sv fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
   OLD [[first_less  = first - {1'b0, root_d, 2'b01};]]
   NEW [[first_less  = first - {1'b0, root_d, 2'b00};]])
-prove(mutant:formal_sqrt_rest_one_bit_short TOP sqrt RTL fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
+prove(mutant:formal_sqrt_rest_one_bit_short TOP sqrt RTL rc_pkg.sv prim/rc_cut.sv fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
   OLD [[rem_q    <= second_less[RootW+2] ? second[RootW:0] : second_less[RootW:0];]]
   NEW [[rem_q    <= {1'b0, second_less[RootW+2] ? second[RootW-1:0] : second_less[RootW-1:0]};]])
 
