@@ -73,15 +73,17 @@ inline bool between(const Ball& ball, const Rational& end) {
 /// Where a line meets a plane a + u (b - a) + v (c - a), t > 0.
 inline std::optional<Crossing> plane_crossing(const Place3& o, const Place3& d, const Place3& a,
                                               const Place3& b, const Place3& c) {
-    Equations e;
+    Equations<Rational> e;
     for (std::size_t k = 0; k < 3; ++k) {
         e.left[k] = {Rational(-d[k]), Rational(b[k] - a[k]), Rational(c[k] - a[k])};
         e.right[k][0] = o[k] - a[k];
     }
-    Rational volume;
-    const auto solved = solve(e, volume);
-    if (!solved || (*solved)[0][0] <= 0) return std::nullopt;
-    return Crossing{(*solved)[0][0], (*solved)[1][0], (*solved)[2][0], abs(volume)};
+    const auto solved = solve(e);
+    if (!solved) return std::nullopt;
+    const auto& [above, below] = *solved;
+    const Rational t = above[0][0] / below;
+    if (t <= 0) return std::nullopt;
+    return Crossing{t, above[1][0] / below, above[2][0] / below, abs(below)};
 }
 
 }   // namespace rayclock::oracle

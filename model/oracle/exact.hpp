@@ -30,49 +30,52 @@ inline Int ceil(const Rational& q) { return -floor(-q); }
 // ---- Ray and triangle.
 
 /// Value that moves with an infinitesimal eps > 0: c[0] + c[1] eps + c[2] eps^2 + c[3] eps^3.
-using Moving = std::array<Rational, 4>;
+template <class Number> using Moving = std::array<Number, 4>;
 
 /// Sign for eps -> 0 from above: that of the lowest coefficient that is not zero.
-inline int sign(const Moving& m) {
-    for (const Rational& c : m)
+template <class Number> int sign(const Moving<Number>& m) {
+    for (const Number& c : m)
         if (c != 0) return c > 0 ? 1 : -1;
     return 0;
 }
 
 /// Three equations in t, u, v, each with a right side that moves.
-struct Equations {
-    std::array<std::array<Rational, 3>, 3> left;
-    std::array<Moving, 3> right;
+template <class Number> struct Equations {
+    std::array<std::array<Number, 3>, 3> left;
+    std::array<Moving<Number>, 3> right;
 };
 
-/// Solves by elimination (Gauss and Jordan); nothing if the left side is singular. `determinant` receives
-/// that of the left.
-inline std::optional<std::array<Moving, 3>> solve(Equations e, Rational& determinant) {
-    determinant = 1;
+/// Their solution as fractions: above / below each. `below` is the determinant of the left side, or its
+/// negative.
+template <class Number> struct Solution {
+    std::array<Moving<Number>, 3> above;
+    Number below;
+};
+
+/// Solves by elimination (Gauss and Jordan), in the form in which whole numbers stay whole (Bareiss,
+/// Sylvester's identity and multistep integer-preserving Gaussian elimination, 1968): every division comes
+/// out even. Nothing if the left side is singular.
+template <class Number> std::optional<Solution<Number>> solve(Equations<Number> e) {
+    Number before = 1;
     for (std::size_t k = 0; k < 3; ++k) {
         std::size_t pivot = k;
         while (pivot < 3 && e.left[pivot][k] == 0) ++pivot;
-        if (pivot == 3) {
-            determinant = 0;
-            return std::nullopt;
-        }
-        if (pivot != k) {
-            std::swap(e.left[k], e.left[pivot]);
-            std::swap(e.right[k], e.right[pivot]);
-            determinant = -determinant;
-        }
-        const Rational top = e.left[k][k];
-        determinant *= top;
-        for (Rational& x : e.left[k]) x /= top;
-        for (Rational& x : e.right[k]) x /= top;
+        if (pivot == 3) return std::nullopt;
+        std::swap(e.left[k], e.left[pivot]);
+        std::swap(e.right[k], e.right[pivot]);
+        const Number top = e.left[k][k];
         for (std::size_t row = 0; row < 3; ++row) {
-            if (row == k || e.left[row][k] == 0) continue;
-            const Rational factor = e.left[row][k];
-            for (std::size_t i = 0; i < 3; ++i) e.left[row][i] -= factor * e.left[k][i];
-            for (std::size_t i = 0; i < 4; ++i) e.right[row][i] -= factor * e.right[k][i];
+            if (row == k) continue;
+            const Number factor = e.left[row][k];
+            const auto eliminate = [&](Number& x, const Number& from) {
+                x = (x * top - factor * from) / before;
+            };
+            for (std::size_t i = 0; i < 3; ++i) eliminate(e.left[row][i], e.left[k][i]);
+            for (std::size_t i = 0; i < 4; ++i) eliminate(e.right[row][i], e.right[k][i]);
         }
+        before = top;
     }
-    return e.right;
+    return Solution<Number>{e.right, before};
 }
 
 /// Where a ray meets a triangle: o + t d = (1 - u - v) a + u b + v c. `volume` is six times that of (d, b -
@@ -84,21 +87,29 @@ struct Crossing {
 /// The crossing of a ray with a triangle, t > 0. Whether it passes inside is decided for the origin o + (eps,
 /// eps^2, eps^3), eps -> 0+, so a ray through an edge or a corner belongs to one side; everything else is
 /// said of the origin as it stands. A triangle seen edge-on is not crossed.
+///
+/// Coordinates have 60 bits at most: then the last products have 2 * 3 * 61 + 4 and fit, and they would throw
+/// if they did not.
 inline std::optional<Crossing> crossing(const Point& o, const Point& d, const Point& a, const Point& b,
                                         const Point& c) {
-    Equations e;
+    using Whole = boost::multiprecision::checked_int512_t;
+    Equations<Whole> e;
     for (std::size_t k = 0; k < 3; ++k) {
-        e.left[k] = {Rational(-d[k]), Rational(b[k] - a[k]), Rational(c[k] - a[k])};
-        e.right[k][0] = o[k] - a[k];
+        e.left[k] = {Whole(-d[k]), Whole(b[k] - a[k]), Whole(c[k] - a[k])};
+        e.right[k][0] = Whole(o[k] - a[k]);
         e.right[k][k + 1] = 1;
     }
-    Rational volume;
-    const auto solved = solve(e, volume);
+    const auto solved = solve(e);
     if (!solved) return std::nullopt;
-    const auto& [t, u, v] = *solved;
-    Moving w{1 - u[0] - v[0], -u[1] - v[1], -u[2] - v[2], -u[3] - v[3]};
-    if (sign(u) < 0 || sign(v) < 0 || sign(w) < 0 || t[0] <= 0) return std::nullopt;
-    return Crossing{t[0], u[0], v[0], abs(volume)};
+    const auto& [t, u, v] = solved->above;
+    const Whole& below = solved->below;
+    const Moving<Whole> w{below - u[0] - v[0], -u[1] - v[1], -u[2] - v[2], -u[3] - v[3]};
+    const int turned = below < 0 ? -1 : 1;
+    if (sign(u) * turned < 0 || sign(v) * turned < 0 || sign(w) * turned < 0 || t[0] * turned <= 0)
+        return std::nullopt;
+    const Int size(abs(below));
+    const auto over = [&](const Whole& above) { return Rational(Int(above * turned), size); };
+    return Crossing{over(t[0]), over(u[0]), over(v[0]), Rational(size)};
 }
 
 /// Whether a hit at t of primitive `prim` goes before one at other_t of other_prim: nearer, or as near and of

@@ -59,7 +59,7 @@ mutant(judge_samples_keep_their_colour FILE model/shade/pass.cpp TEST simulate "
   NEW [[        s.colour[0] = 0;]])
 
 # ---- Bounces: model/shade/bounce.cpp.
-mutant(judge_mirrored_by_half QUICK FILE model/shade/bounce.cpp TEST simulate "mirrors --depth 2"
+mutant(judge_mirrored_by_half FILE model/shade/bounce.cpp TEST simulate "mirrors --depth 2"
   OLD [[rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits)]]
   NEW [[rounded(std::int64_t(state.cosine) * state.normal[k], unit_bits)]])
 mutant(judge_reflected_ray_may_go_in FILE model/shade/bounce.cpp TEST simulate "teapot:3 --depth 3 --size 96x72 | mount:2 --depth 3 --size 96x72 | rings:1 --depth 3"
@@ -86,7 +86,7 @@ mutant(judge_normal_is_not_turned FILE model/shade/surf.cpp TEST simulate "spher
 mutant(judge_side_is_not_turned FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
   OLD [[if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];]]
   NEW [[if (in.hit.back) toward[k] = -toward[k];]])
-mutant(judge_ratio_of_indices_inverted QUICK FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
+mutant(judge_ratio_of_indices_inverted FILE model/shade/surf.cpp TEST simulate "spheres --depth 4"
   OLD [[state.ratio = in.hit.back ? s.leave : s.enter;]]
   NEW [[state.ratio = in.hit.back ? s.enter : s.leave;]])
 mutant(judge_ambient_rounded_down FILE model/shade/surf.cpp TEST simulate "spheres --depth 1"
@@ -104,7 +104,7 @@ mutant(judge_origin_moved_by_a_unit FILE model/isect/origin.cpp TEST simulate "g
   NEW [[Weights w{std::max(rounded(u), 1u) + 1, std::max(rounded(v), 1u)};]])
 
 # ---- Lights: model/shade/light.cpp.
-mutant(judge_shadow_ray_at_the_wrong_side QUICK FILE model/shade/light.cpp TEST simulate "gears:1 --depth 1"
+mutant(judge_shadow_ray_at_the_wrong_side FILE model/shade/light.cpp TEST simulate "gears:1 --depth 1"
   OLD [[    if (near) side = -side;]]
   NEW [[    if (!near) side = -side;]])
 mutant(judge_light_behind_the_surface FILE model/shade/light.cpp TEST simulate "teapot:3 --depth 1 --size 96x72 | mount:2 --depth 1"
@@ -153,7 +153,7 @@ mutant(judge_power_exponent_cut FILE model/shade/power.cpp TEST simulate "sphere
   NEW [[std::uint64_t(neg >> 6) * n << 2;]])
 
 # ---- Planes beyond the lattice.
-mutant(judge_far_ray_one_step_short QUICK FILE model/shade/approach.cpp TEST simulate "spheres --depth 2"
+mutant(judge_far_ray_one_step_short FILE model/shade/approach.cpp TEST simulate "spheres --depth 2"
   OLD [[    at = along(at, d, c.approach_shift());
 ]]
   NEW [[]])

@@ -4,7 +4,7 @@
 mutant(model_tri_epsilon QUICK FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST unit [tri]
   OLD [[return edges.num > 0;]]
   NEW [[return edges.num > edges.det >> 12;]])
-mutant(model_tri_tie_turned QUICK FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST unit [tri]
+mutant(model_tri_tie_turned FILE model/isect/edges.hpp WITH model/isect/tri.cpp TEST unit [tri]
   OLD [[edge != 0          ? edge
                            : gradient[0] != 0 ? gradient[0]
                            :]]
@@ -16,7 +16,7 @@ mutant(model_tri_t_rounded_down FILE model/isect/tri.hpp WITH model/isect/tri.cp
   OLD [[q.whole + q.rest]]
   NEW [[q.whole]])
 # The sheared test: on closed surfaces, in slopes, and in the boxes that it needs.
-mutant(sheared_zero_counts_for_both QUICK FILE model/isect/sheared.cpp TEST unit [primitive]
+mutant(sheared_zero_counts_for_both FILE model/isect/sheared.cpp TEST unit [primitive]
   OLD [[if (side(u, c, a) != sign ||]]
   NEW [[if ((u != 0 && side(u, c, a) != sign) ||]])
 mutant(sheared_tie_by_one_axis FILE model/isect/sheared.cpp TEST unit [primitive]
@@ -53,7 +53,7 @@ mutant(model_box_far_with_r FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST 
 mutant(model_raygen_direction_rounded_down FILE model/raygen/raygen.cpp TEST unit [raygen]
   OLD [[((sum[k] << shift) + (std::int64_t(1) << (drop - 1))) >> drop]]
   NEW [[(sum[k] << shift) >> drop]])
-mutant(model_raygen_moves_up_one_bit_less QUICK FILE model/raygen/raygen.cpp TEST unit [raygen]
+mutant(model_raygen_moves_up_one_bit_less FILE model/raygen/raygen.cpp TEST unit [raygen]
   OLD [[const int drop = guard_bits + frac,
               shift = std::clamp(config.dir_bits - 1 + drop]]
   NEW [[const int drop = guard_bits + frac, shift = std::clamp(config.dir_bits - 2 + drop]])
@@ -80,7 +80,7 @@ mutant(model_box_near_from_the_point_before FILE model/bvh/slab.hpp WITH model/b
 mutant(model_box_far_from_the_point_beyond FILE model/bvh/slab.hpp WITH model/bvh/box.cpp TEST unit [box][shading]
   OLD [[slab.far_o = Lanes{before(0), before(1), before(2), 0};]]
   NEW [[slab.far_o = Lanes{beyond(0), beyond(1), beyond(2), 0 * before(0)};]])
-mutant(model_list_goes_on_behind_a_blocker QUICK FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list][shading]
+mutant(model_list_goes_on_behind_a_blocker FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list][shading]
   OLD [[return !hit_.stop() && cursor_.advance(]]
   NEW [[return cursor_.advance(]])
 mutant(model_list_forgets_to_stop FILE model/list/ray_tests.hpp WITH tests/unit/list_test.cpp TEST unit [list][shading]
@@ -125,7 +125,7 @@ mutant(model_trav_equal_does_not_matter FILE model/bvh/stack.hpp WITH tests/unit
 mutant(model_child_box_rounded_inward QUICK FILE model/accel/encode.cpp TEST accel ~[none]
   OLD [[node.hi[3 * i + k] = ceil_shift(std::uint32_t(children[i].box.hi[k] - node.org[k]), node.exp[k]);]]
   NEW [[node.hi[3 * i + k] = std::uint32_t(children[i].box.hi[k] - node.org[k]) >> node.exp[k];]])
-mutant(model_origin_weight_rounded_up QUICK FILE model/isect/origin.cpp TEST unit [origin]
+mutant(model_origin_weight_rounded_up FILE model/isect/origin.cpp TEST unit [origin]
   OLD [[Weights w{std::max(rounded(u), 1u),]]
   NEW [[Weights w{std::max(rounded(u) + 1, 1u),]])
 mutant(model_origin_on_the_border FILE model/isect/origin.cpp TEST unit [origin]
@@ -248,7 +248,7 @@ mutant(fit_forgets_work FILE sim/fit/search.cpp TEST unit "what fit finds*"
   NEW [[if (more > 2 * goal_.max_work)]])
 
 # ---- Boxes: what docs/boxes.md says must not happen, and the oracle that would see it.
-mutant(model_box_near_strictly_below_far QUICK FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
+mutant(model_box_near_strictly_below_far FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
   OLD [[down - 1.0 < far && far >= 0.0]]
   NEW [[down < far && far >= 0.0]])
 mutant(model_box_far_rounded_down FILE model/bvh/slab.inl WITH model/bvh/box.cpp TEST unit [box][small]
@@ -297,7 +297,7 @@ mutant(stress_judge_forgets_leaks FILE sim/stress/judge.cpp TEST system "control
   NEW [[]])
 
 # ---- Answers that are off by a rounding or a tie, judged pixel by pixel.
-mutant(model_answer_t_rounded_down QUICK FILE model/isect/tri.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle finds every answer right*"
+mutant(model_answer_t_rounded_down FILE model/isect/tri.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle finds every answer right*"
   OLD [[q.whole + q.rest]]
   NEW [[q.whole]])
 mutant(model_answer_weights_off FILE model/isect/tri.hpp WITH tests/system/cause_test.cpp tests/system/frames.cpp model/trace/record.cpp TEST system "the oracle finds every answer right*"

@@ -30,7 +30,7 @@ mutant(model_root_needs_a_bit FILE model/isect/any.cpp TEST unit "the root is ro
   NEW [[std::max(bits - 2 * root_bits + 2, 0) / 2;]])
 
 # ---- shade's cells.
-mutant(model_inverse_root_not_interpolated QUICK FILE model/shade/unit_vector.cpp TEST unit [unit_vector]~[lockstep]
+mutant(model_inverse_root_not_interpolated FILE model/shade/unit_vector.cpp TEST unit [unit_vector]~[lockstep]
   OLD [[return entry.value - (entry.step * (sum & 1023) >> 10);]]
   NEW [[return entry.value - (entry.step * (sum & 1008) >> 10);]])
 mutant(model_unit_vector_cut_by_one_bit_more FILE model/shade/unit_vector.cpp TEST unit [unit_vector]~[lockstep]
@@ -93,7 +93,7 @@ mutant(reference_sphere_box_too_small QUICK FILE model/reference/geometry.cpp TE
   NEW [[float_above(spheres[i].centre[k] + 0.99 * spheres[i].radius)]])
 
 # ---- shade's formulas.
-mutant(model_reflection_of_the_light QUICK FILE model/shade/bounce.cpp TEST unit [formulas]
+mutant(model_reflection_of_the_light FILE model/shade/bounce.cpp TEST unit [formulas]
   OLD [[rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];]]
   NEW [[rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) + state.view[k];]])
 mutant(model_refraction_without_the_sine FILE model/shade/bounce.cpp TEST unit [formulas]
@@ -105,7 +105,7 @@ mutant(model_schlick_fourth_power FILE model/shade/bounce.cpp TEST unit [formula
 mutant(model_phong_without_the_cosine_of_the_view FILE model/shade/light.cpp TEST unit [formulas]
   OLD [[rounded(2 * std::int64_t(cosine) * state.cosine, unit_bits)]]
   NEW [[rounded(2 * std::int64_t(cosine) * cosine, unit_bits)]])
-mutant(model_threshold_without_slack QUICK FILE model/shade/pass.cpp TEST unit [threshold]
+mutant(model_threshold_without_slack FILE model/shade/pass.cpp TEST unit [threshold]
   OLD [[2 * weight + 3 * bounce >=]]
   NEW [[2 * weight + 0 * bounce >=]])
 mutant(model_threshold_too_much_slack FILE model/shade/pass.cpp TEST unit [threshold]
@@ -138,7 +138,7 @@ mutant(model_approach_any_slab FILE model/shade/approach.cpp TEST unit [approach
 mutant(model_approach_without_the_last_bit FILE model/shade/approach.cpp TEST unit [approach]
   OLD [[step >= 0; --step]]
   NEW [[step > 0; --step]])
-mutant(model_plane_asked_by_a_finite_ray QUICK FILE model/isect/any.cpp TEST unit [far]
+mutant(model_plane_asked_by_a_finite_ray FILE model/isect/any.cpp TEST unit [far]
   OLD [[if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;]]
   NEW [[]])
 mutant(model_far_glass_is_black FILE model/shade/pass.cpp TEST unit [far]

@@ -16,7 +16,7 @@ mutant(model_cache_answers_at_once FILE model/mem/cache.hpp WITH tests/unit/cach
 mutant(model_frame_one_row_less FILE model/sched/dispatch.hpp WITH tests/unit/dispatch_test.cpp TEST unit [dispatch]
   OLD [[if (++tile_.y == rows_) more_ = false;]]
   NEW [[if (++tile_.y + 1 == rows_) more_ = false;]])
-mutant(model_sched_order_wrong QUICK FILE model/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
+mutant(model_sched_order_wrong FILE model/sched/sched.hpp WITH tests/unit/sched_test.cpp TEST unit [sched]
   OLD [[<< tile_bits_ | even_bits(at_ >> 1);]]
   NEW [[<< tile_bits_ | even_bits(at_ >> 2);]])
 mutant(model_trav_takes_a_step_in_a_second_turn FILE model/bvh/trav.hpp WITH tests/unit/bvh/trav_test.cpp TEST unit [trav]
@@ -60,7 +60,7 @@ mutant(model_where_forgets_trav FILE model/pipeline.cpp TEST unit [stuck]
 mutant(model_takes_no_hit FILE model/pipeline.inl WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "a machine makes*"
   OLD [[m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());]]
   NEW [[m.offer(Link::hit, trav_.done_valid(), sink_.ready() & (trav_.done_ray() != 7), trav_.done_ray());]])
-mutant(model_trace_looks_on_after_a_light_is_blocked QUICK FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
+mutant(model_trace_looks_on_after_a_light_is_blocked FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"
   OLD [[bool stop() const { return hit.stop(); }]]
   NEW [[bool stop() const { return false; }]])
 mutant(model_trace_shadow_ray_goes_beyond_the_surface FILE model/trace/record.inl WITH model/trace/record.cpp TEST unit "all rays of a chip that shades are recorded*"

@@ -7,7 +7,7 @@
 mutant(box_near_below_far QUICK FILE rtl/bvh/rc_box.sv TEST unit [box][lockstep]
   OLD [[= enter <= leave &&]]
   NEW [[= enter < leave &&]])
-mutant(slab_far_rounded_down QUICK FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
+mutant(slab_far_rounded_down FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[assign placed_up    = ~({R1{1'b1}} << placed_right);]]
   NEW [[assign placed_up    = placed_right == '1 ? '1 : '0;]])
 mutant(slab_near_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
@@ -60,7 +60,7 @@ mutant(hitdiv_u_v_swapped FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
 mutant(shear_half_forgotten FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
   OLD [[s2_up_x = $signed({{(P-S){1'b0}}, 1'b1, {(S-1){1'b0}}}) - s2_px_q;]]
   NEW [[s2_up_x = -s2_px_q;]])
-mutant(shear_tie_turned QUICK FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
+mutant(shear_tie_turned FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
   OLD [[s3_py < s3_qy : s3_qx < s3_px;]]
   NEW [[s3_py < s3_qy : s3_qx > s3_px;]])
 mutant(shear_plane_one_bit_short FILE rtl/isect/rc_shear.sv TEST unit [tri][sheared]
@@ -101,7 +101,7 @@ mutant(stack_equal_does_not_matter FILE rtl/bvh/rc_stack.sv TEST unit [trav]
 mutant(stack_gives_up_early FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[below_matters = top_below <= tested.t_best;]]
   NEW [[below_matters = top_below < tested.t_best;]])
-mutant(trav_gives_leaves_that_are_too_far QUICK FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
+mutant(trav_gives_leaves_that_are_too_far FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;]]
   NEW [[leaves.leaves != '0;]])
 mutant(trav_keeps_leaves_exactly_as_far FILE rtl/bvh/rc_trav.sv TEST unit [trav]
@@ -145,7 +145,7 @@ mutant(sched_gives_a_pixel_at_the_start FILE rtl/sched/rc_sched.sv TEST unit [sc
 mutant(sched_keeps_the_last_frames_tile FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[if (!rst_ni || start_i) at_q <= '0;]]
   NEW [[if (!rst_ni) at_q <= '0;]])
-mutant(dispatch_one_row_more QUICK FILE rtl/sched/rc_dispatch.sv TEST unit [dispatch]
+mutant(dispatch_one_row_more FILE rtl/sched/rc_dispatch.sv TEST unit [dispatch]
   OLD [[<< rc_pkg::TileBits >= frame_i.height;]]
   NEW [[<< rc_pkg::TileBits > frame_i.height;]])
 mutant(dispatch_same_again FILE rtl/sched/rc_dispatch.sv TEST unit [dispatch]
@@ -330,7 +330,7 @@ mutant(cache_waiter_gets_word_of_the_head FILE rtl/mem/rc_cache.sv TEST unit [ca
 mutant(cache_looks_up_without_a_place FILE rtl/mem/rc_cache.sv TEST unit [cache]
   OLD [[assign look  = valid && !draining && open;]]
   NEW [[assign look  = valid && !draining;]])
-mutant(tags_touch_turned QUICK FILE rtl/mem/rc_tags.sv TEST unit "a set gives up*"
+mutant(tags_touch_turned FILE rtl/mem/rc_tags.sv TEST unit "a set gives up*"
   OLD [[= !way_o[Levels-1-l];]]
   NEW [[= way_o[Levels-1-l];]])
 mutant(tags_waiting_way_given_away FILE rtl/mem/rc_tags.sv TEST unit [cache]
@@ -387,7 +387,7 @@ mutant(small_recip_of_a_power_of_two FILE rtl/raygen/rc_recip.sv TEST unit [rayg
 mutant(small_raygen_halves_go_down FILE rtl/raygen/rc_direction.sv TEST unit [raygen][small]
   OLD [[assign s1_up = s1_moved[G-M-1];]]
   NEW [[assign s1_up = s1_moved[G-M-1] && s1_moved[G-M-2:0] != '0;]])
-mutant(small_edges_third_tie_turned QUICK FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
+mutant(small_edges_third_tie_turned FILE rtl/isect/rc_edges.sv TEST unit [tri][small]
   OLD [[assign w_sign[k]  = holds && gen_cross[k].p1_q < gen_cross[k].p2_q;]]
   NEW [[assign w_sign[k]  = (k == 2) != (gen_cross[k].p1_q < gen_cross[k].p2_q);]])
 mutant(small_tri_compares_the_cut_product FILE rtl/isect/rc_tri.sv TEST unit [tri][small]

@@ -57,7 +57,7 @@ mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][int
   NEW [[|valid_q[(Interval-1)/2:0];]])
 
 # ---- box that tests a node's children beat by beat.
-mutant(box_rests_a_cycle_less QUICK FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
+mutant(box_rests_a_cycle_less FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
   OLD [[|valid_q[K-2:0];]]
   NEW [[|valid_q[(K-1)/2:0];]])
 mutant(box_planes_do_not_move_on FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
@@ -68,7 +68,7 @@ mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][l
   NEW [[assign all_met  = {met_q, met};]])
 
 # ---- shade that makes a pass every few cycles.
-mutant(shade_rests_a_cycle_less QUICK FILE rtl/shade/rc_pass.sv TEST unit [shade][interval]
+mutant(shade_rests_a_cycle_less FILE rtl/shade/rc_pass.sv TEST unit [shade][interval]
   OLD [[|turn[Every-2:0];]]
   NEW [[|turn[(Every-1)/2:0];]])
 mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pass][interval]

@@ -72,7 +72,7 @@ mutant(hitdiv_negative_rounded_up FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of 
 mutant(hitdiv_plane_wraps FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[v_many ? {v_neg, {(V-1){!v_neg}}} : v_end};]]
   NEW [[v_many && 1'b0 ? {v_neg, {(V-1){!v_neg}}} : v_end};]])
-mutant(sphere_touch_is_no_hit QUICK FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
+mutant(sphere_touch_is_no_hit FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
   OLD [[assign s3_meets = s3_nearing_q && !s3_disc[D-1];]]
   NEW [[assign s3_meets = s3_nearing_q && !s3_disc[D-1] && s3_disc != '0;]])
 mutant(sphere_far_root_rounded_down FILE rtl/isect/rc_sphere.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
@@ -151,7 +151,7 @@ mutant(turnout_far_light_asks_planes FILE rtl/shade/rc_turnout.sv TEST unit [pas
 mutant(light_far_point_is_turned_round FILE rtl/shade/rc_light.sv TEST unit [pass][all]
   OLD [[s15_near ? -wide : wide;]]
   NEW [[wide;]])
-mutant(approach_end_is_ahead QUICK FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
+mutant(approach_end_is_ahead FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
   OLD [[way < 0 ? there > End : there < -End;]]
   NEW [[way < 0 ? there > End : way != 0 && there < -End && at[(3*i+k)*Q] == 1'b0;]])
 mutant(approach_passes_by_and_enters FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
@@ -224,7 +224,7 @@ mutant(wait_one_cycle_less FILE rtl/prim/rc_wait.sv TEST unit [pass][all]
 mutant(shade_shadow_hit_fetches_its_surface FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
   OLD [[closest_i.found && !any_hit_q[closest_ray];]]
   NEW [[closest_i.found && !(any_hit_q[closest_ray] && kind[0]);]])
-mutant(shade_arrived_before_again QUICK FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
+mutant(shade_arrived_before_again FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
   OLD [[open && !surf_rsp_valid_i && !again_valid && arrived_valid;]]
   NEW [[open && !surf_rsp_valid_i && (!again_valid || push) && arrived_valid;]])
 mutant(shade_is_busy_behind_a_closed_door FILE rtl/shade/rc_shade.sv TEST unit [shade]~[slow]

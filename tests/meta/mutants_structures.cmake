@@ -45,7 +45,7 @@ mutant(model_globe_is_met_when_the_ray_leaves_it FILE model/globe/globe.cpp TEST
   NEW [[std::max<std::int64_t>(way + half, 0)]])
 
 # ---- kd: planes are rounded outward, exits keep their places.
-mutant(plane_far_side_from_rounded_up QUICK FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
+mutant(plane_far_side_from_rounded_up FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
   OLD [[(product_between ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]]
   NEW [[(product_between && product_neg ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]])
 mutant(plane_near_side_to_rounded_down FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
@@ -89,7 +89,7 @@ mutant(cells_one_line_too_far FILE model/accel/kd/emit.cpp TEST system "rays of 
   NEW [[std::uint32_t(line--)]])
 
 # ---- bsp: planes in any direction are rounded outward, in the unit and in its model.
-mutant(crossing_far_side_from_too_late QUICK FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
+mutant(crossing_far_side_from_too_late FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]
   OLD [[assign from_d = {1'b0, quo} - (V+1)'(2);]]
   NEW [[assign from_d = {1'b0, quo} + (V+1)'(2);]])
 mutant(crossing_near_side_to_too_early FILE rtl/bsp/rc_crossing.sv TEST unit [slant][lockstep]

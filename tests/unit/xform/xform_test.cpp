@@ -113,13 +113,13 @@ XformReq request(Draw& draw, const Config& c) {
 void judge(const XformReq& req, const Change& got, const Config& c) {
     const Rational unit = oracle::power_of_two(-c.map_frac());
     for (std::size_t i = 0; i < 3; ++i) {
-        Rational o = Rational(Int(req.placement.b[i])) * unit, d = 0;
+        Int o = req.placement.b[i], d = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            o += Rational(Int(req.placement.a[3 * i + k]) * req.o[k]) * unit;
-            d += Rational(Int(req.placement.a[3 * i + k]) * req.d[k]) * unit;
+            o += Int(req.placement.a[3 * i + k]) * req.o[k];
+            d += Int(req.placement.a[3 * i + k]) * req.d[k];
         }
-        REQUIRE(Int(got.o[i]) == oracle::nearest(o));
-        REQUIRE(Int(got.d[i]) == oracle::nearest(d));
+        REQUIRE(Int(got.o[i]) == oracle::nearest(o * unit));
+        REQUIRE(Int(got.d[i]) == oracle::nearest(d * unit));
         REQUIRE(int(got.len[i]) == oracle::digits(Int(got.d[i])));
         REQUIRE(
             Int(got.recip[i]) ==
