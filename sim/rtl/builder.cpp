@@ -103,14 +103,14 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
     const std::uint64_t tools = hash_of(made_by());
     const fs::path entry = rtl_cache() / fmt::format("{}{:016x}", begin, tools),
                    support = rtl_cache() / fmt::format("{}{:016x}-{:016x}", support_begin,
-                                                       hash_of(support_ingredients()), tools);
+                                                       hash_of(support_ingredients(waves)), tools);
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
     Report report(fmt::format("{} of '{}'{}", module == "rc_chip" ? "the RTL" : module, config.name,
                               waves == Waves::yes ? " for waveforms" : ""));
     const auto tell = [&](const char* stage, std::optional<double> left) { report.tell(stage, left); };
     // One after the other: a build that is killed leaves no folder that no tool of its own is at work in.
-    provide(support, report, [&](const fs::path& folder) { make_support(folder, tell); });
+    provide(support, report, [&](const fs::path& folder) { make_support(folder, waves, tell); });
     const bool made = provide(entry, report, [&](const fs::path& folder) {
         make_library(folder, config, module, waves, library_of(support), tell);
     });

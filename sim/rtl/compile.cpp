@@ -43,7 +43,8 @@ constexpr std::uintmax_t small_module = 100'000;
 // itself, runs for a thousand cycles only, and is therefore not optimised.
 const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
 const Words wave_compiler_flags{"-O0"};
-const Words tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1"};
+// It is built while somebody waits for the first divergence, and mostly runs for less than it takes to build.
+const Words tracing{"-DVM_TRACE=1", "-DVM_TRACE_FST=1", "-O1"};
 
 Words operator+(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -115,14 +116,18 @@ struct Source {
     std::string name, text;
     Words flags;
 };
-const char* const support_text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
+Source support_source(Waves waves) {
+    const char* const text = "#include \"verilated.cpp\"\n#include \"verilated_threads.cpp\"\n";
+    if (waves == Waves::no) return {"support", text, {}};
+    return {"support", std::string(text) + "#include \"verilated_fst_c.cpp\"\n", tracing};
+}
 
 /// Sources that include what Verilator has made: one, or some of about the same size and one for the start.
-/// What writes waveforms comes in a source of its own, with Verilator's own sources compiled to be traced.
+/// What writes waveforms comes in a source of its own.
 std::vector<Source> divided(const fs::path& folder, const Config& config, const std::string& module,
                             Waves waves) {
     const Words flags = waves == Waves::yes ? tracing : Words{};
-    Source wave{"wave", "#include \"verilated_fst_c.cpp\"\n", tracing + wave_compiler_flags};
+    Source wave{"wave", "#include \"verilated_fst_c.h\"\n", tracing + wave_compiler_flags};
     std::vector<std::pair<std::uintmax_t, std::string>> made;
     std::uintmax_t all = 0;
     for (const auto& entry : fs::directory_iterator(folder / "obj")) {
@@ -151,10 +156,7 @@ std::vector<Source> divided(const fs::path& folder, const Config& config, const 
     }
     // It is linked last: of a function that stands in several the linker takes the first.
     if (!small) sources.push_back(start);
-    if (waves == Waves::yes) {
-        sources.push_back(wave);
-        sources.push_back({"support", support_text, flags});
-    }
+    if (waves == Waves::yes) sources.push_back(wave);
     return sources;
 }
 
@@ -199,19 +201,20 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
     for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
     if (waves == Waves::no) return all;
     all += wave_source() + wave_abi_text;
-    for (const Words& flags : {wave_verilator_flags, wave_compiler_flags})
+    for (const Words& flags : {wave_verilator_flags, wave_compiler_flags, tracing})
         for (const std::string& flag : flags) all += " " + flag;
     return all;
 }
 
-std::string support_ingredients() {
+std::string support_ingredients(Waves waves) {
     std::string all;
-    for (const std::string& flag : compiler_flags) all += " " + flag;
+    for (const Words& flags : {compiler_flags, support_source(waves).flags})
+        for (const std::string& flag : flags) all += " " + flag;
     return all;
 }
 
-void make_support(const fs::path& folder, const Working& working) {
-    compile(folder, {{"support", support_text, {}}}, "the C++ compiler on Verilator's own sources",
+void make_support(const fs::path& folder, Waves waves, const Working& working) {
+    compile(folder, {support_source(waves)}, "the C++ compiler on Verilator's own sources",
             [&] { working("the C++ compiler", {}); });
     tidy(folder);
 }
@@ -232,8 +235,9 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     if (waves == Waves::yes) write_text(folder / "wave_abi.hpp", wave_abi_text);
     const std::vector<Source> sources = divided(folder, config, module, waves);
     compile(folder, sources, what, meanwhile);
-    if (waves == Waves::no) fs::copy_file(support, folder / support_name);
-    link(folder, sources, what, waves == Waves::no ? Words{support_name} : Words{"-lz"}, meanwhile);
+    fs::copy_file(support, folder / support_name);
+    link(folder, sources, what, waves == Waves::no ? Words{support_name} : Words{support_name, "-lz"},
+         meanwhile);
     tidy(folder);
 }
 

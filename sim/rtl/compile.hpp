@@ -21,10 +21,10 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
 /// can be guessed.
 using Working = std::function<void(const char* stage, std::optional<double> left)>;
 
-/// Verilator's own sources, which all modules need: what goes into them, and how they are compiled, in an
-/// empty folder.
-std::string support_ingredients();
-void make_support(const std::filesystem::path& folder, const Working& working);
+/// Verilator's own sources, which all modules need, to write waveforms or not: what goes into them, and how
+/// they are compiled, in an empty folder.
+std::string support_ingredients(Waves waves);
+void make_support(const std::filesystem::path& folder, Waves waves, const Working& working);
 
 /// Makes module.so in an empty folder, which then holds nothing else. `support` is what make_support() has
 /// made. Throws as build_rtl() does.
