@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
@@ -106,11 +107,13 @@ glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
 
 }   // namespace
 
-Picture shade(const Scene& scene, const HitFrame& frame) {
+Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progress) {
     if (!scene.camera) throw std::logic_error("shade() needs scene.camera: highlights depend on the eye");
     const glm::dvec3 eye = scene.camera->eye;
     const PixelRays rays = !scene.spheres.empty() ? pixel_rays(*scene.camera, frame.size) : PixelRays{};
     Picture picture{frame.size, std::vector<glm::vec3>(frame.hits.size(), glm::vec3(scene.background))};
+    std::mutex reporting;
+    std::uint64_t done = 0;
     tbb::parallel_for(0, frame.size.height, [&](int y) {
         const std::size_t begin = static_cast<std::size_t>(y) * frame.size.width;
         for (std::size_t i = begin; i < begin + frame.size.width; ++i) {
@@ -119,6 +122,9 @@ Picture shade(const Scene& scene, const HitFrame& frame) {
             const glm::dvec3 direction = rays.direction(static_cast<double>(i - begin), y);
             picture.pixels[i] = glm::vec3(colour_at(scene, surface_point(scene, hit, eye, direction)));
         }
+        if (!progress) return;
+        const std::lock_guard lock(reporting);
+        progress("shading", ++done, std::uint64_t(frame.size.height));
     });
     return picture;
 }

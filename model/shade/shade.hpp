@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "model/base/progress.hpp"
 #include "model/scene/hit.hpp"
 #include "model/scene/scene.hpp"
 
@@ -17,6 +18,6 @@ struct Picture {
 /// Turns hits into colours, the same way for reference, model and RTL: ambient, Lambert and Phong terms of
 /// every light (no secondary rays), smooth normals where the scene has them, background elsewhere. Of hits on
 /// spheres the depth counts, along the ray of the pixel's middle.
-Picture shade(const Scene& scene, const HitFrame& frame);
+Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progress = {});
 
 }   // namespace rayclock

@@ -69,7 +69,7 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
         drawn.hits = std::move(frame.hits);
     } else {
         drawn.hits = Reference(scene).frame(*scene.camera, size, threads, progress);
-        drawn.picture = shade(scene, drawn.hits);
+        drawn.picture = shade(scene, drawn.hits, progress);
     }
     drawn.json["digest"] = digest_text(digest_of(drawn.hits));
     return drawn;
@@ -80,7 +80,7 @@ Drawn draw_machine(const Request& request, FrameSize size, bool is_rtl, const Pr
     const Job job = make_job(scene, *scene.camera, size, request.config, progress, request.settings);
     FrameRun run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     Drawn drawn;
-    drawn.picture = request.finished ? picture_of(size, run.colours) : shade(scene, run.hits);
+    drawn.picture = request.finished ? picture_of(size, run.colours) : shade(scene, run.hits, progress);
     drawn.hits = std::move(run.hits);
     drawn.json["config"] = config_json_object(request.config);
     drawn.json["cycles"] = run.cycles;
@@ -110,7 +110,7 @@ int run(const Options& o) {
     const Progress progress = stopping(terminal_progress());   // also for who waits for the file
     const Drawn drawn = draw(o, size, scene, progress);
     stop_if_interrupted();
-    write_picture(o.output, drawn.picture, drawn.hits);
+    write_picture(o.output, drawn.picture, drawn.hits, interrupted);
     if (!o.json.is_alone())
         fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height,
                    o.engine, printable(o.output));

@@ -1,7 +1,9 @@
 // What knows OpenImageIO: a library of its own, see codec.hpp. It throws nothing that only the program knows.
 #include "sim/image/codec.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 
 #include <OpenImageIO/filesystem.h>
@@ -12,54 +14,55 @@
 namespace rayclock {
 namespace {
 
-/// Pixels in the file's own types, packed channel by channel, and the header that says so.
-struct Encoded {
+/// A format: the file's header, and how one pixel lies in its own types, packed channel by channel.
+struct Encoding {
     OIIO::ImageSpec spec;
-    std::vector<std::byte> data;
+    std::function<void(std::size_t pixel, std::byte* to)> put;
 };
 
-Encoded encode_png(const Picture& picture, const HitFrame&) {
-    Encoded out{OIIO::ImageSpec(picture.size.width, picture.size.height, 3, OIIO::TypeUInt8), {}};
-    out.spec.attribute("oiio:ColorSpace", "sRGB");
-    out.data.resize(picture.pixels.size() * 3);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        std::memcpy(&out.data[3 * i], srgb_bytes(picture.pixels[i]).data(), 3);
-    return out;
+Encoding png(const Picture& picture) {
+    OIIO::ImageSpec spec(picture.size.width, picture.size.height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return {spec,
+            [&](std::size_t i, std::byte* to) { std::memcpy(to, srgb_bytes(picture.pixels[i]).data(), 3); }};
 }
 
-Encoded encode_exr(const Picture& picture, const HitFrame& hits) {
-    Encoded out{OIIO::ImageSpec(picture.size.width, picture.size.height, 5, OIIO::TypeHalf), {}};
-    out.spec.channelnames = {"R", "G", "B", "Z", "id"};
-    out.spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat,
-                               OIIO::TypeUInt32};
-    out.spec.z_channel = 3;
-    out.spec.attribute("oiio:ColorSpace", "Linear");
-    out.spec.attribute("compression", "zip");
-    const std::size_t stride = out.spec.pixel_bytes(true);
+Encoding exr(const Picture& picture, const HitFrame& hits) {
+    OIIO::ImageSpec spec(picture.size.width, picture.size.height, 5, OIIO::TypeHalf);
+    spec.channelnames = {"R", "G", "B", "Z", "id"};
+    spec.channelformats = {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat, OIIO::TypeUInt32};
+    spec.z_channel = 3;
+    spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("compression", "zip");
     constexpr std::size_t z_at = 6, id_at = 10;
-    out.data.resize(picture.pixels.size() * stride);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        std::byte* pixel = &out.data[i * stride];
-        OIIO::convert_pixel_values(OIIO::TypeFloat, &picture.pixels[i], OIIO::TypeHalf, pixel, 3);
-        std::memcpy(pixel + z_at, &hits.hits[i].depth, sizeof(float));
-        std::memcpy(pixel + id_at, &hits.hits[i].primitive, sizeof(std::uint32_t));
-    }
-    return out;
+    return {spec, [&](std::size_t i, std::byte* to) {
+                OIIO::convert_pixel_values(OIIO::TypeFloat, &picture.pixels[i], OIIO::TypeHalf, to, 3);
+                std::memcpy(to + z_at, &hits.hits[i].depth, sizeof(float));
+                std::memcpy(to + id_at, &hits.hits[i].primitive, sizeof(std::uint32_t));
+            }};
 }
 
 /// The bytes of a file. Into memory, because the library does not see an error of the last bytes, nor of
 /// closing the file.
-std::string encode(const char* plugin, const Picture& picture, const HitFrame& hits) {
-    const Encoded encoded =
-        std::string(plugin) == "png" ? encode_png(picture, hits) : encode_exr(picture, hits);
+std::string encode(const char* plugin, const Picture& picture, const HitFrame& hits,
+                   const std::function<bool()>& stop) {
+    const Encoding encoding = std::string(plugin) == "png" ? png(picture) : exr(picture, hits);
     const auto output = OIIO::ImageOutput::create(plugin);
     if (!output) throw std::runtime_error(OIIO::geterror());
     OIIO::Filesystem::IOVecOutput memory;
     output->set_ioproxy(&memory);
-    // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
-    const bool encoded_all = output->open(std::string("picture.") + plugin, encoded.spec) &&
-                             output->write_image(OIIO::TypeUnknown, encoded.data.data()) && output->close();
-    if (!encoded_all) throw std::runtime_error(output->geterror());
+    bool good = output->open(std::string("picture.") + plugin, encoding.spec);
+    constexpr int rows = 64;
+    const std::size_t pixel_bytes = encoding.spec.pixel_bytes(true), width = std::size_t(picture.size.width);
+    std::vector<std::byte> data(pixel_bytes * width * rows);
+    for (int y = 0; good && y < picture.size.height && (y == 0 || !stop()); y += rows) {
+        const int end = std::min(y + rows, picture.size.height);
+        for (std::size_t i = 0; i < std::size_t(end - y) * width; ++i)
+            encoding.put(std::size_t(y) * width + i, &data[i * pixel_bytes]);
+        // TypeUnknown: the data is in the types of the file already, so nothing is rounded twice.
+        good = output->write_scanlines(y, end, 0, OIIO::TypeUnknown, data.data());
+    }
+    if (!good || (!stop() && !output->close())) throw std::runtime_error(output->geterror());
     const auto& bytes = memory.buffer();
     return {bytes.begin(), bytes.end()};
 }

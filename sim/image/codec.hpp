@@ -2,6 +2,7 @@
 // Between the program and the library that encodes pictures, OpenImageIO. That brings 250 libraries, which
 // take a fifth of a second to load: what knows it is a library of its own, which is loaded when the first
 // picture is read or written.
+#include <functional>
 #include <string>
 
 #include <glm/vec4.hpp>
@@ -12,8 +13,10 @@ namespace rayclock {
 
 struct PictureCodec {
     /// The bytes of a file. `plugin` is OpenImageIO's name of the format: png or openexr. Throws
-    /// std::runtime_error with the reason.
-    std::string (*encode)(const char* plugin, const Picture& picture, const HitFrame& hits);
+    /// std::runtime_error with the reason. `stop` is asked every few rows; once it is true, the bytes are not
+    /// a whole file.
+    std::string (*encode)(const char* plugin, const Picture& picture, const HitFrame& hits,
+                          const std::function<bool()>& stop);
     /// Throws std::runtime_error with the reason.
     Picture (*decode)(const std::string& path);
     /// See average_colour(). Throws std::runtime_error with the reason.

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "model/shade/shade.hpp"
@@ -8,8 +9,10 @@ namespace rayclock {
 
 /// Writes a picture: .png is 8-bit sRGB, .exr is linear half float with depth ("Z") and primitive id ("id")
 /// layers. It appears whole or not at all, see sim/files/output.hpp. Throws UserError if it cannot be written
-/// or the ending is unknown.
-void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits);
+/// or the ending is unknown, and std::runtime_error once `stop` is true.
+void write_picture(
+    const std::string& path, const Picture& picture, const HitFrame& hits,
+    const std::function<bool()>& stop = [] { return false; });
 
 /// The bytes of a PNG file, as write_picture() writes it.
 std::string png_bytes(const Picture& picture);

@@ -40,10 +40,10 @@ std::string reason(std::string message) {
 
 /// The bytes of a file; `path` is for messages.
 std::string file_bytes(const std::string& path, const Format& format, const Picture& picture,
-                       const HitFrame& hits) {
+                       const HitFrame& hits, const std::function<bool()>& stop) {
     const PictureCodec& codec = picture_codec();
     try {
-        return codec.encode(format.plugin, picture, hits);
+        return codec.encode(format.plugin, picture, hits, stop);
     } catch (const std::runtime_error& error) {
         throw UserError(fmt::format("{}: cannot be written: {}", path, reason(error.what())));
     }
@@ -51,21 +51,26 @@ std::string file_bytes(const std::string& path, const Format& format, const Pict
 
 }   // namespace
 
-std::string png_bytes(const Picture& picture) { return file_bytes("picture.png", formats[0], picture, {}); }
+std::string png_bytes(const Picture& picture) {
+    return file_bytes("picture.png", formats[0], picture, {}, [] { return false; });
+}
 
 void check_picture_path(const std::string& path) {
     format_of(path);
     check_replaceable(path);
 }
 
-void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits) {
+void write_picture(const std::string& path, const Picture& picture, const HitFrame& hits,
+                   const std::function<bool()>& stop) {
     const Format& format = format_of(path);
     check_frame_size(picture.size);
     const auto pixels = static_cast<std::size_t>(picture.size.width) * picture.size.height;
     if (picture.pixels.size() != pixels || hits.size != picture.size || hits.hits.size() != pixels)
         throw UserError(fmt::format("{}: picture and hits differ in size", path));
     check_replaceable(path);
-    write_bytes(path, file_bytes(path, format, picture, hits));
+    const std::string bytes = file_bytes(path, format, picture, hits, stop);
+    if (stop()) throw std::runtime_error("interrupted: nothing is written");
+    write_bytes(path, bytes);
 }
 
 }   // namespace rayclock
