@@ -5,7 +5,11 @@ const data = JSON.parse(byId("data").textContent);
 const numbers = new Intl.NumberFormat("en-US");   // made once: thousands of figures are written
 const grouped = n => numbers.format(Number(n));
 
-const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
+function bytesOf(text) {
+  const raw = atob(text), bytes = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
+  return bytes;
+}
 async function inflated(text) {
   const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());

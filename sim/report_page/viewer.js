@@ -96,7 +96,7 @@ function explainPixel(x, y) {
 
 async function showViewer() {
   if (data.explanations) explanations = JSON.parse(new TextDecoder().decode(await inflated(data.explanations)));
-  for (const map of data.maps) map.values = await valuesOf(map);
+  await Promise.all(data.maps.map(async map => { map.values = await valuesOf(map); }));
   if (data.causes) causes = await inflated(data.causes.data);
   for (const image of document.querySelectorAll("#pictures img")) await image.decode();
   addPicture("picture", "picture");

@@ -8,11 +8,9 @@
 
 #include "model/accel/bsp/check.hpp"
 #include "model/accel/bsp/facets.hpp"
-#include "model/accel/decode.hpp"
 #include "model/bsp/slant.hpp"
 #include "model/core/layout.hpp"
-#include "model/scene/builtin.hpp"
-#include "sim/load/load.hpp"
+#include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
@@ -29,16 +27,6 @@ Config bsp_of(int width = 8, Straddlers straddlers = Straddlers::leaves) {
 }
 
 /// A scene's primitives on the lattice: those of a list.
-std::vector<PrimData> prims_of(const char* name, Config config, Primitives primitives) {
-    config.structure = int(Structure::none);
-    Scene scene = load_scene(name, {}, primitives);
-    if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);
-    const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
-    std::vector<PrimData> prims;
-    for (std::uint32_t i = 0; i < image.listed; ++i) prims.push_back(read_triangle(image, i, config));
-    return prims;
-}
-
 std::vector<std::string> complaints(const std::vector<PrimData>& prims, const Config& config) {
     return check_slants(compile_triangles(prims, config, "the case"), prims, config);
 }
@@ -105,7 +93,7 @@ TEST_CASE("images of planes in any direction hold what they say", "[slant]") {
     const Config config = bsp_of(width, rule);
     for (const char* name : {"gears:1", "balls:1", "rings:1", "mount:4", "teapot:2"}) {
         INFO(name << ", " << width);
-        const std::vector<PrimData> prims = prims_of(name, config, Primitives::triangles);
+        const std::vector<PrimData> prims = test::prims_of(name, config, Primitives::triangles);
         if (width != 8 && prims.size() > 1000) continue;   // each takes seconds
         const MemoryImage image = compile_triangles(prims, config, name);
         CHECK(check_slants(image, prims, config) == none);
@@ -126,7 +114,7 @@ TEST_CASE("tangled triangles are in every leaf that they reach into", "[slant]")
 
 TEST_CASE("some planes of real scenes lie across no axis", "[slant]") {
     const Config config = bsp_of();
-    const std::vector<PrimData> prims = prims_of("balls:1", config, Primitives::triangles);
+    const std::vector<PrimData> prims = test::prims_of("balls:1", config, Primitives::triangles);
     const MemoryImage image = compile_triangles(prims, config, "balls");
     int planes = 0, oblique = 0;
     const std::function<void(std::uint32_t)> count = [&](std::uint32_t line) {
@@ -164,15 +152,15 @@ TEST_CASE("planes in any direction hold spheres and planes, and what the sheared
     Config config = bsp_of();
     config.shading = config.spheres = config.planes = config.refraction = config.smooth = 1;
     for (const char* name : {"spheres", "balls:1", "plane"})
-        CHECK(complaints(prims_of(name, config, Primitives::native), config) == none);
+        CHECK(complaints(test::prims_of(name, config, Primitives::native), config) == none);
     Config sheared = bsp_of();
     sheared.coord_bits = 16, sheared.dir_bits = 20, sheared.primitive_test = int(PrimitiveTest::sheared);
-    CHECK(complaints(prims_of("gears:1", sheared, Primitives::triangles), sheared) == none);
+    CHECK(complaints(test::prims_of("gears:1", sheared, Primitives::triangles), sheared) == none);
 }
 
 TEST_CASE("a damaged image of planes in any direction is noticed", "[slant]") {
     const Config config = bsp_of();
-    const std::vector<PrimData> prims = prims_of("balls:1", config, Primitives::triangles);
+    const std::vector<PrimData> prims = test::prims_of("balls:1", config, Primitives::triangles);
     const MemoryImage sound = compile_triangles(prims, config, "balls");
     const auto changed = [&](auto change) {
         MemoryImage image = sound;

@@ -3,10 +3,9 @@
 
 #include <set>
 
-#include "model/accel/decode.hpp"
 #include "model/accel/encode.hpp"
 #include "model/isect/vectors.hpp"
-#include "sim/load/load.hpp"
+#include "tests/accel/listed.hpp"
 #include "tests/support/cases/draw.hpp"
 
 using namespace rayclock;
@@ -22,19 +21,6 @@ Config split(int width = 8) {
     config.leaf_size = width == 8 ? 1 : 3;
     config.stack_depth = 64;
     return config;
-}
-
-/// A scene's primitives on the lattice: those of a list.
-std::vector<PrimData> prims_of(const char* name, Primitives primitives) {
-    Config config;
-    config.structure = int(Structure::none);
-    config.spheres = config.planes = config.shading = primitives == Primitives::native;
-    Scene scene = load_scene(name, {}, primitives);
-    if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);
-    const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
-    std::vector<PrimData> prims;
-    for (std::uint32_t i = 0; i < image.listed; ++i) prims.push_back(read_triangle(image, i, config));
-    return prims;
 }
 
 class Reader {
@@ -138,7 +124,7 @@ TEST_CASE("boxes with spatial splits hold what lies in them", "[splits]") {
     INFO("width " << width);
     for (const char* name : {"gears:1", "rings:1", "tree:4", "teapot:4"}) {
         INFO(name);
-        check_held(prims_of(name, Primitives::triangles), config);
+        check_held(test::prims_of(name, {}, Primitives::triangles), config);
     }
     for (unsigned seed = 1; seed <= 3; ++seed) {
         check_held(tangle(seed, 300, 131071), config);
@@ -147,7 +133,7 @@ TEST_CASE("boxes with spatial splits hold what lies in them", "[splits]") {
 }
 
 TEST_CASE("triangles that overlap are cut, and no more of them than the rule says", "[splits]") {
-    const std::vector<PrimData> rings = prims_of("rings:1", Primitives::triangles);
+    const std::vector<PrimData> rings = test::prims_of("rings:1", {}, Primitives::triangles);
     CHECK(references(rings, split()) > rings.size() + rings.size() / 20);
     Config off = split();
     off.splits = 0;
@@ -168,5 +154,5 @@ TEST_CASE("spatial splits come to an end with triangles that are all the same, a
 }
 
 TEST_CASE("planes without end are not cut by spatial splits", "[splits]") {
-    check_held(prims_of("plane", Primitives::native), split());
+    check_held(test::prims_of("plane", {}, Primitives::native), split());
 }

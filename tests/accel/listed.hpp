@@ -1,0 +1,21 @@
+#pragma once
+// A scene's primitives on the lattice of a machine: those of a list.
+#include "model/accel/decode.hpp"
+#include "model/scene/builtin.hpp"
+#include "sim/load/load.hpp"
+
+namespace rayclock::test {
+
+inline std::vector<PrimData> prims_of(const char* name, Config config, Primitives primitives) {
+    config.structure = int(Structure::none);
+    config.splits = 0;
+    if (primitives == Primitives::native) config.spheres = config.planes = config.shading = 1;
+    Scene scene = load_scene(name, {}, primitives);
+    if (!scene.camera) scene.camera = fit_camera(scene, 4.0 / 3);
+    const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
+    std::vector<PrimData> prims;
+    for (std::uint32_t i = 0; i < image.listed; ++i) prims.push_back(read_triangle(image, i, config));
+    return prims;
+}
+
+}   // namespace rayclock::test
