@@ -120,6 +120,26 @@ TEST_CASE("an existing picture is replaced", "[image]") {
     CHECK(folder.files() == 1);
 }
 
+TEST_CASE("writing that is stopped leaves what was there, and else every row is written", "[image]") {
+    const TestFolder folder;
+    const FrameSize size{3, 201};   // some bands of rows, and a part of one
+    Picture picture = grey_picture(size, 0);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        picture.pixels[i] = glm::vec3(static_cast<float>(linear_from_srgb(double(i / 3) / 255)));
+    for (const char* name : {"a.png", "a.exr"}) {
+        CAPTURE(name);
+        write_picture(folder / name, picture, no_hits(size));
+        const std::string before = contents(folder / name);
+        CHECK(compare(picture, read_picture(folder / name)).largest == 0);
+        int asked = 0;
+        CHECK_THROWS_WITH(
+            write_picture(folder / name, grey_picture(size, 1), no_hits(size), [&] { return ++asked > 1; }),
+            "interrupted: nothing is written");
+        CHECK(asked == 4);   // before two more bands, before the end, and before the file is replaced
+        CHECK(contents(folder / name) == before);
+    }
+}
+
 TEST_CASE("pictures that cannot be written are refused in one sentence, with nothing left over", "[image]") {
     const TestFolder folder;
     const FrameSize size{4, 4};
