@@ -241,6 +241,7 @@ Config named_config(const std::string& name) {
     if (name == "ulx3s") {
         make_small(c);
         c.timing = int(Timing::fast);
+        c.tri_interval = 2;
         c.raygen_queue = c.box_queue = 32;
         c.tri_queue = 64;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 256, 2, 8);

@@ -125,7 +125,7 @@ int run(const Options& o) {
     table.add(
         {"nextpnr-ecp5", routes ? fmt::format("{}, {}", router.version, router.program.string()) : "none"});
     json["nextpnr"] = routes ? nlohmann::ordered_json(router.version) : nlohmann::ordered_json(nullptr);
-    for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_NEXTPNR"}) {
+    for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_CXXFLAGS", "RAYCLOCK_NEXTPNR"}) {
         const char* value = std::getenv(name);
         table.add({name, value && *value ? value : "not set"});
     }

@@ -56,6 +56,7 @@ constexpr const char* help_footer =
     "Environment:\n"
     "  RAYCLOCK_CACHE  folder that keeps built RTL and finished figures; otherwise $XDG_CACHE_HOME/rayclock "
     "or ~/.cache/rayclock\n"
+    "  RAYCLOCK_CXXFLAGS  options for the C++ compiler that RTL is built with, after rayclock's own (-O2)\n"
     "  RAYCLOCK_NEXTPNR  program nextpnr-ecp5 for chip; otherwise that of ./bootstrap chip, or one in PATH\n"
     "  RAYCLOCK_RTL    folder of Verilog sources to build instead of this project's rtl\n"
     "  RAYCLOCK_VEGA   folder with Vega's modules for --report; otherwise that of Debian's "

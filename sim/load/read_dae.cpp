@@ -83,8 +83,8 @@ private:
 
     void visit(const XmlElement& node, glm::dmat4 place, int depth) {
         if (depth > most_deep) refuse(node, fmt::format("nodes are nested deeper than {}", most_deep));
-        // A node that is met again and again is read again and again.
-        std::uint64_t cost = sizeof(Copy);
+        // A node that is met again and again is read, and its geometries are listed, again and again.
+        std::uint64_t cost = sizeof(Copy) * (1 + node.children.size());
         for (const XmlElement& child : node.children) cost += child.text.size();
         if (!loading_.may_make(cost)) at_.refuse(loading_.too_much());
         for (const XmlElement& child : node.children) {

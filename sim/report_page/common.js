@@ -36,8 +36,10 @@ function heatPixels(values, end, pixels) {
   const colours = new Uint32Array(heats.buffer), to = new Uint32Array(pixels.buffer);
   for (let i = 0; i < values.length; ++i) to[i] = colours[Math.min(heatSteps, Math.round(values[i] / end * heatSteps))];
 }
-// Vega's modules ask for each other by require(); this is what its own entry point makes of them.
-const vega = (() => {
+// Vega's modules ask for each other by require(); this is what its own entry point makes of them. They run when
+// the first chart is drawn, so that a page whose first screen has none is there before.
+let charts = null;
+const vega = () => charts = charts || (() => {
   const made = {};
   const require = name => {
     if (!made[name]) {
@@ -64,18 +66,28 @@ const chartConfig = {
 };
 
 async function show(id, spec) {
-  const view = new vega.View(vega.parse({ autosize: { type: "pad", contains: "padding" }, padding: 6, config: chartConfig, ...spec }),
-    { renderer: "svg", container: "#chart-" + id, logLevel: vega.Warn, hover: true });
+  const { View, Warn, parse } = vega();
+  const view = new View(parse({ autosize: { type: "pad", contains: "padding" }, padding: 6, config: chartConfig, ...spec }),
+    { renderer: "svg", container: "#chart-" + id, logLevel: Warn, hover: true });
   await view.runAsync();
   return view;
 }
 
-// Draws all; what goes wrong is said where the charts would be.
-function showPage(showAll) {
-  showAll().then(() => {
-    performance.mark("shown");
-    document.body.dataset.shown = "yes";
-  }).catch(error => {
+// Draws the first screen, and then what lies below it, piece by piece, so that the page can be used meanwhile.
+// What goes wrong is said where the charts would be.
+const afterPaint = () => new Promise(done => setTimeout(done, 0));
+async function showInTurn(first, below) {
+  await first();
+  performance.mark("opened");
+  for (const piece of below) {
+    await afterPaint();
+    await piece();
+  }
+  performance.mark("shown");
+  document.body.dataset.shown = "yes";
+}
+function showPage(first, below = []) {
+  showInTurn(first, below).catch(error => {
     document.body.dataset.shown = "no";
     const note = document.createElement("p");
     note.className = "note";

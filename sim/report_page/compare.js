@@ -61,7 +61,4 @@ async function showPixels() {
   });
   drawChange();
 }
-showPage(async () => {
-  await show("effects", effectsSpec());
-  await showPixels();
-});
+showPage(() => show("effects", effectsSpec()), [showPixels]);

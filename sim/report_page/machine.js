@@ -67,23 +67,24 @@ function machineSpec() {
   };
 }
 
-async function showAll() {
-  await showViewer();
-  await show("histogram", histogramSpec());
-  await show("machine", machineSpec());
-  await show("roofline", rooflineSpec());
-  await show("accounts", accountsSpec());
-  await show("kinds", kindsSpec());
-  const share = (kinds, at) => kinds[at] / (kinds[0] + kinds[1] + kinds[2] || 1);
-  await show("rays", linesSpec("Rays under way", "contexts in use", windowRows(w => ({ rays: w.rays_under_way })), "",
-    data.pipelines * data.contexts));
-  const shown = ["trav", "box", "treelet", "globe", "slant", "xform", "tri", "shade", "memory"];
-  await show("activity", linesSpec("Busy units", "share of cycles", windowRows(w => Object.fromEntries(
-    shown.filter(unit => w.units[unit]).map(unit => [unit, share(w.units[unit], 0)]))), "%", 1));
-  await show("hits", linesSpec("Hit rates", "hits of look-ups", windowRows(w => Object.fromEntries(
-    Object.entries(w.caches).filter(([, c]) => c[1] > 0).map(([cache, c]) => [cache, c[0] / c[1]]))), "%", 1));
-  await show("bandwidth", linesSpec("Memory", "GB/s", windowRows(w => ({ "data read": w.gb_per_s,
-    "from open rows": w.reads ? w.gb_per_s * w.row_hits / w.reads : 0 })), ""));
-  await show("tiles", tilesSpec());
+const share = (kinds, at) => kinds[at] / (kinds[0] + kinds[1] + kinds[2] || 1);
+function raysSpec() {
+  return linesSpec("Rays under way", "contexts in use", windowRows(w => ({ rays: w.rays_under_way })), "",
+    data.pipelines * data.contexts);
 }
-showPage(showAll);
+function activitySpec() {
+  const shown = ["trav", "box", "treelet", "globe", "slant", "xform", "tri", "shade", "memory"];
+  return linesSpec("Busy units", "share of cycles", windowRows(w => Object.fromEntries(
+    shown.filter(unit => w.units[unit]).map(unit => [unit, share(w.units[unit], 0)]))), "%", 1);
+}
+function hitsSpec() {
+  return linesSpec("Hit rates", "hits of look-ups", windowRows(w => Object.fromEntries(
+    Object.entries(w.caches).filter(([, c]) => c[1] > 0).map(([cache, c]) => [cache, c[0] / c[1]]))), "%", 1);
+}
+function bandwidthSpec() {
+  return linesSpec("Memory", "GB/s", windowRows(w => ({ "data read": w.gb_per_s,
+    "from open rows": w.reads ? w.gb_per_s * w.row_hits / w.reads : 0 })), "");
+}
+const below = { histogram: histogramSpec, machine: machineSpec, roofline: rooflineSpec, accounts: accountsSpec,
+  kinds: kindsSpec, rays: raysSpec, activity: activitySpec, hits: hitsSpec, bandwidth: bandwidthSpec, tiles: tilesSpec };
+showPage(showViewer, Object.entries(below).map(([id, spec]) => () => show(id, spec())));

@@ -155,24 +155,22 @@ function addFilters() {
 async function showAlone() {
   for (let a = 0; a < data.axes.length; ++a) await link("alone-" + a, aloneSpec(a, byId("figure").value));
 }
-async function showSweep() {
+async function showPoints() {
   if (done.length === 0) throw new Error("no point has figures");
   addFilters();
+  for (const key of Object.keys(figureNames).filter(isThere)) byId("figure").add(new Option(figureNames[key], key));
+  byId("figure").addEventListener("change", showAlone);
+  byId("points").querySelectorAll("tbody tr").forEach((row, id) => row.addEventListener("mouseover", () => { if (!keeps) pick(id); }));
   data.axes.forEach((axis, a) => {
     const place = document.createElement("div");
     place.className = "chart";
     place.id = "chart-alone-" + a;
     byId("alone").append(place);
   });
-  for (const key of Object.keys(figureNames).filter(isThere)) byId("figure").add(new Option(figureNames[key], key));
-  byId("figure").addEventListener("change", showAlone);
-  byId("points").querySelectorAll("tbody tr").forEach((row, id) => row.addEventListener("mouseover", () => { if (!keeps) pick(id); }));
-  const [error, cost, speed] = frontKeys;
   await link("parallel", parallelSpec());
-  await link("error", frontSpec(cost, error));
-  await link("speed", frontSpec(cost, speed));
-  await link("price", frontSpec(speed, error));
-  await showAlone();
   byId("picked").textContent = "No point is picked.";
 }
-showPage(showSweep);
+const [error, cost, speed] = frontKeys;
+showPage(showPoints, [
+  () => link("error", frontSpec(cost, error)), () => link("speed", frontSpec(cost, speed)),
+  () => link("price", frontSpec(speed, error)), showAlone]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "model/base/error.hpp"
+#include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/files/input.hpp"
 #include "sim/gen/rc_pkg.hpp"
@@ -32,13 +34,22 @@ namespace {
 // --x-assign/--x-initial unique: registers without reset start at seeded random values.
 const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
                             "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
-const Words compiler_flags{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
+std::string added_flags() {
+    const char* const added = std::getenv("RAYCLOCK_CXXFLAGS");
+    return added ? added : "";
+}
+/// With what is added, as a shell would divide it without quotes.
+Words compiler_flags() {
+    Words words{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
+    std::istringstream rest(added_flags());
+    for (std::string word; rest >> word;) words.push_back(word);
+    return words;
+}
 // What runs once, at a simulation's start, compiles in a third of the time without optimising.
 const Words start_flags{"-O0"};
-// A small module is one source: each reads the same headers. The rest of a large one is divided, and its
-// sources are compiled at the same time.
-constexpr std::size_t parts = 2;
-constexpr std::uintmax_t small_module = 100'000;
+// A small module is one source, since each reads the same headers; what starts a middling one is compiled
+// apart. A large one, the whole chip, is divided, and its sources are compiled at the same time.
+constexpr std::uintmax_t small_module = 200'000, large_module = 2'000'000;
 // The widest payloads and a little beyond; memories are left out. What writes signals is as large as the chip
 // itself, runs for a thousand cycles only, and is therefore not optimised.
 const Words wave_verilator_flags{"--trace-fst", "--trace-max-width", "2048", "--trace-max-array", "64"};
@@ -56,6 +67,11 @@ Words operator+(Words words, const Words& more) {
     if (log.find("No space left on device") != std::string::npos)
         throw UserError(folder.parent_path().string() +
                         ": no space is left for the RTL; set RAYCLOCK_CACHE to a folder with more");
+    if (const std::size_t error = log.find("error: ");
+        error != log.npos && what.starts_with("the C++ compiler") && !added_flags().empty())
+        throw UserError(fmt::format("RAYCLOCK_CXXFLAGS={}: the C++ compiler says: {}",
+                                    printable(added_flags()),
+                                    printable(log.substr(error, log.find('\n', error) - error))));
     throw std::runtime_error(what + " failed:\n" + log.substr(0, 2000));
 }
 
@@ -143,7 +159,7 @@ std::vector<Source> divided(const fs::path& folder, const Config& config, const 
     std::sort(made.rbegin(), made.rend());   // large ones first
     const bool small = all < small_module;
     std::vector<Source> sources;
-    for (std::size_t i = 0; i < (small ? 1 : parts); ++i)
+    for (std::size_t i = 0; i < (all < large_module ? 1 : 2); ++i)
         sources.push_back({fmt::format("part{}", i), i == 0 ? adapter_source(module, config) : "", flags});
     Source start{"start", "", flags + start_flags};
     if (waves == Waves::yes) sources[0].text += wave_source();
@@ -163,7 +179,7 @@ std::vector<Source> divided(const fs::path& folder, const Config& config, const 
 void compile(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
              const std::function<void()>& meanwhile) {
     const std::string include = rtl_tools().verilator_root + "/include";
-    const Words common = Words{"c++"} + compiler_flags +
+    const Words common = Words{"c++"} + compiler_flags() +
                          Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
     std::vector<Job> jobs;
     for (const auto& [name, text, flags] : sources) {
@@ -196,7 +212,7 @@ void tidy(const fs::path& folder) {
 std::string ingredients(const Config& config, const std::string& module, Waves waves) {
     std::string all =
         rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
-    for (const Words& flags : {verilator_flags, compiler_flags, start_flags})
+    for (const Words& flags : {verilator_flags, compiler_flags(), start_flags})
         for (const std::string& flag : flags) all += " " + flag;
     for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
     if (waves == Waves::no) return all;
@@ -208,7 +224,7 @@ std::string ingredients(const Config& config, const std::string& module, Waves w
 
 std::string support_ingredients(Waves waves) {
     std::string all;
-    for (const Words& flags : {compiler_flags, support_source(waves).flags})
+    for (const Words& flags : {compiler_flags(), support_source(waves).flags})
         for (const std::string& flag : flags) all += " " + flag;
     return all;
 }

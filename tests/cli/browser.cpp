@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <sstream>
 
 namespace rayclock::test {
 
@@ -48,14 +49,15 @@ std::string shown(const Folder& folder, const std::string& page, const std::stri
     return dom.substr(begin + head.size(), dom.find("</title>") - begin - head.size());
 }
 
-double milliseconds_to_open(const Folder& folder, const std::string& page) {
+PageTimes time_to_open(const Folder& folder, const std::string& page) {
     const std::string word = "opened after ";
-    const std::string file =
-        folder.write("opened.html", page +
-                                        "<script>const poll = setInterval(() => { const mark = "
-                                        "performance.getEntriesByName('shown')[0];\n"
-                                        "if (!mark) return; clearInterval(poll); console.info('" +
-                                        word + "' + mark.startTime); }, 50);</script>");
+    const std::string file = folder.write(
+        "opened.html", page +
+                           "<script>const poll = setInterval(() => { const at = name => "
+                           "performance.getEntriesByName(name)[0];\n"
+                           "if (!at('shown')) return; clearInterval(poll); console.info('" +
+                           word +
+                           "' + at('opened').startTime + ' ' + at('shown').startTime); }, 50);</script>");
     const std::string log = folder.name("opened.log");
     const std::string command =
         "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='" + folder.name("profile") +
@@ -67,7 +69,10 @@ double milliseconds_to_open(const Folder& folder, const std::string& page) {
     INFO(said);
     const std::size_t at = said.find(word);
     REQUIRE(at != said.npos);
-    return std::stod(said.substr(at + word.size()));
+    std::istringstream numbers(said.substr(at + word.size()));
+    PageTimes times{};
+    REQUIRE((numbers >> times.opened >> times.whole));
+    return times;
 }
 
 void check_alone(const std::string& page) {

@@ -16,9 +16,14 @@ bool is_installed(const std::string& program);
 /// What a script in the page says when the page is shown. Empty if there is no browser.
 std::string shown(const Folder& folder, const std::string& page, const std::string& script);
 
-/// Milliseconds from the start of the page until all of its charts stand. No script is added, and the
-/// browser's clock is the real one; shown() has a clock that stands still while scripts run.
-double milliseconds_to_open(const Folder& folder, const std::string& page);
+/// Milliseconds from the start of a page.
+struct PageTimes {
+    double opened;   ///< until its first screen is drawn and can be used
+    double whole;    ///< until all of its charts stand
+};
+/// No script is added to what is timed, and the browser's clock is the real one; shown() has a clock that
+/// stands still while scripts run.
+PageTimes time_to_open(const Folder& folder, const std::string& page);
 
 /// One file that asks for nothing else, with tables that need no script.
 void check_alone(const std::string& page);

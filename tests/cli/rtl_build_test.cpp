@@ -131,8 +131,8 @@ TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows 
 TEST_CASE("the doctor names versions that were not tried, where things are, and what is set") {
     const FakeTools tools;
     const Outcome good = run_program({"doctor"}, tools.environment());
-    CHECK_THAT(good.out, Contains("RAYCLOCK_RTL      " + tools.path("rtl")) &&
-                             Contains("RAYCLOCK_CACHE    " + tools.cache()) && !Contains("not tried"));
+    CHECK_THAT(good.out, Contains("RAYCLOCK_RTL       " + tools.path("rtl")) &&
+                             Contains("RAYCLOCK_CACHE     " + tools.cache()) && !Contains("not tried"));
     tools.replace("verilator", FakeTools::verilator("5.020"));
     tools.replace("c++", FakeTools::compiler("echo built > \"$out\"", "13.1.0"));
     tools.replace("yosys", "echo 'Yosys 0.33 (git sha1 fake)'");

@@ -115,6 +115,32 @@ TEST_CASE("Verilator's own sources are compiled once for all RTL, and again if t
     CHECK(bytes_of(own()) == "built\n");
 }
 
+TEST_CASE(
+    "options for the compiler of RTL are handed on, make RTL of its own, and are named if they are wrong") {
+    const FakeTools tools;
+    const auto with = [&](const std::string& flags) {
+        std::vector<std::string> environment = tools.environment();
+        environment.push_back("RAYCLOCK_CXXFLAGS=" + flags);
+        return run_program({"rtl"}, environment);
+    };
+    CHECK(with("").code == 0);
+    CHECK(tools.compilations() == 2);
+    CHECK(with(" -O1  -g ").code == 0);
+    CHECK(tools.compilations() == 4);
+    CHECK(with("").code == 0);
+    CHECK(with(" -O1  -g ").code == 0);
+    CHECK(tools.compilations() == 4);   // both are kept
+    CHECK_THAT(bytes_of(tools.path("calls")), Contains(" -O2 -fPIC -fvisibility=default -w -O1 -g -I. "));
+
+    tools.replace(
+        "c++", FakeTools::compiler("echo 'c++: error: unrecognized option -Q' >&2; echo more >&2; exit 1"));
+    const Outcome refused = with("-Q");
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err,
+               Contains("RAYCLOCK_CXXFLAGS=-Q: the C++ compiler says: error: unrecognized option -Q\n"));
+    CHECK(refused.err.find("more") == std::string::npos);
+}
+
 TEST_CASE("whatever stands where the lock should be is no hindrance") {
     const FakeTools tools;
     check_built(tools, true);
