@@ -212,7 +212,8 @@ struct Config {
         return coord_bits + normal_step_bits + 1;
     }   ///< n . x of a slant's plane, signed: three components of at most 2^6 - 1
     int tri_latency() const;
-    int shade_latency() const;
+    int pass_latency() const;     ///< of a pass alone, rtl/shade/rc_pass.sv
+    int shade_latency() const;    ///< and of reading what is kept of its context
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way,
                                   ///< word in it
     int prim_miss_bits() const;

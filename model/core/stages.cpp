@@ -81,8 +81,11 @@ int Config::xform_latency() const {
     const Stages stages(*this);
     return stages.map + stages.recip + stages.recip_share - 1;
 }
-int Config::shade_latency() const {   // what is held for several cycles is in a register to begin with
+int Config::pass_latency() const {   // what is held for several cycles is in a register to begin with
     return Stages(*this).pass * shade_interval + (shade_interval > 1);
+}
+int Config::shade_latency() const {   // and what is known of a context comes from block RAM then
+    return pass_latency() + (shade_interval > 1);
 }
 
 }   // namespace rayclock

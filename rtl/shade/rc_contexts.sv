@@ -1,7 +1,8 @@
 // What shade keeps of every context: its camera ray or bounce, its last answer, the state
 // between two passes, and the refracted rays that wait. Part of rc_shade, which never has
-// two passes of a context under way. Everything about read_ray_i is read in the same cycle;
-// what is written is seen from the next one on.
+// two passes of a context under way. With read_i everything about read_ray_i is read, and comes
+// in the same cycle, or in the next one with a ShadeInterval above 1; what is written is seen
+// from the next cycle on.
 `default_nettype none
 module rc_contexts #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -23,6 +24,7 @@ module rc_contexts #(
   input  logic [I-1:0]                 closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
   // To rc_pass
+  input  logic                         read_i,
   input  logic [I-1:0]                 read_ray_i,
   output logic [HitW-1:0]              hit_o,
   output logic [3*P-1:0]               o_o,
@@ -52,15 +54,15 @@ module rc_contexts #(
   for (genvar k = 0; k < 3; k++) begin : gen_axis
     assign d[k*M +: M] = ray_d[k*D +: M];
   end
-  rc_ram #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
+  rc_kept #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
     .clk_i, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
-    .write_data_i({ray_i.o, d}), .read_addr_i(read_ray_i),
+    .write_data_i({ray_i.o, d}), .read_i, .read_addr_i(read_ray_i),
     .read_data_o({o_o, d_o}));
 
   // ---- Its answer.
-  rc_ram #(.Width(HitW), .Depth(T)) u_hit (
+  rc_kept #(.Width(HitW), .Depth(T)) u_hit (
     .clk_i, .write_i(closest_fires_i), .write_addr_i(closest_ray_i),
-    .write_data_i(closest_hit_i), .read_addr_i(read_ray_i), .read_data_o(hit_o));
+    .write_data_i(closest_hit_i), .read_i, .read_addr_i(read_ray_i), .read_data_o(hit_o));
 
   // ---- The state: x and y, what all chips have, what only some have, in that order.
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
@@ -76,41 +78,49 @@ module rc_contexts #(
   logic [SelfW-1:0]   self, new_self;
   logic [PixelW-1:0]  new_pixel;
   assign {new_pixel, new_plain, new_sample, new_bend, new_self} = write_state_i;
-  rc_ram #(.Width(PixelW), .Depth(T)) u_pixel (
+  rc_kept #(.Width(PixelW), .Depth(T)) u_pixel (
     .clk_i, .write_i(slot_fires_i), .write_addr_i(slot_i.ray), .write_data_i({slot_i.x, slot_i.y}),
-    .read_addr_i(read_ray_i), .read_data_o(pixel));
-  rc_ram #(.Width(PlainW), .Depth(T)) u_plain (
+    .read_i, .read_addr_i(read_ray_i), .read_data_o(pixel));
+  rc_kept #(.Width(PlainW), .Depth(T)) u_plain (
     .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_plain),
-    .read_addr_i(read_ray_i), .read_data_o(plain));
+    .read_i, .read_addr_i(read_ray_i), .read_data_o(plain));
   if (rc_pkg::Supersampling == 1) begin : gen_sample
-    rc_ram #(.Width(SampleW), .Depth(T)) u_sample (
+    rc_kept #(.Width(SampleW), .Depth(T)) u_sample (
       .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_sample),
-      .read_addr_i(read_ray_i), .read_data_o(sample));
+      .read_i, .read_addr_i(read_ray_i), .read_data_o(sample));
   end else begin : gen_no_sample
     assign sample = '0;
   end
   if (rc_pkg::Refraction == 1) begin : gen_bend
-    rc_ram #(.Width(BendW), .Depth(T)) u_bend (
+    rc_kept #(.Width(BendW), .Depth(T)) u_bend (
       .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_bend),
-      .read_addr_i(read_ray_i), .read_data_o(bend));
+      .read_i, .read_addr_i(read_ray_i), .read_data_o(bend));
   end else begin : gen_no_bend
     assign bend = '0;
   end
   if (rc_pkg::Spheres == 1) begin : gen_self
-    rc_ram #(.Width(SelfW), .Depth(T)) u_self (
+    rc_kept #(.Width(SelfW), .Depth(T)) u_self (
       .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_self),
-      .read_addr_i(read_ray_i), .read_data_o(self));
+      .read_i, .read_addr_i(read_ray_i), .read_data_o(self));
   end else begin : gen_no_self
     assign self = '0;
   end
 
   // A context that has just begun has nothing yet but a camera ray of full weight.
   logic [T-1:0]         fresh_q;
+  logic                 fresh;
+  if (rc_pkg::ShadeInterval == 1) begin : gen_now
+    assign fresh = fresh_q[read_ray_i];
+  end else begin : gen_next
+    logic read_fresh_q;
+    always_ff @(posedge clk_i) if (read_i) read_fresh_q <= fresh_q[read_ray_i];
+    assign fresh = read_fresh_q;
+  end
   rc_pkg::shade_state_t state;
   assign state = {pixel, plain, sample, bend, self};
   always_comb begin
     state_o = state;
-    if (fresh_q[read_ray_i]) begin
+    if (fresh) begin
       state_o.purpose = rc_pkg::EventArrive;
       state_o.pending = rc_pkg::PendingNone;
       state_o.colour  = '0;
@@ -130,19 +140,28 @@ module rc_contexts #(
 
   // ---- The stack of rays that wait.
   logic [3:0] top_at, new_top_at;
-  assign top_at     = state.waiting - 4'd1;
   assign new_top_at = write_state_i.waiting - 4'd1;
   if (rc_pkg::Refraction == 1) begin : gen_stack
     localparam int unsigned Up = $clog2(rc_pkg::Bounces);
     localparam int unsigned AW = I + Up;
+    if (rc_pkg::ShadeInterval == 1) begin : gen_top_now
+      assign top_at = state.waiting - 4'd1;
+    end else begin : gen_top_known   // the stack is read when the state is
+      logic [3:0] waiting;
+      rc_ram #(.Width(4), .Depth(T)) u_waiting (
+        .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(write_state_i.waiting),
+        .read_addr_i(read_ray_i), .read_data_o(waiting));
+      assign top_at = waiting - 4'd1;
+    end
     logic [AW-1:0] write_at, read_at;
     assign write_at = AW'(write_ray_i) << Up | AW'(new_top_at);
     assign read_at  = AW'(read_ray_i) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
-    rc_ram #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
+    rc_kept #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
       .clk_i, .write_i(write_i && push_i), .write_addr_i(write_at), .write_data_i(pushed_i),
-      .read_addr_i(read_at), .read_data_o(top_o));
+      .read_i, .read_addr_i(read_at), .read_data_o(top_o));
   end else begin : gen_no_stack
-    assign top_o = '0;
+    assign top_o  = '0;
+    assign top_at = '0;
     logic unused;
     assign unused = ^{push_i, pushed_i, top_at, new_top_at};
   end

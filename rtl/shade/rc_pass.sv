@@ -2,9 +2,10 @@
 // sample's colour, works out the next ray or light, and says what the context does next.
 // Model: pass() in model/shade/pass.hpp.
 //
-// Latency rc_pkg::ShadeLatency, a pass every ShadeInterval cycles, no stall. A pass is for one
-// event; only the parts that it needs work on it: surf (s0 to s7), light (s0 to s28), bounce (s0
-// to s15), finish (s0 to s4), which share unit vectors, cosines and the side of a direction.
+// Latency ShadeStages * ShadeInterval, one more with an interval above 1; a pass every
+// ShadeInterval cycles, no stall. A pass is for one event; only the parts that it needs work on it:
+// surf (s0 to s7), light (s0 to s28), bounce (s0 to s15), finish (s0 to s4), which share unit
+// vectors, cosines and the side of a direction.
 //
 // A pass stays in each stage for ShadeInterval cycles, and the registers before the stage hold
 // what it needs. So products of a stage can share a multiplier (rc_mul_held).
@@ -27,7 +28,6 @@ module rc_pass #(
   input  rc_pkg::shade_frame_t frame_i,
   // From rc_contexts and surf_cache
   input  logic                 valid_i,
-  output logic                 rests_o,    // takes none: the last one is in its first stage
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t state_i,
   input  logic [HitW-1:0]      hit_i,      // found, back, prim, t, u, v of the last ray
@@ -109,11 +109,6 @@ module rc_pass #(
   end
   assign ends[L]     = turn[L*Every];
   assign end_valid_o = ends[L];
-  if (Every == 1) begin : gen_never_rests
-    assign rests_o = 1'b0;
-  end else begin : gen_rests
-    assign rests_o = |turn[Every-2:0];
-  end
 
   // What those are for that go on.
   logic [L:0] surf_at, light_at, bounce_at, end_at;

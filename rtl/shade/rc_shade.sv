@@ -45,6 +45,7 @@ module rc_shade (
   localparam int unsigned A    = rc_pkg::AddrBits;
   localparam int unsigned PB   = rc_pkg::PrimBits;
   localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits;
+  localparam int unsigned Every = rc_pkg::ShadeInterval;
   localparam int unsigned SpawnDataW = rc_pkg::SpawnW - I;
   localparam int unsigned PixelDataW = rc_pkg::PixelW - I;
 
@@ -94,6 +95,17 @@ module rc_shade (
   assign again_pop   = open && !surf_rsp_valid_i && again_valid;
   assign arrived_pop = open && !surf_rsp_valid_i && !again_valid && arrived_valid;
   assign ray         = surf_rsp_valid_i ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
+  if (Every == 1) begin : gen_never_rests
+    assign rests = 1'b0;
+  end else begin : gen_rests
+    localparam int unsigned Rest = Every - 1;
+    logic [Rest-1:0] entered_q;   // in which of the last cycles a pass has entered
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) entered_q <= '0;
+      else         entered_q <= Rest'({entered_q, enters});
+    end
+    assign rests = |entered_q;
+  end
   always_comb begin
     if (rests)
       cause_o = rc_pkg::ShadeBusyWork;
@@ -103,7 +115,8 @@ module rc_shade (
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
   end
 
-  // ---- A pass. In every payload the context's number comes first, so the rest lies lowest.
+  // ---- A pass. In every payload the context's number comes first, so the rest lies lowest. What
+  // comes in the cycle after a pass has entered, rc_contexts', goes with what came in it.
   logic [HitW-1:0]                   hit;
   logic [3*rc_pkg::OriginWidth-1:0]  o;
   logic [3*rc_pkg::DirBits-1:0]      d;
@@ -115,17 +128,36 @@ module rc_shade (
   logic                              push;
   logic [rc_pkg::SpawnW-1:0]         spawn;
   logic [rc_pkg::PixelW-1:0]         pixel;
+  logic                              passes;
+  logic [I-1:0]                      pass_ray;
+  logic [rc_pkg::SurfaceW-1:0]       surface;
   assign surf_rsp = surf_rsp_i;
+  if (Every == 1) begin : gen_at_once
+    assign passes   = enters;
+    assign pass_ray = ray;
+    assign surface  = rc_pkg::SurfaceW'(surf_rsp);
+  end else begin : gen_read
+    logic                        passes_q;
+    logic [I-1:0]                ray_q;
+    logic [rc_pkg::SurfaceW-1:0] surface_q;
+    always_ff @(posedge clk_i) begin
+      passes_q  <= rst_ni && enters;
+      ray_q     <= ray;
+      surface_q <= rc_pkg::SurfaceW'(surf_rsp);
+    end
+    assign passes   = passes_q;
+    assign pass_ray = ray_q;
+    assign surface  = surface_q;
+  end
   rc_contexts u_contexts (
     .clk_i, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_ray),
-    .closest_hit_i(HitW'(closest)), .read_ray_i(ray), .hit_o(hit), .o_o(o),
-    .d_o(d), .state_o(state), .top_o(top), .write_i(end_valid), .write_ray_i(end_ray),
-    .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
+    .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray),
+    .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .write_i(end_valid),
+    .write_ray_i(end_ray), .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
   rc_pass u_pass (
-    .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(enters), .rests_o(rests), .ray_i(ray),
-    .state_i(state),
-    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(rc_pkg::SurfaceW'(surf_rsp)), .top_i(top),
+    .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),
+    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top),
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
     .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 

@@ -68,9 +68,18 @@ mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][l
   NEW [[assign all_met  = {met_q, met};]])
 
 # ---- shade that makes a pass every few cycles.
-mutant(shade_rests_a_cycle_less FILE rtl/shade/rc_pass.sv TEST unit [shade][interval]
-  OLD [[|turn[Every-2:0];]]
-  NEW [[|turn[(Every-1)/2:0];]])
+mutant(shade_rests_a_cycle_less FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[|entered_q;]]
+  NEW [[|entered_q[(Every-1)/2:0];]])
+mutant(contexts_top_of_the_last_state FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
+  OLD [[assign top_at = waiting - 4'd1;]]
+  NEW [[assign top_at = (fresh ? waiting : state.waiting) - 4'd1;]])
+mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
+  OLD [[if (read_i) read_fresh_q <= fresh_q[read_ray_i];]]
+  NEW [[if (read_i) read_fresh_q <= fresh_q[write_ray_i];]])
+mutant(shade_surface_of_the_next_pass FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[      surface_q <= rc_pkg::SurfaceW'(surf_rsp);]]
+  NEW [[      if (passes_q) surface_q <= rc_pkg::SurfaceW'(surf_rsp);]])
 mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pass][interval]
   OLD [[if (turn_i[i+Inside]) p_q <= p;]]
   NEW [[if (turn_i[i+1]) p_q <= p;]])

@@ -80,7 +80,7 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
     set_data(rtl.port("frame"), frame.shade, c);
     put(rtl, "valid", 0);
     rtl.reset();
-    std::deque<std::optional<PassIn>> under_way(std::size_t(c.shade_latency()), std::nullopt);
+    std::deque<std::optional<PassIn>> under_way(std::size_t(c.pass_latency()), std::nullopt);
     for (int i = 0, opens = 0; i < count * c.shade_interval; ++i) {
         INFO(c.name << ", seed " << seed << ", cycle " << i);
         const bool valid = i >= opens && (!idle || draw.coin());

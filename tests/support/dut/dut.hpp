@@ -165,12 +165,13 @@ public:
     template <class P> void drive_in(const char* name, const Wire<P>& link) {
         const RcPort& port = rtl_.port(name);
         *port.valid = link.offer.has_value();
-        if (link.offer) set_data(port, *link.offer, config_);
+        // Other data when there are none: nobody may look at what was there before.
+        set_data(port, link.offer ? *link.offer : P{}, config_);
     }
     template <class P> void drive_listen(const char* name, const std::optional<P>& seen) {
         const RcPort& port = rtl_.port(name);
         *port.valid = seen.has_value();
-        if (seen) set_data(port, *seen, config_);
+        set_data(port, seen ? *seen : P{}, config_);
     }
     template <class P> void drive_out(const char* name, const Wire<P>& link) {
         *rtl_.port(name).ready = link.ready;
