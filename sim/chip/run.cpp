@@ -139,9 +139,9 @@ private:
             units_ = units_of(face);
             cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});
         }
-        design_ = fmt::format("top {} package {} modules {} harness {} script {} {}", request_.top, package,
-                              modules_, jobs::hash_text(harness_), jobs::hash_text(synth_script(units_)),
-                              synth::yosys_version());
+        design_ = fmt::format("top {} of copies package {} modules {} harness {} script {} {}", request_.top,
+                              package, modules_, jobs::hash_text(harness_),
+                              jobs::hash_text(synth_script(units_)), synth::yosys_version());
     }
 
     /// The modules whose borders stay, as patterns of Yosys: what is placed, and the units in it.

@@ -14,6 +14,7 @@
 #include "sim/rtl/builder.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/process.hpp"
+#include "sim/rtl/sources.hpp"
 #include "sim/rtl/tools.hpp"
 
 namespace rayclock::synth {
@@ -28,7 +29,7 @@ const std::string& yosys_version() {
 const std::string& rtl_digest() {
     static const std::string digest = [] {
         std::string all;
-        for (const fs::path& file : rtl_files()) all += file.filename().string() + "\n" + read_if_there(file);
+        for (const RtlText& source : rtl_texts()) all += source.name + "\n" + source.text;
         return jobs::hash_text(all);
     }();
     return digest;
@@ -50,9 +51,15 @@ bool YosysFolder::run(const Config& config, const std::string& read_flags, const
     write("rc_pkg.sv", rc_package(config));
     // With RC_ECP5 products lie in the device's own blocks: rtl/fixed/rc_mul_limb.sv.
     std::string commands = "read_verilog -lib +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
-    for (const fs::path& file : rtl_files())
-        commands +=
-            fmt::format("read_verilog -sv -D RC_ECP5 {}\"{}\"\n", read_flags, fs::absolute(file).string());
+    // Copies in this folder: Yosys names cells by the files' names, and what ABC and a placer make of them
+    // depends on their names. So a netlist is the same wherever the sources lie.
+    for (const RtlText& source : rtl_texts()) {
+        const fs::path name = fs::path("rtl") / source.name;
+        if (name.extension() != ".sv") continue;   // the waivers
+        fs::create_directories((path_ / name).parent_path());
+        write(name.c_str(), source.text);
+        commands += fmt::format("read_verilog -sv -D RC_ECP5 {}{}\n", read_flags, name.string());
+    }
     return run(commands + script);
 }
 

@@ -6,6 +6,8 @@
 #include "model/base/error.hpp"
 #include "model/core/config.hpp"
 #include "sim/chip/cells.hpp"
+#include "sim/rtl/sources.hpp"
+#include "sim/synth/yosys.hpp"
 #include "sim/chip/harness.hpp"
 #include "sim/chip/run.hpp"
 #include "tests/image/folder.hpp"
@@ -94,4 +96,18 @@ TEST_CASE("the harness connects every bit of every port once") {
           ".req_i(in_q[0 +: 3])", ".valid_i(in_q[3 +: 1])", ".rsp_o(out[0 +: 2])", "rc_box u_box ("})
         CHECK_THAT(text, Catch::Contains(words));
     CHECK_THAT(harness_text(Config{}, "arbiter", face), Catch::Contains("#(.Sources("));
+}
+
+TEST_CASE("a netlist is the same wherever the sources lie") {
+    if (synth::yosys_version().empty()) {
+        WARN("yosys is not installed");
+        return;
+    }
+    const TestFolder folder;
+    const synth::YosysFolder run(folder.path());
+    REQUIRE(run.run(Config{}, "-defer ", "hierarchy -top rc_fifo\nproc\nwrite_json netlist.json\n"));
+    const std::string netlist = run.text("netlist.json");
+    CHECK(netlist.find("rtl/prim/rc_fifo.sv:") != netlist.npos);
+    CHECK(netlist.find(rtl_sources().string()) == netlist.npos);
+    CHECK(netlist.find(folder.path().string()) == netlist.npos);
 }

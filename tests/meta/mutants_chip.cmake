@@ -32,3 +32,6 @@ mutant(balance_stays_with_one_pipeline FILE sim/balance/search.cpp TEST sweep "t
 mutant(chip_route_loses_its_seed FILE sim/chip/route.cpp TEST chip "a route that was kept*"
   OLD [[route.seed = json.at("seed").get<int>();]]
   NEW [[]])
+mutant(chip_names_tell_the_folder FILE sim/synth/yosys.cpp TEST chip "a netlist is the same*"
+  OLD [[const fs::path name = fs::path("rtl") / source.name;]]
+  NEW [[const fs::path name = path_ / "rtl" / source.name;]])
