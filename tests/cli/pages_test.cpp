@@ -231,12 +231,13 @@ TEST_CASE("every page opens in under a second", "[slow]") {
         const std::string page = bytes_of(folder.name(name));
         CHECK(page.size() < 3'000'000);
         PageTimes best = time_to_open(folder, page);   // the best of five: other work may be in the way
-        for (int again = 0; again < 4 && best.opened >= 1000; ++again) {
+        for (int again = 0; again < 4 && best.whole >= 1000; ++again) {
             const PageTimes times = time_to_open(folder, page);
-            if (times.opened < best.opened) best = times;
+            if (times.whole < best.whole) best = times;
         }
         WARN(name << ": first screen after " << best.opened << " ms, all charts after " << best.whole
                   << " ms, " << page.size() << " bytes");
         CHECK(best.opened < 1000);
+        CHECK(best.whole < 1000);
     }
 }
