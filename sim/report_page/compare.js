@@ -4,7 +4,7 @@ const verdicts = { better: "#009e73", worse: "#d55e00", neither: "#9fb3c8" };
 function effectsSpec() {
   const rows = data.differences.filter(d => d.change !== null && d.values[d.values.length - 1] !== null).slice(0, 40).map(d => ({
     figure: d.figure, change: d.change, verdict: d.verdict || "neither", label: `${d.change > 0 ? "+" : ""}${(100 * d.change).toFixed(2)} %`,
-    tooltip: `${d.figure}: ${d.values.map(v => v === null ? "none" : v.toLocaleString("en-US")).join(" to ")}` }));
+    tooltip: `${d.figure}: ${d.values.map(v => v === null ? "none" : numbers.format(v)).join(" to ")}` }));
   return {
     title: "The forty largest changes, relative to the first report", width: 620, height: 20 * Math.max(1, rows.length),
     data: [{ name: "rows", values: rows }],
@@ -23,29 +23,39 @@ function effectsSpec() {
 }
 
 // Less is green, more is orange, as much as the hundredth part of the pixels that changed most has the full colour.
-const maps = [];
+const shades = 512;   // of each of the two
 function changeColour(share) {
   const full = share < 0 ? [0, 158, 115] : [213, 94, 0], at = Math.min(1, Math.abs(share));
   return full.map(c => Math.round(255 + (c - 255) * at));
 }
+const changes = new Uint8Array(4 * (2 * shades + 1));
+for (let i = -shades; i <= shades; ++i) changes.set([...changeColour(i / shades), 255], 4 * (i + shades));
+
+const maps = [];
+// What has the full colour; it is looked for when the map is drawn for the first time.
+function endOf(map) {
+  if (map.end) return map.end;
+  const sizes = map.change.map(Math.abs).sort();
+  return map.end = Math.max(1, sizes[Math.floor(sizes.length * 0.99)]);
+}
 function drawChange() {
-  const map = maps[byId("figure").value], canvas = byId("change");
+  const map = maps[byId("figure").value], end = endOf(map), canvas = byId("change");
   canvas.width = data.width;
   canvas.height = data.height;
   const context = canvas.getContext("2d"), pixels = context.createImageData(data.width, data.height);
-  map.change.forEach((change, i) => pixels.data.set([...changeColour(change / map.end), 255], 4 * i));
+  const colours = new Uint32Array(changes.buffer), to = new Uint32Array(pixels.data.buffer);
+  for (let i = 0; i < to.length; ++i)
+    to[i] = colours[shades + Math.round(Math.max(-1, Math.min(1, map.change[i] / end)) * shades)];
   context.putImageData(pixels, 0, 0);
   const stops = [-1, 0, 1].map(share => `rgb(${changeColour(share)})`).join(",");
-  byId("scales").innerHTML = `<div class="scale"><span>${grouped(map.end)} more</span>${grouped(map.end)} less` +
+  byId("scales").innerHTML = `<div class="scale"><span>${grouped(end)} more</span>${grouped(end)} less` +
     `<i style="background:linear-gradient(90deg,${stops})"></i></div>`;
 }
 async function showPixels() {
   if (data.maps.length === 0) return;
   for (const map of data.maps) {
-    const first = await valuesOf(map.first), last = await valuesOf(map.last);
-    const change = Int32Array.from(first, (v, i) => last[i] - v);
-    const sizes = Int32Array.from(change, Math.abs).sort();
-    maps.push({ name: map.name, first, last, change, end: Math.max(1, sizes[Math.floor(sizes.length * 0.99)]) });
+    const [first, last] = await Promise.all([valuesOf(map.first), valuesOf(map.last)]);
+    maps.push({ name: map.name, first, last, change: Int32Array.from(first).map((v, i) => last[i] - v) });
     byId("figure").add(new Option(map.name, maps.length - 1));
   }
   byId("figure").addEventListener("change", drawChange);

@@ -9,10 +9,12 @@ const moreIsBetter = new Set(["fps", "node_hit_rate", "prim_hit_rate"]);
 const points = data.points.map((p, id) => ({ ...p, id })), done = points.filter(p => typeof p.fps === "number");
 const isThere = key => done.some(p => typeof p[key] === "number");
 const differs = key => isThere(key) && new Set(done.map(p => p[key])).size > 1;
-const short = v => Number(v).toLocaleString("en-US", { maximumSignificantDigits: 4 });
+const fourDigits = new Intl.NumberFormat("en-US", { maximumSignificantDigits: 4 });   // made once: it takes long
+const short = v => fourDigits.format(Number(v));
 const nameOf = p => data.axes.map((axis, a) => `${axis.key} ${p.typed[a]}`).join(", ");
-const tooltipOf = p => nameOf(p) + ": " + ["fps", ...data.front.filter(key => key !== "fps")].filter(key =>
-  typeof p[key] === "number").map(key => `${short(p[key])} ${figureNames[key]}`).join(", ");
+const tooltips = points.map(p => nameOf(p) + ": " + ["fps", ...data.front.filter(key => key !== "fps")].filter(key =>
+  typeof p[key] === "number").map(key => `${short(p[key])} ${figureNames[key]}`).join(", "));
+const tooltipOf = p => tooltips[p.id];
 const frontKeys = data.front.map(key => isThere(key) ? key : "memory_bytes");
 
 // What is pointed at, and what is left out, is the same in all charts.
