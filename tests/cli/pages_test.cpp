@@ -190,9 +190,13 @@ TEST_CASE("a browser draws the pages of sweep, compare and explain, and links th
         const box = byId('change').getBoundingClientRect();
         byId('change').dispatchEvent(new PointerEvent('pointermove',
             { clientX: box.left + box.width * 0.501, clientY: box.top + box.height * 0.501 }));
-        return [document.body.dataset.shown, marks('effects') >= 40, colours.size > 10,
+        const map = maps[byId('figure').value];
+        let off = 0;
+        map.change.forEach((change, i) => changeColour(change / map.end).forEach((c, k) =>
+            off = Math.max(off, Math.abs(image[4 * i + k] - c))));
+        return [document.body.dataset.shown, marks('effects') >= 40, colours.size > 10, off <= 1,
             byId('pixel').textContent.split(':')[0]].join(' ');)");
-    CHECK(answer == "yes true true Pixel 32, 24");
+    CHECK(answer == "yes true true true Pixel 32, 24");
 
     REQUIRE(run_program({"explain", "gears:2", "30,24", "--size", "64x48", "--report", page}).code == 0);
     answer = shown(folder, bytes_of(page), marks + R"(
