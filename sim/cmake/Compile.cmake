@@ -19,3 +19,9 @@ if(RAYCLOCK_SANITIZE)
   target_compile_options(rc_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined)
   target_link_options(rc_options INTERFACE -fsanitize=address,undefined)
 endif()
+
+# rc_define(SOURCE NAME=VALUE...): macros that only this source sees. One that holds a path would keep a compiler's cache
+# from knowing the others in another folder.
+function(rc_define source)
+  set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS ${ARGN})
+endfunction()

@@ -1,5 +1,6 @@
 #include "sim/pages/structures/measure.hpp"
 
+#include <algorithm>
 #include <ctime>
 
 #include <fmt/format.h>
@@ -44,17 +45,26 @@ std::vector<FrameTrace> recorded(const Job& job, const Study& study) {
     return frames;
 }
 
-void measure_camera(const Scene& scene, const Kind& kind, const Study& study, Cell& cell) {
+int dram_called(const char* name) {
+    const auto& names = dram_names();
+    return int(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// `settings` of a chip that shades: only that one meets true spheres.
+void measure_camera(const Scene& scene, const Config& chip, const Whitted& settings, const Study& study,
+                    Cell& cell) {
     const double begin = processor_seconds();
-    const Job job = make_job(scene, *scene.camera, study.size, kind.config, stopping({}));
+    const Job job = make_job(scene, *scene.camera, study.size, chip, stopping({}), settings);
     cell.build = processor_seconds() - begin;
     cell.report = job.image.report;
     const std::vector<FrameTrace> frames = recorded(job, study);
     cell.camera = frame_of(job.config, frames);
-    for (const int sets : cache_sets()) {
+    for (const Surroundings& around : surroundings()) {
         Config config = job.config;
-        config.node_sets = config.prim_sets = sets;
-        cell.cached.push_back(frame_of(config, frames).cycles_per_ray());
+        config.node_sets = config.prim_sets = around.sets;
+        config.dram = dram_called(around.dram);
+        config.own_dram = nullptr;
+        cell.elsewhere.push_back(frame_of(config, frames).cycles_per_ray());
     }
 }
 
@@ -68,8 +78,15 @@ Frame finished_frame(const Scene& scene, const Kind& kind, const Study& study) {
 
 }   // namespace
 
+bool Study::is_round(const std::string& scene) const {
+    return std::find(round.begin(), round.end(), scene) != round.end();
+}
+
 std::vector<Kind> trees(const Config& base) {
+    Kind splits = kind_of("bvh, splits", base, Structure::bvh, Straddlers::leaves);
+    splits.config.splits = 1;
     return {kind_of("bvh", base, Structure::bvh, Straddlers::leaves),
+            std::move(splits),
             kind_of("spheres", base, Structure::spheres, Straddlers::leaves),
             kind_of("kd", base, Structure::kd, Straddlers::leaves),
             kind_of("octree", base, Structure::octree, Straddlers::leaves),
@@ -80,27 +97,36 @@ Kind inner_octree(const Config& base) {
     return kind_of("octree, inner", base, Structure::octree, Straddlers::inner);
 }
 
-const std::vector<int>& cache_sets() {
-    static const std::vector<int> sets{8, 64, 512};
-    return sets;
+const std::vector<Surroundings>& surroundings() {
+    static const std::vector<Surroundings> all{{"sdr", 8},  {"sdr", 64},  {"sdr", 512},
+                                               {"ddr3", 8}, {"ddr3", 64}, {"ddr3", 512}};
+    return all;
 }
 
 SceneCells measure(const std::string& name, const std::vector<Kind>& kinds, const Study& study, bool finished,
                    const Progress& progress) {
-    const Scene scene = ready_scene(name, study.size, stopping({}));
-    std::optional<Scene> native;
-    if (finished) {
-        native = load_scene(name, stopping({}), Primitives::native);
-        native->camera = scene.camera;
+    const bool is_round = study.is_round(name);
+    Scene scene, native;
+    if (finished || is_round) native = told_scene(name, stopping({}), Primitives::native);
+    if (is_round) {
+        scene = native;
+        scene.lights.clear();   // so that there are camera rays alone
+    } else {
+        scene = told_scene(name, stopping({}));
     }
-    SceneCells result{name, scene.triangles.size(), {}};
+    if (!scene.camera) scene.camera = fit_camera(scene, double(study.size.width) / study.size.height);
+    native.camera = scene.camera;
+    const Whitted no_bounces{.depth = 0};
+    SceneCells result{
+        name, is_round, scene.triangles.size() + scene.spheres.size() + scene.planes.size(), {}};
     for (const Kind& kind : kinds) {
         if (progress) progress(fmt::format("{}, {}", name, kind.name), result.cells.size(), kinds.size());
         Cell cell;
         cell.structure = kind.name;
         try {
-            measure_camera(scene, kind, study, cell);
-            if (finished) cell.finished = finished_frame(*native, kind, study);
+            const Config chip = is_round ? fitted_config(scene, no_bounces, kind.config) : kind.config;
+            measure_camera(scene, chip, no_bounces, study, cell);
+            if (finished) cell.finished = finished_frame(native, kind, study);
         } catch (const UserError& error) {
             if (interrupted()) throw;
             cell.refused = error.what();

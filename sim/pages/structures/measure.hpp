@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/area/run.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/report/accounts.hpp"
 
@@ -14,7 +15,9 @@ struct Study {
     Config base;
     FrameSize size{256, 192};
     std::vector<std::string> scenes;
+    std::vector<std::string> round;   ///< of these, those whose camera rays meet true spheres as well
     int threads = 0;
+    bool is_round(const std::string& scene) const;
 };
 
 /// A structure as the page calls it.
@@ -44,20 +47,32 @@ struct Cell {
     double build = 0;   ///< seconds of processor time, all threads together
     Frame camera;
     std::optional<Frame> finished;
-    std::vector<double> cached;   ///< cycles a camera ray with caches of cache_sets()
+    std::vector<double> elsewhere;   ///< cycles a camera ray in each of surroundings()
 };
 
-/// Sets of both caches that the page compares, beside the configuration's own.
-const std::vector<int>& cache_sets();
+/// Caches and memories that the page compares, beside the configuration's own.
+struct Surroundings {
+    const char* dram;
+    int sets;   ///< of both caches
+};
+const std::vector<Surroundings>& surroundings();
 
 struct SceneCells {
     std::string name;
+    bool is_round = false;   ///< camera rays meet true spheres
     std::uint64_t primitives = 0;
     std::vector<Cell> cells;
 };
 
-/// Camera rays of the scene, in triangles; with `finished` also its picture at depth 4 and half the size,
-/// true spheres. Throws UserError if interrupted.
+/// One pipeline of a structure's machine.
+struct Areas {
+    area::Count hits;   ///< that finds hits of triangles
+    area::Count all;    ///< with every unit of finished pictures
+};
+
+/// Camera rays of the scene, in triangles or, if it is one of study.round, in true spheres and without a
+/// light; with `finished` also its picture at depth 4 and half the size, true spheres. Throws UserError if
+/// interrupted.
 SceneCells measure(const std::string& scene, const std::vector<Kind>& kinds, const Study& study,
                    bool finished, const Progress& progress);
 

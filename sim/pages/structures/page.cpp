@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "model/base/quote.hpp"
 #include "sim/report/text.hpp"
 #include "sim/sweep/front.hpp"
 #include "sim/synth/yosys.hpp"
@@ -45,76 +46,73 @@ Table tree_table(const SceneCells& scene) {
     return table;
 }
 
-void add_frame(Table& table, const std::string& what, const Frame& f) {
-    table.add({what, per_ray(f.run.visits, f), per_ray(f.run.triangle_tests, f),
-               fmt::format("{:.2f}", f.cycles_per_ray()), fmt::format("{:.1f}", f.fps()),
-               hits(f.run, Unit::node_cache), hits(f.run, Unit::prim_cache),
-               fmt::format("{:.0f}", double(bytes_read(f.run)) / f.rays()),
-               fmt::format("{}, {:.0f} %", f.bound.unit, 100 * f.bound.reached),
-               fmt::format("{:.0f} %", 100 * f.tri_busy)});
+void add_frame(Table& table, const std::string& what, const Frame& f, const area::Count* area) {
+    std::vector<std::string> row{what,
+                                 per_ray(f.run.visits, f),
+                                 per_ray(f.run.triangle_tests, f),
+                                 fmt::format("{:.2f}", f.cycles_per_ray()),
+                                 fmt::format("{:.1f}", f.fps()),
+                                 hits(f.run, Unit::node_cache),
+                                 hits(f.run, Unit::prim_cache),
+                                 fmt::format("{:.0f}", double(bytes_read(f.run)) / f.rays()),
+                                 fmt::format("{}, {:.0f} %", f.bound.unit, 100 * f.bound.reached),
+                                 fmt::format("{:.0f} %", 100 * f.tri_busy)};
+    if (area) {
+        row.push_back(fmt::format("{:.2f}", 1000 * f.fps() / double(area->luts())));
+        row.push_back(fmt::format("{:.2f}", f.fps() / double(area->dsp)));
+    }
+    table.add(row);
 }
-Table frame_table(const SceneCells& scene) {
-    Table table({"structure", "visits a ray", "tests a ray", "cycles a ray", "fps", "node hits",
-                 "primitive hits", "bytes a ray", "bound, reached", "tri busy"});
-    for (const Cell& c : scene.cells)
-        if (c.refused.empty()) add_frame(table, c.structure, c.camera);
-    for (const Cell& c : scene.cells)
-        if (c.refused.empty() && c.finished) add_frame(table, c.structure + ", finished", *c.finished);
-    return table;
-}
-
-Table cache_table(const std::vector<SceneCells>& scenes, const Config& base) {
-    std::vector<std::string> head{"scene"};
-    for (const int sets : cache_sets())
-        head.push_back(fmt::format("{} KB", sets * base.node_ways * base.node_line / 1024));
+Table frame_table(const Figures& figures, const SceneCells& scene) {
+    std::vector<std::string> head{"structure", "visits a ray",   "tests a ray", "cycles a ray",   "fps",
+                                  "node hits", "primitive hits", "bytes a ray", "bound, reached", "tri busy"};
+    if (figures.areas) head.insert(head.end(), {"fps per 1,000 LUTs", "fps per multiplier"});
     Table table(head);
-    for (const SceneCells& scene : scenes) {
-        std::vector<std::string> row{scene.name};
-        for (std::size_t i = 0; i < cache_sets().size(); ++i) {
-            std::vector<std::string> all;
-            for (const Cell& c : scene.cells)
-                if (c.refused.empty()) all.push_back(fmt::format("{:.2f}", c.cached[i]));
-            row.push_back(fmt::format("{}", fmt::join(all, " / ")));
+    for (const bool finished : {false, true})
+        for (std::size_t i = 0; i < scene.cells.size(); ++i) {
+            const Cell& c = scene.cells[i];
+            if (!c.refused.empty() || (finished && !c.finished)) continue;
+            add_frame(table, finished ? c.structure + ", finished" : c.structure,
+                      finished ? *c.finished : c.camera, area_of(figures, scene, i, finished));
         }
-        table.add(row);
-    }
     return table;
 }
 
-/// Geometric mean over the scenes in which all structures were built.
-double mean_of(const std::vector<SceneCells>& scenes, std::size_t structure, double (*value)(const Cell&)) {
-    double sum = 0;
-    int n = 0;
-    for (const SceneCells& scene : scenes) {
-        if (std::any_of(scene.cells.begin(), scene.cells.end(),
-                        [](const Cell& c) { return !c.refused.empty(); }))
-            continue;
-        sum += std::log(value(scene.cells[structure]));
-        ++n;
-    }
-    return n > 0 ? std::exp(sum / n) : 0;
-}
 double fps_of(const Cell& c) { return c.camera.fps(); }
+double finished_fps_of(const Cell& c) { return c.finished ? c.finished->fps() : 0; }
 double cycles_of(const Cell& c) { return c.camera.cycles_per_ray(); }
-double visits_of(const Cell& c) { return double(c.camera.run.visits) / c.camera.rays(); }
 double bytes_of(const Cell& c) { return double(c.report.bytes); }
 
-Table area_table(const Figures& figures) {
+/// Scenes whose camera rays meet triangles alone: these run on the smaller pipeline.
+std::vector<SceneCells> angular(const Figures& figures) {
+    std::vector<SceneCells> scenes;
+    for (const SceneCells& scene : figures.large)
+        if (!scene.is_round) scenes.push_back(scene);
+    return scenes;
+}
+
+void add_area(std::vector<std::string>& row, const area::Count* c, double fps) {
+    if (c) {
+        for (const std::uint64_t n : {c->luts(), c->ff, c->dsp, c->bram}) row.push_back(grouped(n));
+        row.push_back(fmt::format("{:.1f}", fps));
+        row.push_back(fmt::format("{:.2f}", 1000 * fps / double(c->luts())));
+        row.push_back(fmt::format("{:.2f}", fps / double(c->dsp)));
+    } else {
+        row.insert(row.end(), {"-", "-", "-", "-", fmt::format("{:.1f}", fps), "-", "-"});
+    }
+}
+Table area_table(const Figures& figures, bool finished) {
     Table table({"structure", "LUTs", "FF", "multipliers", "block memories", "fps", "fps per 1,000 LUTs",
-                 "fps per multiplier", "visits a ray"});
+                 "fps per multiplier"});
+    const std::vector<SceneCells> scenes = finished ? figures.large : angular(figures);
     for (std::size_t i = 0; i < figures.large[0].cells.size(); ++i) {
-        const double fps = mean_of(figures.large, i, fps_of), visits = mean_of(figures.large, i, visits_of);
         std::vector<std::string> row{figures.large[0].cells[i].structure};
-        if (figures.counts) {
-            const area::Count& c = (*figures.counts)[i];
-            for (const std::uint64_t n : {c.luts(), c.ff, c.dsp, c.bram}) row.push_back(grouped(n));
-            row.push_back(fmt::format("{:.1f}", fps));
-            row.push_back(fmt::format("{:.2f}", 1000 * fps / double(c.luts())));
-            row.push_back(fmt::format("{:.2f}", fps / double(c.dsp)));
-        } else {
-            row.insert(row.end(), {"-", "-", "-", "-", fmt::format("{:.1f}", fps), "-", "-"});
-        }
-        row.push_back(fmt::format("{:.2f}", visits));
+        const Areas* areas = figures.areas ? &(*figures.areas)[i] : nullptr;
+        add_area(row,
+                 !areas     ? nullptr
+                 : finished ? &areas->all
+                            : &areas->hits,
+                 mean_of(scenes, i, finished ? finished_fps_of : fps_of));
         table.add(row);
     }
     return table;
@@ -136,10 +134,12 @@ Table list_table(const std::vector<SceneCells>& scenes) {
 constexpr const char* intro = R"(# Structures on one machine
 
 Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches:
-{}x{} pixels of camera rays, scenes in triangles; finished pictures (`--depth 4`) have half as many columns
-and rows, and true spheres where the scene has them. fps are of these pictures. All structures give the same
-picture, bit for bit ([planes.md](planes.md), [boxes.md](boxes.md)).
-An octree uses the engine of kd, to the gate ([configurations.md](configurations.md#structures)).
+{}x{} pixels of camera rays, scenes in triangles unless a scene's heading says otherwise; finished pictures
+(`--depth 4`) have half as many columns and rows, and true spheres where the scene has them. fps are of these
+pictures. All structures give the same picture, bit for bit ([boxes.md](boxes.md), [globes.md](globes.md),
+[planes.md](planes.md), [bsp.md](bsp.md)). An octree uses the engine of kd, to the gate
+([configurations.md](configurations.md#structures)); "bvh, splits" is the bvh with primitives cut where that
+pays (`splits=on`).
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
   the host.
@@ -152,12 +152,15 @@ An octree uses the engine of kd, to the gate ([configurations.md](configurations
 )";
 
 constexpr const char* area_words = R"(
-Area: one pipeline without shading, unit by unit, as Yosys maps it to an ECP5 ([area.md](area.md) says what is
-counted). fps and visits: geometric means of camera rays over the scenes below.
+Area: one pipeline, unit by unit, as Yosys maps it to an ECP5 ([area.md](area.md) says what is
+counted). Above: camera rays, a pipeline that finds hits of triangles; fps are the geometric mean of the scenes in
+triangles. Below: finished pictures, a pipeline with every unit that they may need, and the mean of all scenes.
+
 )";
 
-constexpr const char* cache_words = R"(
-Cycles a camera ray with node and primitive caches of {} sets, structures in the order {}:
+constexpr const char* around_words = R"(
+Which structure needs the fewest cycles a camera ray, how many, and how many times as many the next one needs, with
+memories and caches of other sizes (KB of each cache; "bvh, splits" is not asked, since it is a way to build a bvh):
 
 )";
 
@@ -184,22 +187,23 @@ const std::vector<std::string>& small_scenes() {
 
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture) {
-    std::vector<std::string> names;
-    for (const Kind& kind : trees(study.base)) names.push_back(kind.name);
     std::string text = fmt::format(fmt::runtime(intro), command, study.base.name, default_khz / 1e3,
                                    study.size.width, study.size.height);
-    text += "## In short\n\n" + area_table(figures).markdown() + area_words;
-    if (figures.counts)
-        text += fmt::format("A pipeline that walks a mere list takes {} LUTs and {} multipliers.\n",
-                            grouped(figures.counts->back().luts()), grouped(figures.counts->back().dsp));
-    if (figures.counts) text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
-    text += fmt::format(fmt::runtime(cache_words), fmt::join(cache_sets(), ", "), fmt::join(names, " / "));
-    text += cache_table(figures.large, study.base).markdown();
+    text += "## In short\n\n" + area_table(figures, false).markdown() + area_words +
+            area_table(figures, true).markdown();
+    if (figures.areas) {
+        const area::Count& list = figures.areas->back().hits;
+        text += fmt::format("\nA pipeline that walks a mere list takes {} LUTs and {} multipliers.\n",
+                            grouped(list.luts()), grouped(list.dsp));
+        text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
+    }
+    text += around_words + best_table(figures.large, study.base);
     const bool is_usual = study.base.name == "default" && study.scenes == large_scenes();
     if (is_usual) text += fmt::format("\n{}\n", reason(""));
     for (const SceneCells& scene : figures.large) {
-        text += fmt::format("\n## {}\n\n{} primitives.\n\n", scene.name, grouped(scene.primitives));
-        text += tree_table(scene).markdown() + "\n" + frame_table(scene).markdown();
+        text += fmt::format("\n## {}\n\n{} primitives{}.\n\n", printable(scene.name),
+                            grouped(scene.primitives), scene.is_round ? ", true spheres" : "");
+        text += tree_table(scene).markdown() + "\n" + frame_table(figures, scene).markdown();
         for (const Cell& c : scene.cells)
             if (!c.refused.empty()) text += fmt::format("\n{} is not there: {}.\n", c.structure, c.refused);
         if (const std::string why = reason(scene.name); is_usual && !why.empty()) text += "\n" + why + "\n";
@@ -211,11 +215,11 @@ plot::Drawing picture(const Figures& figures, const Study& study) {
     plot::Panel area{"speed against area", "LUTs of a pipeline", "cycles a ray", false, {}},
         memory{"speed against memory", "image, MB", "cycles a ray", false, {}};
     std::vector<sweep::Figures> by_area, by_memory;
+    const std::vector<SceneCells> scenes = angular(figures);
     for (std::size_t i = 0; i < figures.large[0].cells.size(); ++i) {
         const std::string& name = figures.large[0].cells[i].structure;
-        const double cycles = mean_of(figures.large, i, cycles_of),
-                     megabytes = mean_of(figures.large, i, bytes_of) / 1e6;
-        const double luts = figures.counts ? double((*figures.counts)[i].luts()) : 0;
+        const double cycles = mean_of(scenes, i, cycles_of), megabytes = mean_of(scenes, i, bytes_of) / 1e6;
+        const double luts = figures.areas ? double((*figures.areas)[i].hits.luts()) : 0;
         area.marks.push_back({luts, cycles, name, false, false});
         memory.marks.push_back({megabytes, cycles, name, false, false});
         by_area.push_back(std::vector<double>{luts, cycles});
@@ -228,7 +232,7 @@ plot::Drawing picture(const Figures& figures, const Study& study) {
     }
     return plot::chart(
         fmt::format("Structures, configuration {}", study.base.name),
-        fmt::format("geometric means over {} scenes; line: the panel's own front", figures.large.size()),
+        fmt::format("geometric means over {} scenes; line: the panel's own front", scenes.size()),
         {area, memory});
 }
 

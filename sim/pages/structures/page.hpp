@@ -2,7 +2,8 @@
 // docs/structures.md: every structure on one machine.
 #include <string>
 
-#include "sim/area/run.hpp"
+#include <nlohmann/json.hpp>
+
 #include "sim/pages/structures/measure.hpp"
 #include "sim/plot/chart.hpp"
 
@@ -15,13 +16,25 @@ const std::vector<std::string>& small_scenes();
 /// What the page says.
 struct Figures {
     std::vector<SceneCells> large, small;
-    std::optional<std::vector<area::Count>> counts;   ///< of one pipeline: as in trees(), then the list's
+    std::optional<std::vector<Areas>> areas;   ///< as in trees(), then the list's
 };
 
 /// As Markdown, with `picture` beside it. `command` is what to type for it.
 std::string page(const Figures& figures, const Study& study, const std::string& command,
                  const std::string& picture);
 plot::Drawing picture(const Figures& figures, const Study& study);
+/// The same figures, a row for each scene, structure and kind of frame (docs/report.md).
+nlohmann::ordered_json rows(const Figures& figures);
+
+/// A frame's pipeline, if areas were counted: with all units if its rays meet true spheres or are shaded.
+const area::Count* area_of(const Figures& figures, const SceneCells& scene, std::size_t structure,
+                           bool finished);
+
+/// Geometric mean over the scenes in which all structures were built.
+double mean_of(const std::vector<SceneCells>& scenes, std::size_t structure, double (*value)(const Cell&));
+
+/// Of each scene and each of surroundings(): which structure needs the fewest cycles, and by how much.
+std::string best_table(const std::vector<SceneCells>& scenes, const Config& base);
 
 /// Why the figures of a scene are what they are, in a paragraph; empty if nobody has looked at the scene. Of
 /// the empty name: of all scenes of the page in docs/ together.
