@@ -79,7 +79,7 @@ CellPtr random_tree(test::Draw& draw, const LatticeBox& box, int inner, std::uin
     for (std::size_t k = 0; k < 3; ++k)
         cell->bounds.lo[k] = std::min(box.lo[k] + draw.between(0, 3), box.hi[k]);
     if (inner == 0) {
-        for (int n = draw.between(0, 3); n > 0; --n) cell->prims.push_back(next++ % 11);
+        for (int n = draw.between(0, 3); n > 0; --n) cell->prims.push_back(next++ % 4);
         std::sort(cell->prims.begin(), cell->prims.end());
         cell->count = std::uint32_t(cell->prims.size());
         return cell;
