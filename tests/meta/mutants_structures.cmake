@@ -158,6 +158,30 @@ mutant(kd_loses_what_lies_in_a_plane FILE model/accel/kd/cell.cpp TEST system "r
 mutant(kd_loses_the_last_of_a_leaf FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[treelet.kind[i] > 1 && p < exits[i].count]]
   NEW [[treelet.kind[i] > 1 && p + 1 < exits[i].count]])
+mutant(kd_sweep_ends_a_step_late FILE model/accel/kd/split.cpp TEST accel "no plane of a cell is cheaper*"
+  OLD [[hi_[ended] <= plane) ++ended;]]
+  NEW [[hi_[ended] < plane) ++ended;]])
+mutant(kd_sweep_tries_the_lower_ends_alone FILE model/accel/kd/split.cpp TEST accel "no plane of a cell is cheaper*"
+  OLD [[std::min(lo_[lo], hi_[hi]) : hi_[hi];]]
+  NEW [[lo_[lo] : hi_[hi];]])
+mutant(kd_sorts_by_the_low_digit_alone FILE model/accel/kd/split.cpp TEST accel "no plane of a cell is cheaper*"
+  OLD [[shift < 32 && extent >> shift > 0]]
+  NEW [[shift < digit && extent >> shift > 0]])
+mutant(treelets_have_a_level_too_many FILE model/accel/kd/treelets.cpp TEST accel "no choice of treelets costs less*"
+  OLD [[cell.is_leaf() ? 0 : parts(cell, {cell.bounds}, levels_ - 1);]]
+  NEW [[cell.is_leaf() ? 0 : parts(cell, {cell.bounds}, levels_);]])
+mutant(treelets_are_never_leaves FILE model/accel/kd/treelets.cpp TEST accel "no choice of treelets costs less*"
+  OLD [[if (cell.count <= leaf_most && tests <= best.cost)]]
+  NEW [[if (cell.count <= 1 && tests <= best.cost)]])
+mutant(treelets_lose_half_of_a_leaf FILE model/accel/kd/treelets.cpp TEST accel "no choice of treelets costs less*"
+  OLD [[gather(*cell.upper, prims);]]
+  NEW [[]])
+mutant(treelets_have_a_primitive_twice FILE model/accel/kd/treelets.cpp TEST accel "no choice of treelets costs less*"
+  OLD [[cell.prims.erase(std::unique(cell.prims.begin(), cell.prims.end()), cell.prims.end());]]
+  NEW [[]])
+mutant(cells_ignore_where_a_treelet_begins FILE model/accel/kd/emit.cpp TEST accel "a treelet begins where it was decided*"
+  OLD [[(plane == 0 || !place.cell->begins)]]
+  NEW [[(plane == 0 || plane > 0)]])
 
 # ---- Boxes with spatial splits: no part is lost, and no leaf has a primitive twice.
 mutant(splits_lose_the_upper_part FILE model/accel/splits.cpp TEST accel "boxes with spatial splits hold what lies in them"

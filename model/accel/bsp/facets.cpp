@@ -83,7 +83,8 @@ void Facets::consider_at(std::span<const kd::Clipper::Reach> reaches, const Soli
     for (const bool flat_above : {false, true}) {
         const std::size_t b = below + (flat_above ? 0 : flat), a = above + (flat_above ? flat : 0);
         const double cost = oblique_factor * kd::cost_of(lower, b, upper, a);
-        if (cost < best.cost) best = {{no_axis, std::int32_t(at), flat_above, normal}, cost, b, a};
+        if (cost < best.cost)
+            best = {{no_axis, std::int32_t(at), flat_above, normal}, cost, b, a, lower, upper};
         if (flat == 0) break;
     }
 }

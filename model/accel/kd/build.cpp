@@ -7,6 +7,7 @@
 
 #include "model/accel/bsp/facets.hpp"
 #include "model/accel/kd/split.hpp"
+#include "model/accel/kd/treelets.hpp"
 
 namespace rayclock::kd {
 
@@ -17,7 +18,7 @@ constexpr std::size_t parallel = 4096;   // from here on both sides are worked o
 class Builder {
 public:
     Builder(const std::vector<PrimData>& prims, const Pieces& pieces, const Config& config)
-        : pieces_(pieces), slants_(config.has_slants()) {
+        : pieces_(pieces), treelets_(config), slants_(config.has_slants()) {
         if (slants_) facets_.emplace(prims, pieces, config);
         for (int width = config.node_width; width > 1; width /= 2) ++levels_;
     }
@@ -26,6 +27,7 @@ public:
     CellPtr cell(Items items, Region region, int level, int depth, double budget) const {
         auto cell = std::make_unique<Cell>();
         cell->bounds = bounds_of(items);
+        cell->count = std::uint32_t(items.size());
         if (level % levels_ == 0 && !items.empty()) {   // a treelet: nothing else is met
             region.box = cell->bounds;
             region.own = region.walls.size();
@@ -38,6 +40,7 @@ public:
         const bool both = items.size() >= parallel;
         Items().swap(items);
         cell->axis = std::uint32_t(split.axis);
+        cell->lower_share = float(split.lower), cell->upper_share = float(split.upper);
         cell->normal = split.normal;
         cell->at = split.plane;
         if (slants_ && split.axis != no_axis) cell->normal[split.axis] = 1;
@@ -55,6 +58,7 @@ public:
             tbb::parallel_invoke(go_lower, go_upper);
         else
             go_lower(), go_upper();
+        cell->inside = treelets_.inside(*cell);
         return cell;
     }
 
@@ -70,6 +74,7 @@ private:
     }
 
     const Pieces& pieces_;
+    Treelets treelets_;
     std::optional<bsp::Facets> facets_;
     bool slants_;
     int levels_ = 0;   // of a treelet
@@ -82,9 +87,11 @@ CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
     Items items = pieces.all();
     const double n = double(items.size());
     const int depth = std::min(34, 8 + int(1.3 * std::log2(std::max(1.0, n))));
-    return pieces.with_endless(Builder(prims, pieces, config)
-                                   .cell(std::move(items), {pieces.space()}, pieces.has_endless() ? 1 : 0,
-                                         depth, most_references * n));
+    CellPtr root = Builder(prims, pieces, config)
+                       .cell(std::move(items), {pieces.space()}, pieces.has_endless() ? 1 : 0, depth,
+                             most_references * n);
+    Treelets(config).settle(*root, pieces.has_endless());
+    return pieces.with_endless(std::move(root));
 }
 
 }   // namespace rayclock::kd

@@ -8,6 +8,7 @@ CellPtr leaf_of(const Items& items) {
     auto cell = std::make_unique<Cell>();
     cell->bounds = bounds_of(items);
     for (const Item& item : items) cell->prims.push_back(item.prim);
+    cell->count = std::uint32_t(items.size());
     return cell;
 }
 

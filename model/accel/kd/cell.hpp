@@ -15,6 +15,10 @@ struct Cell {
     LatticeBox bounds;   ///< of what is in it; inverted if nothing is, or it has no end
     std::unique_ptr<Cell> lower, upper;
     std::vector<std::uint32_t> prims;   ///< of a leaf: which of those given to the builder
+    std::uint32_t count = 0;            ///< of primitives in it, in all its parts
+    bool begins = false;                ///< a treelet, even if the one that it is met in has planes left
+    float lower_share = 1, upper_share = 1;   ///< of its surface, if a plane in any direction cuts it
+    double inside = 0;   ///< the cost of all below, if it begins a treelet (treelets.hpp)
     bool is_leaf() const { return !lower; }
 };
 using CellPtr = std::unique_ptr<Cell>;

@@ -68,7 +68,7 @@ private:
             exits_[exit] = place;
             return;
         }
-        const bool cut = !place.is_leaf();
+        const bool cut = !place.is_leaf() && (plane == 0 || !place.cell->begins);
         if (cut && !place.cell->is_leaf())
             put(*place.cell, plane, treelet);
         else
