@@ -7,8 +7,8 @@
 // pipeline of their own, rc_sphere, which is longer; the others' answers wait for it.
 //
 // Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 every rc_pkg::TriInterval cycles,
-// answers in order. If that is more than one cycle, products share multipliers, and quotients
-// dividers. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
+// answers in order. If that is more than one cycle, products share multipliers, and steps of a
+// division a stage. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
 // A triangle seen edge-on never hits.
 `default_nettype none
 module rc_tri (

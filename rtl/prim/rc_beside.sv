@@ -1,25 +1,26 @@
-// Data that wait beside a pass of shade for so many of its stages: data_o is what came with
-// come_i, until leave_i says that the pass goes on from the stage that needs it. As rc_wait, of
-// which there is one if a pass stays one cycle in a stage.
+// Data that wait beside a pipeline into which work comes every Every cycles and stays as long in
+// each stage, for Stages of these: data_o is what came with come_i, until leave_i says that the
+// same work goes on to the stage that needs it. As rc_wait, which it is if Every is 1.
 `default_nettype none
 module rc_beside #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Stages = 2,
+  parameter  int unsigned Every  = rc_pkg::ShadeInterval,
   localparam int unsigned IndexW = Stages < 2 ? 1 : $clog2(Stages)
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
-  input  logic             come_i,    // a pass goes on from the stage that has the data
-  input  logic             leave_i,   // the same pass, Stages later
+  input  logic             come_i,    // work goes on from the stage that has the data
+  input  logic             leave_i,   // the same work, Stages later
   input  logic [Width-1:0] data_i,
   output logic [Width-1:0] data_o
 );
-  if (rc_pkg::ShadeInterval == 1) begin : gen_wait
+  if (Every == 1) begin : gen_wait
     rc_wait #(.Width(Width), .Stages(Stages)) u_wait (
       .clk_i, .rst_ni, .valid_i(come_i), .data_i, .data_o);
     logic unused;
     assign unused = leave_i;
-  end else begin : gen_ring   // Stages passes at most lie in it
+  end else begin : gen_ring   // Stages pieces of work at most lie in it
     localparam logic [IndexW-1:0] Last = IndexW'(Stages - 1);
     logic [IndexW-1:0] in_q, out_q;
     always_ff @(posedge clk_i) begin
