@@ -37,7 +37,7 @@ Stages::Stages(const Config& config) {
     shear = 6;
     compare = multiply + 1 + pair_share + cut;
     sphere = 8 + root_bits / 2 + (config.t_bits() + 1) / 2;
-    hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1) + pair_share - 1) + 2 * cut;
+    hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1)) + 2 * cut;
 
     pixel = 1 + (fast ? multiply - 1 : 0);
     direction = 1 + 2 * cut;

@@ -21,11 +21,12 @@ module rc_sqrt #(
   output logic [RootW-1:0]   root_o,
   output logic               inexact_o
 );
-  if (Stages < 1 || Bits < 1 || Bits > 2 || (Every != 1 && Held != 1)) begin : gen_refuse
+  if (Stages < 1 || Bits < 1 || Bits > 2 || Every < 1 || Held < 1 || (Every > 1 && Held > 1))
+  begin : gen_refuse
     $error("rc_sqrt: Stages must be at least 1, Bits 1 or 2, and Every or Held 1");
   end
-  localparam int unsigned Last = (Stages + Every - 1) / Every - 1;   // stage
-  localparam int unsigned RemW = RootW + 2;
+  localparam int unsigned Last  = (Stages + Every - 1) / Every - 1;   // stage
+  localparam int unsigned Chunk = Bits * Every;   // bits of the root that a stage makes
 
   // valid[i]: step i is next.
   logic [Stages:0] valid;
@@ -38,71 +39,63 @@ module rc_sqrt #(
   // The square leaves its register at the top, two bits for each bit of the root. What is
   // left of it, less the root's square, lies between -2 root - 1 and 2 root: if it is not
   // negative, 4 root + 1 is taken from four times of it and the next two bits, else 4 root + 3 is
-  // added; a bit of the root is set if it is not negative then.
+  // added; a bit of the root is set if it is not negative then. Both have as many bits in a stage
+  // as the root has behind it, and two more.
   for (genvar i = 0; i <= Last; i++) begin : gen_stage
-    localparam bit Again = Every > 1 && Stages - i * Every > 1;   // makes more than one step
-    logic               here, comes;
-    logic [RemW-1:0]    rem_q, rem_new, rem_d, between, rem_next;
-    logic [RootW-1:0]   root_q, root_new, root_d;
-    logic [SquareW-1:0] square_q, square_new, square_d;
+    localparam int unsigned Steps = Stages - i * Every < Every ? Stages - i * Every : Every;
+    localparam int unsigned R     = Chunk * i + Bits * Steps;   // of the root behind this stage
+    localparam int unsigned Left  = SquareW - 2 * Chunk * i;    // of the square before it
+    localparam bit          Again = Steps > 1;
+    logic            here, comes;
+    logic [R+1:0]    rem_q, rem_new, rem_d, between, rem_next;
+    logic [R-1:0]    root_q, root_new, root_d, root_next;
+    logic [Left-1:0] square_q, square_new, square_d;
     assign comes = valid[i*Every];
+    assign here  = Again || comes;
     if (i == 0) begin : gen_first
       assign rem_new    = '0;
       assign root_new   = '0;
       assign square_new = square_i;
     end else begin : gen_next
-      assign rem_new    = gen_stage[i-1].rem_q;
-      assign root_new   = gen_stage[i-1].root_q;
-      assign square_new = gen_stage[i-1].square_q;
+      localparam int unsigned From = Chunk * i;   // bits of the root so far
+      assign rem_new    = {{(R-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q};
+      assign root_new   = R'(gen_stage[i-1].root_q);
+      assign square_new = gen_stage[i-1].square_q[Left+2*Chunk-1 -: Left];
     end
-    if (Again) begin : gen_again
-      assign here     = 1'b1;
-      assign rem_d    = comes ? rem_new : rem_q;
-      assign root_d   = comes ? root_new : root_q;
-      assign square_d = comes ? square_new : square_q;
-    end else begin : gen_once
-      assign here     = comes;
-      assign rem_d    = rem_new;
-      assign root_d   = root_new;
-      assign square_d = square_new;
-    end
-    rc_addsub #(.Width(RemW)) u_first (
-      .there_i(here), .minus_i(!rem_d[RemW-1]),
-      .a_i({rem_d[RootW-1:0], square_d[SquareW-1 -: 2]}),
-      .b_i({root_d, rem_d[RemW-1], 1'b1}), .sum_o(between));
+    assign rem_d    = !Again || comes ? rem_new : rem_q;
+    assign root_d   = !Again || comes ? root_new : root_q;
+    assign square_d = !Again || comes ? square_new : square_q;
+    rc_addsub #(.Width(R + 2)) u_first (
+      .there_i(here), .minus_i(!rem_d[R+1]),
+      .a_i({rem_d[R-1:0], square_d[Left-1 -: 2]}),
+      .b_i({root_d, rem_d[R+1], 1'b1}), .sum_o(between));
     if (Bits == 1) begin : gen_one
-      assign rem_next = between;
-      always_ff @(posedge clk_i) begin
-        if (here) begin
-          root_q   <= {root_d[RootW-2:0], !between[RemW-1]};
-          square_q <= square_d << 2;
-        end
-      end
-      logic unused;
-      assign unused = ^{rem_d[RemW-2], root_d[RootW-1]};
+      assign rem_next  = between;
+      assign root_next = R'({root_d, !between[R+1]});
     end else begin : gen_two
-      rc_addsub #(.Width(RemW)) u_second (
-        .there_i(here), .minus_i(!between[RemW-1]),
-        .a_i({between[RootW-1:0], square_d[SquareW-3 -: 2]}),
-        .b_i({root_d[RootW-2:0], !between[RemW-1], between[RemW-1], 1'b1}), .sum_o(rem_next));
-      always_ff @(posedge clk_i) begin
-        if (here) begin
-          root_q   <= {root_d[RootW-3:0], !between[RemW-1], !rem_next[RemW-1]};
-          square_q <= square_d << 4;
-        end
-      end
-      logic unused;
-      assign unused = ^{rem_d[RemW-2], between[RemW-2], root_d[RootW-1]};
+      rc_addsub #(.Width(R + 2)) u_second (
+        .there_i(here), .minus_i(!between[R+1]),
+        .a_i({between[R-1:0], square_d[Left-3 -: 2]}),
+        .b_i({root_d[R-2:0], !between[R+1], between[R+1], 1'b1}), .sum_o(rem_next));
+      assign root_next = R'({root_d, !between[R+1], !rem_next[R+1]});
     end
-    always_ff @(posedge clk_i) if (here) rem_q <= rem_next;
+    always_ff @(posedge clk_i) begin
+      if (here) begin
+        rem_q    <= rem_next;
+        root_q   <= root_next;
+        square_q <= square_d << (2 * Bits);
+      end
+    end
+    logic unused;
+    assign unused = ^{rem_d[R], between[R], root_d[R-1]};
   end
 
   // Nothing is left if that is 0, or -2 root - 1; as in rc_divide.
-  logic [RemW-1:0] end_rem, end_step;
+  logic [RootW+1:0] end_rem, end_step;
   assign end_rem   = gen_stage[Last].rem_q;
   assign end_step  = {1'b0, gen_stage[Last].root_q, 1'b1};
-  assign inexact_o = end_rem[RemW-1] ? (end_rem ^ end_step) != (end_rem | end_step) << 1
-                                     : end_rem != '0;
+  assign inexact_o = end_rem[RootW+1] ? (end_rem ^ end_step) != (end_rem | end_step) << 1
+                                      : end_rem != '0;
   assign root_o    = gen_stage[Last].root_q;
 
   logic unused;

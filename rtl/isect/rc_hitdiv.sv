@@ -72,7 +72,7 @@ module rc_hitdiv #(
   rc_cut #(.Width(2 * E + Q)) u_t_first (
     .clk_i, .data_i({beyond && Cut == 0 ? '0 : num_above[E-1:0], den_i, num_below}),
     .data_o({t_rem, t_den, t_below}));
-  rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits), .Every(Every)) u_t (
+  rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(Right)) u_t (
     .clk_i, .valid_i(begins), .rem_i(t_rem), .low_i(t_below), .den_i(t_den),
     .quo_o(t_quo), .inexact_o(t_inexact));
 
@@ -109,10 +109,10 @@ module rc_hitdiv #(
   rc_cut #(.Width(3 * D + 2 * R)) u_uv_first (
     .clk_i, .data_i({u_top ? '0 : u_above, v_top ? '0 : v_above, det_i, u_below, v_below}),
     .data_o({u_rem, v_rem, uv_den, u_low, v_low}));
-  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every)) u_u (
+  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K)) u_u (
     .clk_i, .valid_i(begins), .rem_i(u_rem), .low_i(u_low), .den_i(uv_den),
     .quo_o(u_quo), .inexact_o(u_inexact));
-  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every)) u_v (
+  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K)) u_v (
     .clk_i, .valid_i(begins), .rem_i(v_rem), .low_i(v_low), .den_i(uv_den),
     .quo_o(v_quo), .inexact_o(v_inexact));
 

@@ -83,8 +83,9 @@ module rc_tri (
   assign in = in_flat;
 
   logic [I-1:0] end_ray;
-  rc_delay #(.Width(I), .Stages(L - In)) u_ray (
-    .clk_i, .valid_i(moves[L-1:In]), .data_i(in.ray), .data_o(end_ray));
+  rc_aside #(.Width(I), .Stages(L - In), .Every(Interval)) u_ray (
+    .clk_i, .rst_ni, .valid_i(moves[L-1:In]), .there_i(valid[L-1:In]), .data_i(in.ray),
+    .data_o(end_ray));
 
   // Stages up to Front: the ray and the triangle, and whether they meet. num / den is t,
   // num / det what is compared with other hits of the ray.
@@ -181,10 +182,9 @@ module rc_tri (
   rc_delay #(.Width(2), .Stages(Wide - In)) u_best (
     .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
-  rc_delay #(.Width(U), .Stages(Front - In)) u_best_num (
-    .clk_i, .valid_i(goes[Front-1:In]), .data_i(in_best_num), .data_o(f0_best_num));
-  rc_delay #(.Width(D), .Stages(Front - In)) u_best_det (
-    .clk_i, .valid_i(goes[Front-1:In]), .data_i(in_best_det), .data_o(f0_best_det));
+  rc_aside #(.Width(U + D), .Stages(Front - In), .Every(Interval)) u_best_hit (
+    .clk_i, .rst_ni, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+    .data_i({in_best_num, in_best_det}), .data_o({f0_best_num, f0_best_det}));
 
   // num / det against best_num / best_det, cross-multiplied; all four are positive. Closer, or
   // as close with a lower number.
@@ -219,19 +219,13 @@ module rc_tri (
   logic [D-1:0] pre_det, pre_u, pre_v;
   logic [P-1:0] pre_prim;
   logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
-  rc_delay #(.Width(U), .Stages(Compare)) u_num (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_num), .data_o(pre_num));
-  rc_delay #(.Width(D), .Stages(Compare)) u_det (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_det), .data_o(pre_det));
-  rc_delay #(.Width(D), .Stages(Compare)) u_u (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_u), .data_o(pre_u));
-  rc_delay #(.Width(D), .Stages(Compare)) u_v (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_v), .data_o(pre_v));
-  rc_delay #(.Width(3), .Stages(Compare)) u_signs (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i({f0_back, f0_u_neg, f0_v_neg}),
-    .data_o({pre_back, pre_u_neg, pre_v_neg}));
-  rc_delay #(.Width(P + 1), .Stages(Pre - In)) u_prim (
-    .clk_i, .valid_i(goes[Pre-1:In]), .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
+  rc_aside #(.Width(U + 3 * D + 3), .Stages(Compare), .Every(Interval)) u_hit_aside (
+    .clk_i, .rst_ni, .valid_i(goes[Pre-1:Front]), .there_i(flat[Pre-1:Front]),
+    .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
+    .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
+  rc_aside #(.Width(P + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
+    .clk_i, .rst_ni, .valid_i(goes[Pre-1:In]), .there_i(flat[Pre-1:In]),
+    .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // Divisions; numerator, determinant and number wait.
   localparam int unsigned Divide = rc_pkg::HitdivStages;
@@ -246,8 +240,9 @@ module rc_tri (
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
-  logic [Divide-1:0] closer_q, block_q, tail_moves;
-  assign tail_moves = {closer_q[Divide-2:0], pre_divide} | {Divide{Cut != 0}};
+  logic [Divide-1:0] closer_q, block_q, divides, tail_moves;
+  assign divides    = {closer_q[Divide-2:0], pre_divide};
+  assign tail_moves = divides | {Divide{Cut != 0}};
   logic [TailW-2:0]  pre_tail, tail;
   if (rc_pkg::Shading == 1) begin : gen_back
     assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
@@ -255,11 +250,12 @@ module rc_tri (
     assign pre_tail = {pre_num, pre_det, pre_prim};
   end
   always_ff @(posedge clk_i) begin
-    closer_q <= {closer_q[Divide-2:0], pre_divide};
-    block_q  <= {block_q[Divide-2:0], pre_block};
+    if (!rst_ni) closer_q <= '0;
+    else         closer_q <= divides;
+    block_q <= {block_q[Divide-2:0], pre_block};
   end
-  rc_delay #(.Width(TailW - 1), .Stages(Divide)) u_tail (
-    .clk_i, .valid_i(tail_moves), .data_i(pre_tail), .data_o(tail));
+  rc_aside #(.Width(TailW - 1), .Stages(Divide), .Every(Interval)) u_tail (
+    .clk_i, .rst_ni, .valid_i(tail_moves), .there_i(divides), .data_i(pre_tail), .data_o(tail));
 
   // hit: closer with all that is told, or blocked with nothing.
   logic            closer, blocked;
