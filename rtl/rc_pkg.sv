@@ -128,6 +128,7 @@ package rc_pkg;
   localparam int unsigned EdgesStages = 4;
   localparam int unsigned ShearStages = 6;
   localparam int unsigned HitdivStages = 12;
+  localparam int unsigned SphereLevels = 4;
   localparam int unsigned SphereStages = 34;
   localparam int unsigned PixelStages = 1;
   localparam int unsigned DirectionStages = 1;

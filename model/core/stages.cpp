@@ -1,6 +1,7 @@
 #include "model/core/stages.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace rayclock {
 
@@ -9,6 +10,12 @@ namespace {
 int exchange_levels(int n) {
     const int halvings = index_bits(n);
     return halvings * (halvings + 1) / 2;
+}
+
+/// Levels of the shift that leaves a sphere's discriminant 2 root_bits bits, by pairs of them.
+int shift_levels(const Config& config) {
+    const int half = std::max(config.dir_bits + config.origin_width(), root_bits);
+    return std::bit_width(unsigned(half - root_bits));
 }
 }   // namespace
 
@@ -36,7 +43,9 @@ Stages::Stages(const Config& config) {
     edges = 2 + 2 * multiply + cross_share + dot_share + cut;
     shear = 6;
     compare = multiply + 1 + pair_share + cut;
-    sphere = 8 + root_bits / 2 + (config.t_bits() + 1) / 2;
+    sphere_levels = shift_levels(config);
+    sphere = 1 + (multiply + cross_share) + (multiply + pair_share) + 1 + cut + sphere_levels * cut + 1 +
+             divide(root_bits) + 1 + 2 * cut + divide(config.t_bits()) + 2 * cut + multiply + 1 + 1 + cut;
     hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1)) + 2 * cut;
 
     pixel = 1 + (fast ? multiply - 1 : 0);

@@ -32,6 +32,7 @@ struct Stages {
     int shear = 0;
     int compare = 0;
     int hit_divide = 0;
+    int sphere_levels = 0;   ///< of a shift, each with a register in a fast chip
     int sphere = 0;
     // Rays, rtl/raygen/rc_raygen.sv: the pixel's steps, rc_direction, rc_recip, rc_slope.
     int pixel = 0;

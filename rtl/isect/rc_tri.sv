@@ -262,37 +262,50 @@ module rc_tri (
   logic [HitW-2:0] hit;
   if (rc_pkg::Spheres == 1) begin : gen_sphere
     localparam int unsigned BallBestW = 2 + U + D;
-    localparam int unsigned BestStage = rc_pkg::SphereStages - 2;
+    localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut;
     localparam int unsigned FlatLate  = Core - Flat;   // stages that one waits for the other
     localparam int unsigned BallLate  = Core - Ball;
     localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
     logic                 flat_closer, flat_block;
     logic [HitW-2:0]      flat_hit;
-    logic [BallBestW-1:0] ball_best;
+    logic [BallBestW-1:0] next_best, ball_best;
     logic [P-1:0]         ball_prim;
     logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
     logic                 late_closer, late_blocked, late_far;
     logic [U-1:0]         ball_best_num;
     logic [D-1:0]         ball_best_det;
     logic [T-1:0]         ball_t, late_t;
-    logic                 in_ball, in_ball_first, in_own;
-    rc_cut #(.Width(2), .Stages(FlatLate)) u_flat_late (
-      .clk_i, .data_i({closer_q[Divide-1], block_q[Divide-1]}),
-      .data_o({flat_closer, flat_block}));
+    logic                 in_ball, in_ball_first, in_own, best_next;
     if (FlatLate == 0) begin : gen_flat_last
-      assign flat_hit = {tail, t, u, v};
+      assign {flat_closer, flat_block} = {closer_q[Divide-1], block_q[Divide-1]};
+      assign flat_hit                  = {tail, t, u, v};
     end else begin : gen_flat_waits
-      rc_wait #(.Width(HitW - 1), .Stages(FlatLate)) u_late (
-        .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}),
-        .data_o(flat_hit));
+      localparam int unsigned Late = (FlatLate + Interval - 1) / Interval;
+      logic [FlatLate-1:0] late_closer_q;
+      logic [FlatLate:0]   late;
+      assign late        = {late_closer_q, closer_q[Divide-1]};
+      assign flat_closer = late[FlatLate];
+      always_ff @(posedge clk_i) begin
+        if (!rst_ni) late_closer_q <= '0;
+        else         late_closer_q <= late[FlatLate-1:0];
+      end
+      rc_cut #(.Width(1), .Stages(FlatLate)) u_block (
+        .clk_i, .data_i(block_q[Divide-1]), .data_o(flat_block));
+      rc_beside #(.Width(HitW - 1), .Stages(Late), .Every(Interval)) u_late (
+        .clk_i, .rst_ni, .come_i(closer_q[Divide-1]), .leave_i(flat_closer),
+        .data_i({tail, t, u, v}), .data_o(flat_hit));
     end
 
     assign in_ball       = valid[In] && in_sphere;
     assign in_own        = (in_any || in_leaves) && in.self == in.prim;
     assign in_ball_first = in.prim <= in.best_prim;
-    rc_wait #(.Width(BallBestW), .Stages(BestStage)) u_ball_best (
-      .clk_i, .rst_ni, .valid_i(in_ball),
-      .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(ball_best));
+    rc_beside #(
+      .Width(BallBestW), .Stages((BestStage + Interval - 2) / Interval), .Every(Interval))
+    u_ball_best (
+      .clk_i, .rst_ni, .come_i(in_ball), .leave_i(best_next),
+      .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(next_best));
+    rc_cut #(.Width(BallBestW), .Stages(1)) u_best_last (
+      .clk_i, .data_i(next_best), .data_o(ball_best));
     rc_wait #(.Width(P), .Stages(Core - In)) u_ball_prim (
       .clk_i, .rst_ni, .valid_i(in_ball), .data_i(in.prim), .data_o(ball_prim));
     assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
@@ -300,8 +313,9 @@ module rc_tri (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
       .s0_inside_i(in.is_inside), .s0_o_i(in.o), .s0_d_i(in.d),
-      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .best_found_i(ball_found),
-      .best_first_i(ball_first), .best_num_i(ball_best_num), .best_det_i(ball_best_det),
+      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .best_next_o(best_next),
+      .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
+      .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
     rc_cut #(.Width(T + 3), .Stages(BallLate)) u_ball_late (
       .clk_i, .data_i({ball_closer, ball_blocked, ball_far, ball_t}),

@@ -262,6 +262,7 @@ void derived(Package& p, const Config& c) {
     p.constant("EdgesStages", stages.edges);
     p.constant("ShearStages", stages.shear);
     p.constant("HitdivStages", stages.hit_divide);
+    p.constant("SphereLevels", stages.sphere_levels);
     p.constant("SphereStages", stages.sphere);
     p.constant("PixelStages", stages.pixel);
     p.constant("DirectionStages", stages.direction);

@@ -49,9 +49,15 @@ mutant(shared_second_operands_stay FILE rtl/fixed/rc_mul_shared.sv TEST unit [tr
 mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
   OLD [[.Stages(Share - 1 - i)) u_early]]
   NEW [[.Stages(Own - 1)) u_early]])
-mutant(shared_v_before_u FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
-  OLD [[assign rem = u_goes ? u_rem : v_rem_q;]]
-  NEW [[assign rem = u_goes ? v_rem_q : u_rem;]])
+mutant(shared_divider_always_begins FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
+  OLD [[assign begins = Every > 1 ? there : valid[Cut];]]
+  NEW [[assign begins = valid[Cut];]])
+mutant(aside_one_place_short FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
+  OLD [[.Stages((Stages + Every - 2) / Every)]]
+  NEW [[.Stages((Stages + Every - 2) / Every - 1)]])
+mutant(aside_leaves_a_cycle_early FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
+  OLD [[.leave_i(there_i[Stages-1])]]
+  NEW [[.leave_i(there_i[Stages-2])]])
 mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
@@ -87,8 +93,8 @@ mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][in
   OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
   NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
 mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
-  OLD [[.Stages(Every - 1)) u_last]]
-  NEW [[.Stages(Every / 4)) u_last]])
+  OLD [[.Stages(Held)) u_step]]
+  NEW [[.Stages(Held < 4 ? Held : 1)) u_step]])
 mutant(shade_starves_while_it_rests FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
   OLD [[    if (rests)
       cause_o]]
