@@ -125,6 +125,8 @@ package rc_pkg;
   localparam int unsigned CrossShare = 1;
   localparam int unsigned DotShare = 1;
   localparam int unsigned PairShare = 1;
+  localparam int unsigned PairParts = 0;
+  localparam int unsigned PairStages = 1;
   localparam int unsigned EdgesStages = 4;
   localparam int unsigned ShearStages = 6;
   localparam int unsigned HitdivStages = 12;

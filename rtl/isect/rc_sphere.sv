@@ -58,7 +58,9 @@ module rc_sphere #(
   localparam int unsigned Mul    = rc_pkg::MulStages;
   localparam int unsigned Every  = rc_pkg::TriInterval;
   localparam int unsigned Three  = rc_pkg::CrossShare;     // of three products one multiplier makes
-  localparam int unsigned Pair   = rc_pkg::PairShare;      // of two
+  localparam int unsigned Share  = rc_pkg::PairShare;      // of two, or parts of them
+  localparam int unsigned Pair   = rc_pkg::PairStages;     // two products take, but Mul
+  localparam bit          Parts  = rc_pkg::PairParts == 1;
   localparam int unsigned Bits   = rc_pkg::QuotientBits;   // of root and quotient, a step
   localparam int unsigned RootSteps = RootW / Bits;
   localparam int unsigned DivSteps  = (T + Bits - 1) / Bits;
@@ -70,7 +72,7 @@ module rc_sphere #(
   localparam int unsigned AtR  = AtS5 + RootSteps;
   localparam int unsigned AtW  = AtR + 2 * Cut + 1;
   localparam int unsigned AtT  = AtW + DivSteps + 2 * Cut;
-  localparam int unsigned AtP  = AtT + Mul + 1;
+  localparam int unsigned AtP  = AtT + Mul + 1 + (Parts ? 1 + Cut : 0);
   localparam int unsigned End  = AtP + Cut + 1;
   if (End != rc_pkg::SphereStages || RootW % Bits != 0) begin : gen_refuse
     $error("rc_sphere: its stages are not those of model/core/stages.cpp");
@@ -183,7 +185,7 @@ module rc_sphere #(
   logic signed [D-1:0]          s3_bb_q, s3_ac_q, s3_disc;
   assign s2_long  = s2_shadow ? Long'(s2_square_q) : Long'(s2_power_q);
   assign s2_short = s2_shadow ? Short'(s2_power_q) : Short'(s2_square_q);
-  if (Pair == 1) begin : gen_at_once
+  if (Share == 1) begin : gen_at_once
     rc_mul #(.AW(L), .BW(L), .Sums(2)) u_bb (
       .clk_i, .a_i(s2_along_q), .b_i(s2_along_q), .p_o(s2_bb));
     rc_mul #(.AW(Long), .BW(Short), .Sums(2)) u_ac (
@@ -192,9 +194,17 @@ module rc_sphere #(
     localparam int unsigned X = Long > L ? Long : L;
     localparam int unsigned Y = Short > L ? Short : L;
     logic [2*(X+Y)-1:0] products;
-    rc_mul_shared #(.AW(X), .BW(Y), .Sums(2), .Share(Pair)) u_products (
-      .clk_i, .valid_i(there[AtS2]), .a_i({X'(s2_along_q), X'(s2_long)}),
-      .b_i({Y'(s2_along_q), Y'(s2_short)}), .p_o(products));
+    logic [2*X-1:0]     a;
+    logic [2*Y-1:0]     b;
+    assign a = {X'(s2_along_q), X'(s2_long)};
+    assign b = {Y'(s2_along_q), Y'(s2_short)};
+    if (Parts) begin : gen_parts
+      rc_mul_parts #(.AW(X), .BW(Y), .Sums(2), .Products(2), .Share(Share)) u_products (
+        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+    end else begin : gen_whole
+      rc_mul_shared #(.AW(X), .BW(Y), .Sums(2), .Share(Share)) u_products (
+        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+    end
     assign s2_ac = products[0 +: Long+Short];
     assign s2_bb = products[X+Y +: 2*L];
     logic unused;
@@ -381,9 +391,14 @@ module rc_sphere #(
   logic [U-1:0]   t_num;
   logic [P-1:0]   p_mine_q, p_theirs_q;
   assign best_next_o = there[AtT-1];
-  rc_mul #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
-    .clk_i, .a_i(t), .b_i(best_det_i), .p_o(t_mine));
-  rc_cut #(.Width(U + 2), .Stages(Mul)) u_theirs (
+  if (Parts) begin : gen_mine_in_parts
+    rc_mul_parts #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
+      .clk_i, .valid_i(there[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
+  end else begin : gen_mine
+    rc_mul #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
+      .clk_i, .a_i(t), .b_i(best_det_i), .p_o(t_mine));
+  end
+  rc_cut #(.Width(U + 2), .Stages(AtP - AtT - 1)) u_theirs (
     .clk_i, .data_i({best_found_i, best_first_i, best_num_i}), .data_o({t_found, t_first, t_num}));
   always_ff @(posedge clk_i) begin
     if (met_moves[AtP-1]) begin

@@ -37,13 +37,14 @@ module rc_tri (
   localparam int unsigned L    = rc_pkg::TriLatency;
   localparam int unsigned Cut  = rc_pkg::Cut;
   localparam int unsigned Mul  = rc_pkg::MulStages;
-  localparam int unsigned Share    = rc_pkg::PairShare;
+  localparam int unsigned Share    = rc_pkg::PairShare;    // products, or parts of them
+  localparam int unsigned Pair     = rc_pkg::PairStages;   // of a pair of products, but Mul
   localparam int unsigned Interval = rc_pkg::TriInterval;
   // Stages: a triangle comes in, it is tested, compared, and a hit is divided; what is no sphere
   // is done, a sphere is done, both are.
   localparam int unsigned In    = Cut;
   localparam int unsigned Front = In + (IsSheared ? rc_pkg::ShearStages : rc_pkg::EdgesStages);
-  localparam int unsigned Wide  = Front + Mul + Share;   // products to be compared are there
+  localparam int unsigned Wide  = Front + Mul + Pair;   // products to be compared are there
   localparam int unsigned Pre   = Wide + Cut + 1;
   localparam int unsigned Flat  = Pre + rc_pkg::HitdivStages;
   localparam int unsigned Ball  = In + rc_pkg::SphereStages;
@@ -150,7 +151,7 @@ module rc_tri (
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
       .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
-    rc_cut #(.Width(E), .Stages(Share - 1)) u_den_late (
+    rc_cut #(.Width(E), .Stages(Pair - 1)) u_den_late (
       .clk_i, .data_i(f0_den[E-1:0]), .data_o(f1_den));
     always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f1_den;
     rc_delay #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
@@ -195,12 +196,17 @@ module rc_tri (
       .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
     rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
       .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
+  end else if (rc_pkg::PairParts == 1) begin : gen_parts
+    rc_mul_parts #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Products(2), .Share(Share))
+    u_products (
+      .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
+      .p_o({f0_theirs, f0_mine}));
   end else begin : gen_shared
     rc_mul_shared #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Share(Share)) u_products (
       .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
       .p_o({f0_theirs, f0_mine}));
   end
-  rc_cut #(.Width(1), .Stages(Mul + Share - 1)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
+  rc_cut #(.Width(1), .Stages(Mul + Pair - 1)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
   always_ff @(posedge clk_i) begin
     if (goes[Wide-1] && (Cut != 0 || f1_hit)) begin
       f1_mine_q   <= f0_mine;
@@ -262,7 +268,8 @@ module rc_tri (
   logic [HitW-2:0] hit;
   if (rc_pkg::Spheres == 1) begin : gen_sphere
     localparam int unsigned BallBestW = 2 + U + D;
-    localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut;
+    localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut
+                                      - (rc_pkg::PairParts == 1 ? 1 + Cut : 0);
     localparam int unsigned FlatLate  = Core - Flat;   // stages that one waits for the other
     localparam int unsigned BallLate  = Core - Ball;
     localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere

@@ -62,6 +62,19 @@ mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][int
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
 
+mutant(parts_lower_has_no_sign FILE rtl/fixed/rc_mul_parts.sv TEST unit [tri][any][interval]
+  OLD [[assign lower = Signed ? PW'($signed(last[2*i*HW +: HW]))]]
+  NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HW +: HW]))]])
+mutant(parts_lie_side_by_side FILE rtl/fixed/rc_mul_parts.sv TEST unit [tri][interval]
+  OLD [[assign p_o[i*PW +: PW] = upper + lower;]]
+  NEW [[assign p_o[i*PW +: PW] = upper | lower;]])
+mutant(sphere_meets_the_next_ones_best FILE rtl/isect/rc_sphere.sv TEST unit [tri][any][interval]
+  OLD [[assign best_next_o = there[AtT-1];]]
+  NEW [[assign best_next_o = there[AtT-2];]])
+mutant(sphere_waits_for_another_ray FILE rtl/isect/rc_sphere.sv TEST unit [tri][any][interval]
+  OLD [[.leave_i(there[AtR-1])]]
+  NEW [[.leave_i(met_q[AtR-1])]])
+
 # ---- box that tests a node's children beat by beat.
 mutant(box_rests_a_cycle_less FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
   OLD [[|valid_q[K-2:0];]]
@@ -92,6 +105,18 @@ mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pa
 mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
   OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
   NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
+mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
+  OLD [[assign out_d = !leave_i ? out_q :]]
+  NEW [[assign out_d = 1'b1 ? out_q :]])
+mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
+  OLD [[comes ? way_new : $signed(way_q[k*Q +: Q]) >>> 1;]]
+  NEW [[comes ? way_new : $signed(way_q[k*Q +: Q]);]])
+mutant(approach_tells_of_the_last_pass FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
+  OLD [[done_q <= rst_ni && gen_in_turn.began[Steps];]]
+  NEW [[done_q <= rst_ni && gen_in_turn.began[Steps-1];]])
+mutant(shade_spawns_what_comes_after FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[.data_i({out_ray, spawn_q})]]
+  NEW [[.data_i({out_ray, SpawnDataW'(spawn)})]])
 mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
   OLD [[.Stages(Held)) u_step]]
   NEW [[.Stages(Held < 4 ? Held : 1)) u_step]])
