@@ -2,15 +2,16 @@
 // each stage, for Stages of these: data_o is what came with come_i, until leave_i says that the
 // same work goes on to the stage that needs it. As rc_wait, which it is if Every is 1.
 //
-// If work stays long enough, and there is much of it, the data lie in block RAM. In the cycle in
-// which work leaves, what is next is read: it is there in the next cycle, as from LUT RAM.
+// If work stays long, and a cell of LUT RAM (16 words) does not hold the data, they lie in block RAM,
+// which Yosys 0.23 does not choose by itself. What is next is read in the cycle in which work
+// leaves: it is there in the next one, as from LUT RAM.
 `default_nettype none
 module rc_beside #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Stages = 2,
   parameter  int unsigned Every  = rc_pkg::ShadeInterval,
   localparam int unsigned IndexW = Stages < 2 ? 1 : $clog2(Stages),
-  localparam bit          Block  = Every >= 4 && Stages > 8 && Width > 16
+  localparam bit          Block  = Every >= 4 && Stages > 16 && Width > 16
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
@@ -34,11 +35,15 @@ module rc_beside #(
       else if (leave_i) out_q <= out_q == Last ? '0 : out_q + 1'b1;
     end
     if (Block) begin : gen_block
+      (* no_rw_check, ram_style = "block" *) logic [Width-1:0] mem [Stages];
+      logic [Width-1:0]  read_q;
       logic [IndexW-1:0] out_d;
-      assign out_d = !leave_i ? out_q : out_q == Last ? '0 : out_q + 1'b1;
-      rc_ram_sync #(.Width(Width), .Depth(Stages)) u_ram (
-        .clk_i, .write_i(come_i), .write_addr_i(in_q), .write_data_i(data_i),
-        .read_i(!come_i || in_q != out_d), .read_addr_i(out_d), .read_data_o(data_o));
+      assign out_d  = !leave_i ? out_q : out_q == Last ? '0 : out_q + 1'b1;
+      assign data_o = read_q;
+      always_ff @(posedge clk_i) begin
+        if (come_i) mem[in_q] <= data_i;
+        if (!come_i || in_q != out_d) read_q <= mem[out_d];
+      end
     end else begin : gen_luts
       rc_ram #(.Width(Width), .Depth(Stages)) u_ram (
         .clk_i, .write_i(come_i), .write_addr_i(in_q), .write_data_i(data_i), .read_addr_i(out_q),

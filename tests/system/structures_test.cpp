@@ -258,8 +258,7 @@ TEST_CASE("model and RTL agree on a list of all primitives", "[structures]") {
 }
 
 TEST_CASE("model and RTL agree on every structure, other configurations", "[structures][slow]") {
-    const std::string name =
-        GENERATE("small", "narrow", "broad", "wide", "saarcor", "rpu", "ulx3s", "ulx3s-shaded");
+    const std::string name = GENERATE("small", "narrow", "broad", "wide", "saarcor", "rpu", "ulx3s");
     INFO(name);
     check_lockstep(make_shot("gears:2", {48, 36}, kd(name)).job);
     check_lockstep(make_shot("gears:2", {48, 36}, deep(name, Structure::spheres)).job);
