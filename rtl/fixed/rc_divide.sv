@@ -5,8 +5,8 @@
 // Lows of them are zeros). Answers floor((rem * 2^(Bits Stages) + low) / den), and
 // whether a remainder is left. Latency Stages, no stall.
 //
-// Operands may come every Every cycles, with valid_i. Each stage of the pipeline makes as many steps,
-// one after the other. If Every is 1, a stage works only if valid_i came with its operands.
+// Operands may come every Every cycles, with valid_i. Each stage of the pipeline makes as many
+// steps, one after the other. If Every is 1, a stage works only if valid_i came with its operands.
 // Proven: tests/formal/divide.sv.
 `default_nettype none
 module rc_divide #(
@@ -38,8 +38,8 @@ module rc_divide #(
   assign valid = {valid_q, valid_i};
   always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0];
 
-  // What is left lies between -den and den: den is taken from twice of it if it is not negative, and
-  // added if it is; a bit of the quotient is set if it is not negative then.
+  // What is left lies between -den and den: den is taken from twice of it if it is not negative,
+  // and added if it is; a bit of the quotient is set if it is not negative then.
   for (genvar i = 0; i <= Last; i++) begin : gen_stage
     localparam int unsigned Steps = Stages - i * Every < Every ? Stages - i * Every : Every;
     localparam int unsigned Own   = Bits * Steps;

@@ -2,8 +2,8 @@
 //
 // Answers floor(sqrt(square)), and whether something is left over. Latency Stages, no stall.
 //
-// Squares may come every Every cycles, with valid_i. Each stage of the pipeline makes as many steps,
-// one after the other. If Every is 1, a stage works only if valid_i came with its operand.
+// Squares may come every Every cycles, with valid_i. Each stage of the pipeline makes as many
+// steps, one after the other. If Every is 1, a stage works only if valid_i came with its operand.
 // Then a square may stay longer, Held cycles, in each but the first stage: a step is made in the
 // last of them. Proven: tests/formal/sqrt.sv.
 `default_nettype none

@@ -2,8 +2,8 @@
 // ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. den, det > 0, num > 0,
 // 0 <= u, v <= det. If there are planes, any u and v, as magnitude and sign; the answer is
 // in two's complement and saturates at both ends. Latency rc_pkg::HitdivStages, throughput 1 every
-// rc_pkg::TriInterval cycles: so many steps share a stage of a divider. A stage works only if valid_i
-// came with its operands.
+// rc_pkg::TriInterval cycles: so many steps share a stage of a divider. A stage works only if
+// valid_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
   parameter  int unsigned E = 8,         // bits of den, at least those of det

@@ -2,8 +2,8 @@
 // each stage, for Stages of these: data_o is what came with come_i, until leave_i says that the
 // same work goes on to the stage that needs it. As rc_wait, which it is if Every is 1.
 //
-// If work stays long, and a cell of LUT RAM (16 words) does not hold the data, they lie in block RAM,
-// which Yosys 0.23 does not choose by itself. What is next is read in the cycle in which work
+// If work stays long, and a cell of LUT RAM (16 words) does not hold the data, they lie in block
+// RAM, which Yosys 0.23 does not choose by itself. What is next is read in the cycle in which work
 // leaves: it is there in the next one, as from LUT RAM.
 `default_nettype none
 module rc_beside #(

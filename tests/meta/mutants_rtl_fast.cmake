@@ -106,8 +106,8 @@ mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][in
   OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
   NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
 mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
-  OLD [[assign out_d = !leave_i ? out_q :]]
-  NEW [[assign out_d = 1'b1 ? out_q :]])
+  OLD [[assign out_d  = !leave_i ? out_q :]]
+  NEW [[assign out_d  = 1'b1 ? out_q :]])
 mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
   OLD [[comes ? way_new : $signed(way_q[k*Q +: Q]) >>> 1;]]
   NEW [[comes ? way_new : $signed(way_q[k*Q +: Q]);]])

@@ -403,5 +403,5 @@ TEST_CASE("model and rtl of a tri that shades and shares multipliers make the sa
 
 TEST_CASE("a fast tri that shades and shares multipliers decides exactly and measures within its bound",
           "[tri][any][interval]") {
-    against_oracle<Rtl<TriUnit>>(shared(fast_part(0), 4), 1, flows[1], 3000);
+    against_oracle<Rtl<TriUnit>>(shared(fast_part(0), 4), 102, flows[2], 6000);
 }
