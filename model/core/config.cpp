@@ -211,6 +211,15 @@ void make_small(Config& c) {
     c.stack_depth = 32;
 }
 
+/// Finished pictures with planes, spheres and refraction, on a chip that has no room for a unit that is wider
+/// than its passes ask for.
+void make_shaded(Config& c) {
+    c.shading = c.planes = c.spheres = c.refraction = 1;
+    c.shade_interval = 8;
+    c.tri_interval = 4;
+    c.box_lanes = 2;
+}
+
 /// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats
 /// have no like here; 18 bits of lattice are kept.
 void make_binary(Config& c) {
@@ -221,7 +230,8 @@ void make_binary(Config& c) {
 }   // namespace
 
 const std::vector<std::string>& config_names() {
-    static const std::vector<std::string> names{"default", "small", "wide", "saarcor", "rpu", "ulx3s"};
+    static const std::vector<std::string> names{"default", "small", "wide",        "saarcor",
+                                                "rpu",     "ulx3s", "ulx3s-shaded"};
     return names;
 }
 
@@ -238,10 +248,11 @@ Config named_config(const std::string& name) {
         c.dram = sdr;
         return c;
     }
-    if (name == "ulx3s") {
+    if (name == "ulx3s" || name == "ulx3s-shaded") {
         make_small(c);
         c.timing = int(Timing::fast);
         c.tri_interval = 2;
+        if (name == "ulx3s-shaded") make_shaded(c);
         c.raygen_queue = c.box_queue = 32;
         c.tri_queue = 64;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 256, 2, 8);

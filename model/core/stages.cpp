@@ -1,6 +1,7 @@
 #include "model/core/stages.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace rayclock {
 
@@ -9,6 +10,12 @@ namespace {
 int exchange_levels(int n) {
     const int halvings = index_bits(n);
     return halvings * (halvings + 1) / 2;
+}
+
+/// Levels of the shift that leaves a sphere's discriminant 2 root_bits bits, by pairs of them.
+int shift_levels(const Config& config) {
+    const int half = std::max(config.dir_bits + config.origin_width(), root_bits);
+    return std::bit_width(unsigned(half - root_bits));
 }
 }   // namespace
 
@@ -32,12 +39,18 @@ Stages::Stages(const Config& config) {
 
     cross_share = std::min(config.tri_interval, 3);
     dot_share = config.tri_interval;
-    pair_share = std::min(config.tri_interval, 2);
+    pair_parts = config.tri_interval >= 4;
+    pair_share = std::min(config.tri_interval, pair_parts ? 4 : 2);
+    pair = pair_share + (pair_parts ? cut : 0);
     edges = 2 + 2 * multiply + cross_share + dot_share + cut;
     shear = 6;
-    compare = multiply + 1 + pair_share + cut;
-    sphere = 8 + root_bits / 2 + (config.t_bits() + 1) / 2;
-    hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1) + pair_share - 1) + 2 * cut;
+    compare = multiply + 1 + pair + cut;
+    sphere_levels = shift_levels(config);
+    const int decide = 1 + (multiply + cross_share) + (multiply + pair) + 1 + cut;
+    const int root = sphere_levels * cut + 1 + divide(root_bits) + 1 + 2 * cut;
+    const int compare_t = multiply + 1 + (pair_parts ? 1 + cut : 0) + 1 + cut;
+    sphere = decide + root + divide(config.t_bits()) + 2 * cut + compare_t;
+    hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1)) + 2 * cut;
 
     pixel = 1 + (fast ? multiply - 1 : 0);
     direction = 1 + 2 * cut;

@@ -23,15 +23,19 @@ struct Stages {
                         ///< as of a treelet
     // Products and quotients that share a multiplier or divider, one after the other, if tri takes a
     // primitive only every few cycles (rtl/fixed/rc_mul_shared.sv): of three cross products, of the four sums
-    // of products that are edge functions, of a pair.
+    // of products that are edge functions, of a pair, of which each may be made in two parts
+    // (rtl/fixed/rc_mul_parts.sv); what a pair takes, but the stages of a product.
     int cross_share = 1;
     int dot_share = 1;
     int pair_share = 1;
+    bool pair_parts = false;
+    int pair = 1;
     // Primitives, rtl/isect/rc_tri.sv: rc_edges, rc_shear, the comparison, rc_hitdiv, rc_sphere.
     int edges = 0;
     int shear = 0;
     int compare = 0;
     int hit_divide = 0;
+    int sphere_levels = 0;   ///< of a shift, each with a register in a fast chip
     int sphere = 0;
     // Rays, rtl/raygen/rc_raygen.sv: the pixel's steps, rc_direction, rc_recip, rc_slope.
     int pixel = 0;

@@ -1,15 +1,20 @@
-// Quotient bits of a division by restoring steps, one or two bits a stage.
+// Quotient bits of a division without restoring, one or two bits a step.
 //
 // The user hands over the partial remainder rem < den that is left after the bits
-// above, and the dividend's lower bits, top first, in low_i (Bits * Stages bits, zeros
-// where nothing follows). Answers floor((rem * 2^(Bits Stages) + low) / den), and
-// whether a remainder is left. Latency Stages, throughput 1 per cycle, no stall; a
-// stage works only if `valid_i` came with its operands.
+// above, and the dividend's lower bits, top first, in low_i (Bits * Stages bits; all but the top
+// Lows of them are zeros). Answers floor((rem * 2^(Bits Stages) + low) / den), and
+// whether a remainder is left. Latency Stages, no stall.
+//
+// Operands may come every Every cycles, with valid_i. Each stage of the pipeline makes as many
+// steps, one after the other. If Every is 1, a stage works only if valid_i came with its operands.
+// Proven: tests/formal/divide.sv.
 `default_nettype none
 module rc_divide #(
   parameter  int unsigned Width  = 8,   // of den and rem
-  parameter  int unsigned Stages = 4,
-  parameter  int unsigned Bits   = 2,   // of the quotient, a stage
+  parameter  int unsigned Stages = 4,   // steps
+  parameter  int unsigned Bits   = 2,   // of the quotient, a step
+  parameter  int unsigned Every  = 1,
+  parameter  int unsigned Lows   = Bits * Stages,
   localparam int unsigned QuoW   = Bits * Stages
 ) (
   input  logic             clk_i,
@@ -20,69 +25,113 @@ module rc_divide #(
   output logic [QuoW-1:0]  quo_o,
   output logic             inexact_o
 );
-  if (Width < 1 || Stages < 1 || Bits < 1 || Bits > 2) begin : gen_refuse
-    $error("rc_divide: Width and Stages must be at least 1, and Bits 1 or 2");
+  if (Width < 1 || Stages < 1 || Bits < 1 || Bits > 2 || Every < 1 || Lows > QuoW)
+  begin : gen_refuse
+    $error("rc_divide: Width, Stages and Every must be at least 1, Bits 1 or 2, Lows few enough");
   end
-  // Dividend bits leave the shift register at the top as quotient bits enter below.
-  for (genvar i = 0; i < Stages; i++) begin : gen_stage
-    logic             valid_q, valid_d;
-    logic [Width-1:0] rem_q, den_q, rem_d, den_d;
-    logic [QuoW-1:0]  quo_q, quo_d;
-    if (i == 0) begin : gen_first
-      assign valid_d = valid_i;
-      assign rem_d   = rem_i;
-      assign den_d   = den_i;
-      assign quo_d   = low_i;
-    end else begin : gen_next
-      assign valid_d = gen_stage[i-1].valid_q;
-      assign rem_d   = gen_stage[i-1].rem_q;
-      assign den_d   = gen_stage[i-1].den_q;
-      assign quo_d   = gen_stage[i-1].quo_q;
+  localparam int unsigned Last  = (Stages + Every - 1) / Every - 1;   // stage
+  localparam int unsigned Chunk = Bits * Every;   // bits of the quotient that a stage makes
+
+  // valid[i]: step i is next.
+  logic [Stages-1:0] valid_q;
+  logic [Stages:0]   valid;
+  assign valid = {valid_q, valid_i};
+  always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0];
+
+  // What is left lies between -den and den: den is taken from twice of it if it is not negative,
+  // and added if it is; a bit of the quotient is set if it is not negative then.
+  for (genvar i = 0; i <= Last; i++) begin : gen_stage
+    localparam int unsigned Steps = Stages - i * Every < Every ? Stages - i * Every : Every;
+    localparam int unsigned Own   = Bits * Steps;
+    localparam int unsigned LowW  = Lows > Chunk * i ? Lows - Chunk * i : 0;   // bits still to come
+    localparam bit          Again = Steps > 1;
+    logic             here, comes;
+    logic [Width:0]   rem_q, rem_new, rem_d, between, rem_next;
+    logic [Width-1:0] den;
+    logic [1:0]       low;   // next bits of the dividend
+    logic [Bits-1:0]  made;
+    logic [Own-1:0]   own_q;
+    logic [Chunk*i+Own-1:0] quo;
+    assign comes = valid[i*Every];
+    assign here  = Again || comes;
+
+    // The divisor is there a cycle before the rest, so that nothing need be chosen.
+    if (i > 0) begin : gen_den
+      logic [Width-1:0] den_q;
+      always_ff @(posedge clk_i) if (valid[i*Every-1]) den_q <= gen_stage[i-1].den;
+      assign den     = den_q;
+      assign rem_new = gen_stage[i-1].rem_q;
+    end else if (Again) begin : gen_first_den
+      logic [Width-1:0] den_q;
+      always_ff @(posedge clk_i) if (comes) den_q <= den_i;
+      assign den     = comes ? den_i : den_q;
+      assign rem_new = {1'b0, rem_i};
+    end else begin : gen_only_den
+      assign den     = den_i;
+      assign rem_new = {1'b0, rem_i};
     end
-    // A restoring step, or two.
-    logic [Width:0]   first, first_less, second, second_less;
-    logic [Width-1:0] between;
-    always_comb begin
-      first       = '0;
-      first_less  = '0;
-      between     = '0;
-      second      = '0;
-      second_less = '0;
-      if (valid_d) begin
-        first       = {rem_d, quo_d[QuoW-1]};
-        first_less  = first - {1'b0, den_d};
-        between     = first_less[Width] ? first[Width-1:0] : first_less[Width-1:0];
-        second      = {between, quo_d[QuoW-Bits]};
-        second_less = second - {1'b0, den_d};
+    assign rem_d = !Again || comes ? rem_new : rem_q;
+
+    if (LowW > 0) begin : gen_low
+      logic [LowW-1:0] low_new, low_d, low_q;
+      logic [LowW+1:0] padded;
+      if (i == 0) begin : gen_first
+        assign low_new = low_i[QuoW-1 -: LowW];
+      end else begin : gen_next
+        assign low_new = gen_stage[i-1].gen_low.low_q[LowW+Chunk-1 -: LowW];
       end
+      assign low_d  = !Again || comes ? low_new : low_q;
+      assign padded = {low_d, 2'b00};
+      assign low    = padded[LowW+1 -: 2];
+      always_ff @(posedge clk_i) if (here) low_q <= low_d << Bits;
+      logic unused;
+      assign unused = ^padded;
+    end else begin : gen_no_low
+      assign low = '0;
+    end
+
+    rc_addsub #(.Width(Width + 1)) u_first (
+      .there_i(here), .minus_i(!rem_d[Width]), .a_i({rem_d[Width-1:0], low[1]}),
+      .b_i({1'b0, den}), .sum_o(between));
+    if (Bits == 1) begin : gen_one
+      assign rem_next = between;
+      assign made     = !between[Width];
+      logic unused;
+      assign unused   = low[0];
+    end else begin : gen_two
+      rc_addsub #(.Width(Width + 1)) u_second (
+        .there_i(here), .minus_i(!between[Width]), .a_i({between[Width-1:0], low[0]}),
+        .b_i({1'b0, den}), .sum_o(rem_next));
+      assign made     = {!between[Width], !rem_next[Width]};
     end
     always_ff @(posedge clk_i) begin
-      valid_q <= valid_d;
-      if (valid_d) den_q <= den_d;
+      if (here) begin
+        rem_q <= rem_next;
+        own_q <= Own'({own_q, made});
+      end
     end
-    if (Bits == 1) begin : gen_one
-      always_ff @(posedge clk_i) begin
-        if (valid_d) begin
-          rem_q <= between;
-          quo_q <= QuoW'({quo_d, !first_less[Width]});
-        end
-      end
-      logic unused;
-      assign unused = ^second_less;
-    end else begin : gen_two
-      always_ff @(posedge clk_i) begin
-        if (valid_d) begin
-          rem_q <= second_less[Width] ? second[Width-1:0] : second_less[Width-1:0];
-          quo_q <= QuoW'({quo_d, !first_less[Width], !second_less[Width]});
-        end
-      end
+    // The bits that are made here join those of the stages before.
+    if (i > 0) begin : gen_held
+      logic [Chunk*i-1:0] held_q;
+      always_ff @(posedge clk_i) if (comes) held_q <= gen_stage[i-1].quo;
+      assign quo = {held_q, own_q};
+    end else begin : gen_none_held
+      assign quo = own_q;
     end
   end
 
-  assign quo_o     = gen_stage[Stages-1].quo_q;
-  assign inexact_o = gen_stage[Stages-1].rem_q != '0;
+  // Nothing is left if that is 0, or -den: two numbers' sum is 0 if no bit of it is set when
+  // every carry is made that the bits below can make.
+  logic [Width-1:0] end_den_q;
+  logic [Width:0]   end_rem, end_den;
+  always_ff @(posedge clk_i) if (valid[Stages-1]) end_den_q <= gen_stage[Last].den;
+  assign end_rem   = gen_stage[Last].rem_q;
+  assign end_den   = {1'b0, end_den_q};
+  assign inexact_o = end_rem[Width] ? (end_rem ^ end_den) != (end_rem | end_den) << 1
+                                    : end_rem != '0;
+  assign quo_o     = gen_stage[Last].quo;
 
   logic unused;
-  assign unused = ^{gen_stage[Stages-1].valid_q, gen_stage[Stages-1].den_q};
+  assign unused = ^{valid[Stages], low_i};
 endmodule
 `default_nettype wire

@@ -1,13 +1,18 @@
-// Square root by digit recurrence, two bits of it a stage.
+// Square root by digit recurrence without restoring, one or two bits of it a step.
 //
-// Answers floor(sqrt(square)), and whether something is left over. A square every Every cycles,
-// which stays as long in each but the first of Stages stages; no stall. A stage works only if
-// `valid_i` came with its operand. Proven: tests/formal/sqrt.sv.
+// Answers floor(sqrt(square)), and whether something is left over. Latency Stages, no stall.
+//
+// Squares may come every Every cycles, with valid_i. Each stage of the pipeline makes as many
+// steps, one after the other. If Every is 1, a stage works only if valid_i came with its operand.
+// Then a square may stay longer, Held cycles, in each but the first stage: a step is made in the
+// last of them. Proven: tests/formal/sqrt.sv.
 `default_nettype none
 module rc_sqrt #(
-  parameter  int unsigned Stages  = 4,
+  parameter  int unsigned Stages  = 4,   // steps
+  parameter  int unsigned Bits    = 2,   // of the root, a step
   parameter  int unsigned Every   = 1,
-  localparam int unsigned RootW   = 2 * Stages,
+  parameter  int unsigned Held    = 1,
+  localparam int unsigned RootW   = Bits * Stages,
   localparam int unsigned SquareW = 2 * RootW
 ) (
   input  logic               clk_i,
@@ -16,62 +21,84 @@ module rc_sqrt #(
   output logic [RootW-1:0]   root_o,
   output logic               inexact_o
 );
-  if (Stages < 1) begin : gen_refuse
-    $error("rc_sqrt: Stages must be at least 1");
+  if (Stages < 1 || Bits < 1 || Bits > 2 || Every < 1 || Held < 1 || (Every > 1 && Held > 1))
+  begin : gen_refuse
+    $error("rc_sqrt: Stages must be at least 1, Bits 1 or 2, and Every or Held 1");
   end
+  localparam int unsigned Last  = (Stages + Every - 1) / Every - 1;   // stage
+  localparam int unsigned Chunk = Bits * Every;   // bits of the root that a stage makes
+
+  // valid[i]: step i is next.
+  logic [Stages:0] valid;
+  assign valid[0] = valid_i;
+  for (genvar i = 0; i < Stages; i++) begin : gen_valid
+    rc_cut #(.Width(1), .Stages(Held)) u_step (
+      .clk_i, .data_i(valid[i]), .data_o(valid[i+1]));
+  end
+
   // The square leaves its register at the top, two bits for each bit of the root. What is
-  // left of it so far, less the root's square, never exceeds twice the root.
-  for (genvar i = 0; i < Stages; i++) begin : gen_stage
-    logic               valid_q, valid_d;
-    logic [RootW:0]     rem_q, rem_d;
-    logic [RootW-1:0]   root_q, root_d;
-    logic [SquareW-1:0] square_q, square_d;
+  // left of it, less the root's square, lies between -2 root - 1 and 2 root: if it is not
+  // negative, 4 root + 1 is taken from four times of it and the next two bits, else 4 root + 3 is
+  // added; a bit of the root is set if it is not negative then. Both have as many bits in a stage
+  // as the root has behind it, and two more.
+  for (genvar i = 0; i <= Last; i++) begin : gen_stage
+    localparam int unsigned Steps = Stages - i * Every < Every ? Stages - i * Every : Every;
+    localparam int unsigned R     = Chunk * i + Bits * Steps;   // of the root behind this stage
+    localparam int unsigned Left  = SquareW - 2 * Chunk * i;    // of the square before it
+    localparam bit          Again = Steps > 1;
+    logic            here, comes;
+    logic [R+1:0]    rem_q, rem_new, rem_d, between, rem_next;
+    logic [R-1:0]    root_q, root_new, root_d, root_next;
+    logic [Left-1:0] square_q, square_new, square_d;
+    assign comes = valid[i*Every];
+    assign here  = Again || comes;
     if (i == 0) begin : gen_first
-      assign valid_d  = valid_i;
-      assign rem_d    = '0;
-      assign root_d   = '0;
-      assign square_d = square_i;
+      assign rem_new    = '0;
+      assign root_new   = '0;
+      assign square_new = square_i;
     end else begin : gen_next
-      rc_cut #(.Width(1), .Stages(Every - 1)) u_last (
-        .clk_i, .data_i(gen_stage[i-1].valid_q), .data_o(valid_d));
-      assign rem_d    = gen_stage[i-1].rem_q;
-      assign root_d   = gen_stage[i-1].root_q;
-      assign square_d = gen_stage[i-1].square_q;
+      localparam int unsigned From = Chunk * i;   // bits of the root so far
+      assign rem_new    = {{(R-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q};
+      assign root_new   = R'(gen_stage[i-1].root_q);
+      assign square_new = gen_stage[i-1].square_q[Left+2*Chunk-1 -: Left];
     end
-    // Two steps: a bit is set if (2 root + 1)^2 still fits.
-    logic [RootW+2:0] first, second, first_less, second_less;
-    logic [RootW:0]   between;
-    always_comb begin
-      first       = '0;
-      second      = '0;
-      first_less  = '0;
-      second_less = '0;
-      between     = '0;
-      if (valid_d) begin
-        first       = {rem_d, square_d[SquareW-1 -: 2]};
-        first_less  = first - {1'b0, root_d, 2'b01};
-        between     = first_less[RootW+2] ? first[RootW:0] : first_less[RootW:0];
-        second      = {between, square_d[SquareW-3 -: 2]};
-        second_less = second - {1'b0, root_d[RootW-2:0], !first_less[RootW+2], 2'b01};
-      end
+    assign rem_d    = !Again || comes ? rem_new : rem_q;
+    assign root_d   = !Again || comes ? root_new : root_q;
+    assign square_d = !Again || comes ? square_new : square_q;
+    rc_addsub #(.Width(R + 2)) u_first (
+      .there_i(here), .minus_i(!rem_d[R+1]),
+      .a_i({rem_d[R-1:0], square_d[Left-1 -: 2]}),
+      .b_i({root_d, rem_d[R+1], 1'b1}), .sum_o(between));
+    if (Bits == 1) begin : gen_one
+      assign rem_next  = between;
+      assign root_next = R'({root_d, !between[R+1]});
+    end else begin : gen_two
+      rc_addsub #(.Width(R + 2)) u_second (
+        .there_i(here), .minus_i(!between[R+1]),
+        .a_i({between[R-1:0], square_d[Left-3 -: 2]}),
+        .b_i({root_d[R-2:0], !between[R+1], between[R+1], 1'b1}), .sum_o(rem_next));
+      assign root_next = R'({root_d, !between[R+1], !rem_next[R+1]});
     end
     always_ff @(posedge clk_i) begin
-      valid_q <= valid_d;
-      if (valid_d) begin
-        rem_q    <= second_less[RootW+2] ? second[RootW:0] : second_less[RootW:0];
-        root_q   <= {root_d[RootW-3:0], !first_less[RootW+2], !second_less[RootW+2]};
-        square_q <= square_d << 4;
+      if (here) begin
+        rem_q    <= rem_next;
+        root_q   <= root_next;
+        square_q <= square_d << (2 * Bits);
       end
     end
     logic unused;
-    assign unused = ^{first[RootW+2:RootW+1], first_less[RootW+1], second[RootW+2:RootW+1],
-                      second_less[RootW+1], root_d[RootW-1]};
+    assign unused = ^{rem_d[R], between[R], root_d[R-1]};
   end
 
-  assign root_o    = gen_stage[Stages-1].root_q;
-  assign inexact_o = gen_stage[Stages-1].rem_q != '0;
+  // Nothing is left if that is 0, or -2 root - 1; as in rc_divide.
+  logic [RootW+1:0] end_rem, end_step;
+  assign end_rem   = gen_stage[Last].rem_q;
+  assign end_step  = {1'b0, gen_stage[Last].root_q, 1'b1};
+  assign inexact_o = end_rem[RootW+1] ? (end_rem ^ end_step) != (end_rem | end_step) << 1
+                                      : end_rem != '0;
+  assign root_o    = gen_stage[Last].root_q;
 
   logic unused;
-  assign unused = ^{gen_stage[Stages-1].valid_q, gen_stage[Stages-1].square_q};
+  assign unused = ^{valid[Stages], gen_stage[Last].square_q};
 endmodule
 `default_nettype wire

@@ -1,9 +1,9 @@
 // Distance and barycentrics of a hit: t = ceil(2^(M-1+F) num / den), saturated at all
 // ones; u and v = floor(2^BaryBits u / det). Part of rc_tri. den, det > 0, num > 0,
 // 0 <= u, v <= det. If there are planes, any u and v, as magnitude and sign; the answer is
-// in two's complement and saturates at both ends. Latency rc_pkg::HitdivStages, throughput 1 per
-// cycle, or with rc_pkg::PairShare 2 every other cycle: then v follows u in one divider. A stage
-// works only if valid_i came with its operands.
+// in two's complement and saturates at both ends. Latency rc_pkg::HitdivStages, throughput 1 every
+// rc_pkg::TriInterval cycles: so many steps share a stage of a divider. A stage works only if
+// valid_i came with its operands.
 `default_nettype none
 module rc_hitdiv #(
   parameter  int unsigned E = 8,         // bits of den, at least those of det
@@ -32,7 +32,7 @@ module rc_hitdiv #(
   localparam int unsigned Cut     = rc_pkg::Cut;
   localparam int unsigned Bits    = rc_pkg::QuotientBits; // made in a stage
   localparam int unsigned Stages  = L - 2 * Cut;          // of the division
-  localparam int unsigned Share   = rc_pkg::PairShare;
+  localparam int unsigned Every   = rc_pkg::TriInterval;
   localparam int unsigned Q       = Bits * Stages;        // quotient bits made, at least T and B
   // num * 2^(M-1+F) * 2^(Q-T) / den in Q bits: the dividend above the quotient's bits is
   // num * 2^(M-1+F-T), that is num moved left by M - N - 3, or right if that is negative.
@@ -59,6 +59,10 @@ module rc_hitdiv #(
   logic [L:0]   valid;
   assign valid = {valid_q, valid_i};
   always_ff @(posedge clk_i) valid_q <= valid[L-1:0];
+  // What the dividers begin with: it must be there if they make several steps in a stage.
+  logic there, begins;
+  rc_cut #(.Width(1)) u_there (.clk_i, .data_i(there_i), .data_o(there));
+  assign begins = Every > 1 ? there : valid[Cut];
 
   logic [E-1:0] t_rem, t_den;
   logic [Q-1:0] t_below, t_quo;
@@ -68,14 +72,14 @@ module rc_hitdiv #(
   rc_cut #(.Width(2 * E + Q)) u_t_first (
     .clk_i, .data_i({beyond && Cut == 0 ? '0 : num_above[E-1:0], den_i, num_below}),
     .data_o({t_rem, t_den, t_below}));
-  rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits)) u_t (
-    .clk_i, .valid_i(valid[Cut]), .rem_i(t_rem), .low_i(t_below), .den_i(t_den),
+  rc_divide #(.Width(E), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(Right)) u_t (
+    .clk_i, .valid_i(begins), .rem_i(t_rem), .low_i(t_below), .den_i(t_den),
     .quo_o(t_quo), .inexact_o(t_inexact));
 
   // u and v have fewer bits: they are done earlier, and wait for t. Their quotients have K + B
   // bits, and one more is needed: without planes for u = det, with them for all that saturates.
   localparam int unsigned Short = (K + B + Bits - 1) / Bits;
-  localparam int unsigned Rest  = Stages - Short - (Share - 1);
+  localparam int unsigned Rest  = Stages - Short;
   localparam int unsigned R     = Bits * Short;
   logic [D-1:0] u_above, v_above;
   logic [R-1:0] u_below, v_below, u_quo, v_quo;
@@ -105,37 +109,12 @@ module rc_hitdiv #(
   rc_cut #(.Width(3 * D + 2 * R)) u_uv_first (
     .clk_i, .data_i({u_top ? '0 : u_above, v_top ? '0 : v_above, det_i, u_below, v_below}),
     .data_o({u_rem, v_rem, uv_den, u_low, v_low}));
-  if (Share == 1) begin : gen_at_once
-    rc_divide #(.Width(D), .Stages(Short), .Bits(Bits)) u_u (
-      .clk_i, .valid_i(valid[Cut]), .rem_i(u_rem), .low_i(u_low), .den_i(uv_den),
-      .quo_o(u_quo), .inexact_o(u_inexact));
-    rc_divide #(.Width(D), .Stages(Short), .Bits(Bits)) u_v (
-      .clk_i, .valid_i(valid[Cut]), .rem_i(v_rem), .low_i(v_low), .den_i(uv_den),
-      .quo_o(v_quo), .inexact_o(v_inexact));
-  end else begin : gen_shared
-    // v waits for a cycle before the divider, and u for one behind it.
-    logic [D-1:0] v_rem_q, rem, den_q, den;
-    logic [R-1:0] v_low_q, low, quo, quo_q;
-    logic         inexact, inexact_q, u_goes;
-    rc_cut #(.Width(1)) u_first (.clk_i, .data_i(there_i), .data_o(u_goes));
-    always_ff @(posedge clk_i) begin
-      v_rem_q   <= v_rem;
-      v_low_q   <= v_low;
-      den_q     <= uv_den;
-      quo_q     <= quo;
-      inexact_q <= inexact;
-    end
-    assign rem = u_goes ? u_rem : v_rem_q;
-    assign low = u_goes ? u_low : v_low_q;
-    assign den = u_goes ? uv_den : den_q;
-    rc_divide #(.Width(D), .Stages(Short), .Bits(Bits)) u_uv (
-      .clk_i, .valid_i(valid[Cut] || valid[Cut+1]), .rem_i(rem), .low_i(low), .den_i(den),
-      .quo_o(quo), .inexact_o(inexact));
-    assign u_quo     = quo_q;
-    assign u_inexact = inexact_q;
-    assign v_quo     = quo;
-    assign v_inexact = inexact;
-  end
+  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K)) u_u (
+    .clk_i, .valid_i(begins), .rem_i(u_rem), .low_i(u_low), .den_i(uv_den),
+    .quo_o(u_quo), .inexact_o(u_inexact));
+  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K)) u_v (
+    .clk_i, .valid_i(begins), .rem_i(v_rem), .low_i(v_low), .den_i(uv_den),
+    .quo_o(v_quo), .inexact_o(v_inexact));
 
   // A negative one is rounded down as well: -q, or -q - 1 if something is left.
   localparam int unsigned UvW = K + B + (K > 0 ? 1 : 0);
@@ -147,8 +126,8 @@ module rc_hitdiv #(
     logic         u_many, u_neg, v_many, v_neg, u_rest, v_rest, u_left, v_left;
     logic [V-2:0] u_whole, v_whole;
     logic [V-1:0] u_size, v_size, u_end, v_end;
-    rc_delay #(.Width(4), .Stages(2 * Cut + Short + Share - 1)) u_how (
-      .clk_i, .valid_i(valid[2*Cut+Short+Share-2:0]), .data_i({u_top, u_neg_i, v_top, v_neg_i}),
+    rc_delay #(.Width(4), .Stages(2 * Cut + Short)) u_how (
+      .clk_i, .valid_i(valid[2*Cut+Short-1:0]), .data_i({u_top, u_neg_i, v_top, v_neg_i}),
       .data_o({u_many, u_neg, v_many, v_neg}));
     assign u_rest = u_inexact || (R > K + B && u_quo[0]);
     assign v_rest = v_inexact || (R > K + B && v_quo[0]);
@@ -195,6 +174,6 @@ module rc_hitdiv #(
   end
 
   logic unused;
-  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid[L], there_i};
+  assign unused = ^{u_quo, v_quo, num_above[WideW-1:E], valid[L]};
 endmodule
 `default_nettype wire

@@ -3,8 +3,11 @@
 // of rc_tri, which has the best hit wait. Formulas, rules, the error's bound and the proof
 // of the widths: model/isect/any.hpp; model: sphere_test() in model/isect/any.cpp.
 //
-// Latency rc_pkg::TriLatency, throughput 1 per cycle. Best is wanted BestStage cycles after
-// the sphere.
+// Latency rc_pkg::SphereStages, throughput 1 every rc_pkg::TriInterval cycles: then products share
+// multipliers, and steps of the root and of the division a stage. Its stages are counted in
+// model/core/stages.cpp as well. What one holds has its name: s1 the way from the centre, s2 the
+// products, s3 those of these, s4 the decision, s5 the discriminant that is left, r its root, w
+// the way along the ray, t the distance, p the products with the best hit.
 `default_nettype none
 module rc_sphere #(
   localparam int unsigned N = rc_pkg::CoordBits,
@@ -15,11 +18,7 @@ module rc_sphere #(
   localparam int unsigned F = rc_pkg::TFracBits,
   localparam int unsigned T = rc_pkg::TBits,
   localparam int unsigned U = rc_pkg::NumBits,
-  localparam int unsigned E = rc_pkg::EdgeBits,
-  localparam int unsigned RootStages = rc_pkg::RootBits / 2,
-  localparam int unsigned DivStages  = (T + 1) / 2,
-  localparam int unsigned Root       = 5 + RootStages,       // stage that holds the root
-  localparam int unsigned BestStage  = Root + 1 + DivStages  // and the distance
+  localparam int unsigned E = rc_pkg::EdgeBits
 ) (
   input  logic           clk_i,
   input  logic           rst_ni,
@@ -32,6 +31,7 @@ module rc_sphere #(
   input  logic [3*H-1:0] s0_d_i,
   input  logic [3*N-1:0] s0_c_i,        // centre
   input  logic [2*N-1:0] s0_rr_i,       // square of the radius
+  output logic           best_next_o,   // best is wanted in the next cycle
   input  logic           best_found_i,
   input  logic           best_first_i,  // this sphere's number is not the higher one
   input  logic [U-1:0]   best_num_i,
@@ -50,261 +50,378 @@ module rc_sphere #(
   localparam int unsigned C = 2 * W + 3;        // s.s - R2
   localparam int unsigned D = 2 * (M + W) + 2 > 2 * (N + W) + 4
                             ? 2 * (M + W) + 2 : 2 * (N + W) + 4;  // discriminant
+  localparam int unsigned RootW  = rc_pkg::RootBits;
+  localparam int unsigned Plain  = 2 * (M + W) > 2 * RootW ? 2 * (M + W) : 2 * RootW; // of one met
+  localparam int unsigned Levels = rc_pkg::SphereLevels;   // of the shift that leaves 2 RootW bits
+  localparam int unsigned RightW = Levels > 0 ? Levels : 1;
+  localparam int unsigned Cut    = rc_pkg::Cut;
+  localparam int unsigned Mul    = rc_pkg::MulStages;
+  localparam int unsigned Every  = rc_pkg::TriInterval;
+  localparam int unsigned Three  = rc_pkg::CrossShare;     // of three products one multiplier makes
+  localparam int unsigned Share  = rc_pkg::PairShare;      // of two, or parts of them
+  localparam int unsigned Pair   = rc_pkg::PairStages;     // two products take, but Mul
+  localparam bit          Parts  = rc_pkg::PairParts == 1;
+  localparam int unsigned Bits   = rc_pkg::QuotientBits;   // of root and quotient, a step
+  localparam int unsigned RootSteps = RootW / Bits;
+  localparam int unsigned DivSteps  = (T + Bits - 1) / Bits;
+  // So many cycles after it came a sphere is in a stage.
+  localparam int unsigned AtS2 = 1 + Mul + Three;
+  localparam int unsigned AtS3 = AtS2 + Mul + Pair;
+  localparam int unsigned AtS4 = AtS3 + Cut + 1;
+  localparam int unsigned AtS5 = AtS4 + Levels * Cut + 1;
+  localparam int unsigned AtR  = AtS5 + RootSteps;
+  localparam int unsigned AtW  = AtR + 2 * Cut + 1;
+  localparam int unsigned AtT  = AtW + DivSteps + 2 * Cut;
+  localparam int unsigned AtP  = AtT + Mul + 1 + (Parts ? 1 + Cut : 0);
+  localparam int unsigned End  = AtP + Cut + 1;
+  if (End != rc_pkg::SphereStages || RootW % Bits != 0) begin : gen_refuse
+    $error("rc_sphere: its stages are not those of model/core/stages.cpp");
+  end
+
+  // there[k]: it came k cycles ago; met, from s4 on: and is met by a ray that wants to know where.
+  logic [End-1:0]    there_q;
+  logic [End:0]      there, moves;
+  logic [End-1:AtS4] met_q, met_moves, far_q, blocked_q;
+  logic              s3_met, s3_blocks, s3_far;
+  assign there = {there_q, s0_valid_i};
+  // As in rc_tri: a fast chip's stages always move.
+  assign moves     = there | {(End+1){Cut != 0}};
+  assign met_moves = met_q | {(End-AtS4){Cut != 0}};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      there_q   <= '0;
+      met_q     <= '0;
+      blocked_q <= '0;
+    end else begin
+      there_q   <= there[End-1:0];
+      met_q     <= {met_q[End-2:AtS4], s3_met};
+      blocked_q <= {blocked_q[End-2:AtS4], s3_blocks};
+    end
+    far_q     <= {far_q[End-2:AtS4], s3_far};
+    blocked_o <= blocked_q[End-1];
+    far_o     <= far_q[End-1];
+  end
 
   // ---- s1: from the centre to the origin, 2^B (o - c); in lattice steps for a shadow ray.
-  logic                s1_valid_q, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q;
-  logic signed [H-1:0] s1_dx_q, s1_dy_q, s1_dz_q;
-  logic signed [S-1:0] s1_sx_q, s1_sy_q, s1_sz_q;
-  logic [2*W-1:0]      s1_rr_q;
-  logic signed [W-1:0] s0_ox, s0_oy, s0_oz;
-  logic signed [N-1:0] s0_cx, s0_cy, s0_cz;
-  logic signed [S-1:0] s0_sx, s0_sy, s0_sz;
-  assign {s0_oz, s0_oy, s0_ox} = s0_o_i;
-  assign {s0_cz, s0_cy, s0_cx} = s0_c_i;
-  logic                s0_shadow;
+  logic [2*W-1:0] s1_rr_q, s2_rr;
+  logic           s0_shadow, s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q;
+  logic           s2_any, s2_shadow, s2_own, s2_inside;
   assign s0_shadow = s0_any_i && !s0_leaves_i;
-  assign s0_sx = S'(s0_ox) - (S'(s0_cx) <<< B);
-  assign s0_sy = S'(s0_oy) - (S'(s0_cy) <<< B);
-  assign s0_sz = S'(s0_oz) - (S'(s0_cz) <<< B);
+  for (genvar k = 0; k < 3; k++) begin : gen_axis
+    localparam int unsigned X = H > S ? H : S;
+    logic signed [W-1:0]   s0_o;
+    logic signed [N-1:0]   s0_c;
+    logic signed [S-1:0]   s0_s, s1_s_q;
+    logic signed [H-1:0]   s1_d_q;
+    logic signed [H+S-1:0] along;
+    logic signed [2*H-1:0] square;
+    logic signed [2*S-1:0] power;
+    assign s0_o = s0_o_i[k*W +: W];
+    assign s0_c = s0_c_i[k*N +: N];
+    assign s0_s = S'(s0_o) - (S'(s0_c) <<< B);
+    always_ff @(posedge clk_i) begin
+      if (moves[0]) begin
+        s1_d_q <= s0_d_i[k*H +: H];
+        s1_s_q <= s0_shadow ? s0_s >>> B : s0_s;
+      end
+    end
+    if (Three == 1) begin : gen_at_once
+      rc_mul #(.AW(H), .BW(S)) u_along (.clk_i, .a_i(s1_d_q), .b_i(s1_s_q), .p_o(along));
+      rc_mul #(.AW(H), .BW(H)) u_square (.clk_i, .a_i(s1_d_q), .b_i(s1_d_q), .p_o(square));
+      rc_mul #(.AW(S), .BW(S)) u_power (.clk_i, .a_i(s1_s_q), .b_i(s1_s_q), .p_o(power));
+    end else begin : gen_shared
+      logic [3*2*X-1:0] products;
+      rc_mul_shared #(.AW(X), .BW(X), .Products(3), .Share(Three)) u_products (
+        .clk_i, .valid_i(there[1]), .a_i({X'(s1_d_q), X'(s1_d_q), X'(s1_s_q)}),
+        .b_i({X'(s1_s_q), X'(s1_d_q), X'(s1_s_q)}), .p_o(products));
+      assign power  = products[0 +: 2*S];
+      assign square = products[2*X +: 2*H];
+      assign along  = products[4*X +: H+S];
+      logic unused;
+      assign unused = ^products;
+    end
+    logic unused;
+    assign unused = ^{along, square, power};
+  end
   always_ff @(posedge clk_i) begin
-    if (s0_valid_i) begin
-      {s1_dz_q, s1_dy_q, s1_dx_q} <= s0_d_i;
-      s1_sx_q <= s0_shadow ? s0_sx >>> B : s0_sx;
-      s1_sy_q <= s0_shadow ? s0_sy >>> B : s0_sy;
-      s1_sz_q <= s0_shadow ? s0_sz >>> B : s0_sz;
+    if (moves[0]) begin
       s1_rr_q <= s0_shadow ? {{(2*B){1'b0}}, s0_rr_i} : {s0_rr_i, {(2*B){1'b0}}};
       {s1_any_q, s1_shadow_q}  <= {s0_any_i, s0_shadow};
       {s1_own_q, s1_inside_q}  <= {s0_own_i, s0_inside_i};
     end
   end
+  if (Mul + Three == 1) begin : gen_rr_now
+    assign s2_rr = s1_rr_q;
+  end else begin : gen_rr_waits   // up to the cycle before s2
+    rc_aside #(.Width(2 * W), .Stages(Mul + Three - 1), .Every(Every)) u_rr (
+      .clk_i, .rst_ni, .valid_i(moves[AtS2-2:1]), .there_i(there[AtS2-2:1]), .data_i(s1_rr_q),
+      .data_o(s2_rr));
+  end
+  rc_delay #(.Width(4), .Stages(AtS2 - 1)) u_flags (
+    .clk_i, .valid_i(moves[AtS2-1:1]), .data_i({s1_any_q, s1_shadow_q, s1_own_q, s1_inside_q}),
+    .data_o({s2_any, s2_shadow, s2_own, s2_inside}));
 
   // ---- s2: b = d.s, A = d.d, C = s.s - R2.
-  logic                s2_valid_q, s2_any_q, s2_shadow_q, s2_own_q, s2_inside_q;
   logic signed [L-1:0] s2_along_q;
   logic signed [A-1:0] s2_square_q;
   logic signed [C-1:0] s2_power_q;
   always_ff @(posedge clk_i) begin
-    if (s1_valid_q) begin
-      s2_along_q  <= L'(s1_dx_q) * L'(s1_sx_q) + L'(s1_dy_q) * L'(s1_sy_q)
-          + L'(s1_dz_q) * L'(s1_sz_q);
-      s2_square_q <= A'(s1_dx_q) * A'(s1_dx_q) + A'(s1_dy_q) * A'(s1_dy_q)
-          + A'(s1_dz_q) * A'(s1_dz_q);
-      s2_power_q  <= C'(s1_sx_q) * C'(s1_sx_q) + C'(s1_sy_q) * C'(s1_sy_q)
-          + C'(s1_sz_q) * C'(s1_sz_q) - $signed({{(C-2*W){1'b0}}, s1_rr_q});
-      {s2_any_q, s2_shadow_q} <= {s1_any_q, s1_shadow_q};
-      {s2_own_q, s2_inside_q} <= {s1_own_q, s1_inside_q};
+    if (moves[AtS2-1]) begin
+      s2_along_q  <= L'(gen_axis[0].along) + L'(gen_axis[1].along) + L'(gen_axis[2].along);
+      s2_square_q <= A'(gen_axis[0].square) + A'(gen_axis[1].square) + A'(gen_axis[2].square);
+      s2_power_q  <= C'(gen_axis[0].power) + C'(gen_axis[1].power) + C'(gen_axis[2].power)
+                     - $signed({{(C-2*W){1'b0}}, s2_rr});
     end
   end
 
   // ---- s3: b b and A C, modulo 2^D since their difference fits; of A and C one is long for a
-  // shadow ray, the other for all others. |O - c|^2 - R2, where a shadow ray ends; is its point
-  // nearest to the centre before that?
+  // shadow ray, the other for all others.
   localparam int unsigned Short = G + 1 > 2 * N + 3 ? G + 1 : 2 * N + 3;
   localparam int unsigned Long  = A > C ? A : C;
-  localparam int unsigned Foot  = (L + B > A ? L + B : A) + 1;
-  logic                    s3_valid_q, s3_any_q, s3_shadow_q, s3_own_q, s3_inside_q;
-  logic signed [Long-1:0]  s2_long;
-  logic signed [Short-1:0] s2_short;
-  logic signed [C-1:0]     s2_end;
-  logic signed [Foot-1:0]  s2_foot;
-  logic signed [D-1:0]     s3_bb_q, s3_ac_q;
-  logic signed [V-1:0]     s3_along_q;
-  logic [G-1:0]            s3_square_q;
-  logic                    s3_still_q, s3_nearing_q, s3_outside_q, s3_on_q, s3_before_q,
-      s3_end_in_q, s3_end_out_q;
-  assign s2_long  = s2_shadow_q ? Long'(s2_square_q) : Long'(s2_power_q);
-  assign s2_short = s2_shadow_q ? Short'(s2_power_q) : Short'(s2_square_q);
+  logic signed [Long-1:0]       s2_long;
+  logic signed [Short-1:0]      s2_short;
+  logic signed [2*L-1:0]        s2_bb;
+  logic signed [Long+Short-1:0] s2_ac;
+  logic signed [D-1:0]          s3_bb_q, s3_ac_q, s3_disc;
+  assign s2_long  = s2_shadow ? Long'(s2_square_q) : Long'(s2_power_q);
+  assign s2_short = s2_shadow ? Short'(s2_power_q) : Short'(s2_square_q);
+  if (Share == 1) begin : gen_at_once
+    rc_mul #(.AW(L), .BW(L), .Sums(2)) u_bb (
+      .clk_i, .a_i(s2_along_q), .b_i(s2_along_q), .p_o(s2_bb));
+    rc_mul #(.AW(Long), .BW(Short), .Sums(2)) u_ac (
+      .clk_i, .a_i(s2_long), .b_i(s2_short), .p_o(s2_ac));
+  end else begin : gen_shared
+    localparam int unsigned X = Long > L ? Long : L;
+    localparam int unsigned Y = Short > L ? Short : L;
+    logic [2*(X+Y)-1:0] products;
+    logic [2*X-1:0]     a;
+    logic [2*Y-1:0]     b;
+    assign a = {X'(s2_along_q), X'(s2_long)};
+    assign b = {Y'(s2_along_q), Y'(s2_short)};
+    if (Parts) begin : gen_parts
+      rc_mul_parts #(.AW(X), .BW(Y), .Sums(2), .Products(2), .Share(Share)) u_products (
+        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+    end else begin : gen_whole
+      rc_mul_shared #(.AW(X), .BW(Y), .Sums(2), .Share(Share)) u_products (
+        .clk_i, .valid_i(there[AtS2]), .a_i(a), .b_i(b), .p_o(products));
+    end
+    assign s2_ac = products[0 +: Long+Short];
+    assign s2_bb = products[X+Y +: 2*L];
+    logic unused;
+    assign unused = ^products;
+  end
+  always_ff @(posedge clk_i) begin
+    if (moves[AtS3-1]) begin
+      s3_bb_q <= D'(s2_bb);
+      s3_ac_q <= D'(s2_ac);
+    end
+  end
+  rc_cut #(.Width(D)) u_disc (.clk_i, .data_i(s3_bb_q - s3_ac_q), .data_o(s3_disc));
+
+  // Meanwhile: |O - c|^2 - R2, where a shadow ray ends; is its point nearest to the centre before
+  // that?
+  localparam int unsigned Foot = (L + B > A ? L + B : A) + 1;
+  logic signed [C-1:0]    s2_end, sum_end;
+  logic signed [Foot-1:0] s2_foot, sum_foot;
+  logic                   s2_on, s2_still, sum_on, sum_still, sum_out, sum_nearing;
+  logic                   s3_any, s3_shadow, s3_own, s3_inside;
+  logic                   s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out;
   assign s2_end   = C'(s2_square_q) + (C'(s2_along_q) <<< (B + 1)) + (s2_power_q <<< (2 * B));
   assign s2_foot  = (Foot'(s2_along_q) <<< B) + Foot'(s2_square_q);
-  always_ff @(posedge clk_i) begin
-    if (s2_valid_q) begin
-      s3_bb_q      <= D'(s2_along_q) * D'(s2_along_q);
-      s3_ac_q      <= D'(s2_long) * D'(s2_short);
-      s3_along_q   <= V'(s2_along_q);
-      s3_square_q  <= G'(s2_square_q);
-      s3_still_q   <= s2_square_q == '0;
-      s3_nearing_q <= s2_along_q[L-1];
-      s3_outside_q <= !s2_power_q[C-1] && s2_power_q != '0;
-      s3_on_q      <= s2_power_q == '0;
-      s3_before_q  <= !s2_foot[Foot-1] && s2_foot != '0;
-      s3_end_in_q  <= s2_end[C-1];
-      s3_end_out_q <= !s2_end[C-1] && s2_end != '0;
-      {s3_any_q, s3_shadow_q} <= {s2_any_q, s2_shadow_q};
-      {s3_own_q, s3_inside_q} <= {s2_own_q, s2_inside_q};
-    end
-  end
+  assign s2_on    = s2_power_q == '0;
+  assign s2_still = s2_square_q == '0;
+  rc_cut #(.Width(C + Foot + 4)) u_sums (
+    .clk_i, .data_i({s2_end, s2_foot, s2_on, s2_still, !s2_power_q[C-1], s2_along_q[L-1]}),
+    .data_o({sum_end, sum_foot, sum_on, sum_still, sum_out, sum_nearing}));
+  rc_delay #(.Width(7), .Stages(AtS3 - AtS2)) u_tests (
+    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2+Cut]),
+    .data_i({sum_still, sum_nearing, sum_out && !sum_on, sum_on,
+             !sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],
+             !sum_end[C-1] && sum_end != '0}),
+    .data_o({s3_still, s3_nearing, s3_outside, s3_on, s3_before, s3_end_in, s3_end_out}));
+  rc_delay #(.Width(4), .Stages(AtS3 + Cut - AtS2)) u_kind (
+    .clk_i, .valid_i(moves[AtS3+Cut-1:AtS2]), .data_i({s2_any, s2_shadow, s2_own, s2_inside}),
+    .data_o({s3_any, s3_shadow, s3_own, s3_inside}));
 
   // ---- s4: the discriminant, and all decisions.
-  localparam int unsigned Plain = 2 * (M + W) > 2 * rc_pkg::RootBits
-                                ? 2 * (M + W) : 2 * rc_pkg::RootBits;   // of one that is met
-  logic signed [D-1:0] s3_disc;
-  logic                s3_meets, s3_goes, s3_met, s3_blocked, s4_met_q, s4_blocked_q, s4_far_q;
-  logic [Plain-1:0]    s4_disc_q;
-  logic signed [V-1:0] s4_along_q;
-  logic [G-1:0]        s4_square_q;
-  assign s3_disc  = s3_bb_q - s3_ac_q;
-  assign s3_meets = s3_nearing_q && !s3_disc[D-1];
-  assign s3_goes  = (!s3_own_q || s3_inside_q)
-                 && (s3_outside_q ? s3_meets : s3_on_q ? s3_nearing_q : !s3_still_q);
-  assign s3_met   = s3_valid_q && s3_goes && !s3_any_q;
+  logic             s3_meets, s3_goes, s3_blocked;
+  logic [Plain-1:0] s4_disc_q;
+  assign s3_meets = s3_nearing && !s3_disc[D-1];
+  assign s3_goes  = (!s3_own || s3_inside)
+                 && (s3_outside ? s3_meets : s3_on ? s3_nearing : !s3_still);
+  assign s3_met   = there[AtS4-1] && s3_goes && !s3_any;
+  assign s3_far   = s3_own || !s3_outside;
   always_comb begin
-    if (!s3_shadow_q)      s3_blocked = s3_goes;
-    else if (s3_own_q)     s3_blocked = s3_inside_q && s3_outside_q;
-    else if (s3_outside_q) s3_blocked = s3_meets && (s3_end_in_q || s3_before_q);
-    else                   s3_blocked = s3_end_out_q && (!s3_on_q || s3_nearing_q);
+    if (!s3_shadow)      s3_blocked = s3_goes;
+    else if (s3_own)     s3_blocked = s3_inside && s3_outside;
+    else if (s3_outside) s3_blocked = s3_meets && (s3_end_in || s3_before);
+    else                 s3_blocked = s3_end_out && (!s3_on || s3_nearing);
   end
+  assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;
   if (Plain > D) begin : gen_short_disc
-    always_ff @(posedge clk_i) if (s3_met) s4_disc_q <= {{(Plain-D){1'b0}}, s3_disc};
+    always_ff @(posedge clk_i)
+      if (s3_met || Cut != 0) s4_disc_q <= {{(Plain-D){1'b0}}, s3_disc};
   end else begin : gen_disc
-    always_ff @(posedge clk_i) if (s3_met) s4_disc_q <= s3_disc[Plain-1:0];
+    always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= s3_disc[Plain-1:0];
+  end
+
+  // ---- s5: the discriminant cut to 2 RootW bits by an even number of places, 2 s5_right.
+  logic [2*RootW-1:0] s5_cut_q;
+  logic [RightW:0]    s5_right_lost_q, s4_right_lost;
+  logic [Plain-1:0]   s4_cut;
+  if (Levels == 0) begin : gen_whole
+    assign s4_cut        = s4_disc_q;
+    assign s4_right_lost = '0;
+  end
+  for (genvar k = 0; k < Levels; k++) begin : gen_level
+    // Highest power of two first. As many pairs must go if with one less there are too many bits.
+    localparam int unsigned Pairs = 1 << (Levels - 1 - k);
+    logic [Plain-1:0]  all, left;
+    logic [Levels-1:0] right;   // of the levels so far, at the bottom
+    logic              goes, lost, out_lost;
+    logic [Levels-1:0] out_right;
+    if (k == 0) begin : gen_first
+      assign all   = s4_disc_q;
+      assign lost  = 1'b0;
+      assign right = '0;
+    end else begin : gen_next
+      assign all   = gen_level[k-1].left;
+      assign lost  = gen_level[k-1].out_lost;
+      assign right = gen_level[k-1].out_right;
+    end
+    assign goes = (all >> (2 * RootW + 2 * (Pairs - 1))) != '0;
+    rc_cut #(.Width(Plain + Levels + 1)) u_level (
+      .clk_i,
+      .data_i({goes ? all >> (2 * Pairs) : all, Levels'({right, goes}),
+               lost || (goes && all[2*Pairs-1:0] != '0)}),
+      .data_o({left, out_right, out_lost}));
+    if (k == Levels - 1) begin : gen_last
+      assign s4_cut        = left;
+      assign s4_right_lost = {out_right, out_lost};
+    end
   end
   always_ff @(posedge clk_i) begin
-    s4_blocked_q <= s3_valid_q && s3_any_q && s3_blocked;
-    if (s3_met) begin
-      s4_far_q    <= s3_own_q || !s3_outside_q;
-      s4_along_q  <= s3_along_q;
-      s4_square_q <= s3_square_q;
+    if (met_moves[AtS5-1]) begin
+      s5_cut_q        <= s4_cut[2*RootW-1:0];
+      s5_right_lost_q <= s4_right_lost;
     end
   end
 
-  // ---- s5: the discriminant cut to 2 RootBits bits by an even number of places, 2 s5_right.
-  localparam int unsigned Places = Plain / 2 - rc_pkg::RootBits;   // most pairs of bits cut
-  localparam int Levels          = $clog2(Places + 1);
-  localparam int unsigned RightW = Levels > 0 ? Levels : 1;
-  logic [Plain-1:0]              s4_cut;
-  logic [RightW-1:0]             s4_right;
-  logic                          s4_lost, s5_met_q;
-  logic [2*rc_pkg::RootBits-1:0] s5_cut_q;
-  logic [RightW:0]               s5_right_lost_q;
-  always_comb begin
-    s4_cut   = s4_disc_q;
-    s4_right = '0;
-    s4_lost  = 1'b0;
-    for (int k = 0; k < Levels; k++) begin
-      // Highest power of two first. As many pairs must go if with one less there are too many bits.
-      if (s4_cut >> (2 * rc_pkg::RootBits + 2 * ((1 << (Levels - 1 - k)) - 1)) != '0) begin
-        s4_right[Levels-1-k] = 1'b1;
-        s4_lost = s4_lost || (s4_cut & ~({Plain{1'b1}} << (2 << (Levels - 1 - k)))) != '0;
-        s4_cut  = s4_cut >> (2 << (Levels - 1 - k));
-      end
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (s4_met_q) begin
-      s5_cut_q        <= s4_cut[2*rc_pkg::RootBits-1:0];
-      s5_right_lost_q <= {s4_right, s4_lost};
-    end
-  end
-
-  // ---- Root: what goes with it waits.
-  logic [rc_pkg::RootBits-1:0] r_root;
-  logic                        r_inexact, r_met, r_lost, r_far;
-  logic [RightW-1:0]           r_right;
-  logic signed [V-1:0]         r_along;
-  logic [G-1:0]                r_square;
-  logic [RightW:0]             r_right_lost;
-  logic [V+G:0]                r_far_along_square;
-  rc_sqrt #(.Stages(RootStages)) u_sqrt (
-    .clk_i, .valid_i(s5_met_q), .square_i(s5_cut_q), .root_o(r_root), .inexact_o(r_inexact));
-  rc_wait #(.Width(RightW + 1), .Stages(RootStages)) u_right (
-    .clk_i, .rst_ni, .valid_i(s5_met_q), .data_i(s5_right_lost_q), .data_o(r_right_lost));
-  rc_wait #(.Width(1 + V + G), .Stages(RootStages + 1)) u_ray (
-    .clk_i, .rst_ni, .valid_i(s4_met_q), .data_i({s4_far_q, s4_along_q, s4_square_q}),
-    .data_o(r_far_along_square));
-  assign {r_right, r_lost}          = r_right_lost;
-  assign {r_far, r_along, r_square} = r_far_along_square;
+  // ---- Root: what goes with it waits, up to the cycle before.
+  localparam int unsigned RightLate = (RootSteps - 1 + Every - 1) / Every;
+  localparam int unsigned RayLate   = (AtR - 1 - AtS2 + Every - 1) / Every;
+  logic [RootW-1:0]    r_root;
+  logic                r_inexact, r_lost;
+  logic [RightW-1:0]   r_right;
+  logic signed [V-1:0] r_along;
+  logic [G-1:0]        r_square;
+  logic [RightW:0]     late_right_lost;
+  logic [V+G-1:0]      late_ray;
+  rc_sqrt #(.Stages(RootSteps), .Bits(Bits), .Every(Every)) u_sqrt (
+    .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_moves[AtS5]), .square_i(s5_cut_q),
+    .root_o(r_root), .inexact_o(r_inexact));
+  rc_beside #(.Width(RightW + 1), .Stages(RightLate), .Every(Every)) u_right (
+    .clk_i, .rst_ni, .come_i(met_q[AtS5]), .leave_i(met_q[AtR-1]), .data_i(s5_right_lost_q),
+    .data_o(late_right_lost));
+  rc_beside #(.Width(V + G), .Stages(RayLate), .Every(Every)) u_ray (
+    .clk_i, .rst_ni, .come_i(there[AtS2]), .leave_i(there[AtR-1]),
+    .data_i({V'(s2_along_q), G'(s2_square_q)}), .data_o(late_ray));
+  rc_cut #(.Width(RightW + 1 + V + G), .Stages(1)) u_late (
+    .clk_i, .data_i({late_right_lost, late_ray}),
+    .data_o({r_right, r_lost, r_along, r_square}));
 
   // ---- The way to the near root, -b - r, with r rounded down, or to the far one, -b + r, with
   // r rounded up.
-  logic [V-1:0] r_size, w_way_q;
-  logic [G-1:0] w_square_q;
-  logic         w_met_q;
-  assign r_size = (V'(r_root)
-                   + {{(V-1){1'b0}}, r_far && (r_inexact || r_lost)}) << r_right;
+  logic [V-1:0]      r_size, w_size, w_back, w_way, w_way_q;
+  logic [RootW:0]    r_up, up;
+  logic [RightW-1:0] up_right;
+  logic [V-1:0]      up_back;
+  logic [G-1:0]      up_square, w_square, w_square_q;
+  assign r_up = {1'b0, r_root} + {{RootW{1'b0}}, far_q[AtR] && (r_inexact || r_lost)};
+  rc_cut #(.Width(RootW + 1 + RightW + V + G)) u_up (
+    .clk_i, .data_i({r_up, r_right, -r_along, r_square}),
+    .data_o({up, up_right, up_back, up_square}));
+  assign r_size = V'(up) << up_right;
+  rc_cut #(.Width(2 * V + G)) u_size (
+    .clk_i, .data_i({r_size, up_back, up_square}), .data_o({w_size, w_back, w_square}));
+  rc_addsub #(.Width(V)) u_way (
+    .there_i(met_moves[AtW-1]), .minus_i(!far_q[AtW-1]), .a_i(w_back), .b_i(w_size),
+    .sum_o(w_way));
   always_ff @(posedge clk_i) begin
-    if (r_met) begin
-      w_way_q    <= r_far ? r_size - r_along : -r_along - r_size;
-      w_square_q <= r_square;
+    if (met_moves[AtW-1]) begin
+      w_way_q    <= w_way;
+      w_square_q <= w_square;
     end
   end
 
   // ---- Distance: ceil(2^(M-1+F-B) way / d.d), saturated, as in rc_hitdiv.
-  localparam int unsigned Q     = 2 * DivStages;
+  localparam int unsigned Q     = Bits * DivSteps;
   localparam int unsigned Right = N + 3 + B > M ? N + 3 + B - M : 1;   // at least 2: M <= N + B + 1
   logic [V-1:0]   w_above;
   logic [Q+V-1:0] w_below;
-  logic           w_beyond, t_met, t_beyond, t_inexact, t_up;
-  logic [Q-1:0]   t_quo;
+  logic           w_beyond, d_beyond, d_inexact, d_up, t_up;
+  logic [G-1:0]   d_rem, d_den;
+  logic [Q-1:0]   d_low, d_quo;
   logic [T-1:0]   t_down, t;
   assign w_above  = w_way_q >> Right;
   assign w_below  = {w_way_q, {Q{1'b0}}} >> Right;
   assign w_beyond = w_above >= {{(V-G){1'b0}}, w_square_q};
-  rc_divide #(.Width(G), .Stages(DivStages)) u_t (
-    .clk_i, .valid_i(w_met_q), .rem_i(w_beyond ? '0 : w_above[G-1:0]), .low_i(w_below[Q-1:0]),
-    .den_i(w_square_q), .quo_o(t_quo), .inexact_o(t_inexact));
-  rc_wait #(.Width(1), .Stages(DivStages)) u_beyond (
-    .clk_i, .rst_ni, .valid_i(w_met_q), .data_i(w_beyond), .data_o(t_beyond));
-  assign t_down = t_quo[Q-1 -: T];
+  rc_cut #(.Width(2 * G + Q)) u_first (
+    .clk_i, .data_i({w_beyond && Cut == 0 ? '0 : w_above[G-1:0], w_square_q, w_below[Q-1:0]}),
+    .data_o({d_rem, d_den, d_low}));
+  rc_divide #(
+    .Width(G), .Stages(DivSteps), .Bits(Bits), .Every(Every), .Lows(Right < Q ? Right : Q)) u_t (
+    .clk_i, .valid_i(Every > 1 ? met_q[AtW+Cut] : met_moves[AtW+Cut]), .rem_i(d_rem),
+    .low_i(d_low), .den_i(d_den), .quo_o(d_quo), .inexact_o(d_inexact));
+  rc_delay #(.Width(1), .Stages(AtT - AtW)) u_beyond (
+    .clk_i, .valid_i(met_moves[AtT-1:AtW]), .data_i(w_beyond), .data_o(d_beyond));
   if (Q > T) begin : gen_spare_bit
-    assign t_up = t_inexact || t_quo[0];
+    assign d_up = d_inexact || d_quo[0];
   end else begin : gen_exact_bits
-    assign t_up = t_inexact;
+    assign d_up = d_inexact;
   end
-  assign t = t_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
+  rc_cut #(.Width(T + 1)) u_last (
+    .clk_i, .data_i({d_up, d_quo[Q-1 -: T]}), .data_o({t_up, t_down}));
+  assign t = d_beyond || (&t_down) ? '1 : t_down + {{(T-1){1'b0}}, t_up};
 
   // ---- t / 2^(M-1+F) against best_num / best_det; then closer, or as close with a lower number.
   localparam int unsigned P = T + E > U + M - 1 + F ? T + E : U + M - 1 + F;
-  logic         p_met_q, p_found_q, p_first_q, p_closer, q_closer_q;
-  logic [P-1:0] p_mine_q, p_theirs_q;
-  logic [T-1:0] p_t_q, q_t_q;
-  assign p_closer = p_met_q && (!p_found_q || p_mine_q < p_theirs_q
-                                || (p_mine_q == p_theirs_q && p_first_q));
-  always_ff @(posedge clk_i) begin
-    if (t_met) begin
-      p_found_q  <= best_found_i;
-      p_first_q  <= best_first_i;
-      p_mine_q   <= {{(P-T){1'b0}}, t} * {{(P-E){1'b0}}, best_det_i};
-      p_theirs_q <= {{(P-U){1'b0}}, best_num_i} << (M - 1 + F);
-      p_t_q      <= t;
-    end
-    if (p_closer) q_t_q <= p_t_q;
+  logic [T+E-1:0] t_mine;
+  logic           t_found, t_first, p_found_q, p_first_q, p_before, last_before;
+  logic [U-1:0]   t_num;
+  logic [P-1:0]   p_mine_q, p_theirs_q;
+  assign best_next_o = there[AtT-1];
+  if (Parts) begin : gen_mine_in_parts
+    rc_mul_parts #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
+      .clk_i, .valid_i(there[AtT]), .a_i(t), .b_i(best_det_i), .p_o(t_mine));
+  end else begin : gen_mine
+    rc_mul #(.AW(T), .BW(E), .Signed(1'b0), .Sums(2)) u_mine (
+      .clk_i, .a_i(t), .b_i(best_det_i), .p_o(t_mine));
   end
-
-  // ---- What is under way: met_q[k] and far_q[k] belong to stage 5 + k.
-  localparam int unsigned Tail = BestStage + 2 - 4;   // stages after s4
-  logic [Tail-1:0] met_q, far_q, blocked_q;
+  rc_cut #(.Width(U + 2), .Stages(AtP - AtT - 1)) u_theirs (
+    .clk_i, .data_i({best_found_i, best_first_i, best_num_i}), .data_o({t_found, t_first, t_num}));
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      {s1_valid_q, s2_valid_q, s3_valid_q, s4_met_q} <= '0;
-      met_q     <= '0;
-      blocked_q <= '0;
-    end else begin
-      {s1_valid_q, s2_valid_q} <= {s0_valid_i, s1_valid_q};
-      {s3_valid_q, s4_met_q}   <= {s2_valid_q, s3_met};
-      met_q     <= {met_q[Tail-2:0], s4_met_q};
-      blocked_q <= {blocked_q[Tail-2:0], s4_blocked_q};
+    if (met_moves[AtP-1]) begin
+      p_found_q  <= t_found;
+      p_first_q  <= t_first;
+      p_mine_q   <= {{(P-T-E){1'b0}}, t_mine};
+      p_theirs_q <= {{(P-U){1'b0}}, t_num} << (M - 1 + F);
     end
-    far_q      <= {far_q[Tail-2:0], s4_far_q};
-    q_closer_q <= p_closer;
   end
-  assign s5_met_q  = met_q[0];
-  assign r_met     = met_q[RootStages];
-  assign w_met_q   = met_q[RootStages+1];
-  assign t_met     = met_q[RootStages+1+DivStages];
-  assign p_met_q   = met_q[RootStages+2+DivStages];
-  assign closer_o  = q_closer_q;
-  assign blocked_o = blocked_q[Tail-1];
-  assign far_o     = far_q[Tail-1];
-  assign t_o       = q_t_q;
+  assign p_before = !p_found_q || {p_mine_q, 1'b0} < {p_theirs_q, p_first_q};
+  rc_cut #(.Width(1)) u_before (.clk_i, .data_i(p_before), .data_o(last_before));
+  always_ff @(posedge clk_i) closer_o <= met_q[End-1] && last_before;
+  rc_delay #(.Width(T), .Stages(End - AtT)) u_end (
+    .clk_i, .valid_i(met_moves[End-1:AtT]), .data_i(t), .data_o(t_o));
 
 `ifndef SYNTHESIS
   a_way_is_ahead: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      r_met |-> (r_far ? r_size > V'(r_along) || r_along[V-1]
-                       : r_along[V-1] && V'(-r_along) > r_size))
+      met_q[AtW-1] |-> (far_q[AtW-1] ? w_size > V'(-w_back) || !w_back[V-1]
+                                     : !w_back[V-1] && w_back > w_size))
     else $error("a sphere is met behind the ray's origin");
 `endif
 
   logic unused;
-  assign unused = ^{w_below[Q+V-1:Q], met_q[Tail-1], s2_foot, s3_disc, r_root};
+  assign unused = ^{w_below[Q+V-1:Q], s2_bb, s2_ac, s3_disc, s4_cut, there, moves};
 endmodule
 `default_nettype wire

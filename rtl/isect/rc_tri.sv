@@ -7,8 +7,8 @@
 // pipeline of their own, rc_sphere, which is longer; the others' answers wait for it.
 //
 // Latency rc_pkg::TriLatency + 1 (result queue), throughput 1 every rc_pkg::TriInterval cycles,
-// answers in order. If that is more than one cycle, products share multipliers, and quotients
-// dividers. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
+// answers in order. If that is more than one cycle, products share multipliers, and steps of a
+// division a stage. Cycles that TriLatency has beyond what the work needs (Core) follow at its end.
 // A triangle seen edge-on never hits.
 `default_nettype none
 module rc_tri (
@@ -37,13 +37,14 @@ module rc_tri (
   localparam int unsigned L    = rc_pkg::TriLatency;
   localparam int unsigned Cut  = rc_pkg::Cut;
   localparam int unsigned Mul  = rc_pkg::MulStages;
-  localparam int unsigned Share    = rc_pkg::PairShare;
+  localparam int unsigned Share    = rc_pkg::PairShare;    // products, or parts of them
+  localparam int unsigned Pair     = rc_pkg::PairStages;   // of a pair of products, but Mul
   localparam int unsigned Interval = rc_pkg::TriInterval;
   // Stages: a triangle comes in, it is tested, compared, and a hit is divided; what is no sphere
   // is done, a sphere is done, both are.
   localparam int unsigned In    = Cut;
   localparam int unsigned Front = In + (IsSheared ? rc_pkg::ShearStages : rc_pkg::EdgesStages);
-  localparam int unsigned Wide  = Front + Mul + Share;   // products to be compared are there
+  localparam int unsigned Wide  = Front + Mul + Pair;   // products to be compared are there
   localparam int unsigned Pre   = Wide + Cut + 1;
   localparam int unsigned Flat  = Pre + rc_pkg::HitdivStages;
   localparam int unsigned Ball  = In + rc_pkg::SphereStages;
@@ -83,8 +84,9 @@ module rc_tri (
   assign in = in_flat;
 
   logic [I-1:0] end_ray;
-  rc_delay #(.Width(I), .Stages(L - In)) u_ray (
-    .clk_i, .valid_i(moves[L-1:In]), .data_i(in.ray), .data_o(end_ray));
+  rc_aside #(.Width(I), .Stages(L - In), .Every(Interval)) u_ray (
+    .clk_i, .rst_ni, .valid_i(moves[L-1:In]), .there_i(valid[L-1:In]), .data_i(in.ray),
+    .data_o(end_ray));
 
   // Stages up to Front: the ray and the triangle, and whether they meet. num / den is t,
   // num / det what is compared with other hits of the ray.
@@ -149,7 +151,7 @@ module rc_tri (
       .s6_u_o(f0_u), .s6_v_o(f0_v));
     rc_mul #(.AW(D), .BW(M), .Signed(1'b0)) u_den (
       .clk_i, .a_i(f0_det), .b_i(f0_size), .p_o(f0_den));
-    rc_cut #(.Width(E), .Stages(Share - 1)) u_den_late (
+    rc_cut #(.Width(E), .Stages(Pair - 1)) u_den_late (
       .clk_i, .data_i(f0_den[E-1:0]), .data_o(f1_den));
     always_ff @(posedge clk_i) if (goes[Wide-1]) wide_den_q <= f1_den;
     rc_delay #(.Width(E), .Stages(Pre - Wide)) u_pre_den (
@@ -181,10 +183,9 @@ module rc_tri (
   rc_delay #(.Width(2), .Stages(Wide - In)) u_best (
     .clk_i, .valid_i(goes[Wide-1:In]), .data_i({in_found, in_first}),
     .data_o({wide_found, wide_first}));
-  rc_delay #(.Width(U), .Stages(Front - In)) u_best_num (
-    .clk_i, .valid_i(goes[Front-1:In]), .data_i(in_best_num), .data_o(f0_best_num));
-  rc_delay #(.Width(D), .Stages(Front - In)) u_best_det (
-    .clk_i, .valid_i(goes[Front-1:In]), .data_i(in_best_det), .data_o(f0_best_det));
+  rc_aside #(.Width(U + D), .Stages(Front - In), .Every(Interval)) u_best_hit (
+    .clk_i, .rst_ni, .valid_i(goes[Front-1:In]), .there_i(flat[Front-1:In]),
+    .data_i({in_best_num, in_best_det}), .data_o({f0_best_num, f0_best_det}));
 
   // num / det against best_num / best_det, cross-multiplied; all four are positive. Closer, or
   // as close with a lower number.
@@ -195,12 +196,17 @@ module rc_tri (
       .clk_i, .a_i(f0_num), .b_i(f0_best_det), .p_o(f0_mine));
     rc_mul #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2)) u_theirs (
       .clk_i, .a_i(f0_best_num), .b_i(f0_det), .p_o(f0_theirs));
+  end else if (rc_pkg::PairParts == 1) begin : gen_parts
+    rc_mul_parts #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Products(2), .Share(Share))
+    u_products (
+      .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
+      .p_o({f0_theirs, f0_mine}));
   end else begin : gen_shared
     rc_mul_shared #(.AW(U), .BW(D), .Signed(1'b0), .Sums(2), .Share(Share)) u_products (
       .clk_i, .valid_i(flat[Front]), .a_i({f0_best_num, f0_num}), .b_i({f0_det, f0_best_det}),
       .p_o({f0_theirs, f0_mine}));
   end
-  rc_cut #(.Width(1), .Stages(Mul + Share - 1)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
+  rc_cut #(.Width(1), .Stages(Mul + Pair - 1)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
   always_ff @(posedge clk_i) begin
     if (goes[Wide-1] && (Cut != 0 || f1_hit)) begin
       f1_mine_q   <= f0_mine;
@@ -219,19 +225,13 @@ module rc_tri (
   logic [D-1:0] pre_det, pre_u, pre_v;
   logic [P-1:0] pre_prim;
   logic         pre_any, pre_back, pre_u_neg, pre_v_neg;
-  rc_delay #(.Width(U), .Stages(Compare)) u_num (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_num), .data_o(pre_num));
-  rc_delay #(.Width(D), .Stages(Compare)) u_det (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_det), .data_o(pre_det));
-  rc_delay #(.Width(D), .Stages(Compare)) u_u (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_u), .data_o(pre_u));
-  rc_delay #(.Width(D), .Stages(Compare)) u_v (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i(f0_v), .data_o(pre_v));
-  rc_delay #(.Width(3), .Stages(Compare)) u_signs (
-    .clk_i, .valid_i(goes[Pre-1:Front]), .data_i({f0_back, f0_u_neg, f0_v_neg}),
-    .data_o({pre_back, pre_u_neg, pre_v_neg}));
-  rc_delay #(.Width(P + 1), .Stages(Pre - In)) u_prim (
-    .clk_i, .valid_i(goes[Pre-1:In]), .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
+  rc_aside #(.Width(U + 3 * D + 3), .Stages(Compare), .Every(Interval)) u_hit_aside (
+    .clk_i, .rst_ni, .valid_i(goes[Pre-1:Front]), .there_i(flat[Pre-1:Front]),
+    .data_i({f0_num, f0_det, f0_u, f0_v, f0_back, f0_u_neg, f0_v_neg}),
+    .data_o({pre_num, pre_det, pre_u, pre_v, pre_back, pre_u_neg, pre_v_neg}));
+  rc_aside #(.Width(P + 1), .Stages(Pre - In), .Every(Interval)) u_prim (
+    .clk_i, .rst_ni, .valid_i(goes[Pre-1:In]), .there_i(flat[Pre-1:In]),
+    .data_i({in.prim, in_any}), .data_o({pre_prim, pre_any}));
 
   // Divisions; numerator, determinant and number wait.
   localparam int unsigned Divide = rc_pkg::HitdivStages;
@@ -246,8 +246,9 @@ module rc_tri (
     .u_i(pre_u), .v_i(pre_v), .u_neg_i(pre_u_neg), .v_neg_i(pre_v_neg),
     .t_o(t), .u_o(u), .v_o(v));
 
-  logic [Divide-1:0] closer_q, block_q, tail_moves;
-  assign tail_moves = {closer_q[Divide-2:0], pre_divide} | {Divide{Cut != 0}};
+  logic [Divide-1:0] closer_q, block_q, divides, tail_moves;
+  assign divides    = {closer_q[Divide-2:0], pre_divide};
+  assign tail_moves = divides | {Divide{Cut != 0}};
   logic [TailW-2:0]  pre_tail, tail;
   if (rc_pkg::Shading == 1) begin : gen_back
     assign pre_tail = {pre_back, pre_num, pre_det, pre_prim};
@@ -255,48 +256,63 @@ module rc_tri (
     assign pre_tail = {pre_num, pre_det, pre_prim};
   end
   always_ff @(posedge clk_i) begin
-    closer_q <= {closer_q[Divide-2:0], pre_divide};
-    block_q  <= {block_q[Divide-2:0], pre_block};
+    if (!rst_ni) closer_q <= '0;
+    else         closer_q <= divides;
+    block_q <= {block_q[Divide-2:0], pre_block};
   end
-  rc_delay #(.Width(TailW - 1), .Stages(Divide)) u_tail (
-    .clk_i, .valid_i(tail_moves), .data_i(pre_tail), .data_o(tail));
+  rc_aside #(.Width(TailW - 1), .Stages(Divide), .Every(Interval)) u_tail (
+    .clk_i, .rst_ni, .valid_i(tail_moves), .there_i(divides), .data_i(pre_tail), .data_o(tail));
 
   // hit: closer with all that is told, or blocked with nothing.
   logic            closer, blocked;
   logic [HitW-2:0] hit;
   if (rc_pkg::Spheres == 1) begin : gen_sphere
     localparam int unsigned BallBestW = 2 + U + D;
-    localparam int unsigned BestStage = rc_pkg::SphereStages - 2;
+    localparam int unsigned BestStage = rc_pkg::SphereStages - Mul - 2 - Cut
+                                      - (rc_pkg::PairParts == 1 ? 1 + Cut : 0);
     localparam int unsigned FlatLate  = Core - Flat;   // stages that one waits for the other
     localparam int unsigned BallLate  = Core - Ball;
     localparam logic [D-1:0] Unit = D'(1) << (M - 1 + rc_pkg::TFracBits);   // det of a sphere
     logic                 flat_closer, flat_block;
     logic [HitW-2:0]      flat_hit;
-    logic [BallBestW-1:0] ball_best;
+    logic [BallBestW-1:0] next_best, ball_best;
     logic [P-1:0]         ball_prim;
     logic                 ball_closer, ball_blocked, ball_far, ball_found, ball_first;
     logic                 late_closer, late_blocked, late_far;
     logic [U-1:0]         ball_best_num;
     logic [D-1:0]         ball_best_det;
     logic [T-1:0]         ball_t, late_t;
-    logic                 in_ball, in_ball_first, in_own;
-    rc_cut #(.Width(2), .Stages(FlatLate)) u_flat_late (
-      .clk_i, .data_i({closer_q[Divide-1], block_q[Divide-1]}),
-      .data_o({flat_closer, flat_block}));
+    logic                 in_ball, in_ball_first, in_own, best_next;
     if (FlatLate == 0) begin : gen_flat_last
-      assign flat_hit = {tail, t, u, v};
+      assign {flat_closer, flat_block} = {closer_q[Divide-1], block_q[Divide-1]};
+      assign flat_hit                  = {tail, t, u, v};
     end else begin : gen_flat_waits
-      rc_wait #(.Width(HitW - 1), .Stages(FlatLate)) u_late (
-        .clk_i, .rst_ni, .valid_i(closer_q[Divide-1]), .data_i({tail, t, u, v}),
-        .data_o(flat_hit));
+      localparam int unsigned Late = (FlatLate + Interval - 1) / Interval;
+      logic [FlatLate-1:0] late_closer_q;
+      logic [FlatLate:0]   late;
+      assign late        = {late_closer_q, closer_q[Divide-1]};
+      assign flat_closer = late[FlatLate];
+      always_ff @(posedge clk_i) begin
+        if (!rst_ni) late_closer_q <= '0;
+        else         late_closer_q <= late[FlatLate-1:0];
+      end
+      rc_cut #(.Width(1), .Stages(FlatLate)) u_block (
+        .clk_i, .data_i(block_q[Divide-1]), .data_o(flat_block));
+      rc_beside #(.Width(HitW - 1), .Stages(Late), .Every(Interval)) u_late (
+        .clk_i, .rst_ni, .come_i(closer_q[Divide-1]), .leave_i(flat_closer),
+        .data_i({tail, t, u, v}), .data_o(flat_hit));
     end
 
     assign in_ball       = valid[In] && in_sphere;
     assign in_own        = (in_any || in_leaves) && in.self == in.prim;
     assign in_ball_first = in.prim <= in.best_prim;
-    rc_wait #(.Width(BallBestW), .Stages(BestStage)) u_ball_best (
-      .clk_i, .rst_ni, .valid_i(in_ball),
-      .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(ball_best));
+    rc_beside #(
+      .Width(BallBestW), .Stages((BestStage + Interval - 2) / Interval), .Every(Interval))
+    u_ball_best (
+      .clk_i, .rst_ni, .come_i(in_ball), .leave_i(best_next),
+      .data_i({in_ball_first, in.found, in.best_num, in.best_det}), .data_o(next_best));
+    rc_cut #(.Width(BallBestW), .Stages(1)) u_best_last (
+      .clk_i, .data_i(next_best), .data_o(ball_best));
     rc_wait #(.Width(P), .Stages(Core - In)) u_ball_prim (
       .clk_i, .rst_ni, .valid_i(in_ball), .data_i(in.prim), .data_o(ball_prim));
     assign {ball_first, ball_found, ball_best_num, ball_best_det} = ball_best;
@@ -304,8 +320,9 @@ module rc_tri (
       .clk_i, .rst_ni, .s0_valid_i(in_ball), .s0_any_i(in_any), .s0_leaves_i(in_leaves),
       .s0_own_i(in_own),
       .s0_inside_i(in.is_inside), .s0_o_i(in.o), .s0_d_i(in.d),
-      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .best_found_i(ball_found),
-      .best_first_i(ball_first), .best_num_i(ball_best_num), .best_det_i(ball_best_det),
+      .s0_c_i(in_a), .s0_rr_i(in_b[2*N-1:0]), .best_next_o(best_next),
+      .best_found_i(ball_found), .best_first_i(ball_first), .best_num_i(ball_best_num),
+      .best_det_i(ball_best_det),
       .closer_o(ball_closer), .blocked_o(ball_blocked), .far_o(ball_far), .t_o(ball_t));
     rc_cut #(.Width(T + 3), .Stages(BallLate)) u_ball_late (
       .clk_i, .data_i({ball_closer, ball_blocked, ball_far, ball_t}),

@@ -287,7 +287,7 @@ module rc_pass #(
       assign s15_short_d[k*M +: M] = s15_d[k*D +: M];
     end
     rc_approach u_approach (
-      .clk_i, .valid_i(light_at[27:15] | bounce_at[27:15]), .s15_p_i(s15_o),
+      .clk_i, .rst_ni, .valid_i(light_at[27:15] | bounce_at[27:15]), .s15_p_i(s15_o),
       .s15_d_i(s15_short_d), .s28_enters_o(enters), .s28_entry_o(entry));
   end else begin : gen_within
     assign enters = 1'b0;

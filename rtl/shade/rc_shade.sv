@@ -161,8 +161,8 @@ module rc_shade (
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
     .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 
-  // ---- What it leads to: again (C), a ray (D), the pixel (E). The rays' and pixels' data
-  // wait in memories.
+  // ---- What it leads to: again (C), a ray (D), the pixel (E). The rays' and pixels' data wait in
+  // memories by their context, or where passes are rare in the queues.
   logic [I-1:0] out_ray, spawn_ray, pixel_ray;
   logic [1:0]   out_leave;
   rc_fifo #(.Width(I + 2), .Depth(rc_pkg::ShadeQueue)) u_out (
@@ -171,20 +171,40 @@ module rc_shade (
   rc_queue #(.Width(I), .Depth(T)) u_again (
     .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveAgain), .data_i(out_ray),
     .valid_o(again_valid), .pop_i(again_pop), .data_o(again_ray));
-  rc_queue #(.Width(I), .Depth(T)) u_spawn (
-    .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeaveSpawn), .data_i(out_ray),
-    .valid_o(spawn_valid_o), .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
-  rc_queue #(.Width(I), .Depth(T)) u_pixel (
-    .clk_i, .rst_ni, .push_i(out_valid && out_leave == rc_pkg::LeavePixel), .data_i(out_ray),
-    .valid_o(pixel_valid_o), .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
   logic [SpawnDataW-1:0] spawn_data;
   logic [PixelDataW-1:0] pixel_data;
-  rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
-    .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveSpawn), .write_addr_i(end_ray),
-    .write_data_i(SpawnDataW'(spawn)), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
-  rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
-    .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
-    .write_data_i(PixelDataW'(pixel)), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
+  logic                  spawns, colours;
+  assign spawns  = out_valid && out_leave == rc_pkg::LeaveSpawn;
+  assign colours = out_valid && out_leave == rc_pkg::LeavePixel;
+  if (Every == 1) begin : gen_beside
+    rc_queue #(.Width(I), .Depth(T)) u_spawn (
+      .clk_i, .rst_ni, .push_i(spawns), .data_i(out_ray), .valid_o(spawn_valid_o),
+      .pop_i(spawn_valid_o && spawn_ready_i), .data_o(spawn_ray));
+    rc_queue #(.Width(I), .Depth(T)) u_pixel (
+      .clk_i, .rst_ni, .push_i(colours), .data_i(out_ray), .valid_o(pixel_valid_o),
+      .pop_i(pixel_valid_o && pixel_ready_i), .data_o(pixel_ray));
+    rc_ram #(.Width(SpawnDataW), .Depth(T)) u_spawn_data (
+      .clk_i, .write_i(end_valid && leave == rc_pkg::LeaveSpawn), .write_addr_i(end_ray),
+      .write_data_i(SpawnDataW'(spawn)), .read_addr_i(spawn_ray), .read_data_o(spawn_data));
+    rc_ram #(.Width(PixelDataW), .Depth(T)) u_pixel_data (
+      .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
+      .write_data_i(PixelDataW'(pixel)), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
+  end else begin : gen_queued   // in the queues themselves, which are block RAM in a fast chip
+    logic [SpawnDataW-1:0] spawn_q;
+    logic [PixelDataW-1:0] pixel_q;
+    always_ff @(posedge clk_i) begin
+      if (end_valid) begin
+        spawn_q <= SpawnDataW'(spawn);
+        pixel_q <= PixelDataW'(pixel);
+      end
+    end
+    rc_queue #(.Width(rc_pkg::SpawnW), .Depth(T)) u_spawn (
+      .clk_i, .rst_ni, .push_i(spawns), .data_i({out_ray, spawn_q}), .valid_o(spawn_valid_o),
+      .pop_i(spawn_valid_o && spawn_ready_i), .data_o({spawn_ray, spawn_data}));
+    rc_queue #(.Width(rc_pkg::PixelW), .Depth(T)) u_pixel (
+      .clk_i, .rst_ni, .push_i(colours), .data_i({out_ray, pixel_q}), .valid_o(pixel_valid_o),
+      .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
+  end
   assign spawn_o = {spawn_ray, spawn_data};
   assign pixel_o = {pixel_ray, pixel_data};
 

@@ -55,7 +55,7 @@ module rc_snell #(
   // s12: its root.
   logic [17:0] s12_root;
   logic        inexact;
-  rc_sqrt #(.Stages(9), .Every(Every)) u_sqrt (
+  rc_sqrt #(.Stages(9), .Held(Every)) u_sqrt (
     .clk_i, .valid_i(valid_i[3] && s3_refract_q), .square_i({3'd0, s3_square_q}),
     .root_o(s12_root), .inexact_o(inexact));
 

@@ -51,7 +51,9 @@ int list_scenes(const SceneListOptions& o) {
 }
 
 void declare_config(Parser& parser, ConfigChoice& config) {
-    parser.option("NAME", config.name, "default, small, wide, saarcor, rpu, ulx3s, or a JSON file")
+    parser
+        .option("NAME", config.name,
+                "default, small, wide, saarcor, rpu, ulx3s, ulx3s-shaded, or a JSON file")
         .with_default();
     parser.option("--set", config.set, "key=value: one parameter over the configuration; may be repeated");
 }

@@ -259,9 +259,12 @@ void derived(Package& p, const Config& c) {
     p.constant("CrossShare", stages.cross_share);
     p.constant("DotShare", stages.dot_share);
     p.constant("PairShare", stages.pair_share);
+    p.constant("PairParts", stages.pair_parts);
+    p.constant("PairStages", stages.pair);
     p.constant("EdgesStages", stages.edges);
     p.constant("ShearStages", stages.shear);
     p.constant("HitdivStages", stages.hit_divide);
+    p.constant("SphereLevels", stages.sphere_levels);
     p.constant("SphereStages", stages.sphere);
     p.constant("PixelStages", stages.pixel);
     p.constant("DirectionStages", stages.direction);

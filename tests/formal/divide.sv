@@ -1,9 +1,12 @@
 // What rc_divide promises, for every dividend and divisor: the quotient is the floor, and inexact_o tells whether something is
-// left. A request is followed through the stages by a delay line; what is before it or behind it is any.
+// left. A request is followed through the stages by a delay line; what is before it or behind it, at least Every cycles away,
+// is any.
 module divide #(
   parameter  int unsigned Width  = 5,
   parameter  int unsigned Stages = 2,
   parameter  int unsigned Bits   = 2,
+  parameter  int unsigned Every  = 1,
+  parameter  int unsigned Lows   = Bits * Stages,
   localparam int unsigned QuoW   = Bits * Stages,
   localparam int unsigned AllW   = Width + QuoW
 ) (
@@ -15,13 +18,19 @@ module divide #(
 );
   logic [QuoW-1:0] quo_o;
   logic            inexact_o;
-  rc_divide #(.Width(Width), .Stages(Stages), .Bits(Bits)) u_dut (
+  rc_divide #(.Width(Width), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(Lows)) u_dut (
     .clk_i(clk_i), .valid_i(valid_i), .rem_i(rem_i), .low_i(low_i), .den_i(den_i), .quo_o(quo_o),
     .inexact_o(inexact_o));
 
-  always @* assume (!valid_i || rem_i < den_i);
-
   logic [Stages-1:0]         valid_q = '0;
+  always @* assume (!valid_i || rem_i < den_i);
+  if (Lows < QuoW) begin : gen_zeros
+    always @* assume (low_i[QuoW-Lows-1:0] == '0);
+  end
+  if (Every > 1) begin : gen_apart
+    always @* assume (!valid_i || valid_q[Every-2:0] == '0);
+  end
+
   logic [Stages*AllW-1:0]    dividend_q;
   logic [Stages*Width-1:0]   den_q;
   always @(posedge clk_i) begin

@@ -127,28 +127,82 @@ prove(mutant:formal_cache_look_up_stands_still TOP cache RTL ${cache} CYCLES 12 
   OLD [[assign pop   = look && (found || (!full && !conflict));]]
   NEW [[assign pop   = hit || (merge && rsp_ready_i && !rsp_valid_o && waits_o && !fill_fires_i && full) || miss;]])
 
-# ---- Division, for every operand.
-foreach(stages IN ITEMS 2 3)
-  prove(formal:divide_of_5_bits_in_${stages}_stages TOP divide RTL fixed/rc_divide.sv WITH Stages=${stages} INDUCTION 6)
+# ---- Sum or difference: of the device's carry cells, by their models in Yosys.
+foreach(width IN ITEMS 1 2 5 8)
+  prove(formal:addsub_of_${width} TOP addsub RTL fixed/rc_addsub.sv WITH Width=${width} INDUCTION 2)
+  prove(formal:addsub_of_${width}_in_carry_cells TOP addsub RTL fixed/rc_addsub.sv WITH Width=${width} ECP5 INDUCTION 2)
 endforeach()
-prove(formal:divide_of_5_bits_one_a_stage TOP divide RTL fixed/rc_divide.sv WITH Bits=1 Stages=3 INDUCTION 6)
-prove(mutant:formal_divide_keeps_a_rest_too_large TOP divide RTL fixed/rc_divide.sv CYCLES 5 FILE fixed/rc_divide.sv
-  OLD [[rem_q <= second_less[Width] ?]]
-  NEW [[rem_q <= second_less[Width] || second_less == '0 ?]])
-prove(mutant:formal_divide_one_bit_short TOP divide RTL fixed/rc_divide.sv CYCLES 5 FILE fixed/rc_divide.sv
-  OLD [[first_less  = first - {1'b0, den_d};]]
-  NEW [[first_less  = {1'b0, first[Width-1:0]} - {1'b0, den_d};]])
+prove(mutant:formal_addsub_carries_the_other_operand TOP addsub RTL fixed/rc_addsub.sv ECP5 CYCLES 2 FILE fixed/rc_addsub.sv
+  OLD [[AddSub = 16'b1001_0110_1010_1010;]]
+  NEW [[AddSub = 16'b1001_0110_1010_1100;]])
+prove(mutant:formal_addsub_loses_the_one TOP addsub RTL fixed/rc_addsub.sv ECP5 CYCLES 2 FILE fixed/rc_addsub.sv
+  OLD [[assign carry[0] = minus_i;]]
+  NEW [[assign carry[0] = 1'b0;]])
+prove(mutant:formal_addsub_adds TOP addsub RTL fixed/rc_addsub.sv CYCLES 2 FILE fixed/rc_addsub.sv
+  OLD [[minus_i ? a_i - b_i : a_i + b_i]]
+  NEW [[a_i + b_i]])
+
+# ---- Division, for every operand: a step in each stage, or several one after the other.
+set(divide fixed/rc_addsub.sv fixed/rc_divide.sv)
+foreach(stages IN ITEMS 2 3)
+  prove(formal:divide_of_5_bits_in_${stages}_stages TOP divide RTL ${divide} WITH Stages=${stages} INDUCTION 6)
+endforeach()
+prove(formal:divide_of_5_bits_one_a_stage TOP divide RTL ${divide} WITH Bits=1 Stages=3 INDUCTION 6)
+prove(formal:divide_of_5_bits_in_carry_cells TOP divide RTL ${divide} WITH Bits=1 Stages=3 ECP5 INDUCTION 6)
+foreach(every IN ITEMS 2 3 4)   # 5 steps: the last stage makes fewer of them
+  prove(formal:divide_of_4_bits_every_${every} TOP divide RTL ${divide} WITH Width=4 Bits=1 Stages=5 Every=${every} INDUCTION 9)
+  prove(formal:divide_of_4_bits_every_${every}_two_below TOP divide RTL ${divide}
+    WITH Width=4 Bits=1 Stages=5 Every=${every} Lows=2 INDUCTION 9)
+endforeach()
+prove(formal:divide_of_3_bits_every_2_two_a_step TOP divide RTL ${divide} WITH Width=3 Stages=3 Every=2 INDUCTION 7)
+prove(mutant:formal_divide_adds_at_nothing_left TOP divide RTL ${divide} CYCLES 5 FILE fixed/rc_divide.sv
+  OLD [[.minus_i(!rem_d[Width]), .a_i({rem_d[Width-1:0], low[1]})]]
+  NEW [[.minus_i(!rem_d[Width] && rem_d != '0), .a_i({rem_d[Width-1:0], low[1]})]])
+prove(mutant:formal_divide_one_bit_short TOP divide RTL ${divide} CYCLES 5 FILE fixed/rc_divide.sv
+  OLD [[.a_i({between[Width-1:0], low[0]})]]
+  NEW [[.a_i({1'b0, between[Width-2:0], low[0]})]])
+prove(mutant:formal_divide_less_den_is_a_rest TOP divide RTL ${divide} CYCLES 5 FILE fixed/rc_divide.sv
+  OLD [[end_rem[Width] ? (end_rem ^ end_den) != (end_rem | end_den) << 1]]
+  NEW [[end_rem[Width] ? 1'b1]])
+set(divide_shared TOP divide RTL ${divide} WITH Width=4 Bits=1 Stages=5 Every=2 CYCLES 9 FILE fixed/rc_divide.sv)
+prove(mutant:formal_divide_takes_the_next_divisor_early ${divide_shared}
+  OLD [[if (valid[i*Every-1]) den_q <= gen_stage[i-1].den;]]
+  NEW [[if (valid[Every > 1 ? i*Every-2 : 0]) den_q <= gen_stage[i-1].den;]])
+prove(mutant:formal_divide_takes_the_divisor_late ${divide_shared}
+  OLD [[if (valid[i*Every-1]) den_q <= gen_stage[i-1].den;]]
+  NEW [[if (valid[i*Every]) den_q <= gen_stage[i-1].den;]])
+prove(mutant:formal_divide_forgets_what_is_made ${divide_shared}
+  OLD [[if (comes) held_q <= gen_stage[i-1].quo;]]
+  NEW [[held_q <= gen_stage[i-1].quo;]])
+prove(mutant:formal_divide_reads_below_again ${divide_shared}
+  OLD [[assign low_d  = !Again || comes ? low_new : low_q;]]
+  NEW [[assign low_d  = low_new;]])
 
 # ---- Square root, for every operand.
+set(sqrt rc_pkg.sv prim/rc_cut.sv fixed/rc_addsub.sv fixed/rc_sqrt.sv)
 foreach(stages IN ITEMS 2 3)
-  prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL rc_pkg.sv prim/rc_cut.sv fixed/rc_sqrt.sv WITH Stages=${stages} INDUCTION 6)
+  prove(formal:sqrt_in_${stages}_stages TOP sqrt RTL ${sqrt} WITH Stages=${stages} INDUCTION 6)
 endforeach()
-prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL rc_pkg.sv prim/rc_cut.sv fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
-  OLD [[first_less  = first - {1'b0, root_d, 2'b01};]]
-  NEW [[first_less  = first - {1'b0, root_d, 2'b00};]])
-prove(mutant:formal_sqrt_rest_one_bit_short TOP sqrt RTL rc_pkg.sv prim/rc_cut.sv fixed/rc_sqrt.sv CYCLES 5 FILE fixed/rc_sqrt.sv
-  OLD [[rem_q    <= second_less[RootW+2] ? second[RootW:0] : second_less[RootW:0];]]
-  NEW [[rem_q    <= {1'b0, second_less[RootW+2] ? second[RootW-1:0] : second_less[RootW-1:0]};]])
+foreach(every IN ITEMS 1 2 3)   # 5 steps: the last stage makes fewer of them
+  prove(formal:sqrt_one_a_step_every_${every} TOP sqrt RTL ${sqrt} WITH Bits=1 Stages=5 Every=${every} INDUCTION 9)
+endforeach()
+prove(formal:sqrt_two_a_step_every_2 TOP sqrt RTL ${sqrt} WITH Stages=3 Every=2 INDUCTION 7)
+prove(mutant:formal_sqrt_bit_set_too_early TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
+  OLD [[.b_i({root_d, rem_d[R+1], 1'b1})]]
+  NEW [[.b_i({root_d, rem_d[R+1], 1'b0})]])
+prove(mutant:formal_sqrt_rest_one_bit_short TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
+  OLD [[.a_i({between[R-1:0], square_d[Left-3 -: 2]})]]
+  NEW [[.a_i({1'b0, between[R-2:0], square_d[Left-3 -: 2]})]])
+prove(mutant:formal_sqrt_last_is_a_rest TOP sqrt RTL ${sqrt} CYCLES 5 FILE fixed/rc_sqrt.sv
+  OLD [[assign end_step  = {1'b0, gen_stage[Last].root_q, 1'b1};]]
+  NEW [[assign end_step  = {1'b0, gen_stage[Last].root_q, 1'b0};]])
+set(sqrt_shared TOP sqrt RTL ${sqrt} WITH Bits=1 Stages=4 Every=2 CYCLES 8 FILE fixed/rc_sqrt.sv)
+prove(mutant:formal_sqrt_takes_the_root_so_far ${sqrt_shared}
+  OLD [[assign root_d   = !Again || comes ? root_new : root_q;]]
+  NEW [[assign root_d   = root_new;]])
+prove(mutant:formal_sqrt_loses_the_sign ${sqrt_shared}
+  OLD [[{{(R-From){gen_stage[i-1].rem_q[From+1]}}, gen_stage[i-1].rem_q}]]
+  NEW [[{{(R-From){1'b0}}, gen_stage[i-1].rem_q}]])
 
 # ---- Data beside a long pipeline.
 foreach(stages IN ITEMS 2 3 4)

@@ -1,8 +1,10 @@
 // What rc_sqrt promises, for every square: the root is the floor, and inexact_o tells whether something is left. A request is
-// followed through the stages by a delay line; what is before it or behind it is any.
+// followed through the stages by a delay line; what is before it or behind it, at least Every cycles away, is any.
 module sqrt #(
   parameter  int unsigned Stages  = 2,
-  localparam int unsigned RootW   = 2 * Stages,
+  parameter  int unsigned Bits    = 2,
+  parameter  int unsigned Every   = 1,
+  localparam int unsigned RootW   = Bits * Stages,
   localparam int unsigned SquareW = 2 * RootW
 ) (
   input logic               clk_i,
@@ -11,10 +13,13 @@ module sqrt #(
 );
   logic [RootW-1:0] root_o;
   logic             inexact_o;
-  rc_sqrt #(.Stages(Stages)) u_dut (
+  rc_sqrt #(.Stages(Stages), .Bits(Bits), .Every(Every)) u_dut (
     .clk_i(clk_i), .valid_i(valid_i), .square_i(square_i), .root_o(root_o), .inexact_o(inexact_o));
 
   logic [Stages-1:0]         valid_q = '0;
+  if (Every > 1) begin : gen_apart
+    always @* assume (!valid_i || valid_q[Every-2:0] == '0);
+  end
   logic [Stages*SquareW-1:0] square_q;
   always @(posedge clk_i) begin
     valid_q  <= {valid_q[Stages-2:0], valid_i};

@@ -49,12 +49,31 @@ mutant(shared_second_operands_stay FILE rtl/fixed/rc_mul_shared.sv TEST unit [tr
 mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri][interval]
   OLD [[.Stages(Share - 1 - i)) u_early]]
   NEW [[.Stages(Own - 1)) u_early]])
-mutant(shared_v_before_u FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
-  OLD [[assign rem = u_goes ? u_rem : v_rem_q;]]
-  NEW [[assign rem = u_goes ? v_rem_q : u_rem;]])
+mutant(shared_divider_always_begins FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
+  OLD [[assign begins = Every > 1 ? there : valid[Cut];]]
+  NEW [[assign begins = valid[Cut];]])
+mutant(aside_one_place_short FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
+  OLD [[.Stages((Stages + Every - 2) / Every)]]
+  NEW [[.Stages((Stages + Every - 2) / Every - 1)]])
+mutant(aside_leaves_a_cycle_early FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
+  OLD [[.leave_i(there_i[Stages-1])]]
+  NEW [[.leave_i(there_i[Stages-2])]])
 mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
+
+mutant(parts_lower_has_no_sign FILE rtl/fixed/rc_mul_parts.sv TEST unit [tri][any][interval]
+  OLD [[assign lower = Signed ? PW'($signed(last[2*i*HW +: HW]))]]
+  NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HW +: HW]))]])
+mutant(parts_lie_side_by_side FILE rtl/fixed/rc_mul_parts.sv TEST unit [tri][interval]
+  OLD [[assign p_o[i*PW +: PW] = upper + lower;]]
+  NEW [[assign p_o[i*PW +: PW] = upper | lower;]])
+mutant(sphere_meets_the_next_ones_best FILE rtl/isect/rc_sphere.sv TEST unit [tri][any][interval]
+  OLD [[assign best_next_o = there[AtT-1];]]
+  NEW [[assign best_next_o = there[AtT-2];]])
+mutant(sphere_waits_for_another_ray FILE rtl/isect/rc_sphere.sv TEST unit [tri][any][interval]
+  OLD [[.leave_i(there[AtR-1])]]
+  NEW [[.leave_i(met_q[AtR-1])]])
 
 # ---- box that tests a node's children beat by beat.
 mutant(box_rests_a_cycle_less FILE rtl/bvh/rc_box.sv TEST unit [box][lanes]
@@ -86,9 +105,21 @@ mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pa
 mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
   OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
   NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
+mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
+  OLD [[assign out_d  = !leave_i ? out_q :]]
+  NEW [[assign out_d  = 1'b1 ? out_q :]])
+mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
+  OLD [[comes ? way_new : $signed(way_q[k*Q +: Q]) >>> 1;]]
+  NEW [[comes ? way_new : $signed(way_q[k*Q +: Q]);]])
+mutant(approach_tells_of_the_last_pass FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
+  OLD [[done_q <= rst_ni && gen_in_turn.began[Steps];]]
+  NEW [[done_q <= rst_ni && gen_in_turn.began[Steps-1];]])
+mutant(shade_spawns_what_comes_after FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[.data_i({out_ray, spawn_q})]]
+  NEW [[.data_i({out_ray, SpawnDataW'(spawn)})]])
 mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
-  OLD [[.Stages(Every - 1)) u_last]]
-  NEW [[.Stages(Every / 4)) u_last]])
+  OLD [[.Stages(Held)) u_step]]
+  NEW [[.Stages(Held < 4 ? Held : 1)) u_step]])
 mutant(shade_starves_while_it_rests FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
   OLD [[    if (rests)
       cause_o]]

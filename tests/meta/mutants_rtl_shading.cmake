@@ -73,20 +73,20 @@ mutant(hitdiv_plane_wraps FILE rtl/isect/rc_hitdiv.sv TEST unit "tri of a chip t
   OLD [[v_many ? {v_neg, {(V-1){!v_neg}}} : v_end};]]
   NEW [[v_many && 1'b0 ? {v_neg, {(V-1){!v_neg}}} : v_end};]])
 mutant(sphere_touch_is_no_hit FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
-  OLD [[assign s3_meets = s3_nearing_q && !s3_disc[D-1];]]
-  NEW [[assign s3_meets = s3_nearing_q && !s3_disc[D-1] && s3_disc != '0;]])
+  OLD [[assign s3_meets = s3_nearing && !s3_disc[D-1];]]
+  NEW [[assign s3_meets = s3_nearing && !s3_disc[D-1] && s3_disc != '0;]])
 mutant(sphere_far_root_rounded_down FILE rtl/isect/rc_sphere.sv TEST unit "tri of a chip that shades decides exactly and measures within its bound - Rtl*"
-  OLD [[r_far && (r_inexact || r_lost)})]]
-  NEW [[r_far && (r_inexact || r_lost) && 1'b0})]])
+  OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
+  NEW [[far_q[AtR] && (r_inexact || r_lost) && 1'b0};]])
 mutant(sphere_on_its_rim_is_behind FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
-  OLD [[s3_end_out_q <= !s2_end[C-1] && s2_end != '0;]]
-  NEW [[s3_end_out_q <= !s2_end[C-1];]])
+  OLD [[!sum_end[C-1] && sum_end != '0}),]]
+  NEW [[!sum_end[C-1]}),]])
 mutant(sphere_disc_one_bit_short FILE rtl/isect/rc_sphere.sv TEST unit "tri of a chip that shades is exact at the ends of every width - Rtl*"
   OLD [[? 2 * (M + W) + 2 : 2 * (N + W) + 4;]]
   NEW [[? 2 * (M + W) + 1 : 2 * (N + W) + 3;]])
 mutant(sphere_own_is_met FILE rtl/isect/rc_sphere.sv TEST unit "a sphere is told from its inside*"
-  OLD [[assign s3_goes  = (!s3_own_q || s3_inside_q)]]
-  NEW [[assign s3_goes  = (!s3_own_q || s3_inside_q || s3_outside_q)]])
+  OLD [[assign s3_goes  = (!s3_own || s3_inside)]]
+  NEW [[assign s3_goes  = (!s3_own || s3_inside || s3_outside)]])
 
 # ---- shade's cells.
 mutant(unit_length_of_two_axes FILE rtl/fixed/rc_unit.sv TEST unit [unit_vector]
@@ -261,9 +261,9 @@ mutant(hitdiv_t_wraps FILE rtl/isect/rc_hitdiv.sv TEST unit "t ends where its bi
   OLD [[assign t_o = end_beyond || (&t_down)]]
   NEW [[assign t_o = (end_beyond && 1'b0) || (&t_down)]])
 mutant(sphere_forgets_what_was_cut FILE rtl/isect/rc_sphere.sv TEST unit "a discriminant that is all but a square*"
-  OLD [[r_far && (r_inexact || r_lost)})]]
-  NEW [[r_far && (r_inexact || (r_lost && 1'b0))})]])
+  OLD [[far_q[AtR] && (r_inexact || r_lost)};]]
+  NEW [[far_q[AtR] && (r_inexact || (r_lost && 1'b0))};]])
 mutant(sphere_touched_at_the_end_blocks FILE rtl/isect/rc_sphere.sv
   TEST unit "a sphere that is touched where a shadow ray ends is not in its way - Rtl*"
-  OLD [[!s2_foot[Foot-1] && s2_foot != '0;]]
-  NEW [[!s2_foot[Foot-1];]])
+  OLD [[!sum_foot[Foot-1] && sum_foot != '0, sum_end[C-1],]]
+  NEW [[!sum_foot[Foot-1], sum_end[C-1],]])

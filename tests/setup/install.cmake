@@ -50,7 +50,7 @@ ask sweep tet
 ask sweep gears --axis node_w
 ")
 run(output bash ${FOLDER}/ask.sh)
-demand("${output}" "<explain>\n<--no-reference>\n<ulx3s>\n<tetra>\n<node_width= node_ways=>")
+demand("${output}" "<explain>\n<--no-reference>\n<ulx3s ulx3s-shaded>\n<tetra>\n<node_width= node_ways=>")
 foreach(shell zsh=zsh/vendor-completions/_rayclock fish=fish/vendor_completions.d/rayclock.fish)
   string(REPLACE "=" ";" shell ${shell})
   list(GET shell 0 name)

@@ -16,7 +16,7 @@ file(GLOB_RECURSE sources ${RTL}/*.sv)
 list(FILTER sources EXCLUDE REGEX "rc_pkg\\.sv$")
 list(SORT sources)
 list(JOIN sources "\" \"" sources)   # in quotes: a folder may have a space in its name
-set(script "read_verilog -lib +/ecp5/cells_bb.v\nread_verilog -sv -D RC_ECP5 \"${FOLDER}/rc_pkg.sv\" \"${sources}\"\nhierarchy -check -top ${TOP}\nproc\ncheck -assert\n")
+set(script "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv -D RC_ECP5 \"${FOLDER}/rc_pkg.sv\" \"${sources}\"\nhierarchy -check -top ${TOP}\nproc\ncheck -assert\n")
 string(APPEND script "select -assert-none t:$dlatch* t:$_DLATCH*\n")
 if(MODE STREQUAL "synth")
   string(APPEND script "synth_ecp5 -top ${TOP}\nselect -assert-none t:$dlatch* t:$_DLATCH*\n")

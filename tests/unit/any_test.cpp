@@ -63,6 +63,12 @@ Config fast_part(int which) {
     return config;
 }
 
+/// The same with a primitive every so many cycles: products share multipliers, a root's steps a stage.
+Config shared(Config config, int interval) {
+    config.tri_interval = interval;
+    return config;
+}
+
 /// Corners of the lattice and of what else there is: bit k of `which` chooses the largest or smallest value
 /// on axis k.
 Vec3i extreme(int which, int bits) {
@@ -122,7 +128,7 @@ template <class Dut> void require_exact_at_extremes(const Config& config) {
 void same_moves(const Config& config) {
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 12; ++seed)
-            check_lockstep<TriUnit>(config, {}, flow, seed, 1500,
+            check_lockstep<TriUnit>(config, {}, flow, seed, 1500 * config.tri_interval,
                                     [&](Draw& draw) { return random_any_req(draw, config); });
 }
 
@@ -381,4 +387,21 @@ TEST_CASE("model and rtl of a fast tri of a chip that shades make the same moves
 TEST_CASE("model and rtl of tri of a chip that shades make the same moves with every format",
           "[tri][any][lockstep][slow]") {
     same_moves(any_part(GENERATE(from_range(all_parts))));
+}
+
+TEST_CASE("model and rtl of a tri that shades and shares multipliers make the same moves in every cycle",
+          "[tri][any][lockstep][interval]") {
+    same_moves(GENERATE(shared(fast_part(0), 4), shared(any_part(8), 2)));
+}
+
+TEST_CASE("model and rtl of a tri that shades and shares multipliers make the same moves in every format",
+          "[tri][any][lockstep][interval][slow]") {
+    const int interval = GENERATE(2, 4), which = GENERATE(0, 1, 2, 3, 4, 7, 8);
+    same_moves(shared(any_part(which), interval));
+    same_moves(shared(fast_part(which), interval));
+}
+
+TEST_CASE("a fast tri that shades and shares multipliers decides exactly and measures within its bound",
+          "[tri][any][interval]") {
+    against_oracle<Rtl<TriUnit>>(shared(fast_part(0), 4), 102, flows[2], 6000);
 }

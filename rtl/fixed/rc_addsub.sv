@@ -1,0 +1,44 @@
+// a - b or a + b, as minus_i says, modulo 2^Width: one carry cell for two bits.
+//
+// With RC_ECP5 defined these are the ECP5's carry cells themselves, since Yosys 0.23 would put the
+// choice into as many LUTs before them; elsewhere the same is inferred. Proven equal:
+// tests/formal/addsub.sv.
+`default_nettype none
+module rc_addsub #(
+  parameter int unsigned Width = 8
+) (
+  input  logic             there_i,   // what is not there costs a simulation nothing
+  input  logic             minus_i,
+  input  logic [Width-1:0] a_i,
+  input  logic [Width-1:0] b_i,
+  output logic [Width-1:0] sum_o
+);
+  if (Width < 1) begin : gen_refuse
+    $error("rc_addsub: Width must be at least 1");
+  end
+`ifdef RC_ECP5
+  localparam int unsigned Cells = (Width + 1) / 2;
+  // The cell's table for D = 1: A ^ B, or A ^ ~B if C; where that is 0, A is the carry.
+  localparam logic [15:0] AddSub = 16'b1001_0110_1010_1010;
+  logic [2*Cells-1:0] a, b, sum;
+  logic [Cells:0]     carry;
+  assign a        = (2*Cells)'(a_i);
+  assign b        = (2*Cells)'(b_i);
+  assign carry[0] = minus_i;
+  for (genvar i = 0; i < Cells; i++) begin : gen_cell
+    CCU2C #(.INIT0(AddSub), .INIT1(AddSub), .INJECT1_0("NO"), .INJECT1_1("NO")) u_carry (
+      .CIN(carry[i]), .COUT(carry[i+1]),
+      .A0(a[2*i]), .B0(b[2*i]), .C0(minus_i), .D0(1'b1), .S0(sum[2*i]),
+      .A1(a[2*i+1]), .B1(b[2*i+1]), .C1(minus_i), .D1(1'b1), .S1(sum[2*i+1]));
+  end
+  assign sum_o = sum[Width-1:0];
+  logic unused;
+  assign unused = ^{there_i, carry[Cells], sum};
+`else
+  always_comb begin
+    sum_o = '0;
+    if (there_i) sum_o = minus_i ? a_i - b_i : a_i + b_i;
+  end
+`endif
+endmodule
+`default_nettype wire
