@@ -62,8 +62,10 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     std::vector<FrameTiming> timings;
-    for (const FrameTrace& frame : frames) {
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        const FrameTrace& frame = frames[f];
         const Stopwatch watch;
+        const UploadTiming upload = bring(machine, f, std::span(frames));
         const std::uint64_t first = machine.cycle(), pixels = frame.trace.rays.size();
         const Accounts accounts = machine.accounts();
         const MemoryStats memory = machine.memory().stats();
@@ -78,7 +80,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
                 progress(with_rate("model", machine.cycle() - first, watch), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
         FrameTiming timing{machine.cycle() - first,           machine.hits(),  machine.accounts() - accounts,
-                           machine.memory().stats() - memory, watch.seconds(), !machine.done()};
+                           machine.memory().stats() - memory, watch.seconds(), !machine.done(), upload};
         timings.push_back(timing);
         if (timing.partial) break;
     }
@@ -142,7 +144,7 @@ FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
 namespace {
 
 FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
-                       const Progress& progress) {
+                       const UploadTiming& upload, const Progress& progress) {
     const Stopwatch watch;
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
@@ -169,7 +171,8 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
                              accounts,
                              machine.memory().stats() - memory,
                              watch.seconds(),
-                             !machine.done()};
+                             !machine.done(),
+                             upload};
     const auto lookups = [&](Unit cache) {
         const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];
@@ -182,19 +185,24 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
 
 }   // namespace
 
-std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic,
+std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames, Traffic traffic,
                               const Progress& progress, int seed) {
     RtlMachine machine(job.image, job.config, khz, traffic, seed);
     std::vector<FrameRun> runs;
-    for (const Frame& frame : frames) {
-        runs.push_back(run_rtl_frame(machine, job, frame, patience(job.config, khz, traffic), progress));
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        machine.change(frames[f].upload);
+        const UploadTiming upload = bring(machine, f, frames);
+        runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, traffic), upload,
+                                     progress));
         if (runs.back().partial) break;
     }
     return runs;
 }
 
 FrameRun run_rtl(const Job& job, Traffic traffic, const Progress& progress, int seed) {
-    return std::move(run_rtl(job, job.khz, {job.frame}, traffic, progress, seed)[0]);
+    std::vector<FrameTrace> one(1);
+    one[0].frame = job.frame;
+    return std::move(run_rtl(job, job.khz, one, traffic, progress, seed)[0]);
 }
 
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits) {

@@ -25,7 +25,7 @@ bool is_file_name(const std::string& spec) {
 JsonLoad load_file(const std::string& spec, Loading& loading) {
     const std::filesystem::path path(spec);
     if (extension(path) == "json") return load_json_scene(path, loading);
-    if (is_mesh_file(path)) return {{load_mesh_file(path, loading), {}, {}}, false};
+    if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
