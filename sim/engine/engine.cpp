@@ -1,9 +1,12 @@
 #include "sim/engine/engine.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -37,11 +40,37 @@ void check_capacity(const MemoryImage& image, const Config& config) {
             std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
+std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene) {
+    std::vector<MirrorRange> ranges;
+    std::uint64_t first = scene.own.triangles.size();
+    for (const Instance& instance : scene.instances) {
+        const std::uint64_t end = first + scene.meshes[instance.mesh].triangles.size();
+        const bool is_mirrored = glm::determinant(glm::dmat3(instance.place)) < 0;
+        if (is_mirrored && !ranges.empty() && ranges.back().end == first)
+            ranges.back().end = std::uint32_t(end);
+        else if (is_mirrored)
+            ranges.push_back({std::uint32_t(first), std::uint32_t(end)});
+        first = end;
+    }
+    return ranges;
+}
+
+namespace {
+
+bool is_in(const std::vector<MirrorRange>& ranges, std::uint32_t prim) {
+    const auto after = std::upper_bound(ranges.begin(), ranges.end(), prim,
+                                        [](std::uint32_t p, const MirrorRange& r) { return p < r.first; });
+    return after != ranges.begin() && prim < (after - 1)->end;
+}
+
+}   // namespace
+
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
              const Progress& progress, const Whitted& settings) {
     check_frame_size(size);
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
+    if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed);
     if (config.shading) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
     job.frame = job_frame(job, camera);
     return job;
@@ -212,6 +241,8 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
     const std::uint32_t beyond = (1u << job.config.t_bits()) - 1;
     for (std::uint32_t i = 0; i < hits.size(); ++i) {
         picture.hits.push_back(scale({i % frame.width, i / frame.width, hits[i]}));
+        if (is_in(job.mirrored, hits[i].found ? hits[i].prim : no_primitive))
+            std::swap(picture.hits.back().u, picture.hits.back().v);
         if (!job.config.planes || !hits[i].found || hits[i].t != beyond) continue;
         const auto surface = unpack<Surface>(job.image.line(job.image.surfaces + hits[i].prim), job.config);
         if (PrimKind(surface.kind) == PrimKind::plane)

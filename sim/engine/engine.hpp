@@ -10,6 +10,7 @@
 #include "model/reference/reference.hpp"
 #include "model/shade/shade.hpp"
 #include "model/scene/hit.hpp"
+#include "model/scene/placed.hpp"
 #include "model/trace/trace.hpp"
 #include "model/upload.hpp"
 #include "sim/rtl/interrupt.hpp"
@@ -18,6 +19,13 @@ namespace rayclock {
 
 constexpr int default_khz = 66000;
 
+/// Primitives of instances that are mirror images. The chip knows a mesh's triangles by the order of their corners in
+/// the mesh; in the scene the second and the third have changed places, so that their outside stays outside.
+struct MirrorRange {
+    std::uint32_t first = 0, end = 0;   ///< rising
+};
+std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene);
+
 /// A scene compiled for one configuration and one picture, and the chip's clock: all that a machine needs.
 struct Job {
     Config config;
@@ -25,6 +33,7 @@ struct Job {
     MemoryImage image;
     FrameSize size;
     int khz = default_khz;
+    std::vector<MirrorRange> mirrored{};   ///< if the chip walks instances
 };
 /// The image must fit into the memory that the configuration names; throws UserError if it does not.
 /// make_job() asks this.
@@ -138,6 +147,7 @@ private:
     std::vector<Closest> hits_;
     Colours colours_;
 };
+/// In terms of the scene.
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 
 /// Cycles of this clock without any transfer after which a run is given up: ten times as many as the memory

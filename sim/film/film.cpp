@@ -49,11 +49,12 @@ Camera panned(const Camera& camera, double pan, int i) {
 }
 
 Film::Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
-           const Progress& progress)
+           const Progress& progress, bool for_chip)
     : request_(std::move(request)),
       pan_(options.pan),
       size_(size),
       progress_(progress),
+      for_chip_(for_chip),
       first_camera_(*request_.scene.camera) {
     Scene& scene = request_.scene;
     moves_ = scene.placed && !scene.placed->motion.empty();
@@ -67,6 +68,7 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_asked, Fr
     placed_.own.materials = scene.materials;   // the picture's settings may have changed them
     if (placed_.own.lights.empty()) placed_.own.lights = scene.lights;
     camera_moves_ = !placed_.motion.camera.empty() && !view_is_asked;
+    if (!for_chip) return;
     if (request_.config.has_instances()) prepare_levels();
     if (is_double_ && !levels_)
         throw UserError(
@@ -112,21 +114,26 @@ void Film::next() {
     upload_ = {};
     if (!moves_) {
         request_.scene.camera = panned(first_camera_, pan_, int(f));
+        if (!for_chip_) return;
         if (f == 0)
             job_ = make_job(request_.scene, camera(), size_, request_.config, progress_, request_.settings);
         job_.frame = job_frame(job_, camera());
         return;
     }
     pose_at(f);
+    if (!for_chip_) return;
     if (!levels_) return next_whole();
     upload_ = levels_->next(places_of(placed_));
     if (f == 0) {
         check_frame_size(size_);
-        job_ = {request_.config, {}, levels_->image(), size_};
+        job_.config = request_.config;
+        job_.image = levels_->image();
+        job_.size = size_;
         check_capacity(job_.image, job_.config);
     } else {
         apply(upload_, job_.image);
     }
+    job_.mirrored = mirrored_primitives(placed_);
     job_.frame = job_frame(job_, camera());
     job_.frame.root = levels_->root();
 }

@@ -35,9 +35,10 @@ Camera panned(const Camera& camera, double pan, int i);
 
 class Film {
 public:
-    /// `view_is_asked`: the camera was chosen by hand, and does not move with the scene. Throws UserError.
+    /// `view_is_asked`: the camera was chosen by hand, and does not move with the scene. `for_chip`: frames are made
+    /// for a chip, and not for the reference alone. Throws UserError.
     Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
-         const Progress& progress = {});
+         const Progress& progress = {}, bool for_chip = true);
 
     std::size_t frames() const { return times_.times.size(); }
     const FrameTimes& times() const { return times_; }
@@ -65,6 +66,7 @@ private:
     double pan_;
     FrameSize size_;
     Progress progress_;
+    bool for_chip_;
     bool moves_ = false, is_double_ = false, camera_moves_ = false, is_stale_ = false;
     PlacedScene placed_;   ///< at the time of the frame at hand, if anything moves
     Camera first_camera_;

@@ -10,6 +10,8 @@
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/scene/builtin.hpp"
+#include "model/scene/folded.hpp"
+#include "model/scene/hit.hpp"
 #include "sim/files/input.hpp"
 #include "sim/load/json_motion.hpp"
 #include "sim/load/json_parts.hpp"
@@ -188,14 +190,19 @@ private:
         // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or
         // nowhere.
         bool any_smooth = false;
-        std::uint64_t primitives = 0;
+        std::uint64_t copied = 0;   // triangles; those of instances may be more, and then are not written out
         for (std::size_t i = 0; i < list.size(); ++i) {
             const PlacedScene& part = *named(list[i]).part;
             any_smooth = any_smooth || has_normals(part);
             const std::uint64_t one = primitive_count(part), copies = copies_of(list[i]);
-            if (one > 0 && copies > (max_triangles - std::min(primitives, max_triangles)) / one)
-                list[i].refuse(fmt::format("brings the scene above {} triangles", max_triangles));
-            primitives += one * copies;
+            const bool is_placed = list[i].find("instances") || list[i].find("keyframes");
+            if (!is_placed && one > max_triangles - std::min(copied, max_triangles))
+                list[i].refuse(fmt::format("brings the scene above {} triangles that are copied; 'instances' are not",
+                                           max_triangles));
+            if (one > 0 && copies > (no_primitive - 1 - placed_triangles_) / one)
+                list[i].refuse(fmt::format("brings the scene above {} placed triangles", no_primitive - 1));
+            if (!is_placed) copied += one;
+            placed_triangles_ += one * copies;
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
             library_.loading().tell("placing", i, list.size());
@@ -338,7 +345,9 @@ private:
                   std::optional<std::uint32_t> material) {
         if (is_singular(where.place))
             from.refuse("flattens its mesh, or blows it up, with what it is placed in");
-        make_room(from, sizeof(Instance) + bytes_of(placed_.meshes[mesh]));
+        // Too many triangles are not written out.
+        const bool is_folded = placed_triangles_ > most_unfolded;
+        make_room(from, sizeof(Instance) + (is_folded ? 0 : bytes_of(placed_.meshes[mesh])));
         if (where.node)
             placed_.motion.hung.push_back(
                 {static_cast<std::uint32_t>(placed_.instances.size()), *where.node, where.place});
@@ -352,6 +361,7 @@ private:
     Scene& scene_ = placed_.own;
     std::map<std::string, std::uint32_t> material_numbers_;
     std::optional<std::uint32_t> grey_;
+    std::uint64_t placed_triangles_ = 0;
     std::map<std::string, Named> meshes_;
 };
 

@@ -92,7 +92,7 @@ TEST_CASE("bad motion is refused by a sentence that names the key and the value"
     late["time"] = 0, negative["time"] = -1;
     check_refused_scene(object({a, late}), {"objects[0].keyframes[1].time", "is 0", "order", "at 0"});
     check_refused_scene(object({b, a}), {"keyframes[1].time", "is 0", "at 1"});
-    check_refused_scene(object({a}), {"objects[0].keyframes", "1 key", "two or more", "length is 0"});
+    check_refused_scene(object(Json::array({a})), {"objects[0].keyframes", "1 key", "two or more", "length is 0"});
     check_refused_scene(object(Json::array()), {"0 keys"});
     check_refused_scene(object({negative, b}), {"keyframes[0].time", "within 0", "-1"});
     check_refused_scene(object({a, {{"time", 1}, {"scale", 2}}}), {"keyframes[1]", "first key", "'translate'"});

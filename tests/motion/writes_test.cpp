@@ -14,7 +14,7 @@ namespace {
 
 constexpr int khz = 66'000;
 
-const char* const part_names[] = {"sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2"};
+const std::vector<std::string> part_names{"sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2"};
 
 /// The gates of reads and writes on the data bus and of the rows that they open, by the data sheet, pair by pair.
 void check_writes(const DramPart& part, const std::vector<Dram::Issued>& all) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,7 +13,8 @@
 namespace rayclock {
 namespace {
 
-constexpr std::size_t most_exact = 64;   // corners of a mesh: of more, the box of an instance that moves is not exact
+constexpr std::uint64_t most_corners = 20'000'000;   // of all instances: of more, no box is exact
+constexpr std::size_t most_exact = 64;               // corners of a mesh: of more, the box of an instance that moves is not exact
 
 /// The scene's lattice seen from a mesh: its middle, and for each axis of the mesh what a step along each of
 /// the scene's axes is there.
@@ -161,6 +163,9 @@ public:
           moves_(parts.instances.size()) {
         for (const Places& places : times)
             for (std::size_t i = 0; i < places.size(); ++i) moves_[i] = moves_[i] || places[i] != times[0][i];
+        std::uint64_t corners = 0;
+        for (const Instance& instance : parts.instances) corners += parts.meshes[instance.mesh]->vertices.size();
+        is_large_ = corners > most_corners;
     }
 
     /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves would have to
@@ -193,10 +198,10 @@ private:
         Growing box;
         for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
             const SharedMesh& mesh = *parts_.meshes[parts_.instances[i].mesh];
-            if (moves_[i]) {
-                const std::array<glm::dvec3, 8> corners = corners_of(mesh);
-                for (const Places& places : times_)
-                    for (const glm::dvec3& corner : corners) box.add(places[i], corner);
+            if (moves_[i] || is_large_) {
+                const std::array<glm::dvec3, 8>& corners = corners_of(parts_.instances[i].mesh);
+                for (std::size_t t = 0; t < (moves_[i] ? times_.size() : 1); ++t)
+                    for (const glm::dvec3& corner : corners) box.add(times_[t][i], corner);
                 continue;
             }
             for (const Triangle& triangle : mesh.triangles)
@@ -215,11 +220,14 @@ private:
         }
     };
     /// Of a mesh's bounds: they hold it, and so do their images.
-    static std::array<glm::dvec3, 8> corners_of(const SharedMesh& mesh) {
+    const std::array<glm::dvec3, 8>& corners_of(std::uint32_t number) {
+        const auto [found, is_new] = corners_.try_emplace(number);
+        if (!is_new) return found->second;
+        const SharedMesh& mesh = *parts_.meshes[number];
         Growing box;
         for (const Triangle& triangle : mesh.triangles)
             for (const std::uint32_t index : triangle.vertex) box.add(glm::dmat4(1), mesh.vertices[index]);
-        std::array<glm::dvec3, 8> corners{};
+        std::array<glm::dvec3, 8>& corners = found->second;
         for (int c = 0; c < 8; ++c)
             for (int k = 0; k < 3; ++k) corners[std::size_t(c)][k] = c >> k & 1 ? box.hi[k] : box.lo[k];
         return corners;
@@ -252,7 +260,7 @@ private:
     double map_one(std::size_t i, std::size_t t) {
         InstanceMap& map = maps_.instances[i];
         const MeshClass& made = maps_.classes[map.mesh_class];
-        const Fitted fitted = fit(seen_at(i, t), made, config_, moves_[i]);
+        const Fitted fitted = fit(seen_at(i, t), made, config_, moves_[i] || is_large_);
         map = fitted.map;
         map.mesh_class = class_[i];
         if (fitted.stretched && !is_out_[i]) is_out_[i] = written_out_ = true;
@@ -343,6 +351,8 @@ private:
     const double largest_;       // L
     std::vector<bool> is_out_;   // by instance: it is written out
     std::vector<bool> moves_;
+    bool is_large_ = false;
+    std::map<std::uint32_t, std::array<glm::dvec3, 8>> corners_;   // by mesh
     bool written_out_ = false;   // one more was found
     Bounds bounds_;
     LevelMaps maps_;
