@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "model/upload.hpp"
+
 namespace rayclock {
 
 Machine::Machine(const Config& config, int khz, Traffic traffic)
     : config_(config),
+      traffic_(traffic),
       has_l2_(config.l2_sets > 0),
       dispatch_(config),
       clients_(std::uint32_t(config.clients())),
@@ -25,6 +28,24 @@ void Machine::start(const Frame& frame, const Trace& trace) {
     pixels_ = std::uint64_t(frame.width) * frame.height;
     hits_ = 0;
     moved_at_ = now_;
+}
+
+void Machine::pass_cycle() {
+    memory_.clock(nullptr);
+    ++now_;
+}
+
+void Machine::finish_writes() {
+    while (memory_.writes()) pass_cycle();
+}
+
+void Machine::reset() {
+    dispatch_ = Dispatch(config_);
+    pipelines_.clear();
+    for (int p = 0; p < config_.pipelines; ++p) pipelines_.emplace_back(config_, traffic_, p);
+    arbiter_ = Arbiter(config_.clients() * config_.pipelines);
+    if (has_l2_) l2_.emplace(l2_shape(config_));
+    for (int i = 0; i < reset_cycles(config_); ++i) pass_cycle();
 }
 
 // Tiles to the pipelines; misses through the arbiter to the shared cache or to memory; answers back to the

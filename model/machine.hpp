@@ -30,6 +30,14 @@ public:
     /// the frame.
     void start(const Frame& frame, const Trace& trace);
 
+    /// Between frames: resets the chip, after which its caches are empty. The memory goes on with what it does, for
+    /// reset_cycles() of the configuration.
+    void reset();
+    /// The host begins to write these lines of the memory, beside whatever the chip reads.
+    void write(const std::vector<std::uint32_t>& lines) { memory_.write(lines); }
+    /// Between frames: waits until the host has written all of them.
+    void finish_writes();
+
     /// One clock cycle.
     void step();
     /// One clock cycle; `observe(Move)` sees every transfer before the clock edge, in link order, and the
@@ -86,12 +94,14 @@ private:
     void clock_pipelines();
     void clock_shared();
     void route(bool answered, std::uint32_t id);
+    void pass_cycle();
     void sleep(std::uint64_t until);
     template <class Observer> void show(Observer& observe) const;
     bool fires(Link c) const { return fire_ >> index(c) & 1; }
     const Cache::Request& asked() const { return has_l2_ ? l2_miss_ : client_request_; }   ///< of memory
 
     Config config_;
+    Traffic traffic_;
     bool has_l2_;
     Dispatch dispatch_;
     std::vector<Pipeline> pipelines_;

@@ -134,8 +134,8 @@ MemoryImage compile_scene(const Scene& given, const glm::dvec3& eye, const Confi
     if (progress) progress("compiling " + name, 0, 4);
     check_units(given, config, name);
     if (config.has_instances()) {
-        MemoryImage image =
-            compile_levels(given.placed ? *given.placed : PlacedScene{given, {}, {}}, eye, config).image;
+        const PlacedScene alone{given.placed ? Scene{} : given, {}, {}};
+        MemoryImage image = compile_levels(given.placed ? *given.placed : alone, eye, config).image;
         if (progress) progress("compiling " + name, 4, 4);
         return image;
     }

@@ -81,8 +81,11 @@ void Dram::skip(std::uint64_t cycles) {
 
 void Dram::accept(const Answer& request) {
     assert(ready_ && "a request is accepted only when there is room");
-    assert(!under_way_[request.id] && "a request's id is under way once");
-    under_way_[request.id] = 1;
+    assert((request.is_write || !under_way_[request.id]) && "a request's id is under way once");
+    if (request.is_write)
+        ++writing_;
+    else
+        under_way_[request.id] = 1;
     Entry entry;
     entry.what = request;
     const std::uint32_t words = std::uint32_t(part_.row_bytes() / line_bytes),
@@ -120,7 +123,7 @@ void Dram::run() {
 
 void Dram::plan() {
     choice_ = Choice{};
-    if (current_ >= 0) consider(DramCommand::read, queue_[std::size_t(current_)].bank, current_);
+    if (current_ >= 0) consider(column_command(queue_[std::size_t(current_)]), queue_[std::size_t(current_)].bank, current_);
     if (!refreshing_)
         choose();
     else if (current_ < 0)
@@ -137,10 +140,10 @@ void Dram::consider(DramCommand command, int bank, int entry) {
     if (clock < choice_.clock) choice_ = {clock, command, bank, entry};
 }
 
-/// Reads first, each kind by age. All requests of a bank for its open row, or for another, could have their
-/// command at the same time: only the oldest is considered.
+/// Reads and writes first, each kind by age. All requests of a bank for its open row that read, that write, or for
+/// another row could have their command at the same time: only the oldest is considered.
 void Dram::choose() {
-    std::uint32_t wanted = 0;    // banks whose open row a request waits for
+    std::array<std::uint32_t, 2> wanted{};   // banks whose open row a request waits to read, or to write
     std::uint32_t turned = 0;    // banks that a request waits to open or to close,
     std::array<int, 32> turns;   // and the oldest such request of each, by age
     std::size_t n = 0;
@@ -148,8 +151,8 @@ void Dram::choose() {
         const Entry& e = queue_[i];
         const std::uint32_t bit = 1u << e.bank;
         if (banks_.is_open(e.bank) && banks_.row(e.bank) == e.row) {
-            if (current_ < 0 && !(wanted & bit)) consider(DramCommand::read, e.bank, int(i));
-            wanted |= bit;
+            if (current_ < 0 && !(wanted[e.what.is_write] & bit)) consider(column_command(e), e.bank, int(i));
+            wanted[e.what.is_write] |= bit;
         } else if (!(turned & bit)) {
             turned |= bit;
             turns[n++] = int(i);
@@ -160,7 +163,7 @@ void Dram::choose() {
         const int bank = queue_[std::size_t(turns[k])].bank;
         if (!banks_.is_open(bank))
             consider(DramCommand::activate, bank, turns[k]);
-        else if (!(wanted & 1u << bank))
+        else if (!((wanted[0] | wanted[1]) & 1u << bank))
             consider(DramCommand::precharge, bank, turns[k]);
     }
 }
@@ -178,17 +181,19 @@ void Dram::issue() {
     if (!entry) return;
     if (entry->kind == Kind::none) {
         const bool opens = choice_.command == DramCommand::activate;
-        entry->kind = choice_.command == DramCommand::read ? Kind::hit : opens ? Kind::miss : Kind::conflict;
+        const bool hits = choice_.command == column_command(*entry);
+        entry->kind = hits ? Kind::hit : opens ? Kind::miss : Kind::conflict;
     }
-    if (choice_.command == DramCommand::read) read(*entry);
+    if (choice_.command == column_command(*entry)) transfer(*entry);
 }
 
-void Dram::read(Entry& entry) {
+void Dram::transfer(Entry& entry) {
     if (current_ < 0) {
         current_ = choice_.entry;
         for (int i = 0; i < current_; ++i) ++queue_[std::size_t(i)].overtaken;
     }
-    const std::uint64_t from = (std::uint64_t(choice_.clock) + std::uint64_t(part_.cl)) * tck_;
+    const int latency = entry.what.is_write ? part_.cwl : part_.cl;
+    const std::uint64_t from = (std::uint64_t(choice_.clock) + std::uint64_t(latency)) * tck_;
     const std::uint64_t until = from + std::uint64_t(part_.burst_clocks()) * tck_;
     statistics_.bus_ps += until - from;
     if (until > time_)
@@ -196,7 +201,7 @@ void Dram::read(Entry& entry) {
     else
         busy_ = true;   // all of it in the cycle that is ending
     if (--entry.left > 0) return;
-    ++statistics_.reads;
+    ++(entry.what.is_write ? statistics_.writes : statistics_.reads);
     if (entry.kind == Kind::hit)
         ++statistics_.row_hits;
     else if (entry.kind == Kind::miss)
@@ -204,7 +209,12 @@ void Dram::read(Entry& entry) {
     else
         ++statistics_.row_conflicts;
     statistics_.bytes += line_bytes;
-    answers_.push({entry.what, cycle_from(until + std::uint64_t(part_.answer_ps))});
+    if (entry.what.is_write) {
+        --writing_;
+        last_write_ps_ = until;
+    } else {
+        answers_.push({entry.what, cycle_from(until + std::uint64_t(part_.answer_ps))});
+    }
     queue_.erase(queue_.begin() + current_);
     --arrived_;
     current_ = -1;

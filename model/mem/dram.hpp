@@ -16,19 +16,21 @@ enum class DramCause { busy, refresh, row, starved };
 constexpr int dram_causes = 4;
 
 struct DramStatistics {
-    std::uint64_t reads = 0;   ///< requests whose last read was given; each is one of the next three
+    std::uint64_t reads = 0;   ///< requests whose last read was given; each, and each write, is one of the next three
+    std::uint64_t writes = 0;
     std::uint64_t row_hits = 0, row_misses = 0,
                   row_conflicts = 0;   ///< row was open; bank was closed; another row was open
     std::uint64_t refreshes = 0;
-    std::uint64_t bytes = 0;    ///< that requests asked for
+    std::uint64_t bytes = 0;    ///< that requests asked for or wrote
     std::uint64_t bus_ps = 0;   ///< time with data on the bus
     friend bool operator==(const DramStatistics&, const DramStatistics&) = default;
 };
 
 /// A DRAM and its controller, in real time: chip cycle c begins at floor(c * 1e9 / khz) ps. Latency: see
 /// DramPart; at most one request and one answer per chip cycle. The same class lies under the model and under
-/// the RTL. It keeps only who asked for which address; whoever owns it reads the memory image. There are only
-/// reads: the chip writes nothing through this port.
+/// the RTL. It keeps only who asked for which address; whoever owns it reads and changes the memory image. The chip
+/// only reads; writes are the host's. A write has no id and no answer; writes() tells when all are done. It waits,
+/// opens rows and takes its turn as a read does.
 ///
 /// An address counts words of 64 bytes: row : bank : word of the row, lowest last, so that addresses in
 /// sequence stay in a row and go on in the next bank. If there are bank groups they go round these first, as
@@ -49,6 +51,7 @@ public:
 
     struct Answer {
         std::uint32_t id = 0, addr = 0;   // addr: words of 64 bytes
+        bool is_write = false;            // of a request; the id then says nothing
     };
     bool ready() const { return ready_; }
     bool valid() const { return valid_; }
@@ -59,6 +62,8 @@ public:
 
     /// It has nothing to do: ready() and valid() stay as they are until a request comes.
     bool rests() const { return !valid_ & queue_.empty() & answers_.empty(); }
+    /// A write waits, or its data are on their way.
+    bool writes() const { return writing_ > 0 || (last_write_ps_ > time_); }
     /// Nothing is under way in it or on its bus: until a request comes it is starved.
     bool idle() const { return queue_.empty() && data_.empty() && answers_.empty() && !valid_; }
     /// The chip cycle it is in, from 0.
@@ -108,6 +113,9 @@ private:
         std::uint64_t from = 0, until = 0;   // ps
     };
 
+    static DramCommand column_command(const Entry& entry) {
+        return entry.what.is_write ? DramCommand::write : DramCommand::read;
+    }
     std::uint64_t begin_of(std::uint64_t cycle) const;   // ps
     std::uint64_t cycle_from(std::uint64_t ps) const;    // first that begins at or after
     void accept(const Answer& request);
@@ -116,7 +124,7 @@ private:
     void consider(DramCommand command, int bank, int entry);
     void choose();   // among the requests
     void issue();
-    void read(Entry& entry);
+    void transfer(Entry& entry);
     DramCause cause(std::uint64_t begin);
 
     DramPart part_;
@@ -135,6 +143,8 @@ private:
     Ring<Data> data_;              // on the bus from now on
     Data refresh_{};               // the last refresh, from when it was due
     std::vector<char> under_way_;
+    int writing_ = 0;                   // writes in the queue
+    std::uint64_t last_write_ps_ = 0;   // end of the last data written
     std::uint64_t now_ = 0, time_ = 0, rest_ = 0;   // time_: begin of now_, rest_ / khz ps more
     bool ready_ = true, valid_ = false, waiting_ = false, busy_ = false;
     Answer answer_{};

@@ -19,6 +19,9 @@ DramBanks::DramBanks(const DramPart& part)
       tccd_(std::max(clocks(part.tccd), Clock(part.burst_clocks()))),
       tccd_l_(std::max(tccd_, clocks(part.tccd_l))),
       trfc_(clocks(part.trfc)),
+      to_write_(part.cl + part.burst_clocks() + part.turn_clocks() - part.cwl),
+      to_read_(part.cwl + part.burst_clocks() + clocks(part.twtr)),
+      to_precharge_(part.cwl + part.burst_clocks() + clocks(part.twr)),
       banks_(std::size_t(part.banks)),
       groups_(std::size_t(part.bank_groups)) {}
 
@@ -30,7 +33,10 @@ DramBanks::Clock DramBanks::earliest(DramCommand command, int bank) const {
                            activates_[oldest_]});
             break;
         case DramCommand::read:
-            at = std::max({at, banks_[std::size_t(bank)].read, read_, group_of(bank).read});
+            at = std::max({at, banks_[std::size_t(bank)].column, read_, group_of(bank).column});
+            break;
+        case DramCommand::write:
+            at = std::max({at, banks_[std::size_t(bank)].column, write_, group_of(bank).column});
             break;
         case DramCommand::precharge: at = std::max(at, banks_[std::size_t(bank)].precharge); break;
         case DramCommand::precharge_all:
@@ -60,7 +66,7 @@ void DramBanks::issue(DramCommand command, int bank, std::uint32_t row, Clock cl
             own.open = true;
             own.row = row;
             ++open_;
-            own.read = clock + trcd_;
+            own.column = clock + trcd_;
             own.precharge = clock + tras_;
             own.activate = clock + trc_;
             activate_ = clock + trrd_;
@@ -72,7 +78,15 @@ void DramBanks::issue(DramCommand command, int bank, std::uint32_t row, Clock cl
             assert(own.open && own.row == row && "only an open row is read");
             own.precharge = std::max(own.precharge, clock + trtp_);
             read_ = clock + tccd_;
-            group_of(bank).read = clock + tccd_l_;
+            write_ = clock + std::max(tccd_, to_write_);
+            group_of(bank).column = clock + tccd_l_;
+            break;
+        case DramCommand::write:
+            assert(own.open && own.row == row && "only an open row is written");
+            own.precharge = std::max(own.precharge, clock + to_precharge_);
+            write_ = clock + tccd_;
+            read_ = clock + std::max(tccd_, to_read_);
+            group_of(bank).column = clock + tccd_l_;
             break;
         case DramCommand::precharge:
             assert(own.open && "only an open bank is precharged");

@@ -7,7 +7,7 @@
 
 namespace rayclock {
 
-enum class DramCommand { activate, read, precharge, precharge_all, refresh };
+enum class DramCommand { activate, read, write, precharge, precharge_all, refresh };
 
 /// The banks of a DRAM and its buses: which command may come when. Time is counted in clocks of the DRAM;
 /// every gate of the part is a whole number of them, rounded up. One command per clock. It knows no requests:
@@ -32,7 +32,7 @@ public:
 
 private:
     struct Bank {
-        Clock activate = 0, read = 0, precharge = 0;   // first clock that its own gates allow
+        Clock activate = 0, column = 0, precharge = 0;   // first clock that its own gates allow
         std::uint32_t row = 0;
         bool open = false;
     };
@@ -41,8 +41,9 @@ private:
 
     int tck_;
     Clock trcd_, trp_, tras_, trc_, trrd_, trrd_l_, tfaw_, trtp_, tccd_, tccd_l_, trfc_;
+    Clock to_write_, to_read_, to_precharge_;   // from a read to a write; from a write to a read and a precharge
     struct Group {
-        Clock activate = 0, read = 0;   // first clock that its own gates allow
+        Clock activate = 0, column = 0;   // first clock that its own gates allow
     };
     // Most memories have no groups: they shall not divide.
     std::size_t group_index(int bank) const {
@@ -54,7 +55,7 @@ private:
     std::vector<Bank> banks_;
     std::vector<Group> groups_;
     int open_ = 0;                                  // banks with an open row
-    Clock command_ = 0, activate_ = 0, read_ = 0;   // first clock that the shared gates allow
+    Clock command_ = 0, activate_ = 0, read_ = 0, write_ = 0;   // first clock that the shared gates allow
     std::array<Clock, 4> activates_{};              // the last four, plus tFAW
     unsigned oldest_ = 0;                           // of those
 };

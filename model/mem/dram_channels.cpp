@@ -20,7 +20,7 @@ void DramChannels::clock(const Answer* request) {
     DramCause cause = DramCause::starved;
     for (std::uint32_t c = 0; c < count_; ++c) {
         const bool takes = request && c == channel;
-        const Answer own{takes ? request->id : 0, takes ? request->addr / count_ : 0};
+        const Answer own{takes ? request->id : 0, takes ? request->addr / count_ : 0, takes && request->is_write};
         channels_[c].clock(takes ? &own : nullptr);
         cause = std::min(cause, channels_[c].last_cause());
     }
@@ -54,6 +54,10 @@ bool DramChannels::rests() const {
            std::all_of(channels_.begin(), channels_.end(), [](const Dram& d) { return d.rests(); });
 }
 
+bool DramChannels::writes() const {
+    return std::any_of(channels_.begin(), channels_.end(), [](const Dram& d) { return d.writes(); });
+}
+
 bool DramChannels::idle() const {
     return !valid_ && waiting_.empty() &&
            std::all_of(channels_.begin(), channels_.end(), [](const Dram& d) { return d.idle(); });
@@ -85,6 +89,7 @@ DramStatistics DramChannels::statistics() const {
     for (const Dram& channel : channels_) {
         const DramStatistics& s = channel.statistics();
         sum.reads += s.reads;
+        sum.writes += s.writes;
         sum.row_hits += s.row_hits;
         sum.row_misses += s.row_misses;
         sum.row_conflicts += s.row_conflicts;

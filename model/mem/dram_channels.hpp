@@ -22,6 +22,7 @@ public:
 
     bool rests() const;
     bool idle() const;
+    bool writes() const;
     std::uint64_t now() const { return channels_[0].now(); }
     std::uint64_t quiet_until() const;
     void skip(std::uint64_t cycles);

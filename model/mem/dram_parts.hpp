@@ -32,6 +32,9 @@ struct DramPart {
     int trtp = 0;     ///< read to precharge, same bank
     int tccd = 0;     ///< read to read
     int tccd_l = 0;   ///< the same in one bank group, if that takes longer
+    int cwl = 0;      ///< clocks from write to first data
+    int twr = 15'000;    ///< last data of a write to precharge, same bank
+    int twtr = 7'500;    ///< last data of a write to a read
     int trefi = 0;    ///< one refresh of all banks in every such time
     int trfc = 0;     ///< refresh to activate or refresh
 
@@ -43,6 +46,9 @@ struct DramPart {
 
     int row_bytes() const { return columns * bus_bits / 8; }
     int burst_clocks() const { return burst_length / transfers; }
+    /// Clocks in which nobody drives the data bus, as it turns from reading to writing: a chip of single data rate
+    /// needs one, others two (JESD79-3F, 4.13.2.2: RL + tCCD + 2 tCK - WL from read to write).
+    int turn_clocks() const { return transfers == 1 ? 1 : 2; }
     /// Read commands that one request of 64 bytes takes.
     int bursts() const;
 };

@@ -33,6 +33,9 @@ DramPart sdr() {
     p.tfaw = 0;                 // four banks
     p.trtp = 8 * 7'000;         // the burst, see above
     p.tccd = 1 * 7'000;         // column commands in any clock (LiteDRAM: 1 clock)
+    p.cwl = 0;                  // data come with the command
+    p.twr = 14'000;             // tWR -7
+    p.twtr = 0;                 // a read may follow in the clock after the last data
     p.trefi = 7'800'000;        // tREFI
     p.trfc = 63'000;            // tRFC -7
     p.request_ps = 2 * 7'000;   // assumed: a register at the queue, one at the pins
@@ -82,6 +85,9 @@ DramPart ddr3() {
     p.tfaw = 45'000;           // tfaw
     p.trtp = 4 * 3'000;        // the greater of trtp 7.5 ns and 4 clocks (Table 56)
     p.tccd = 4 * 3'000;        // 4 clocks (Table 56)
+    p.cwl = 5;                 // for 2.5 ns <= tCK < 3.3 ns (Micron 2Gb DDR3 data sheet, CWL 5: up to 333 MHz)
+    p.twr = 15'000;            // twr
+    p.twtr = 4 * 3'000;        // the greater of twtr 7.5 ns and 4 clocks
     p.trefi = 7'800'000;       // trefi
     p.trfc = 160'000;          // trfc
     p.request_ps = 5 * 12'000;   // assumed: five clocks of a controller that runs at a quarter of the
@@ -120,6 +126,9 @@ DramPart rpu() {
     p.tfaw = 0;                  // four banks
     p.trtp = 8 * 11'364;         // the burst, see above
     p.tccd = 1 * 11'364;         // "column address can be changed every clock cycle"
+    p.cwl = 0;                   // data come with the command
+    p.twr = 15'000;              // tWR -75
+    p.twtr = 0;                  // a read may follow in the clock after the last data
     p.trefi = 7'812'500;         // 64 ms / 8192
     p.trfc = 66'000;             // tRFC -75
     p.request_ps = 2 * 11'364;   // assumed, as for sdr
@@ -156,6 +165,9 @@ DramPart ddr4() {
     p.trtp = 7'500;             // gem5: the greater of 4 clocks and 7.5 ns
     p.tccd = 4 * 833;           // tCCD_S (DRAMsim3)
     p.tccd_l = 6 * 833;         // tCCD_L (both)
+    p.cwl = 16;                 // DRAMsim3
+    p.twr = 19 * 833;           // DRAMsim3
+    p.twtr = 9 * 833;           // DRAMsim3: tWTR_L, here for all groups
     p.trefi = 7'800'000;        // both
     p.trfc = 350'000;           // both
     p.request_ps = 5 * 3'332;   // assumed: five clocks of a controller at a quarter of the memory's clock
@@ -189,6 +201,9 @@ DramPart lpddr4() {
     p.tfaw = 40'000;            // LiteDRAM
     p.trtp = 14 * 625;          // Ramulator: nRTP 14
     p.tccd = 8 * 625;           // Ramulator: nCCD 8
+    p.cwl = 15;                 // JESD209-4: WL 14 of set A, and tDQSS
+    p.twr = 18'000;             // JESD209-4
+    p.twtr = 10'000;            // JESD209-4
     p.trefi = 3'906'250;        // LiteDRAM: 32 ms / 8192
     p.trfc = 180'000;           // LiteDRAM
     p.request_ps = 5 * 2'500;   // assumed: five clocks of a controller at a quarter of the memory's clock
@@ -225,6 +240,9 @@ DramPart hbm2() {
     p.trtp = 6'000;     // tRTP_L
     p.tccd = 2'000;     // tCCD_S is 1 clock; the burst takes 2
     p.tccd_l = 2'000;   // tCCD_L
+    p.cwl = 4;
+    p.twr = 16'000;
+    p.twtr = 8'000;   // tWTR_L, here for all groups
     p.trefi = 3'900'000;
     p.trfc = 260'000;
     p.request_ps = 5 * 4'000;   // assumed: five clocks of a controller at a quarter of the memory's clock

@@ -17,7 +17,17 @@ Memory::Memory(const Config& config, int khz, Traffic traffic)
         dram_.emplace(*part, config.dram_channels, khz, 1 << config.mem_id_bits());
 }
 
+void Memory::write(const std::vector<std::uint32_t>& lines) {
+    written_.erase(written_.begin(), written_.end() - std::ptrdiff_t(left_));
+    written_.insert(written_.end(), lines.begin(), lines.end());
+    left_ = written_.size();
+    if (left_ > 0 && dram_) pay(), sleeping_ = false;
+}
+
 void Memory::work(const Answer* request) {
+    // The host has the cycles that the chip leaves.
+    const bool writes = left_ > 0 && !request && (dram_ ? dram_->ready() : ideal_.ready());
+    const std::uint32_t line = writes ? written_[written_.size() - left_--] : 0;
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
         if (comes())
@@ -26,10 +36,12 @@ void Memory::work(const Answer* request) {
     }
     if (dram_) {
         pay();
-        const Dram::Answer asked{request ? request->id : 0, request ? request->addr : 0};
-        dram_->clock(request ? &asked : nullptr);
-        sleeping_ = !disturbed_ & dram_->rests();
+        const Dram::Answer asked{request ? request->id : 0, request ? request->addr : line, writes};
+        dram_->clock(request || writes ? &asked : nullptr);
+        sleeping_ = !disturbed_ & dram_->rests() & (written_.empty() || !this->writes());
     } else {
+        if (writes) ideal_.write();
+        writes_ += writes;
         ++ideal_deeds_[std::size_t(ideal_.valid()   ? MemoryDeed::busy
                                    : ideal_.waits() ? MemoryDeed::latency
                                                     : MemoryDeed::starved)];
@@ -77,9 +89,9 @@ std::array<std::uint64_t, 8> Memory::deeds() const {
 }
 
 MemoryStats Memory::stats() const {
-    if (!dram_) return {reads_, 0, 0, 0};
+    if (!dram_) return {reads_, 0, 0, 0, writes_};
     const DramStatistics s = dram_->statistics();
-    return {s.reads, s.row_hits, s.row_conflicts, s.refreshes};
+    return {s.reads, s.row_hits, s.row_conflicts, s.refreshes, s.writes};
 }
 
 }   // namespace rayclock

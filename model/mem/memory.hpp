@@ -21,11 +21,12 @@ constexpr std::size_t memory_deeds = 4;
 /// What the memory has done.
 struct MemoryStats {
     std::uint64_t reads = 0;                         ///< of 64 bytes
-    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these: the row was open; another row was
+    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these and the writes: the row was open; another row was
     std::uint64_t refreshes = 0;
+    std::uint64_t writes = 0;   ///< of 64 bytes, by the host
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
         return {a.reads - b.reads, a.row_hits - b.row_hits, a.row_conflicts - b.row_conflicts,
-                a.refreshes - b.refreshes};
+                a.refreshes - b.refreshes, a.writes - b.writes};
     }
     friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
 };
@@ -41,6 +42,12 @@ public:
     bool valid() const { return disturbed_ ? offer_ >= 0 : comes(); }
     Answer answer() const { return disturbed_ ? late_[std::size_t(offer_)].what : coming(); }
 
+    /// The host begins to write these lines, one after the other: one in every cycle in which the memory has room
+    /// for it and takes no request of the chip. So the chip's reads go first.
+    void write(const std::vector<std::uint32_t>& lines);
+    /// Some of them are not written yet.
+    bool writes() const { return left_ > 0 || (dram_ && dram_->writes()); }
+
     /// One clock edge: the request that was accepted, null if none.
     void clock(const Answer* request) {
         ++now_;
@@ -55,7 +62,7 @@ public:
     MemoryStats stats() const;
 
     std::uint64_t quiet_until() const {
-        return disturbed_  ? 0
+        return disturbed_ || left_ > 0 ? 0
                : sleeping_ ? ~std::uint64_t(0)
                : dram_     ? dram_->quiet_until()
                            : ideal_.quiet_until();
@@ -87,6 +94,9 @@ private:
     std::uint64_t owed_ = 0;   // so many
     std::uint64_t reads_ = 0;
     std::array<std::uint64_t, memory_deeds> ideal_deeds_{};
+    std::vector<std::uint32_t> written_;   // lines that the host writes, and how many of them are left
+    std::size_t left_ = 0;
+    std::uint64_t writes_ = 0;   // of the ideal memory
     std::vector<Late> late_;   // answers that traffic holds back, oldest first
     int offer_ = -1;           // of these, the one on offer
 };

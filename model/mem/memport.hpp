@@ -35,6 +35,8 @@ public:
 
     /// One clock edge: the request that was accepted, null if none. An answer on offer goes.
     void clock(const Answer* request);
+    /// In the place of a request, before clock(nullptr): a write, which has no answer and is done at once.
+    void write() { next_free_ = now_ + interval_; }
 
     /// The first cycle, in calls of clock(), in which ready() or valid() could change without a request; and
     /// the same as clock(nullptr) `cycles` times up to there.

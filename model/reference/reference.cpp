@@ -1,17 +1,25 @@
 #include "model/reference/reference.hpp"
 
+#include "model/base/error.hpp"
 #include "model/reference/geometry.hpp"
+#include "model/reference/instances.hpp"
 #include "model/reference/tiles.hpp"
 #include "model/reference/whitted.hpp"
+#include "model/scene/folded.hpp"
 
 namespace rayclock {
 
 struct Reference::Impl {
+    std::unique_ptr<RefInstances> instances;   ///< of a folded scene, and then the geometry is empty
     RefGeometry geometry;
     const Scene& scene;   ///< used by whitted() only
 
-    explicit Impl(const Scene& s) : geometry(s), scene(s) {}
+    explicit Impl(const Scene& s)
+        : instances(is_folded(s) ? std::make_unique<RefInstances>(*s.placed) : nullptr),
+          geometry(instances ? Scene{} : s),
+          scene(s) {}
     Hit trace(const glm::dvec3& origin, const glm::dvec3& direction) const {
+        if (instances) return instances->trace(origin, direction);
         RefPath path;
         return geometry.find_path(origin, direction, path) ? ref_hit(geometry.closest(path), geometry.space())
                                                            : Hit{};
@@ -41,6 +49,8 @@ HitFrame Reference::frame(const Camera& camera, FrameSize size, int threads, con
 
 WhittedFrame Reference::whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads,
                                 const Progress& progress, const RayWatch& watch) const {
+    if (impl_->instances)
+        throw UserError(impl_->scene.name + ": so many placed triangles have no finished picture, only camera rays");
     return ref_whitted(impl_->geometry, impl_->scene, camera, size, settings, threads, progress, watch);
 }
 

@@ -36,7 +36,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 14> all{{
+constexpr std::array<Builtin, 17> all{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -63,6 +63,12 @@ constexpr std::array<Builtin, 14> all{{
      all_triangles<square_triangles>, one_form<make_square>},
     {"gearbox", 4, 25, "the gears again, placed: one gear and its instances", all_triangles<gears_triangles>,
      one_flat_form<make_gearbox>},
+    {"clockwork", 16, 64, "moving: a wall of gears that turn each other, once round in 4 s",
+     all_triangles<clockwork_triangles>, one_flat_form<make_clockwork>},
+    {"crowd", 10, 64, "moving: walkers of five parts each, two steps in 2 s, and the camera with them",
+     all_triangles<crowd_triangles>, one_flat_form<make_crowd>},
+    {"flight", 400, 4000, "moving: mirror balls thrown over a ground, and a light that goes round, 4 s",
+     all_triangles<flight_triangles>, one_flat_form<make_flight>},
 }};
 
 /// Scenes that are made of instances.
@@ -70,7 +76,10 @@ struct Placed {
     std::string_view name;
     PlacedScene (*make)(int size);
 };
-constexpr std::array<Placed, 1> placed{{{"gearbox", make_gearbox}}};
+constexpr std::array<Placed, 4> placed{{{"gearbox", make_gearbox},
+                                        {"clockwork", make_clockwork},
+                                        {"crowd", make_crowd},
+                                        {"flight", make_flight}}};
 
 std::string_view name_of(std::string_view spec) { return spec.substr(0, spec.find(':')); }
 

@@ -81,11 +81,16 @@ std::uint64_t primitive_count(const PlacedScene& scene) {
     return count;
 }
 
-Scene flattened(PlacedScene scene) {
-    if (scene.instances.empty()) return std::move(scene.own);
+Scene flat_copy(const PlacedScene& scene) {
     Scene flat = scene.own;
     for (const Instance& instance : scene.instances)
         append_triangles(flat, scene.meshes[instance.mesh], instance.place, instance.material, 0);
+    return flat;
+}
+
+Scene flattened(PlacedScene scene) {
+    if (scene.instances.empty() && scene.motion.empty()) return std::move(scene.own);
+    Scene flat = flat_copy(scene);
     flat.placed = std::make_shared<const PlacedScene>(std::move(scene));
     return flat;
 }

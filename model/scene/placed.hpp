@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "model/scene/builtin.hpp"
+#include "model/scene/motion.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
@@ -35,14 +36,17 @@ struct PlacedScene {
     Scene own;
     std::vector<SharedMesh> meshes;
     std::vector<Instance> instances;
+    Motion motion{};   ///< instances, camera and lights are where they are at one of its times
 };
 
 /// Of the flat scene.
 std::uint64_t primitive_count(const PlacedScene& scene);
 
-/// Every instance becomes triangles. Without instances, the scene itself. Throws UserError if they are more
+/// Every instance becomes triangles. Without instances and motion, the scene itself. Throws UserError if they are more
 /// than a vertex number can tell.
 Scene flattened(PlacedScene scene);
+/// The same triangles, without what was written out to make them.
+Scene flat_copy(const PlacedScene& scene);
 
 /// Appends the part's primitives moved by `place`, which must keep angles if there are spheres. A mirror
 /// image is turned inside out again; normals go by the inverse transpose. Materials: `material` for all, or

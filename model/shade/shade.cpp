@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
+
+#include "model/scene/folded.hpp"
 
 namespace rayclock {
 namespace {
@@ -35,21 +38,18 @@ void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outsid
 
 /// Smooth normals can face away from the eye near a silhouette although the triangle faces it; the triangle
 /// decides which side is seen, and its normal stands in where the smooth one vanishes.
-SurfacePoint on_triangle(const Scene& scene, const Triangle& triangle, const Hit& hit,
-                         const glm::dvec3& eye) {
-    const auto& vertex = triangle.vertex;
-    const glm::dvec3 &a = scene.vertices[vertex[0]], &b = scene.vertices[vertex[1]],
-                     &c = scene.vertices[vertex[2]];
+SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit, const glm::dvec3& eye) {
+    const auto& [a, b, c] = triangle.vertices;
     const double v1 = hit.u, v2 = hit.v, v0 = 1 - v1 - v2;
     SurfacePoint point;
     point.material = &scene.materials.at(triangle.material);
     point.colour = point.material->colour;
     point.position = v0 * a + v1 * b + v2 * c;
     finish(point, eye, glm::cross(b - a, c - a));
-    if (!scene.normals.empty()) {
+    if (triangle.is_smooth) {
         const glm::dvec3 flat = point.normal;
-        const auto& n = scene.normals;
-        point.normal = unit_or(v0 * n[vertex[0]] + v1 * n[vertex[1]] + v2 * n[vertex[2]], flat);
+        const auto& n = triangle.normals;
+        point.normal = unit_or(v0 * n[0] + v1 * n[1] + v2 * n[2], flat);
         if (glm::dot(point.normal, flat) < 0) point.normal = -point.normal;
     }
     return point;
@@ -79,10 +79,24 @@ SurfacePoint on_plane(const Scene& scene, const Plane& plane, const Hit& hit, co
     return point;
 }
 
-SurfacePoint surface_point(const Scene& scene, const Hit& hit, const glm::dvec3& eye,
+/// A triangle of a flat scene.
+PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
+    const Triangle& triangle = scene.triangles[number];
+    PlacedTriangle out;
+    out.is_smooth = !scene.normals.empty();
+    out.material = triangle.material;
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.vertices[k] = scene.vertices[triangle.vertex[k]];
+        if (out.is_smooth) out.normals[k] = scene.normals[triangle.vertex[k]];
+    }
+    return out;
+}
+
+SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit, const glm::dvec3& eye,
                            const glm::dvec3& direction) {
+    if (unfolder) return on_triangle(scene, (*unfolder)(hit.primitive), hit, eye);
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
-    if (hit.primitive < triangles) return on_triangle(scene, scene.triangles[hit.primitive], hit, eye);
+    if (hit.primitive < triangles) return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye);
     if (hit.primitive < triangles + spheres)
         return on_sphere(scene, scene.spheres[hit.primitive - triangles], hit, eye, direction);
     return on_plane(scene, scene.planes.at(hit.primitive - triangles - spheres), hit, eye);
@@ -110,6 +124,8 @@ glm::dvec3 colour_at(const Scene& scene, const SurfacePoint& point) {
 Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progress) {
     if (!scene.camera) throw std::logic_error("shade() needs scene.camera: highlights depend on the eye");
     const glm::dvec3 eye = scene.camera->eye;
+    const std::optional<Unfolder> unfolder =
+        is_folded(scene) ? std::make_optional<Unfolder>(*scene.placed) : std::nullopt;
     const PixelRays rays = !scene.spheres.empty() ? pixel_rays(*scene.camera, frame.size) : PixelRays{};
     Picture picture{frame.size, std::vector<glm::vec3>(frame.hits.size(), glm::vec3(scene.background))};
     std::mutex reporting;
@@ -120,7 +136,7 @@ Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progres
             const Hit& hit = frame.hits[i];
             if (hit.primitive == no_primitive) continue;
             const glm::dvec3 direction = rays.direction(static_cast<double>(i - begin), y);
-            picture.pixels[i] = glm::vec3(colour_at(scene, surface_point(scene, hit, eye, direction)));
+            picture.pixels[i] = glm::vec3(colour_at(scene, surface_point(scene, unfolder ? &*unfolder : nullptr, hit, eye, direction)));
         }
         if (!progress) return;
         const std::lock_guard lock(reporting);

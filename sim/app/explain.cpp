@@ -76,15 +76,16 @@ int run(const Options& o) {
         check_page_library();
     }
     const Progress progress = terminal_progress();
-    const Request request =
-        request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
-    const int khz = one_clock_of(o.clock, request.config);
-    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Job job =
-        make_job(request.scene, path[0], size, request.config, stopping(progress), request.settings);
+    Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view), o.frames,
+              o.view.is_asked(), size, stopping(progress));
     std::vector<FrameTrace> traces;
-    for (const Camera& camera : path)
-        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, stopping(progress)));
+    while (traces.size() < film.frames()) {
+        film.next();
+        traces.push_back(film.record(o.threads, stopping(progress)));
+    }
+    const Request& request = film.request();
+    const Job& job = film.job();
+    const int khz = one_clock_of(o.clock, request.config);
 
     PixelEvents in_frame{std::uint32_t(pixel)}, alone{0};
     const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &in_frame, progress);
@@ -95,7 +96,7 @@ int run(const Options& o) {
         const Trace& trace = traces.back().trace;
         e.colour = colour_finding(
             compare(request, job,
-                    {traces.back().frame, path.back(), trace.hits, trace.colours, trace.signatures},
+                    {traces.back().frame, film.camera(), trace.hits, trace.colours, trace.signatures},
                     !o.no_judge, o.threads, progress, pixel),
             pixel);
     }

@@ -1,11 +1,8 @@
 #include "sim/app/options.hpp"
 
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
 #include "sim/image/image.hpp"
@@ -97,27 +94,13 @@ void frames_options(Parser& parser, FramesOptions& o) {
                 "frames drawn one after the other on one machine: the caches are warm from the second on")
         .with_default();
     parser.option("--pan", o.pan, "degrees that the camera turns from frame to frame");
-}
-
-std::vector<Camera> camera_path(const FramesOptions& o, const Camera& camera) {
-    if (o.frames < 1 || o.frames > 1000)
-        throw UserError(fmt::format("--frames must lie in 1..1000, not {}", o.frames));
-    if (!(std::abs(o.pan) <= 360))
-        throw UserError(fmt::format("--pan must lie in -360..360 degrees, not {}", o.pan));
-    if (o.pan != 0 && o.frames == 1)
-        std::fprintf(stderr, "rayclock: note: --pan has no effect with --frames 1\n");
-    std::vector<Camera> path;
-    for (int i = 0; i < o.frames; ++i) {
-        // Rodrigues' rotation of the view direction about the up axis.
-        const double angle = o.pan * i * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-        const glm::dvec3 axis = glm::normalize(camera.up), view = camera.at - camera.eye;
-        Camera turned = camera;
-        if (i > 0)
-            turned.at =
-                camera.eye + view * c + glm::cross(axis, view) * s + axis * glm::dot(axis, view) * (1 - c);
-        path.push_back(turned);
-    }
-    return path;
+    parser.option("--fps", o.fps, "frames in a second of the scene's time, if something moves in it: 25 if it is not given");
+    parser.option("--time", o.time, "the scene's time of the first frame, or two times, A:B, with a colon: seconds");
+    parser
+        .option("--uploads", o.uploads,
+                "when the host writes what has moved: between the frames, or, double, beside the frame before into "
+                "a second buffer")
+        .with_default();
 }
 
 void traffic_options(Parser& parser, TrafficOptions& o) {

@@ -4,6 +4,7 @@
 
 #include "model/mem/memport.hpp"
 #include "sim/app/parser.hpp"
+#include "sim/film/film.hpp"
 #include "sim/request/config_file.hpp"
 #include "sim/request/request.hpp"
 
@@ -40,15 +41,8 @@ double parse_percent(const std::string& option, const std::string& typed, bool z
 /// Throws UserError unless --min-psnr lies above 0 and not above 200.
 void check_psnr(const std::optional<double>& psnr);
 
-/// A frame after the other, while the camera turns.
-struct FramesOptions {
-    int frames = 1;
-    double pan = 0;
-};
+/// A frame after the other, while things move or the camera turns.
 void frames_options(Parser& parser, FramesOptions& options);
-/// The camera of each frame: the first is the scene's, each next one is turned by `pan` degrees about its up
-/// axis. The eye stays, so that all see the same lattice. Throws UserError.
-std::vector<Camera> camera_path(const FramesOptions& options, const Camera& camera);
 
 struct TrafficOptions {
     std::uint64_t seed = default_seed;

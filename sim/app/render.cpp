@@ -8,8 +8,11 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/film_strip.hpp"
 #include "sim/app/options.hpp"
+#include "sim/app/picture_folder.hpp"
 #include "sim/engine/engine.hpp"
+#include "sim/film/strip.hpp"
 #include "sim/image/image.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/tables.hpp"
@@ -34,6 +37,7 @@ struct Options {
     ConfigChoice config;
     Finish finish;
     ViewChoice view;
+    FramesOptions frames;
     int threads = 0;
     JsonOutput json;
 };
@@ -45,11 +49,17 @@ void declare(Parser& parser, Options& o) {
     size_option(parser, o.size);
     config_options(parser, o.config);
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
-    parser.option("-o,--output", o.output, "picture to write: .png, or .exr with depth and primitive number")
+    frames_options(parser, o.frames);
+    parser
+        .option("-o,--output", o.output,
+                "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
         .required();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
+
+/// Several frames go to a folder, and how many they are is known only once the scene is there.
+bool may_be_film(const Options& o) { return o.frames.frames > 1 || o.frames.time.find(':') != std::string::npos; }
 
 /// A picture, what its pixels hit, and what the report says of it.
 struct Drawn {
@@ -75,12 +85,12 @@ Drawn draw_reference(const Request& request, FrameSize size, int threads, const 
     return drawn;
 }
 
-Drawn draw_machine(const Request& request, FrameSize size, bool is_rtl, const Progress& progress) {
-    const Scene& scene = request.scene;
-    const Job job = make_job(scene, *scene.camera, size, request.config, progress, request.settings);
+/// The frame at hand.
+Drawn draw_machine(const Request& request, const Job& job, bool is_rtl, const Progress& progress) {
     FrameRun run = is_rtl ? run_rtl(job, {}, progress) : run_model(job, {}, progress);
     Drawn drawn;
-    drawn.picture = request.finished ? picture_of(size, run.colours) : shade(scene, run.hits, progress);
+    drawn.picture =
+        request.finished ? picture_of(job.size, run.colours) : shade(request.scene, run.hits, progress);
     drawn.hits = std::move(run.hits);
     drawn.json["config"] = config_json_object(request.config);
     drawn.json["cycles"] = run.cycles;
@@ -88,38 +98,65 @@ Drawn draw_machine(const Request& request, FrameSize size, bool is_rtl, const Pr
     return drawn;
 }
 
-Drawn draw(const Options& o, FrameSize size, Scene& scene, const Progress& progress) {
-    Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
-    if (o.engine == "rtl") check_rtl(request.config);
-    const Stopwatch watch;
-    Drawn drawn = o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
-                                          : draw_machine(request, size, o.engine == "rtl", progress);
-    drawn.seconds = watch.seconds();
-    scene = std::move(request.scene);
-    return drawn;
+Drawn draw_next(const Options& o, Film& film, FrameSize size, const Progress& progress) {
+    film.next();
+    const Request& request = film.request();
+    return o.engine == "reference" ? draw_reference(request, size, o.threads, progress)
+                                   : draw_machine(request, film.job(), o.engine == "rtl", progress);
+}
+
+/// Numbered pictures, each drawn as if it were the only one, and the film of them.
+std::string draw_all(const Options& o, Film& film, FrameSize size, const Progress& progress,
+                     nlohmann::ordered_json& json) {
+    nlohmann::ordered_json digests = nlohmann::ordered_json::array();
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        const Drawn drawn = draw_next(o, film, size, progress);
+        stop_if_interrupted();
+        write_pictures(o.output, {{frame_name(f), drawn.picture, drawn.hits}});
+        digests.push_back(drawn.json.at("digest"));
+    }
+    json["digests"] = digests;
+    return make_film(o.output, film.frames(), film.times().fps);
 }
 
 int run(const Options& o) {
     const FrameSize size = parse_size(o.size);
     if (o.engine != "reference" && o.engine != "model" && o.engine != "rtl")
         throw UserError("--engine: " + shown(o.engine) + " is not reference, model or rtl");
-    check_picture_path(o.output);
     o.json.check();
     catch_interrupts();
-    Scene scene;
     const Progress progress = stopping(terminal_progress());   // also for who waits for the file
-    const Drawn drawn = draw(o, size, scene, progress);
-    stop_if_interrupted();
-    write_picture(o.output, drawn.picture, drawn.hits, interrupted);
+    if (!may_be_film(o)) check_picture_path(o.output);
+    Request request = request_of(o.scene, o.config, o.finish, default_seed, size, progress, o.view);
+    if (o.engine == "rtl") check_rtl(request.config);
+    const Stopwatch watch;
+    Film film(std::move(request), o.frames, o.view.is_asked(), size, progress, o.engine != "reference");
+    const bool is_film = film.frames() > 1;
+    if (is_film)
+        check_film_folder(o.output, film.frames());
+    else
+        check_picture_path(o.output);
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    std::string said;
+    if (is_film) {
+        said = draw_all(o, film, size, progress, json);
+    } else {
+        const Drawn drawn = draw_next(o, film, size, progress);
+        stop_if_interrupted();
+        write_picture(o.output, drawn.picture, drawn.hits, interrupted);
+        json = drawn.json;
+    }
+    const double seconds = watch.seconds();
+    const Scene& scene = film.request().scene;
     if (!o.json.is_alone())
-        fmt::print("{}: {}, {}x{}, {} -> {}\n", scene.name, primitives_text(scene), size.width, size.height,
-                   o.engine, printable(o.output));
-    nlohmann::ordered_json json{{"scene", scene_json(scene)},
-                                {"frame", {{"width", size.width}, {"height", size.height}}},
-                                {"engine", o.engine}};
-    json.update(drawn.json);
-    json["host"] = {{"seconds", drawn.seconds}};
-    o.json.write(json);
+        fmt::print("{}: {}, {}x{}, {} -> {}\n{}", scene.name, primitives_text(scene), size.width, size.height,
+                   o.engine, printable(o.output), said.empty() ? "" : "  " + said + "\n");
+    nlohmann::ordered_json report{{"scene", scene_json(scene)},
+                                  {"frame", {{"width", size.width}, {"height", size.height}}},
+                                  {"engine", o.engine}};
+    report.update(json);
+    report["host"] = {{"seconds", seconds}};
+    o.json.write(report);
     return 0;
 }
 

@@ -14,6 +14,7 @@
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/explained.hpp"
+#include "sim/app/film_strip.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
 #include "sim/cause/finished.hpp"
@@ -92,23 +93,21 @@ std::vector<ClockRun> replay_clocks(const Job& job, const std::vector<int>& cloc
 std::vector<ClockRun> run_rtl_clocks(const Job& job, const std::vector<int>& clocks,
                                      const std::vector<FrameTrace>& traces, Traffic traffic, int seed,
                                      const Progress& progress) {
-    std::vector<Frame> frames;
-    for (const FrameTrace& trace : traces) frames.push_back(trace.frame);
     std::vector<ClockRun> runs;
     for (const int khz : clocks) {
-        runs.push_back({khz, run_rtl(job, khz, frames, traffic, progress, seed)});
+        runs.push_back({khz, run_rtl(job, khz, traces, traffic, progress, seed)});
         if (runs.back().partial()) break;
     }
     return runs;
 }
 
-/// What is simulated: frames along a path of the camera, at each clock.
+/// What is simulated: the frames of a film, at each clock.
 struct Work {
-    const Request& request;
+    Film& film;
     FrameSize size;
     std::vector<int> clocks;
-    std::vector<Camera> path;
-    Job job;
+    const Request& request() const { return film.request(); }   ///< of the last frame, once all are made
+    const Job& job() const { return film.job(); }
 };
 
 /// What came of it.
@@ -116,6 +115,7 @@ struct Simulated {
     bool is_model = true;
     std::vector<FrameTrace> traces;
     std::vector<ClockRun> runs;         ///< [clock]
+    FilmStrip strip;                    ///< of the frames, if they were made one by one
     std::optional<Compared> compared;   ///< the last frame with the reference's
     bool partial = false;
 
@@ -136,18 +136,18 @@ struct Simulated {
 
 Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const Progress& progress) {
     Simulated s;
+    Film& film = work.film;
     s.is_model = o.engine == "model";
-    if (s.is_model && work.clocks.size() == 1 && work.path.size() == 1) {   // one replay, beside the
-                                                                            // recording
+    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {   // one replay, beside the
+                                                                                          // recording
+        film.next();
         const std::vector<FrameTiming> timings =
-            record_and_replay(work.job, work.clocks[0], s.traces, traffic, o.threads, progress);
+            record_and_replay(work.job(), work.clocks[0], s.traces, traffic, o.threads, progress);
         s.runs.push_back({work.clocks[0], {frame_run(s.traces[0], timings[0])}});
     } else {
-        for (const Camera& camera : work.path)
-            s.traces.push_back(
-                record_frame(work.job, job_frame(work.job, camera), o.threads, stopping(progress)));
-        s.runs = s.is_model ? replay_clocks(work.job, work.clocks, s.traces, traffic, o.threads, progress)
-                            : run_rtl_clocks(work.job, work.clocks, s.traces, traffic, int(o.traffic.seed),
+        s.strip = record_film(film, {o.threads, o.output, !o.no_reference}, stopping(progress), s.traces);
+        s.runs = s.is_model ? replay_clocks(work.job(), work.clocks, s.traces, traffic, o.threads, progress)
+                            : run_rtl_clocks(work.job(), work.clocks, s.traces, traffic, int(o.traffic.seed),
                                              progress);
     }
     s.partial = s.runs.size() < work.clocks.size() ||
@@ -158,8 +158,8 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
 /// Sets the last frame beside the reference's, and judges it.
 void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
     s.compared = rayclock::compare(
-        work.request, work.job,
-        {s.traces.back().frame, work.path.back(), s.answers(), s.colours(), s.traces.back().trace.signatures},
+        work.request(), work.job(),
+        {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(), s.traces.back().trace.signatures},
         !o.no_judge, o.threads, progress);
 }
 
@@ -185,10 +185,11 @@ Totals totals_of(const Simulated& s) {
 }
 
 void print(const Work& work, const Simulated& s, const Totals& t, double seconds) {
-    const Config& config = work.request.config;
-    fmt::print("{}\n{}{}\n{}\n{}", heading(work.request.scene, work.size, work.job),
+    const Config& config = work.request().config;
+    fmt::print("{}\n{}{}\n{}\n{}", heading(work.request().scene, work.size, work.job()),
                clock_table(config, s.runs), clock_line(config, work.clocks), work_table(config, s.runs[0]),
                unit_table(config, s.runs));
+    fmt::print("{}", film_table(config, s.runs, s.strip, s.traces));
     if (s.compared)
         fmt::print("\n{}{}", error_line("against the reference", s.compared->error),
                    s.judgement() ? cause_lines(*s.judgement()) : "");
@@ -199,22 +200,23 @@ void print(const Work& work, const Simulated& s, const Totals& t, double seconds
 }
 
 nlohmann::ordered_json json_of(const Options& o, const Work& work, const Simulated& s, const Totals& t) {
-    const Config& config = work.request.config;
+    const Config& config = work.request().config;
     const FrameRun& frame = s.runs[0].last();
     nlohmann::ordered_json clocks = nlohmann::ordered_json::array();
     for (const ClockRun& run : s.runs) {
         clocks.push_back(clock_json(config, run));
         mark_clock(clocks.back(), config, run.khz);
     }
-    return {{"scene", scene_json(work.request.scene)},
+    return {{"scene", scene_json(work.request().scene)},
             {"config", config_json_object(config)},
             {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
-            {"camera", camera_json(work.path.back())},
-            {"frames", o.frames.frames},
+            {"camera", camera_json(work.film.camera())},
+            {"frames", work.film.frames()},
             {"pan", o.frames.pan},
+            {"film", film_json(config, s.runs, s.strip, s.traces)},
             {"engine", o.engine},
             {"partial", s.partial},
-            {"compile", compile_json(work.job.image.report)},
+            {"compile", compile_json(work.job().image.report)},
             {"rays", rays_json(frame)},
             {"work", work_json(frame)},
             {"work_by_kind", nullptr},
@@ -239,7 +241,7 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, Ev
     constexpr std::uint64_t windows = 100;
     const ClockRun& run = s.runs[0];
     const std::uint64_t window = (run.last().cycles + windows - 1) / windows;
-    FrameCosts costs = observe(work.request.config, run.khz, s.traces, traffic,
+    FrameCosts costs = observe(work.request().config, run.khz, s.traces, traffic,
                                std::max<std::uint64_t>(1, window), sink, progress);
     if (!costs.partial && (costs.cycles != run.last().cycles || costs.accounts != run.last().accounts))
         throw std::runtime_error("the watched frame is not the frame that was simulated");
@@ -249,16 +251,16 @@ FrameCosts watch_frame(const Work& work, const Simulated& s, Traffic traffic, Ev
 /// The last frame's picture, which a comparison has as well.
 Picture picture_of(const Work& work, const Simulated& s) {
     if (s.compared) return s.compared->picture;
-    return work.request.finished
+    return work.request().finished
                ? picture_of(work.size, s.colours())
-               : shade(work.request.scene, scaled(work.job, s.traces.back().frame, s.answers()));
+               : shade(work.request().scene, scaled(work.job(), s.traces.back().frame, s.answers()));
 }
 
 /// What was drawn anyway; the names of the files.
 std::string write_pictures(const Options& o, const Work& work, const Simulated& s) {
     const Picture picture = picture_of(work, s);
     const HitFrame hits =
-        s.compared ? s.compared->hits : scaled(work.job, s.traces.back().frame, s.answers());
+        s.compared ? s.compared->hits : scaled(work.job(), s.traces.back().frame, s.answers());
     std::vector<NamedPicture> all{{"picture.png", picture, hits}};
     Picture difference;
     if (s.compared) all.push_back({"reference.png", s.compared->reference, hits});
@@ -276,7 +278,7 @@ using Texts = std::vector<std::pair<std::uint32_t, std::string>>;
 Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& costs, Traffic traffic,
                       const Progress& progress) {
     constexpr std::size_t most_bytes = 4 << 20;   // in a finished picture a pixel may have thousands of rays
-    const Config& config = work.request.config;
+    const Config& config = work.request().config;
     const int khz = s.runs[0].khz;
     const std::vector<std::uint32_t> pixels = slowest_pixels(costs, 100);
     PixelsEvents events(pixels);
@@ -289,7 +291,7 @@ Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& co
         PixelEvents alone{0};
         observe_alone(config, khz, s.traces.back(), pixel, &alone);
         Explanation e{
-            config, costs, khz, tell(work.job, s.traces.back(), costs, events.of(pixel), alone), {}};
+            config, costs, khz, tell(work.job(), s.traces.back(), costs, events.of(pixel), alone), {}};
         if (s.compared) e.colour = colour_finding(*s.compared, pixel);
         texts.emplace_back(pixel, explanation_text(e, false));
         bytes += texts.back().second.size();
@@ -301,7 +303,7 @@ Texts explain_slowest(const Work& work, const Simulated& s, const FrameCosts& co
 void write_report(const Options& o, const Work& work, const Simulated& s, const FrameCosts& costs,
                   const Texts& texts, const nlohmann::ordered_json& json, const Progress& progress) {
     if (progress) progress("writing the page", 0, 1);
-    const Request& request = work.request;
+    const Request& request = work.request();
     const Picture picture = picture_of(work, s);
     const Picture* reference = s.compared ? &s.compared->reference : nullptr;
     const Judgement* judgement = s.judgement() ? &*s.judgement() : nullptr;
@@ -330,11 +332,13 @@ int run(const Options& o) {
     }
     const Progress progress = terminal_progress();
     const Progress stop = stopping(progress);
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
-    if (o.engine == "rtl") check_rtl(request.config);
-    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Work work{request, size, clocks_of(o.clock, request.config), path,
-                    make_job(request.scene, path[0], size, request.config, stop, request.settings)};
+    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
+    const Config config = request.config;
+    if (o.engine == "rtl") check_rtl(config);
+    const std::vector<int> clocks = clocks_of(o.clock, config);
+    Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
+    if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
+    const Work work{film, size, clocks};
     Simulated simulated = run_engine(o, work, traffic, progress);
     if (!o.no_reference && !simulated.partial) compare(simulated, o, work, stop);
     const double seconds = watch.seconds();
@@ -353,10 +357,11 @@ int run(const Options& o) {
     if (!o.output.empty() && !simulated.partial) {
         const std::string paths = write_pictures(o, work, simulated);
         if (!o.json.is_alone()) fmt::print("  pictures: {}\n", paths);
+        finish_film(simulated.strip, o.json.is_alone());
     }
     o.json.write(json);
     return simulated.partial ||
-                   (simulated.judgement() && simulated.judgement()->wrong_for(request.config) > 0)
+                   (simulated.judgement() && simulated.judgement()->wrong_for(config) > 0)
                ? 1
                : 0;
 }

@@ -120,17 +120,18 @@ int run(const Options& o) {
     if (!view.empty()) check_writable(view);
     o.json.check();
     const Progress progress = terminal_progress();
-    const Request request =
-        request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
+    Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view), o.frames,
+              o.view.is_asked(), size, stopping(progress));
+    std::vector<FrameTrace> traces;
+    while (traces.size() < film.frames()) {
+        film.next();
+        traces.push_back(film.record(o.threads, stopping(progress)));
+    }
+    const Request& request = film.request();
+    const Job& job = film.job();
     if (!request.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
         throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
     const int khz = one_clock_of(o.clock, request.config);
-    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    const Job job =
-        make_job(request.scene, path[0], size, request.config, stopping(progress), request.settings);
-    std::vector<FrameTrace> traces;
-    for (const Camera& camera : path)
-        traces.push_back(record_frame(job, job_frame(job, camera), o.threads, stopping(progress)));
 
     Timeline timeline(request.config, size, choice);
     const FrameCosts costs = observe(request.config, khz, traces, traffic, 0, &timeline, progress);

@@ -14,6 +14,7 @@
 #include "model/scene/builtin.hpp"
 #include "sim/app/command_line.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/film_strip.hpp"
 #include "sim/app/options.hpp"
 #include "sim/app/picture_folder.hpp"
 #include "sim/cause/finished.hpp"
@@ -116,17 +117,24 @@ Pictures draw_reference(const Request& request, const Camera& camera, FrameSize 
     return {std::move(hits), std::move(picture), {}, {}, std::move(frame)};
 }
 
-/// What is verified: the last frame along a path of the camera.
+/// What is verified: the frames of a film; the last is judged.
 struct Work {
-    const Request& request;
+    Film& film;
     FrameSize size;
-    std::vector<Camera> path;
-    Job job;
+    int khz;
+    const Request& request() const { return film.request(); }
+    Job job() const {
+        Job job = film.job();
+        job.khz = khz;
+        return job;
+    }
 };
 
 /// What came of it.
 struct Verified {
+    Job job;   ///< of the last frame
     std::vector<FrameTrace> traces;
+    FilmStrip strip;
     LockstepResult result;
     Pictures pictures;
     FrameError model, rtl;   ///< beside the reference
@@ -158,7 +166,7 @@ struct Verified {
 
 Diverged diverged(const Options& o, const Work& work, Traffic traffic, const Verified& v,
                   const Divergence& first) {
-    return {work.job, v.traces, traffic, int(o.traffic.seed), first, work.request.scene.name, command_line()};
+    return {v.job, v.traces, traffic, int(o.traffic.seed), first, work.request().scene.name, command_line()};
 }
 
 /// Machines that do not agree are run again for a waveform, before they go on. What goes wrong there is no
@@ -176,13 +184,13 @@ void capture_first(const Options& o, const Diverged& diverged, Verified& v, cons
 Verified run_machines(const Options& o, const Work& work, Traffic traffic, const Stopwatch& watch,
                       const Progress& progress) {
     Verified v;
-    for (const Camera& camera : work.path)
-        v.traces.push_back(
-            record_frame(work.job, job_frame(work.job, camera), o.threads, stopping(progress)));
+    v.strip = record_film(work.film, {o.threads, o.output, true}, stopping(progress), v.traces);
+    const Request& request = work.request();
     auto reference = std::async(std::launch::async, [&] {
-        return draw_reference(work.request, work.path.back(), work.size, o.threads);
+        return draw_reference(request, work.film.camera(), work.size, o.threads);
     });
-    v.result = run_lockstep(work.job, v.traces, traffic, progress, int(o.traffic.seed),
+    v.job = work.job();
+    v.result = run_lockstep(v.job, v.traces, traffic, progress, int(o.traffic.seed),
                             [&](const Divergence& first) {
                                 v.divergence_seconds = watch.seconds();
                                 capture_first(o, diverged(o, work, traffic, v, first), v, progress);
@@ -208,37 +216,38 @@ std::string show_first_divergence(const Options& o, const Work& work, Traffic tr
 }
 
 Picture drawn(const Work& work, const FrameRun& made) {
-    return work.request.finished ? picture_of(work.size, made.colours) : shade(work.request.scene, made.hits);
+    return work.request().finished ? picture_of(work.size, made.colours) : shade(work.request().scene, made.hits);
 }
 
 /// Sets the machines' pictures beside the reference's and the golden one, and judges what they answered.
 void compare(Verified& v, const Options& o, const Work& work, const Progress& progress) {
-    const Scene& scene = work.request.scene;
+    const Scene& scene = work.request().scene;
     Pictures& p = v.pictures;
     p.model = drawn(work, v.result.model), p.rtl = drawn(work, v.result.rtl);
     v.model = frame_error(v.result.model.hits, p.model, p.hits, p.reference);
     v.rtl = frame_error(v.result.rtl.hits, p.rtl, p.hits, p.reference);
     const FrameRun& judged = v.judged();
-    const Asked asked{scene, work.path.back(), v.traces.back().frame, work.job.image.lattice,
-                      work.request.config};
-    const bool judges = !v.partial() && !o.no_judge && can_judge(work.request.config);
-    if (judges && !work.request.finished)
+    const Asked asked{scene, work.film.camera(), v.traces.back().frame, v.job.image.lattice,
+                      work.request().config};
+    const bool judges = !v.partial() && !o.no_judge && can_judge(work.request().config);
+    if (judges && !work.request().finished)
         v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
     const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
-    if (judges && work.request.finished)
+    if (judges && work.request().finished)
         v.judgement =
-            judge_finished(asked, work.job.image, work.request.settings,
+            judge_finished(asked, v.job.image, work.request().settings,
                            {p.finished, drawn(work, judged), given}, judged.hits, o.threads, progress);
     if (v.judgement) v.difference = cause_picture(p.reference, *v.judgement);
-    if (!work.request.finished && !o.view.is_asked())
-        v.golden = golden_result(o.scene, scene, work.request.config);
+    if (!work.request().finished && !o.view.is_asked())
+        v.golden = golden_result(o.scene, scene, work.request().config);
 }
 
 void print(const Options& o, const Work& work, const Verified& v, const std::string& wave_lines) {
-    const Config& config = work.request.config;
-    const ClockRun run{work.job.khz, {v.result.model}};
-    fmt::print("{}\n{}\n{}\n{}\n", heading(work.request.scene, work.size, work.job),
+    const Config& config = work.request().config;
+    const ClockRun run{work.khz, {v.result.model}};
+    fmt::print("{}\n{}\n{}\n{}\n", heading(work.request().scene, work.size, v.job),
                clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
+    fmt::print("{}", film_table(config, {{work.khz, v.result.runs}}, v.strip, v.traces));
     fmt::print("{}{}", lockstep_lines(v.result), wave_lines);
     fmt::print("{}", error_line("model against reference", v.model));
     if (!v.result.agrees()) fmt::print("{}", error_line("RTL against reference", v.rtl));
@@ -256,15 +265,15 @@ nlohmann::ordered_json seconds_or_null(const std::optional<double>& seconds) {
 }
 
 nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits& limits, double seconds) {
-    const Config& config = work.request.config;
+    const Config& config = work.request().config;
     const LockstepResult& result = v.result;
     const FrameRun& frame = result.model;
     nlohmann::ordered_json golden;
     if (v.golden.found) golden = {{"psnr_db", decibel(v.golden.psnr_db)}, {"within", v.golden.within}};
-    return {{"scene", scene_json(work.request.scene)},
+    return {{"scene", scene_json(work.request().scene)},
             {"config", config_json_object(config)},
             {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
-            {"compile", compile_json(work.job.image.report)},
+            {"compile", compile_json(v.job.image.report)},
             {"partial", v.partial()},
             {"pixels", v.model.pixels},
             {"events_compared", result.events_compared},
@@ -280,9 +289,10 @@ nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits
             {"golden", golden},
             {"rays", rays_json(frame)},
             {"work", work_json(frame)},
-            {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.job.khz, {frame}})})},
+            {"film", film_json(config, {{work.khz, result.runs}}, v.strip, v.traces)},
+            {"clocks", nlohmann::ordered_json::array({clock_json(config, {work.khz, {frame}})})},
             {"units", units_json(config, frame)},
-            {"memory", memory_json(config, work.job.khz, frame)},
+            {"memory", memory_json(config, work.khz, frame)},
             {"host",
              {{"seconds", seconds},
               {"judge_seconds", v.judgement ? v.judgement->seconds : 0},
@@ -303,23 +313,26 @@ int run(const Options& o) {
     const Limits limits = limits_of(o);
     const Progress progress = terminal_progress();
     const Progress stop = stopping(progress);
-    const Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
-    check_rtl(request.config);
+    Request request = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stop, o.view);
+    const Config config = request.config;
+    check_rtl(config);
     if (!o.output.empty())
         check_picture_folder(o.output, {"reference.png", "model.png", "rtl.png", "difference.png"});
     if (!o.output.empty() && !o.no_wave) check_divergence_folder(o.output);
-    const std::vector<Camera> path = camera_path(o.frames, *request.scene.camera);
-    Work work{request, size, path,
-              make_job(request.scene, path[0], size, request.config, stop, request.settings)};
-    work.job.khz = clocks[0];
+    Film film(std::move(request), o.frames, o.view.is_asked(), size, stop);
+    if (!o.output.empty() && film.frames() > 1 && film.moves()) check_film_folder(o.output, film.frames());
+    const Work work{film, size, clocks[0]};
     Verified verified = run_machines(o, work, traffic, watch, progress);
     const std::string wave_lines = show_first_divergence(o, work, traffic, verified);
     compare(verified, o, work, verified.partial() ? progress : stop);
-    if (!o.output.empty()) write_pictures(o.output, verified.named_pictures());
+    if (!o.output.empty()) {
+        write_pictures(o.output, verified.named_pictures());
+        finish_film(verified.strip, o.json.is_alone());
+    }
     const double seconds = watch.seconds();
 
     const std::string beyond = verified.partial() ? "" : beyond_limits(limits, verified.error());
-    const bool good = (beyond.empty() || !limits.fails) && verified.is_good(request.config);
+    const bool good = (beyond.empty() || !limits.fails) && verified.is_good(config);
     if (!o.json.is_alone()) {
         print(o, work, verified, wave_lines);
         const char* const praise = beyond.empty() ? "VERIFIED" : "VERIFIED, but far from the reference";

@@ -20,7 +20,8 @@ public:
           last_(divergence + cycles_after),
           model_(job.config, job.khz, traffic),
           rtl_(job.image, job.config, job.khz, traffic, seed, Waves::yes),
-          witness_(job.image, job.config) {
+          image_(job.image),
+          witness_(std::in_place, image_, job.config) {
         for (int p = 0; p < job.config.pipelines; ++p)
             for (std::size_t c = 0; c < link_count; ++c)
                 if (is_there(Link(c), job.config) && (p == 0 || c < pipeline_links))
@@ -34,8 +35,16 @@ public:
 
     Capture run(const std::vector<FrameTrace>& frames, const Progress& progress) {
         try {
-            for (const FrameTrace& frame : frames)
-                if (!run_frame(frame, progress)) break;
+            for (std::size_t f = 0; f < frames.size(); ++f) {
+                if (frames[f].upload.image_lines > 0) {
+                    apply(frames[f].upload, image_);
+                    witness_.emplace(image_, job_.config);
+                    rtl_.change(frames[f].upload);
+                }
+                bring(model_, f, std::span(frames));
+                bring(rtl_, f, std::span(frames));
+                if (!run_frame(frames[f], progress)) break;
+            }
         } catch (const RtlAssertion&) {   // the run before this one has told it
         }
         return std::move(capture_);
@@ -46,7 +55,7 @@ private:
     bool run_frame(const FrameTrace& frame, const Progress& progress) {
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
-        witness_.start(frame.frame);
+        witness_->start(frame.frame);
         while (!(model_.done() && rtl_.done())) {
             if (rtl_.cycle() > last_ || interrupted()) return false;
             cycle();
@@ -69,7 +78,7 @@ private:
             capture_.cycles.emplace_back(capture_.links.size());
         }
         model_.step([&](const Move& move) {
-            witness_(move, [&](int pipeline, Link link, const auto& payload) {
+            (*witness_)(move, [&](int pipeline, Link link, const auto& payload) {
                 if (shows) at(pipeline, link).model = pack(payload, job_.config);
             });
         });
@@ -113,7 +122,8 @@ private:
     std::uint64_t first_, last_;
     Machine model_;
     RtlMachine rtl_;
-    Witness witness_;
+    MemoryImage image_;   // of the frame that runs
+    std::optional<Witness> witness_;
     bool writes_ = false;
     Capture capture_;
 };

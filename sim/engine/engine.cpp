@@ -1,9 +1,12 @@
 #include "sim/engine/engine.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -37,11 +40,37 @@ void check_capacity(const MemoryImage& image, const Config& config) {
             std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
+std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene) {
+    std::vector<MirrorRange> ranges;
+    std::uint64_t first = scene.own.triangles.size();
+    for (const Instance& instance : scene.instances) {
+        const std::uint64_t end = first + scene.meshes[instance.mesh].triangles.size();
+        const bool is_mirrored = glm::determinant(glm::dmat3(instance.place)) < 0;
+        if (is_mirrored && !ranges.empty() && ranges.back().end == first)
+            ranges.back().end = std::uint32_t(end);
+        else if (is_mirrored)
+            ranges.push_back({std::uint32_t(first), std::uint32_t(end)});
+        first = end;
+    }
+    return ranges;
+}
+
+namespace {
+
+bool is_in(const std::vector<MirrorRange>& ranges, std::uint32_t prim) {
+    const auto after = std::upper_bound(ranges.begin(), ranges.end(), prim,
+                                        [](std::uint32_t p, const MirrorRange& r) { return p < r.first; });
+    return after != ranges.begin() && prim < (after - 1)->end;
+}
+
+}   // namespace
+
 Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Config& config,
              const Progress& progress, const Whitted& settings) {
     check_frame_size(size);
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
+    if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed);
     if (config.shading) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
     job.frame = job_frame(job, camera);
     return job;
@@ -62,8 +91,10 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     std::vector<FrameTiming> timings;
-    for (const FrameTrace& frame : frames) {
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        const FrameTrace& frame = frames[f];
         const Stopwatch watch;
+        const UploadTiming upload = bring(machine, f, std::span(frames));
         const std::uint64_t first = machine.cycle(), pixels = frame.trace.rays.size();
         const Accounts accounts = machine.accounts();
         const MemoryStats memory = machine.memory().stats();
@@ -78,7 +109,7 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
                 progress(with_rate("model", machine.cycle() - first, watch), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
         FrameTiming timing{machine.cycle() - first,           machine.hits(),  machine.accounts() - accounts,
-                           machine.memory().stats() - memory, watch.seconds(), !machine.done()};
+                           machine.memory().stats() - memory, watch.seconds(), !machine.done(), upload};
         timings.push_back(timing);
         if (timing.partial) break;
     }
@@ -142,7 +173,7 @@ FrameRun run_model(const Job& job, Traffic traffic, const Progress& progress) {
 namespace {
 
 FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, std::uint64_t limit,
-                       const Progress& progress) {
+                       const UploadTiming& upload, const Progress& progress) {
     const Stopwatch watch;
     const std::uint64_t first = machine.cycle(), pixels = frame.width * std::uint64_t(frame.height);
     const MemoryStats memory = machine.memory().stats();
@@ -169,7 +200,8 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
                              accounts,
                              machine.memory().stats() - memory,
                              watch.seconds(),
-                             !machine.done()};
+                             !machine.done(),
+                             upload};
     const auto lookups = [&](Unit cache) {
         const CauseCounts& c = timing.accounts.units[index(cache)];   // by CacheDeed: hit, miss, merge
         return c[0] + c[1] + c[2];
@@ -182,19 +214,24 @@ FrameRun run_rtl_frame(RtlMachine& machine, const Job& job, const Frame& frame, 
 
 }   // namespace
 
-std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic,
+std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames, Traffic traffic,
                               const Progress& progress, int seed) {
     RtlMachine machine(job.image, job.config, khz, traffic, seed);
     std::vector<FrameRun> runs;
-    for (const Frame& frame : frames) {
-        runs.push_back(run_rtl_frame(machine, job, frame, patience(job.config, khz, traffic), progress));
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        machine.change(frames[f].upload);
+        const UploadTiming upload = bring(machine, f, frames);
+        runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, traffic), upload,
+                                     progress));
         if (runs.back().partial) break;
     }
     return runs;
 }
 
 FrameRun run_rtl(const Job& job, Traffic traffic, const Progress& progress, int seed) {
-    return std::move(run_rtl(job, job.khz, {job.frame}, traffic, progress, seed)[0]);
+    std::vector<FrameTrace> one(1);
+    one[0].frame = job.frame;
+    return std::move(run_rtl(job, job.khz, one, traffic, progress, seed)[0]);
 }
 
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits) {
@@ -204,6 +241,8 @@ HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& 
     const std::uint32_t beyond = (1u << job.config.t_bits()) - 1;
     for (std::uint32_t i = 0; i < hits.size(); ++i) {
         picture.hits.push_back(scale({i % frame.width, i / frame.width, hits[i]}));
+        if (is_in(job.mirrored, hits[i].found ? hits[i].prim : no_primitive))
+            std::swap(picture.hits.back().u, picture.hits.back().v);
         if (!job.config.planes || !hits[i].found || hits[i].t != beyond) continue;
         const auto surface = unpack<Surface>(job.image.line(job.image.surfaces + hits[i].prim), job.config);
         if (PrimKind(surface.kind) == PrimKind::plane)

@@ -1,5 +1,6 @@
 #pragma once
 // Whole frames on the model or on the RTL, with what they cost.
+#include <span>
 #include <string>
 
 #include "model/accel/memory_image.hpp"
@@ -9,12 +10,21 @@
 #include "model/reference/reference.hpp"
 #include "model/shade/shade.hpp"
 #include "model/scene/hit.hpp"
+#include "model/scene/placed.hpp"
 #include "model/trace/trace.hpp"
+#include "model/upload.hpp"
 #include "sim/rtl/interrupt.hpp"
 
 namespace rayclock {
 
 constexpr int default_khz = 66000;
+
+/// Primitives of instances that are mirror images. The chip knows a mesh's triangles by the order of their corners in
+/// the mesh; in the scene the second and the third have changed places, so that their outside stays outside.
+struct MirrorRange {
+    std::uint32_t first = 0, end = 0;   ///< rising
+};
+std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene);
 
 /// A scene compiled for one configuration and one picture, and the chip's clock: all that a machine needs.
 struct Job {
@@ -23,6 +33,7 @@ struct Job {
     MemoryImage image;
     FrameSize size;
     int khz = default_khz;
+    std::vector<MirrorRange> mirrored{};   ///< if the chip walks instances
 };
 /// The image must fit into the memory that the configuration names; throws UserError if it does not.
 /// make_job() asks this.
@@ -42,6 +53,8 @@ struct FrameTiming {
     MemoryStats memory;
     double seconds = 0;     ///< of the host
     bool partial = false;   ///< stopped before the end
+    UploadTiming upload{};  ///< before it
+    std::uint64_t all_cycles() const { return cycles + upload.cycles + upload.reset; }
 };
 
 /// What a frame's rays did.
@@ -59,11 +72,16 @@ struct FrameRun : FrameTiming, FrameWork {
     std::uint64_t digest = 0;        ///< see digest_of()
 };
 
-/// A frame of a sequence, and what its rays do.
+/// A frame of a sequence, what its rays do, and what the host writes before it.
 struct FrameTrace {
     Frame frame;
     Trace trace;
+    Upload upload{};
 };
+/// bring() for one frame of a sequence.
+template <class Machine> UploadTiming bring(Machine& machine, std::size_t f, std::span<const FrameTrace> frames) {
+    return bring(machine, f, [&](std::size_t k) { return k < frames.size() ? &frames[k].upload : nullptr; });
+}
 FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, const Progress& progress = {});
 
 /// Runs frames on one machine, one after the other: what lies in the caches stays. `khz` and `config`'s
@@ -77,8 +95,8 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
                                            Traffic traffic = {}, int threads = 0,
                                            const Progress& progress = {});
 
-/// Frames on the RTL, which makes its frames by itself.
-std::vector<FrameRun> run_rtl(const Job& job, int khz, const std::vector<Frame>& frames, Traffic traffic = {},
+/// Frames on the RTL, which makes its frames by itself: of their traces it reads none.
+std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames, Traffic traffic = {},
                               const Progress& progress = {}, int seed = 1);
 
 /// A frame's run, from what it took, what its rays did and what they answered.
@@ -129,6 +147,7 @@ private:
     std::vector<Closest> hits_;
     Colours colours_;
 };
+/// In terms of the scene.
 HitFrame scaled(const Job& job, const Frame& frame, const std::vector<Closest>& hits);
 
 /// Cycles of this clock without any transfer after which a run is given up: ten times as many as the memory

@@ -195,8 +195,8 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
 std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) {
     const JsonValue accessor = document_.at("accessors")[index];
     const JsonValue type = accessor.at("type");
-    if (type.string() != (width == 1 ? "SCALAR" : "VEC3"))
-        type.expected(width == 1 ? "\"SCALAR\"" : "\"VEC3\"");
+    const char* const wanted = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4";
+    if (type.string() != wanted) type.expected(fmt::format("\"{}\"", wanted));
     const Component component = component_of(accessor.at("componentType"));
     const std::uint64_t count = accessor.at("count").whole(std::uint64_t{1} << 32);
     if (count == 0) accessor.refuse("has a count of 0");

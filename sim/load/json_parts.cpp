@@ -42,7 +42,9 @@ glm::dvec3 side(const JsonValue& in) {
     return v;
 }
 
-glm::dmat4 matrix(const JsonValue& in) {
+}   // namespace
+
+glm::dmat4 matrix_of(const JsonValue& in) {
     if (!in.raw().is_array() || in.size() != 16) in.expected("16 numbers, row by row");
     glm::dmat4 m;
     for (std::size_t i = 0; i < 16; ++i) m[static_cast<int>(i % 4)][static_cast<int>(i / 4)] = in[i].number();
@@ -53,40 +55,32 @@ glm::dmat4 matrix(const JsonValue& in) {
     return m;
 }
 
-glm::dmat4 rotation(const JsonValue& in) {
+Turn turn_of(const JsonValue& in) {
     in.only_keys({"axis", "degrees"});
     const JsonValue axis = in.at("axis");
     const double length = glm::length(axis.triple());
     if (!(length > 0) || !std::isfinite(length)) axis.expected("a direction");
-    return glm::rotate(glm::dmat4(1), glm::radians(in.at("degrees").number()), axis.triple() / length);
+    return {axis.triple() / length, in.at("degrees").number()};
 }
 
-glm::dmat4 scaling(const JsonValue& in) {
+glm::dquat quaternion(const Turn& turn) { return glm::angleAxis(glm::radians(turn.degrees), turn.axis); }
+
+glm::dvec3 scale_of(const JsonValue& in) {
     const glm::dvec3 factors = in.raw().is_number()  ? glm::dvec3(in.number())
                                : in.raw().is_array() ? in.triple()
                                                      : glm::dvec3(0);
     if (!in.raw().is_number() && !in.raw().is_array()) in.expected("a number or 3 numbers");
-    const glm::dmat4 m = glm::scale(glm::dmat4(1), factors);
-    if (is_singular(m)) in.expected("different from 0 (and within 1e-100 to 1e100) in all directions");
-    return m;
-}
-
-}   // namespace
-
-// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths
-// beyond any use are refused with it: their products would leave the range of a double.
-bool is_singular(const glm::dmat4& m) {
-    glm::dmat3 directions(m);
-    for (int i = 0; i < 3; ++i) {
-        const double length = glm::length(directions[i]);
-        if (!(length > 1e-100 && length < 1e100)) return true;
-        directions[i] /= length;
-    }
-    return !(std::abs(glm::determinant(directions)) > 1e-9);
+    if (is_singular(glm::scale(glm::dmat4(1), factors)))
+        in.expected("different from 0 (and within 1e-100 to 1e100) in all directions");
+    return factors;
 }
 
 Camera camera_of(const JsonValue& in) {
     in.only_keys({"eye", "at", "up", "fov_degrees"});
+    return camera_of_keys(in);
+}
+
+Camera camera_of_keys(const JsonValue& in) {
     Camera camera;
     camera.eye = in.at("eye").triple();
     camera.at = in.at("at").triple();
@@ -99,6 +93,10 @@ Camera camera_of(const JsonValue& in) {
 
 Light light_of(const JsonValue& in) {
     in.only_keys({"position", "colour"});
+    return light_of_keys(in);
+}
+
+Light light_of_keys(const JsonValue& in) {
     Light light;
     light.position = in.at("position").triple();
     if (const auto colour = in.find("colour")) light.colour = components(*colour, most_light);
@@ -174,12 +172,15 @@ glm::dmat4 transform_of(const JsonValue& object) {
     if (const auto given = object.find("matrix")) {
         for (const char* key : {"translate", "rotate", "scale"})
             if (object.find(key)) object.refuse(fmt::format("has both 'matrix' and '{}'", key));
-        return matrix(*given);
+        return matrix_of(*given);
     }
     glm::dmat4 m(1);
     if (const auto translate = object.find("translate")) m = glm::translate(m, translate->triple());
-    if (const auto rotate = object.find("rotate")) m = m * rotation(*rotate);
-    if (const auto scale = object.find("scale")) m = m * scaling(*scale);
+    if (const auto rotate = object.find("rotate")) {
+        const Turn turn = turn_of(*rotate);
+        m = m * glm::rotate(glm::dmat4(1), glm::radians(turn.degrees), turn.axis);
+    }
+    if (const auto scale = object.find("scale")) m = m * glm::scale(glm::dmat4(1), scale_of(*scale));
     return m;
 }
 

@@ -10,7 +10,10 @@
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "model/scene/builtin.hpp"
+#include "model/scene/folded.hpp"
+#include "model/scene/hit.hpp"
 #include "sim/files/input.hpp"
+#include "sim/load/json_motion.hpp"
 #include "sim/load/json_parts.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "sim/load/place.hpp"
@@ -46,7 +49,7 @@ public:
         in_.only_keys(
             {"camera", "background", "lights", "materials", "meshes", "objects", "spheres", "planes"});
         scene_.name = printable(path_.filename().string(), 80);
-        if (const auto camera = in_.find("camera")) scene_.camera = camera_of(*camera);
+        if (const auto camera = in_.find("camera")) read_camera(*camera);
         if (const auto background = in_.find("background")) scene_.background = colour_of(*background);
         const auto lights = in_.find("lights");
         if (lights) read_lights(lights->array());
@@ -62,10 +65,17 @@ public:
         if (!has_others || in_.find("objects")) objects(in_.at("objects").array());
         if (const auto spheres = in_.find("spheres")) read_each(spheres->array(), sphere_of, scene_.spheres);
         if (const auto planes = in_.find("planes")) read_each(planes->array(), plane_of, scene_.planes);
+        pose(placed_, 0);
         return {std::move(placed_), lights.has_value()};
     }
 
 private:
+    /// Where something stands: in the space of a node, or in the scene.
+    struct Where {
+        glm::dmat4 place{1};
+        std::optional<std::uint32_t> node{};
+    };
+
     /// Refuses what would make more than the files allow.
     void make_room(const JsonValue& from, std::uint64_t bytes) {
         if (!library_.loading().may_make(bytes)) from.refuse(library_.loading().too_much());
@@ -91,7 +101,47 @@ private:
     void read_lights(const JsonValue& list) {
         if (list.size() > most_lights)
             list.refuse(fmt::format("has {} lights; the most is {}", list.size(), most_lights));
-        for (std::size_t i = 0; i < list.size(); ++i) scene_.lights.push_back(light_of(list[i]));
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const auto keys = list[i].find("keyframes");
+            if (!keys) {
+                scene_.lights.push_back(light_of(list[i]));
+                continue;
+            }
+            list[i].only_keys({"keyframes"});
+            Light& light = scene_.lights.emplace_back();
+            placed_.motion.lights.push_back(light_motion_of(*keys, std::uint32_t(i), light));
+        }
+    }
+
+    void read_camera(const JsonValue& in) {
+        const auto keys = in.find("keyframes");
+        if (!keys) return void(scene_.camera = camera_of(in));
+        in.only_keys({"keyframes"});
+        placed_.motion.camera = camera_motion_of(*keys, scene_.camera.emplace());
+    }
+
+    /// Where an object or instance stands in what is above it.
+    Where where_of(const JsonValue& in, const Where& above) {
+        const auto keys = in.find("keyframes");
+        if (!keys) return {above.place * transform_of(in), above.node};
+        for (const char* key : {"translate", "rotate", "scale", "matrix"})
+            if (in.find(key)) in.refuse(fmt::format("has both 'keyframes' and '{}'", key));
+        MotionNode node = node_of(*keys);
+        node.parent = anchor(above);
+        return {glm::dmat4(1), add_node(*keys, std::move(node))};
+    }
+
+    std::uint32_t add_node(const JsonValue& from, MotionNode node) {
+        make_room(from, sizeof(MotionNode));
+        placed_.motion.nodes.push_back(std::move(node));
+        return static_cast<std::uint32_t>(placed_.motion.nodes.size() - 1);
+    }
+
+    /// A node for it, to be the parent of others; nothing for the scene itself.
+    std::optional<std::uint32_t> anchor(const Where& where) {
+        if (where.place == glm::dmat4(1)) return where.node;
+        placed_.motion.nodes.push_back({.name = "", .parent = where.node, .matrix = where.place});
+        return static_cast<std::uint32_t>(placed_.motion.nodes.size() - 1);
     }
 
     template <class Primitive>
@@ -140,14 +190,19 @@ private:
         // Counted first, before copies of copies fill the memory; and a scene has normals everywhere or
         // nowhere.
         bool any_smooth = false;
-        std::uint64_t primitives = 0;
+        std::uint64_t copied = 0;   // triangles; those of instances may be more, and then are not written out
         for (std::size_t i = 0; i < list.size(); ++i) {
             const PlacedScene& part = *named(list[i]).part;
             any_smooth = any_smooth || has_normals(part);
             const std::uint64_t one = primitive_count(part), copies = copies_of(list[i]);
-            if (one > 0 && copies > (max_triangles - std::min(primitives, max_triangles)) / one)
-                list[i].refuse(fmt::format("brings the scene above {} triangles", max_triangles));
-            primitives += one * copies;
+            const bool is_placed = list[i].find("instances") || list[i].find("keyframes");
+            if (!is_placed && one > max_triangles - std::min(copied, max_triangles))
+                list[i].refuse(fmt::format("brings the scene above {} triangles that are copied; 'instances' are not",
+                                           max_triangles));
+            if (one > 0 && copies > (no_primitive - 1 - placed_triangles_) / one)
+                list[i].refuse(fmt::format("brings the scene above {} placed triangles", no_primitive - 1));
+            if (!is_placed) copied += one;
+            placed_triangles_ += one * copies;
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
             library_.loading().tell("placing", i, list.size());
@@ -156,7 +211,7 @@ private:
     }
 
     Named& named(const JsonValue& object) {
-        object.only_keys({"mesh", "material", "translate", "rotate", "scale", "matrix", "instances"});
+        object.only_keys({"mesh", "material", "translate", "rotate", "scale", "matrix", "instances", "keyframes"});
         return known(meshes_, object.at("mesh"), "mesh");
     }
 
@@ -181,14 +236,15 @@ private:
             make_room(in, bytes_of(*mesh.part));
         }
         const std::optional<std::uint32_t> material = material_named(in);
-        const glm::dmat4 transform = transform_of(in);
+        const Where where = where_of(in, {});
         const auto instances = in.find("instances");
-        if (!instances) return copy(in, mesh, transform, material);
+        if (!instances)
+            return where.node ? share(in, mesh, where, material) : copy(in, mesh, where.place, material);
         for (std::size_t i = 0; i < instances->size(); ++i) {
             const JsonValue instance = (*instances)[i];
-            instance.only_keys({"material", "translate", "rotate", "scale", "matrix"});
+            instance.only_keys({"material", "translate", "rotate", "scale", "matrix", "keyframes"});
             const std::optional<std::uint32_t> own = material_named(instance);
-            share(instance, mesh, transform * transform_of(instance), own ? own : material);
+            share(instance, mesh, where_of(instance, where), own ? own : material);
         }
     }
 
@@ -215,31 +271,32 @@ private:
         check_spheres(from, part, transform);
         make_room(from, bytes_of(part.own) - part.own.materials.size() * sizeof(Material));
         append(scene_, part.own, transform, material, base);
-        compose(from, mesh, transform, material);
+        compose(from, mesh, {transform, {}}, material);
     }
 
     /// Triangles that all its instances share. True spheres and planes are copied.
-    void share(const JsonValue& from, Named& mesh, const glm::dmat4& transform,
-               std::optional<std::uint32_t> material) {
+    void share(const JsonValue& from, Named& mesh, const Where& where, std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
-        check_spheres(from, part, transform);
+        check_spheres(from, part, where.place);
+        if (where.node && !(part.own.spheres.empty() && part.own.planes.empty()))
+            from.refuse("moves true spheres or planes, which stay where they are; triangles can move");
         if (!part.own.triangles.empty()) {
             if (!mesh.shared)
                 mesh.shared = add_mesh(from, {"", part.own.vertices, part.own.normals, part.own.triangles},
                                        material_base(from, mesh));
-            instance(from, *mesh.shared, transform, material);
+            instance(from, *mesh.shared, where, material);
         }
         Scene round;
         round.spheres = part.own.spheres, round.planes = part.own.planes;
         const std::uint32_t base = material ? 0 : material_base(from, mesh);
         make_room(from, bytes_of(round));
-        append(scene_, round, transform, material, base);
-        compose(from, mesh, transform, material);
+        append(scene_, round, where.place, material, base);
+        compose(from, mesh, where, material);
     }
 
-    /// The instances that the part has itself: a graph of any depth becomes one level.
-    void compose(const JsonValue& from, Named& mesh, const glm::dmat4& transform,
-                 std::optional<std::uint32_t> material) {
+    /// The instances that the part has itself: a graph of any depth becomes one level. Its nodes move in what it is
+    /// placed in.
+    void compose(const JsonValue& from, Named& mesh, const Where& where, std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
         if (part.instances.empty()) return;
         const std::uint32_t materials = material_base(from, mesh);
@@ -247,10 +304,34 @@ private:
             mesh.mesh_base = static_cast<std::uint32_t>(placed_.meshes.size());
             for (const SharedMesh& shared : part.meshes) add_mesh(from, shared, materials);
         }
-        for (const Instance& inner : part.instances) {
+        const std::vector<const Hung*> hung = hung_of(part);
+        const std::uint32_t nodes = add_nodes(from, part.motion, where);
+        for (std::size_t i = 0; i < part.instances.size(); ++i) {
+            const Instance& inner = part.instances[i];
             const auto own = inner.material ? std::optional(*inner.material + materials) : std::nullopt;
-            instance(from, *mesh.mesh_base + inner.mesh, transform * inner.place, material ? material : own);
+            const Where at = hung[i] ? Where{hung[i]->place, nodes + hung[i]->node}
+                                     : Where{where.place * inner.place, where.node};
+            instance(from, *mesh.mesh_base + inner.mesh, at, material ? material : own);
         }
+    }
+
+    /// By instance: how it hangs at a node, or null.
+    static std::vector<const Hung*> hung_of(const PlacedScene& part) {
+        std::vector<const Hung*> of(part.instances.size());
+        for (const Hung& hung : part.motion.hung) of[hung.instance] = &hung;
+        return of;
+    }
+
+    /// A part's nodes once more, in another space; the number of the first.
+    std::uint32_t add_nodes(const JsonValue& from, const Motion& motion, const Where& where) {
+        if (motion.hung.empty()) return 0;
+        const std::optional<std::uint32_t> parent = anchor(where);
+        const auto base = static_cast<std::uint32_t>(placed_.motion.nodes.size());
+        for (MotionNode node : motion.nodes) {
+            node.parent = node.parent ? std::optional(*node.parent + base) : parent;
+            add_node(from, std::move(node));
+        }
+        return base;
     }
 
     std::uint32_t add_mesh(const JsonValue& from, SharedMesh mesh, std::uint32_t material_base) {
@@ -260,11 +341,17 @@ private:
         return static_cast<std::uint32_t>(placed_.meshes.size() - 1);
     }
 
-    void instance(const JsonValue& from, std::uint32_t mesh, const glm::dmat4& place,
+    void instance(const JsonValue& from, std::uint32_t mesh, const Where& where,
                   std::optional<std::uint32_t> material) {
-        if (is_singular(place)) from.refuse("flattens its mesh, or blows it up, with what it is placed in");
-        make_room(from, sizeof(Instance) + bytes_of(placed_.meshes[mesh]));
-        placed_.instances.push_back({from.path(), mesh, place, material});
+        if (is_singular(where.place))
+            from.refuse("flattens its mesh, or blows it up, with what it is placed in");
+        // Too many triangles are not written out.
+        const bool is_folded = placed_triangles_ > most_unfolded;
+        make_room(from, sizeof(Instance) + (is_folded ? 0 : bytes_of(placed_.meshes[mesh])));
+        if (where.node)
+            placed_.motion.hung.push_back(
+                {static_cast<std::uint32_t>(placed_.instances.size()), *where.node, where.place});
+        placed_.instances.push_back({from.path(), mesh, where.place, material});
     }
 
     JsonValue in_;
@@ -274,6 +361,7 @@ private:
     Scene& scene_ = placed_.own;
     std::map<std::string, std::uint32_t> material_numbers_;
     std::optional<std::uint32_t> grey_;
+    std::uint64_t placed_triangles_ = 0;
     std::map<std::string, Named> meshes_;
 };
 
@@ -302,7 +390,7 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
             "a file of the kind .obj, .ply, .stl, .off, .3ds, .dae, .glb, .gltf (with .gz or without) or "
             ".json");
     return part = std::make_shared<PlacedScene>(
-               PlacedScene{load_mesh_file(path, loading_, from.where()), {}, {}});
+               load_mesh_file(path, loading_, from.where()));
 }
 
 Part Library::builtin(const std::string& spec, Primitives primitives, const JsonValue& from) {

@@ -5,6 +5,7 @@
 
 #include "model/base/error.hpp"
 #include "model/scene/builtin.hpp"
+#include "model/scene/folded.hpp"
 #include "sim/files/input.hpp"
 #include "sim/image/average.hpp"
 #include "sim/load/json_scene.hpp"
@@ -25,7 +26,7 @@ bool is_file_name(const std::string& spec) {
 JsonLoad load_file(const std::string& spec, Loading& loading) {
     const std::filesystem::path path(spec);
     if (extension(path) == "json") return load_json_scene(path, loading);
-    if (is_mesh_file(path)) return {{load_mesh_file(path, loading), {}, {}}, false};
+    if (is_mesh_file(path)) return {load_mesh_file(path, loading), false};
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
         Place{spec}.refuse("there is no such file, and no built-in scene has a dot or slash in its name");
@@ -44,6 +45,16 @@ JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& 
     return is_made ? JsonLoad{make_placed(spec, primitives), true} : load_file(spec, loading);
 }
 
+/// Too many placed triangles to be written out.
+Scene folded_scene(JsonLoad load, const std::string& where) {
+    if (!load.has_lights)
+        throw UserError(where + ": " + std::to_string(primitive_count(load.scene)) +
+                        " placed triangles are too many to find lights for them; the scene must have a list of them");
+    Scene scene = folded(std::move(load.scene));
+    check_folded(scene, where);
+    return scene;
+}
+
 }   // namespace
 
 Scene load_scene(const std::string& spec, const Progress& progress, Primitives primitives,
@@ -51,6 +62,7 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
     Loading loading(progress, {}, average_colour);
     try {
         JsonLoad load = load_anything(spec, primitives, loading);
+        if (primitive_count(load.scene) > most_unfolded) return folded_scene(std::move(load), printable(spec));
         Scene scene = flattened(std::move(load.scene));
         check_scene(scene, printable(spec));
         if (!load.has_lights) add_missing_lights(scene);

@@ -15,7 +15,7 @@ using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 const std::map<std::string, Read>& formats() {
     static const std::map<std::string, Read> all{{"obj", read_obj},  {"ply", read_ply},  {"stl", read_stl},
                                                  {"off", read_off},  {"3ds", read_3ds},  {"dae", read_dae},
-                                                 {"glb", read_gltf}, {"gltf", read_gltf}};
+                                                 {"glb", nullptr},   {"gltf", nullptr}};
     return all;
 }
 
@@ -23,12 +23,14 @@ const std::map<std::string, Read>& formats() {
 
 bool is_mesh_file(const std::filesystem::path& path) { return formats().contains(mesh_extension(path)); }
 
-Scene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by) {
+PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by) {
     loading.tell("reading", 0, 1);
     std::string bytes = loading.read(path, asked_by);
     if (extension(path) == "gz") bytes = gunzip(path, bytes, loading);
-    Scene scene = formats().at(mesh_extension(path))(path, std::move(bytes), loading);
-    scene.name = printable(path.filename().string(), 80);
+    const Read read = formats().at(mesh_extension(path));
+    PlacedScene scene = read ? PlacedScene{read(path, std::move(bytes), loading), {}, {}}
+                             : read_placed_gltf(path, std::move(bytes), loading);
+    scene.own.name = printable(path.filename().string(), 80);
     return scene;
 }
 
@@ -55,17 +57,26 @@ void Assembly::make_alike(bool must_have) {
 
 void Assembly::place(std::size_t number, const glm::dmat4& place, std::uint64_t material,
                      const std::function<Material()>& make) {
+    put(scene_, number, place, material, make);
+}
+
+void Assembly::gather(Scene& into, std::size_t number, std::uint64_t material, const std::function<Material()>& make) {
+    put(into, number, glm::dmat4(1), material, make);
+}
+
+void Assembly::put(Scene& into, std::size_t number, const glm::dmat4& place, std::uint64_t material,
+                   const std::function<Material()>& make) {
     const Scene& part = parts_[number];
     if (part.triangles.empty()) return;
     const auto [found, is_new] =
         materials_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
     if (is_new) scene_.materials.push_back(make());
     if (!loading_.may_make(part)) Place{file_}.refuse(loading_.too_much());
-    append(scene_, part, place, found->second, 0);
+    append(into, part, place, found->second, 0);
 }
 
-Scene Assembly::take() {
-    if (scene_.triangles.empty())
+Scene Assembly::take(bool may_be_empty) {
+    if (scene_.triangles.empty() && !may_be_empty)
         Place{file_}.refuse("the file has no triangles: all its faces are points or lines");
     if (dropped_ > 0)
         loading_.note(file_, counted(dropped_, "triangle") + " with two corners in one place left out");

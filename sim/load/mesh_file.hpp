@@ -22,9 +22,9 @@ namespace rayclock {
 
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// Triangles in the order of the file, materials in use, camera and lights if the file has them. `asked_by`:
-/// see read_file(). Throws UserError.
-Scene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by = {});
+/// Triangles in the order of the file, materials in use, camera and lights if the file has them; of glTF, instances and
+/// motion as well. `asked_by`: see read_file(). Throws UserError.
+PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by = {});
 
 /// The readers of the formats, from the bytes of a file; `path` names the file in sentences, and its folder
 /// holds what a file refers to. Each throws UserError for what makes no sense, with line or place, and
@@ -35,7 +35,8 @@ Scene read_stl(const std::filesystem::path& path, std::string bytes, Loading& lo
 Scene read_off(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_3ds(const std::filesystem::path& path, std::string bytes, Loading& loading);
 Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& loading);
-Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
+Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);   ///< flattened
+PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
 
 /// One `newmtl` block.
 struct MtlBlock {
@@ -61,12 +62,17 @@ public:
     /// first.
     void place(std::size_t part, const glm::dmat4& place, std::uint64_t material,
                const std::function<Material()>& make);
+    /// The same into triangles that others will place: materials are those of the scene.
+    void gather(Scene& into, std::size_t part, std::uint64_t material, const std::function<Material()>& make);
 
     Scene& scene() { return scene_; }
-    /// Says what was left out; refuses a scene without triangles.
-    Scene take();
+    /// Says what was left out; refuses a scene without triangles, unless `may_be_empty`.
+    Scene take(bool may_be_empty = false);
 
 private:
+    void put(Scene& into, std::size_t part, const glm::dmat4& place, std::uint64_t material,
+             const std::function<Material()>& make);
+
     std::string file_;
     Loading& loading_;
     std::vector<Scene> parts_;

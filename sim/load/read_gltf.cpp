@@ -1,6 +1,7 @@
 // glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are
-// taken. A texture of the base colour is drawn as its mean. Animations, skins, morph targets, other textures
-// and vertex colours are left out. Both is said.
+// taken, and the first animation of nodes. A mesh that stands in several places, or moves, becomes instances. A texture of
+// the base colour is drawn as its mean. Skins, morph targets, other textures and vertex colours are left out. Both is
+// said.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "sim/files/text.hpp"
 #include "sim/load/gltf_buffers.hpp"
 #include "sim/load/gltf_material.hpp"
+#include "sim/load/gltf_motion.hpp"
 #include "sim/load/mesh_file.hpp"
 
 namespace rayclock {
@@ -58,7 +60,7 @@ public:
           buffers_(document, path, container, loading),
           assembly_(at_.file, loading) {}
 
-    Scene read() {
+    PlacedScene read() {
         const JsonValue meshes = list("meshes"), materials = list("materials");
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             loading_.tell("checking", i, meshes.size());
@@ -67,17 +69,26 @@ public:
         if (!loading_.may_make(materials.size() * sizeof(GltfMaterial))) at_.refuse(loading_.too_much());
         for (std::size_t i = 0; i < materials.size(); ++i)
             materials_.push_back(gltf_material(materials[i], i));
+        tracks_ = gltf_tracks(in_, buffers_, loading_, at_.file);
         tree();
         if (triangles_ == 0) at_.refuse("the file has no triangles");
         for (const Copy& copy : copies_)
             if (parts_[copy.mesh].empty()) build(copy.mesh);
         assembly_.make_alike(has_normals_);
-        for (const Copy& copy : copies_) place(copy);
+        std::vector<std::uint64_t> times(parts_.size());
+        for (const Copy& copy : copies_) ++times[copy.mesh];
+        for (const Copy& copy : copies_)
+            if (copy.where.node || times[copy.mesh] > 1)
+                share(copy);
+            else
+                place(copy);
         say_dropped();
-        Scene scene = assembly_.take();
-        scene.camera = camera_;
-        if (!lights_.empty()) scene.lights = lights_of(lights_, bounds(scene));
-        return scene;
+        placed_.own = assembly_.take(!placed_.instances.empty());
+        placed_.own.camera = camera_;
+        pose(placed_, 0);
+        if (!lights_.empty()) placed_.own.lights = lights_of(lights_, bounds(flat_copy(placed_)));
+        pose(placed_, 0);
+        return std::move(placed_);
     }
 
 private:
@@ -90,9 +101,14 @@ private:
         const std::vector<std::uint32_t>* indices;
         std::uint64_t mode, material, corners;
     };
+    /// Where a node stands: in a node of ours that moves, or in the scene.
+    struct Where {
+        glm::dmat4 place{1};
+        std::optional<std::uint32_t> node{};
+    };
     struct Copy {
-        std::uint64_t mesh;
-        glm::dmat4 place;
+        std::uint64_t mesh, from;   ///< from: the document's node
+        Where where;
     };
 
     const std::vector<glm::vec3>& vectors(const JsonValue& attribute, bool must_be_finite) {
@@ -172,7 +188,7 @@ private:
     void tree() {
         const std::size_t count = count_of("nodes");
         visited_.resize(count);
-        for (const std::uint64_t root : roots(count)) visit(root, 0, glm::dmat4(1));
+        for (const std::uint64_t root : roots(count)) visit(root, 0, {});
         if (triangles_ > max_triangles)
             at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
     }
@@ -197,20 +213,41 @@ private:
         return found;
     }
 
-    void visit(std::uint64_t index, int depth, const glm::dmat4& above) {
+    /// Where a node stands whose parent stands there.
+    Where where_of(const JsonValue& in, std::uint64_t index, const Where& above) {
+        const glm::dmat4 own = gltf_transform(in);
+        const auto tracks = tracks_.find(index);
+        if (tracks == tracks_.end()) return {above.place * own, above.node};
+        std::vector<MotionNode>& nodes = placed_.motion.nodes;
+        MotionNode node = gltf_node(in, own, &tracks->second);
+        node.parent = above.node;
+        if (above.place != glm::dmat4(1)) {
+            nodes.push_back({.name = node.name, .parent = above.node, .matrix = above.place});
+            node.parent = static_cast<std::uint32_t>(nodes.size() - 1);
+        }
+        nodes.push_back(std::move(node));
+        return {glm::dmat4(1), static_cast<std::uint32_t>(nodes.size() - 1)};
+    }
+
+    void visit(std::uint64_t index, int depth, const Where& above) {
         const JsonValue in = in_.at("nodes")[index];
         if (visited_[index]) in.refuse("is met twice in the tree of nodes");
         if (depth > max_depth) in.refuse(fmt::format("lies deeper than {} nodes", max_depth));
         visited_[index] = true;
-        const glm::dmat4 place = above * gltf_transform(in);
+        const Where where = where_of(in, index, above);
+        const glm::dmat4& place = where.place;
         if (const auto mesh = in.find("mesh")) {
             const std::uint64_t number = mesh->whole(mesh_triangles_.size());
-            if (mesh_triangles_[number] > 0) copies_.push_back({number, place});
+            if (mesh_triangles_[number] > 0) copies_.push_back({number, index, where});
             triangles_ += mesh_triangles_[number];
         }
         dropped_.skins += in.find("skin").has_value();
         if (const auto camera = in.find("camera")) {
             const auto made = gltf_camera(in_.at("cameras")[camera->whole(count_of("cameras"))], place);
+            if (!camera_ && made && where.node) {
+                placed_.motion.camera.node = where.node;
+                placed_.motion.camera.seen = *made;
+            }
             if (!camera_) camera_ = made;
         }
         if (const auto extensions = in.find("extensions")) {
@@ -219,12 +256,18 @@ private:
             if (const auto light = extensions->find("KHR_lights_punctual")) {
                 const JsonValue all = in_.at("extensions").at("KHR_lights_punctual").at("lights").array();
                 lights_.push_back(gltf_light(all[light->at("light").whole(all.size())], place));
+                if (where.node && !lights_.back().is_directional) {
+                    LightMotion moving{.light = static_cast<std::uint32_t>(lights_.size() - 1)};
+                    moving.node = where.node;
+                    moving.point = glm::dvec3(place[3]);
+                    placed_.motion.lights.push_back(moving);
+                }
             }
         }
         const auto children = in.find("children");
         if (!children) return;
         for (std::size_t i = 0; i < children->array().size(); ++i)
-            visit((*children)[i].whole(visited_.size()), depth + 1, place);
+            visit((*children)[i].whole(visited_.size()), depth + 1, where);
     }
 
     /// Makes the parts of a mesh, when it is placed first.
@@ -255,15 +298,37 @@ private:
     void place(const Copy& copy) {
         for (std::size_t i = 0; i < parts_[copy.mesh].size(); ++i) {
             const std::uint64_t number = meshes_[copy.mesh][i].material;
-            assembly_.place(parts_[copy.mesh][i], copy.place, number, [&] {
-                if (number == none) return Material{.name = "default"};
-                GltfMaterial material = materials_[number];
-                if (material.base_texture) tint(material);
-                dropped_.textures += material.has_textures;
-                dropped_.odd += is_out_of_range(material.surface);
-                return material_of(material.surface, material.name);
-            });
+            assembly_.place(parts_[copy.mesh][i], copy.where.place, number, [&] { return material(number); });
         }
+    }
+
+    /// An instance of the mesh, which is made when it is needed first.
+    void share(const Copy& copy) {
+        const auto [found, is_new] =
+            shared_.try_emplace(copy.mesh, static_cast<std::uint32_t>(placed_.meshes.size()));
+        if (is_new) {
+            Scene mesh;
+            for (std::size_t i = 0; i < parts_[copy.mesh].size(); ++i) {
+                const std::uint64_t number = meshes_[copy.mesh][i].material;
+                assembly_.gather(mesh, parts_[copy.mesh][i], number, [&] { return material(number); });
+            }
+            placed_.meshes.push_back({fmt::format("meshes[{}]", copy.mesh), std::move(mesh.vertices),
+                                      std::move(mesh.normals), std::move(mesh.triangles)});
+        }
+        const std::string name = fmt::format("nodes[{}]", copy.from);
+        if (copy.where.node)
+            placed_.motion.hung.push_back({static_cast<std::uint32_t>(placed_.instances.size()), *copy.where.node,
+                                           copy.where.place});
+        placed_.instances.push_back({name, found->second, copy.where.place, {}});
+    }
+
+    Material material(std::uint64_t number) {
+        if (number == none) return Material{.name = "default"};
+        GltfMaterial material = materials_[number];
+        if (material.base_texture) tint(material);
+        dropped_.textures += material.has_textures;
+        dropped_.odd += is_out_of_range(material.surface);
+        return material_of(material.surface, material.name);
     }
 
     /// The base colour is multiplied by the mean of its texture. A mesh often travels without its pictures:
@@ -308,7 +373,6 @@ private:
         say(dropped_.colours, "primitive", " with vertex colours, which are not drawn");
         say(dropped_.targets, "primitive", " with morph targets, drawn in the shape without them");
         say(dropped_.skins, "node", " with a skin, drawn in the pose without it");
-        say(count_of("animations"), "animation", " left out");
         say(dropped_.lines, "primitive", " of points or lines left out");
     }
 
@@ -332,6 +396,9 @@ private:
     std::vector<GltfMaterial> materials_;
     std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // of images
     std::vector<bool> visited_;
+    std::map<std::uint64_t, GltfTracks> tracks_;       // by node
+    std::map<std::uint64_t, std::uint32_t> shared_;    // meshes as meshes of ours
+    PlacedScene placed_;
     std::vector<Copy> copies_;
     std::vector<PlacedLight> lights_;
     std::optional<Camera> camera_;
@@ -343,6 +410,10 @@ private:
 }   // namespace
 
 Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading) {
+    return flattened(read_placed_gltf(path, std::move(bytes), loading));
+}
+
+PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading) {
     const std::string file = path.string();
     const GltfContainer container = open_gltf(file, bytes);
     const std::string_view text = without_mark(container.text);

@@ -57,12 +57,15 @@ public:
           on_first_(on_first),
           model_(job.config, job.khz, traffic),
           rtl_(job.image, job.config, job.khz, traffic, seed),
-          witness_(job.image, job.config) {}
+          image_(job.image),
+          witness_(std::in_place, image_, job.config) {}
 
     LockstepResult run(const Progress& progress) {
         const Stopwatch watch;
         for (std::size_t f = 0; f < frames_.size(); ++f) {
-            frame_ = f, begins_ = model_.cycle();
+            frame_ = f;
+            bring_frame(f);
+            begins_ = model_.cycle();
             run_frame(frames_[f], progress);
             tell_first();
             if (parted_ || interrupted()) break;
@@ -82,6 +85,20 @@ private:
         told_seconds_ = watch.seconds();
     }
 
+    /// What the host writes before a frame, on both machines.
+    void bring_frame(std::size_t f) {
+        const Upload& upload = frames_[f].upload;
+        if (upload.image_lines > 0) {
+            apply(upload, image_);
+            witness_.emplace(image_, job_.config);
+            rtl_.change(upload);
+        }
+        upload_ = bring(model_, f, std::span(frames_));
+        const UploadTiming other = bring(rtl_, f, std::span(frames_));
+        if (upload_.cycles != other.cycles || upload_.reset != other.reset)
+            throw std::runtime_error("model and RTL do not take the same time for what the host writes");
+    }
+
     void run_frame(const FrameTrace& frame, const Progress& progress) {
         const std::uint64_t pixels = frame.trace.rays.size(),
                             limit = patience(job_.config, job_.khz, traffic_);
@@ -91,7 +108,7 @@ private:
         FrameCollector hits(frame.frame, job_.config.shading != 0);
         model_.start(frame.frame, frame.trace);
         rtl_.start(frame.frame);
-        witness_.start(frame.frame);
+        witness_->start(frame.frame);
         while (!parted_ && !(model_.done() && rtl_.done()) && !interrupted()) {
             cycle(hits);
             tell_first();
@@ -114,6 +131,7 @@ private:
                 result_.value_mismatches +=
                     !(result_.model.hits.hits[i] == result_.rtl.hits.hits[i]) ||
                     (job_.config.shading && result_.model.colours[i] != result_.rtl.colours[i]);
+        result_.runs.push_back(frame_run(frame, result_.model));
         compare_counters();
         tell_nonsense();
     }
@@ -154,7 +172,7 @@ private:
         const std::uint64_t now = model_.cycle();
         model_.step([&](const Move& move) {
             last_ray_[index(move.link)] = move.id;
-            witness_(move,
+            (*witness_)(move,
                      [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
         });
         for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
@@ -295,7 +313,7 @@ private:
         const std::uint64_t now = model_.cycle();
         if (!watched_ || !watched_->by_rtl) return model_.step();
         model_.step([&](const Move& move) {
-            witness_(move, [&](int pipeline, Link c, const auto& payload) {
+            (*witness_)(move, [&](int pipeline, Link c, const auto& payload) {
                 if (!watched_ || pipeline != watched_->pipeline || c != watched_->link) return;
                 pack(payload, job_.config, words_);
                 seen(now, words_.data(), words_.size() * 4);
@@ -325,7 +343,7 @@ private:
         const bool partial = pixels < frame.trace.rays.size() && !parted_;
         const FrameWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
                              frame.trace.triangle_tests};
-        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial}, work, hits,
+        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work, hits,
                          colours);
     }
 
@@ -339,7 +357,9 @@ private:
     std::uint64_t begins_ = 0;
     Machine model_;
     RtlMachine rtl_;
-    Witness witness_;
+    MemoryImage image_;   // of the frame that runs
+    std::optional<Witness> witness_;
+    UploadTiming upload_;   // before it
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
     bool parted_ = false, broken_ = false;

@@ -34,6 +34,7 @@ struct CounterDifference {
 };
 
 struct LockstepResult {
+    std::vector<FrameRun> runs;           ///< the model's of all frames; hits and answers are left out
     FrameRun model, rtl;                  ///< seconds: the time of each machine's own share
     std::uint64_t events_compared = 0;    ///< transfers (cycle, link, payload) seen on both sides
     std::uint64_t value_mismatches = 0;   ///< transfers whose payload differs, and pixels that differ in the

@@ -41,12 +41,14 @@ FrameCosts observe(const Config& config, int khz, std::span<const FrameTrace> fr
     const std::uint64_t limit = patience(config, khz, traffic);
     Machine machine(config, khz, traffic);
     for (std::size_t f = 0; f + 1 < frames.size(); ++f) {
+        bring(machine, f, frames);
         machine.start(frames[f].frame, frames[f].trace);
         while (!machine.done() && !interrupted()) {
             machine.run(machine.cycle() + cycles_between_reports);
             check_moving(machine, limit);
         }
     }
+    bring(machine, frames.size() - 1, frames);
     return observe_frame(machine, frames.back().frame, frames.back().trace, limit, window, sink, progress);
 }
 

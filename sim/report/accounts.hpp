@@ -46,8 +46,9 @@ double peak_bytes_per_second(const Config& config, int khz);
 std::string bottleneck(const Config& config, int khz, const FrameRun& run);
 
 inline std::uint64_t bytes_read(const FrameTiming& run) { return run.memory.reads * 64; }
+/// Frames, what the host does before each included.
 inline double per_second(const FrameTiming& run, int khz) {
-    return run.cycles ? khz * 1e3 / double(run.cycles) : 0;
-}   ///< frames
+    return run.cycles ? khz * 1e3 / double(run.all_cycles()) : 0;
+}
 
 }   // namespace rayclock

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "model/scene/folded.hpp"
 #include "sim/memory/memory_file.hpp"
 #include "sim/report/accounts.hpp"
 
@@ -32,7 +33,7 @@ FrameError frame_error(const Scene& scene, const HitFrame& frame, const HitFrame
 
 ordered_json scene_json(const Scene& scene) {
     return {{"name", scene.name},
-            {"triangles", scene.triangles.size()},
+            {"triangles", triangle_count(scene)},
             {"spheres", scene.spheres.size()},
             {"planes", scene.planes.size()}};
 }
@@ -84,6 +85,9 @@ ordered_json clock_json(const Config& config, const ClockRun& run) {
     ordered_json frames = ordered_json::array();
     for (const FrameRun& f : run.frames)
         frames.push_back({{"cycles", f.cycles},
+                          {"upload_cycles", f.upload.cycles},
+                          {"reset_cycles", f.upload.reset},
+                          {"bytes_written", f.upload.lines * 64},
                           {"fps", per_second(f, run.khz)},
                           {"dram_bytes", bytes_read(f)},
                           {"node_hit_rate", cache_account(f, Unit::node_cache).hit_rate()},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "model/scene/folded.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/text.hpp"
 
@@ -23,7 +24,7 @@ std::string primitives_text(const PrimitiveCounts& counts) {
 
 std::string primitives_text(const Scene& scene) {
     return primitives_text(
-        PrimitiveCounts{scene.triangles.size(), scene.spheres.size(), scene.planes.size()});
+        PrimitiveCounts{triangle_count(scene), scene.spheres.size(), scene.planes.size()});
 }
 
 std::string heading(const Scene& scene, FrameSize size, const Job& job) {

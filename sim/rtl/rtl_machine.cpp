@@ -12,8 +12,8 @@ namespace rayclock {
 RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, Traffic traffic, int seed,
                        Waves waves)
     : config_(config),
-      image_(image),
-      decoder_(image, config),
+      image_(&image),
+      decoder_(std::in_place, image, config),
       rtl_(config, "rc_chip", seed, waves),
       links_(std::size_t(config.pipelines)),
       bus_{&rtl_.port("wb_cyc"), &rtl_.port("wb_stb"), &rtl_.port("wb_we"),  &rtl_.port("wb_adr"),
@@ -23,6 +23,7 @@ RtlMachine::RtlMachine(const MemoryImage& image, const Config& config, int khz, 
       mem_rsp_(&rtl_.port("mem_rsp")),
       hit_ready_(&rtl_.port("hit_ready")),
       memory_(config, khz, traffic),
+      traffic_(traffic),
       valid_(links_.size()),
       fire_(links_.size()),
       under_way_(std::size_t(1) << config.mem_id_bits()) {
@@ -111,6 +112,27 @@ void RtlMachine::start(const Frame& frame) {
     memory_at_start_ = memory_.deeds();
 }
 
+void RtlMachine::reset() {
+    quiet_ports();
+    rtl_.reset();
+    for (std::size_t p = 0; p < sinks_.size(); ++p) sinks_[p] = Sink(traffic_, int(p));
+    const int cycles = reset_cycles(config_);
+    for (int i = 0; i < cycles; ++i) memory_.clock(nullptr);
+    now_ += std::uint64_t(cycles);
+}
+
+void RtlMachine::finish_writes() {
+    for (; memory_.writes(); ++now_) memory_.clock(nullptr);
+}
+
+void RtlMachine::change(const Upload& upload) {
+    if (upload.image_lines == 0) return;
+    if (image_ != &changed_) changed_ = *image_;
+    apply(upload, changed_);
+    image_ = &changed_;
+    decoder_.emplace(changed_, config_);
+}
+
 void RtlMachine::drive() {
     std::uint32_t ready = 0;   // a bit for each sink, in as many bytes as the signal has
     for (std::size_t p = 0; p < sinks_.size(); ++p) ready |= std::uint32_t(sinks_[p].ready()) << p;
@@ -119,7 +141,7 @@ void RtlMachine::drive() {
     *mem_rsp_->valid = memory_.valid();
     if (!memory_.valid()) return;
     const Memory::Answer answer = memory_.answer();
-    std::memcpy(mem_rsp_->data, image_.line(answer.addr),
+    std::memcpy(mem_rsp_->data, image_->line(answer.addr),
                 line_bytes);   // MemRsp: the line at the bottom, the id above
     mem_rsp_->data[line_bytes / 4] = answer.id;
 }
@@ -160,9 +182,9 @@ std::optional<Memory::Answer> RtlMachine::request() {
     // Long lines end at the next multiple of their length.
     const std::uint32_t line = std::uint32_t(
         std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
-    if (req.addr / line > (image_.lines() - 1) / line)
+    if (req.addr / line > (image_->lines() - 1) / line)
         complain(0, Link::mem_req,
-                 fmt::format("line {}, and the memory image has {}", req.addr, image_.lines()));
+                 fmt::format("line {}, and the memory image has {}", req.addr, image_->lines()));
     if (under_way_[req.id]) {
         complain(0, Link::mem_req, fmt::format("id {}, whose last request is not answered yet", req.id));
         return {};
@@ -183,9 +205,9 @@ bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
     std::uint8_t& given = given_[std::size_t(hit.y) * width_ + hit.x];
     if (given) return refuse(fmt::format("pixel ({}, {}) for the second time", hit.x, hit.y));
     given = 1;
-    if (hit.closest.found && hit.closest.prim >= image_.primitives) {
+    if (hit.closest.found && hit.closest.prim >= image_->primitives) {
         complain(pipeline, Link::hit,
-                 fmt::format("primitive {}, and the scene has {}", hit.closest.prim, image_.primitives));
+                 fmt::format("primitive {}, and the scene has {}", hit.closest.prim, image_->primitives));
         hit.closest = {};
     }
     return true;
@@ -194,11 +216,11 @@ bool RtlMachine::check_hit(int pipeline, HitOut& hit) {
 void RtlMachine::count_boxes(int pipeline) {
     const std::uint32_t line =
         get_data<NodeReq>(*links_[std::size_t(pipeline)][index(Link::node_req)], config_).addr;
-    if (line < image_.lines())
-        box_tests_ += decoder_.children(line);
+    if (line < image_->lines())
+        box_tests_ += decoder_->children(line);
     else
         complain(pipeline, Link::node_req,
-                 fmt::format("line {}, and the memory image has {}", line, image_.lines()));
+                 fmt::format("line {}, and the memory image has {}", line, image_->lines()));
 }
 
 void RtlMachine::clock() {

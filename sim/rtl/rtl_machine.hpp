@@ -7,6 +7,7 @@
 #include "model/core/links.hpp"
 #include "model/mem/memory.hpp"
 #include "model/trace/decoder.hpp"
+#include "model/upload.hpp"
 #include "sim/rtl/rtl_module.hpp"
 
 namespace rayclock {
@@ -20,6 +21,12 @@ public:
 
     /// A new frame; what lies in the caches stays.
     void start(const Frame& frame);
+
+    /// Between frames, as Machine has them; and what the host has written stands in the memory from now on.
+    void reset();
+    void write(const std::vector<std::uint32_t>& lines) { memory_.write(lines); }
+    void finish_writes();
+    void change(const Upload& upload);
 
     /// First half of a cycle: drives memory's answer and the sinks' ready; then the masks and data() tell
     /// what the cycle moves. Second half: the clock edge; hits go to `take`.
@@ -87,8 +94,9 @@ private:
 
     Config config_;
     std::vector<std::size_t> there_;   // the links of a pipeline that this chip has
-    const MemoryImage& image_;
-    Decoder decoder_;   // only to count what the box tests were made on
+    const MemoryImage* image_;
+    MemoryImage changed_;              // if the host has written into it
+    std::optional<Decoder> decoder_;   // only to count what the box tests were made on
     RtlModule rtl_;
     std::vector<std::array<const RcPort*, link_count>> links_;
     struct Bus {
@@ -96,6 +104,7 @@ private:
     } bus_;
     const RcPort *running_, *mem_req_, *mem_rsp_, *hit_ready_;
     Memory memory_;
+    Traffic traffic_;
     std::vector<Sink> sinks_;
     RayCounts rays_;   // refracted ones are counted with the reflected: the link does not tell them apart
     std::uint64_t now_ = 0, hits_ = 0, pixels_ = 0, box_tests_ = 0;

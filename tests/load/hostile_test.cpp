@@ -315,7 +315,8 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}}}, {"metallicFactor", 1.5}}}}};
     json["nodes"][0]["skin"] = 0;
-    json["animations"] = Json::array({Json::object(), Json::object()});
+    const Json nothing{{"channels", Json::array()}, {"samplers", Json::array()}};
+    json["animations"] = Json::array({nothing, nothing, nothing});
     Json& primitives = json["meshes"][0]["primitives"];
     primitives[0]["targets"] = Json::array();
     primitives[0]["material"] = 0;
@@ -323,11 +324,12 @@ TEST_CASE("what a file holds and is not drawn is said, and counted") {
     primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
     const std::string file = folder.name("all.glb") + ": ";
     CHECK(notes_of("all.glb", glb(json)) ==
-          Notes{file + "1 material with values out of range, taken as the nearest within",
+          Notes{file + "2 animations beside the first left out",
+                file + "1 material with values out of range, taken as the nearest within",
                 file + "1 material with other textures, which are not drawn",
                 file + "1 primitive with vertex colours, which are not drawn",
                 file + "1 primitive with morph targets, drawn in the shape without them",
-                file + "1 node with a skin, drawn in the pose without it", file + "2 animations left out",
+                file + "1 node with a skin, drawn in the pose without it",
                 file + "1 primitive of points or lines left out"});
     // glTF 1.0 is another format.
     check_says(complaint(folder.write("one.gltf", R"({"asset":{"version":"1.0"},"buffers":{"a":{}}})")),

@@ -59,10 +59,10 @@ mutant(files_memory_time_is_rounded FILE sim/memory/memory_file.cpp TEST unit "a
 
 # ---- Instances.
 mutant(load_instance_outside_of_its_object FILE sim/load/json_scene.cpp TEST load "json:*"
-  OLD [[transform * transform_of(instance)]]
-  NEW [[transform_of(instance) * transform]])
+  OLD [[return {above.place * transform_of(in), above.node};]]
+  NEW [[return {transform_of(in) * above.place, above.node};]])
 mutant(load_graph_forgets_a_level FILE sim/load/json_scene.cpp TEST load "json: a graph*"
-  OLD [[transform * inner.place]]
+  OLD [[where.place * inner.place]]
   NEW [[inner.place]])
 mutant(load_instance_keeps_its_meshs_material FILE model/scene/placed.cpp TEST load "json:*"
   OLD [[t.material = material ? *material : t.material + material_base;]]

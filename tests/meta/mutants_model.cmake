@@ -190,8 +190,10 @@ mutant(dram_tras_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
   OLD [[own.precharge = clock + tras_;]]
   NEW [[own.precharge = clock + 1;]])
 mutant(dram_group_gate_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
-  OLD [[group_of(bank).read = clock + tccd_l_;]]
-  NEW [[group_of(bank).read = clock + tccd_;]])
+  OLD [[write_ = clock + std::max(tccd_, to_write_);
+            group_of(bank).column = clock + tccd_l_;]]
+  NEW [[write_ = clock + std::max(tccd_, to_write_);
+            group_of(bank).column = clock + tccd_;]])
 mutant(dram_channel_takes_its_neighbours_words FILE model/mem/dram_channels.cpp TEST unit [dram]
   OLD [[request->addr % count_]]
   NEW [[request->addr / 2 % count_]])

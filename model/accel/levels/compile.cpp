@@ -1,7 +1,6 @@
 // compile_levels: lattices and maps, a lower structure for each class, the scene's tree above them.
 #include <bit>
 
-#include "model/accel/collapse.hpp"
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/levels/levels.hpp"
@@ -12,17 +11,6 @@ namespace rayclock {
 namespace {
 
 constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
-
-void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
-    if (!scene.own.spheres.empty() || !scene.own.planes.empty())
-        throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
-    const std::uint64_t count = primitive_count(scene);
-    if (count == 0) throw UserError(name + ": there is nothing to see: no triangle");
-    const auto need = int(std::bit_width(count - 1));
-    if (need > config.prim_bits)
-        throw UserError(name + ": " + std::to_string(count) + " triangles need numbers of " +
-                        std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits));
-}
 
 /// The triangles of a mesh that count on a class's lattice, numbered within the mesh.
 std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
@@ -42,35 +30,57 @@ public:
     LevelsCompiler(const LevelParts& parts, const Config& config, const std::string& name, LevelsImage& out)
         : parts_(parts), config_(config), name_(name), out_(out), image_(out.image) {}
 
-    void run() {
-        std::vector<std::uint32_t> firsts;
-        std::vector<std::uint32_t> kept;   // instances of which something is left
-        std::uint64_t number = 0;
+    void run(int buffers) {
         lowers_.resize(out_.maps.classes.size());
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
-        for (std::uint32_t i = 0; i < parts_.instances.size(); ++i) {
-            firsts.push_back(std::uint32_t(number));
-            number += parts_.meshes[parts_.instances[i].mesh]->triangles.size();
-            if (!lowers_[class_of(i)].words.empty()) kept.push_back(i);
+        gather_entries();
+        if (buffers > 0) {   // room for as many trees, whatever they look like
+            out_.upper_lines = aligned(most_upper_lines(out_.entries.size()));
+            image_.words.resize(std::size_t(out_.upper_lines) * std::size_t(buffers) * words_per_line, 0);
         }
-        if (kept.empty())
-            throw UserError(name_ + ": all " + std::to_string(number) + " triangles vanish on a lattice of " +
-                            std::to_string(config_.coord_bits) +
-                            " bits; a larger coord_bits or an eye closer to the scene would help");
-        write_scene_tree(kept, firsts);
+        std::vector<std::uint32_t> placed;
+        const UpperReport report = write_upper(out_.entries, 0, true, config_, name_, image_.words, placed);
         append_lowers();
-        image_.primitives = std::uint32_t(number);
-        image_.report.triangles = number;
+        for (std::size_t e = 0; e < placed.size(); ++e) {
+            out_.entries[e].root = out_.roots[out_.entries[e].map->mesh_class];
+            write_entry(out_.entries[e], placed[e], config_, image_.words);
+        }
+        image_.report.nodes += report.nodes;
+        image_.report.leaves = report.leaves;
+        image_.report.depth = report.depth;
+        image_.report.stack_need = report.stack_need;
+        image_.primitives = std::uint32_t(triangles_);
+        image_.report.triangles = triangles_;
         image_.report.bytes = image_.words.size() * sizeof(std::uint32_t);
-        check_stack(image_.report.stack_need, config_, name_);
-        if (image_.report.stack_need > most_groups)
-            throw UserError(name_ + ": two levels keep " + std::to_string(most_groups) +
-                            " sibling groups of a ray at most, and this tree needs " +
-                            std::to_string(image_.report.stack_need));
+        check_need(report.stack_need, config_, name_);
     }
 
 private:
-    std::uint32_t class_of(std::uint32_t instance) const { return out_.maps.instances[instance].mesh_class; }
+    /// Instances of which something is left.
+    void gather_entries() {
+        std::uint64_t& number = triangles_;
+        for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
+            const InstanceMap& map = out_.maps.instances[i];
+            const MemoryImage& lower = lowers_[map.mesh_class];
+            if (!lower.words.empty()) {
+                out_.entries.push_back(
+                    {&map, std::uint32_t(number), 0, lower.report.stack_need, lower.report.depth});
+                out_.of_entry.push_back(std::uint32_t(i));
+            }
+            number += parts_.meshes[parts_.instances[i].mesh]->triangles.size();
+        }
+        if (out_.entries.empty())
+            throw UserError(name_ + ": all " + std::to_string(number) + " triangles vanish on a lattice of " +
+                            std::to_string(config_.coord_bits) +
+                            " bits; a larger coord_bits or an eye closer to the scene would help");
+    }
+
+    /// Whole lines of every cache: none that holds a line of one tree holds one of another.
+    std::uint32_t aligned(std::uint32_t lines) const {
+        const auto step = std::uint32_t(
+            std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
+        return (lines + step - 1) / step * step;
+    }
 
     void compile_class(std::size_t c) {
         const MeshClass& made = out_.maps.classes[c];
@@ -78,53 +88,7 @@ private:
         if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_, name_);
     }
 
-    /// As nodes of boxes in boxes, with a placement where a leaf would be.
-    void write_scene_tree(const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& firsts) {
-        std::vector<LatticeBox> boxes;
-        for (const std::uint32_t i : kept) boxes.push_back(out_.maps.instances[i].box);
-        BinaryTree tree = build_tree(boxes);
-        optimise_tree(tree);
-        Config single = config_;
-        single.leaf_size = 1;
-        const Collapse collapse(tree, single);
-        image_.words.assign(words_per_line, 0);
-        const int need = write_node(tree, collapse, tree.root, 0, kept, firsts, 1);
-        image_.report.stack_need = need;
-    }
-
-    /// Returns how many groups of siblings a ray may have to keep below the node.
-    int write_node(const BinaryTree& tree, const Collapse& collapse, std::uint32_t node, std::uint32_t line,
-                   const std::vector<std::uint32_t>& kept, const std::vector<std::uint32_t>& firsts,
-                   int depth) {
-        std::vector<WideChild> found;
-        collapse.children(node, found);
-        std::vector<NodeChild> children;
-        for (const WideChild& child : found) children.push_back({tree.nodes[child.node].box, 0});
-        const auto base = std::uint32_t(image_.words.size() / words_per_line);
-        check_lines(base + found.size(), config_, name_);
-        image_.words.resize(image_.words.size() + found.size() * words_per_line, 0);
-        write_payload(encode_node(children, base, config_), config_, at(line), scratch_);
-        ++image_.report.nodes;
-        int need = 0;
-        for (std::uint32_t i = 0; i < found.size(); ++i) {
-            if (!found[i].leaf) {
-                need = std::max(need,
-                                write_node(tree, collapse, found[i].node, base + i, kept, firsts, depth + 1));
-                continue;
-            }
-            std::vector<std::uint32_t> one;
-            collapse.boxes(found[i].node, one);
-            const std::uint32_t instance = kept[one[0]];
-            placements_.push_back({instance, firsts[instance], base + i});
-            const CompileReport& below = lowers_[class_of(instance)].report;
-            need = std::max(need, below.stack_need);
-            image_.report.depth = std::max(image_.report.depth, depth + 1 + below.depth);
-            ++image_.report.leaves;
-        }
-        return need + (found.size() >= 2);
-    }
-
-    /// Lower structures behind the scene's tree, and what points at them.
+    /// Lower structures behind the scene's tree.
     void append_lowers() {
         for (std::size_t c = 0; c < lowers_.size(); ++c) {
             out_.roots.push_back(lowers_[c].words.empty() ? 0 : image_.lines());
@@ -134,12 +98,6 @@ private:
             image_.words.insert(image_.words.end(), lowers_[c].words.begin(), lowers_[c].words.end());
             image_.report.nodes += lowers_[c].report.nodes;
             move_nodes(root);
-        }
-        for (const Placed& placed : placements_) {
-            const InstanceMap& map = out_.maps.instances[placed.instance];
-            write_payload(Placement{placed.first, out_.roots[map.mesh_class], map.a, map.b}, config_,
-                          at(placed.line), scratch_);
-            set_line_kind(at(placed.line), LineKind::placement);
         }
     }
 
@@ -161,33 +119,26 @@ private:
 
     std::uint32_t* at(std::uint32_t line) { return &image_.words[std::size_t(line) * words_per_line]; }
 
-    struct Placed {
-        std::uint32_t instance = 0, first = 0, line = 0;
-    };
     const LevelParts& parts_;
     const Config& config_;
     const std::string& name_;
     LevelsImage& out_;
     MemoryImage& image_;
     std::vector<MemoryImage> lowers_;   // by class
-    std::vector<Placed> placements_;
+    std::uint64_t triangles_ = 0;       // placed
     Words scratch_;
 };
 
 }   // namespace
 
-Config with_two_levels(Config config, const std::string& where) {
-    config.levels = 2;
-    check_config(config, where);
-    return config;
+void check_need(int need, const Config& config, const std::string& name) {
+    check_stack(need, config, name);
+    if (need > most_groups)
+        throw UserError(name + ": two levels keep " + std::to_string(most_groups) +
+                        " sibling groups of a ray at most, and this tree needs " + std::to_string(need));
 }
 
-LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& given) {
-    const Stopwatch watch;
-    const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
-    const Config config = with_two_levels(given, name);
-    check_levels(scene, config, name);
-    const SharedMesh own{"", scene.own.vertices, {}, scene.own.triangles};
+LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
     LevelParts parts;
     if (!own.triangles.empty()) {
         parts.meshes.push_back(&own);
@@ -200,11 +151,53 @@ LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, cons
         instance.mesh += before;
         parts.instances.push_back(std::move(instance));
     }
+    return parts;
+}
+
+Places places_of(const PlacedScene& scene) {
+    Places places;
+    if (!scene.own.triangles.empty()) places.emplace_back(1);
+    for (const Instance& instance : scene.instances)
+        if (!scene.meshes[instance.mesh].triangles.empty()) places.push_back(instance.place);
+    return places;
+}
+
+SharedMesh own_mesh(const PlacedScene& scene) { return {"", scene.own.vertices, {}, scene.own.triangles}; }
+
+void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
+    if (!scene.own.spheres.empty() || !scene.own.planes.empty())
+        throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
+    const std::uint64_t count = primitive_count(scene);
+    if (count == 0) throw UserError(name + ": there is nothing to see: no triangle");
+    const auto need = int(std::bit_width(count - 1));
+    if (need > config.prim_bits)
+        throw UserError(name + ": " + std::to_string(count) + " triangles need numbers of " +
+                        std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits));
+}
+
+void compile_parts(const LevelParts& parts, const Config& config, const std::string& name, int buffers,
+                   LevelsImage& out) {
+    out.image.lattice = out.maps.lattice;
+    LevelsCompiler(parts, config, name, out).run(buffers);
+    out.image.report.pitch = out.maps.lattice.pitch;
+}
+
+Config with_two_levels(Config config, const std::string& where) {
+    config.levels = 2;
+    check_config(config, where);
+    return config;
+}
+
+LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& given) {
+    const Stopwatch watch;
+    const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
+    const Config config = with_two_levels(given, name);
+    check_levels(scene, config, name);
+    const SharedMesh own = own_mesh(scene);
+    const LevelParts parts = parts_of(scene, own);
     LevelsImage out;
     out.maps = map_instances(parts, eye, config);
-    out.image.lattice = out.maps.lattice;
-    LevelsCompiler(parts, config, name, out).run();
-    out.image.report.pitch = out.maps.lattice.pitch;
+    compile_parts(parts, config, name, 0, out);
     out.image.report.seconds = watch.seconds();
     return out;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Scene compilation in two levels: a tree over instances, and below it one for each mesh and class.
-#include "model/accel/levels/maps.hpp"
+#include "model/accel/levels/upper.hpp"
 
 namespace rayclock {
 
@@ -8,6 +8,9 @@ struct LevelsImage {
     MemoryImage image;   ///< line 0 is the root of the scene's tree; the lattice is the scene's
     LevelMaps maps;
     std::vector<std::uint32_t> roots;   ///< by class: line of its root, 0 if nothing is left of it
+    std::vector<UpperEntry> entries;    ///< of the scene's tree: their maps are of `maps`
+    std::vector<std::uint32_t> of_entry;   ///< by entry: its instance, in the order of `maps`
+    std::uint32_t upper_lines = 0;   ///< of a scene that moves: how many lines each of its trees may take
 };
 
 /// The configuration with levels=2. Throws UserError if no machine can be both.
@@ -15,6 +18,24 @@ Config with_two_levels(Config config, const std::string& where);
 
 /// For that configuration. Throws UserError as it does, for a scene with true spheres or planes, and as
 /// compile_scene() does.
+/// The image is not copied: entries point into it.
 LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, const Config& config);
+
+// ---- The parts of it, which scenes that move use as well.
+
+/// The scene's own triangles as a mesh.
+SharedMesh own_mesh(const PlacedScene& scene);
+/// What is placed; `own` must stay, and so must the scene. Instances of empty meshes are left out.
+LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own);
+/// Where these stand now.
+Places places_of(const PlacedScene& scene);
+/// Throws UserError for what two levels cannot hold.
+void check_levels(const PlacedScene& scene, const Config& config, const std::string& name);
+/// Throws UserError if the machine cannot keep so many groups of siblings.
+void check_need(int need, const Config& config, const std::string& name);
+/// The image of `out.maps`: `buffers` trees of the scene's level, of which the first is written, then the lower
+/// structures. 0 buffers: one tree, and no line too many.
+void compile_parts(const LevelParts& parts, const Config& config, const std::string& name, int buffers,
+                   LevelsImage& out);
 
 }   // namespace rayclock

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 namespace rayclock {
 namespace {
+
+constexpr std::uint64_t most_corners = 20'000'000;   // of all instances: of more, no box is exact
+constexpr std::size_t most_exact = 64;               // corners of a mesh: of more, the box of an instance that moves is not exact
 
 /// The scene's lattice seen from a mesh: its middle, and for each axis of the mesh what a step along each of
 /// the scene's axes is there.
@@ -39,23 +44,140 @@ struct Needs {
     Seen seen;
 };
 
+double largest_of(const Config& config) { return double((1 << (config.coord_bits - 1)) - 1); }
+
+/// A map, by how many steps its box reaches beyond what a node can say, and whether it would be too coarse.
+struct Fitted {
+    InstanceMap map;
+    double beyond = 0;
+    bool stretched = false;
+};
+
+/// Extents of the class's corners along a row of the stored map's inverse: of all of them, or of solids around them.
+struct Extent {
+    double lo = 0, hi = 0;
+};
+Extent extent_of(const MeshClass& made, const glm::dvec3& row, const glm::dvec3& moved) {
+    const glm::dvec3 scaled = row / made.lattice.pitch;
+    const double middle = glm::dot(scaled, made.reach.middle) - glm::dot(row, moved), reach = made.reach.along(scaled);
+    return {middle - reach, middle + reach};
+}
+Extent exact_extent(const MeshClass& made, const glm::dvec3& row, const glm::dvec3& moved) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Extent extent{far, -far};
+    for (const Vec3i& point : made.points) {
+        const glm::dvec3 from = glm::dvec3(point[0], point[1], point[2]) - moved;
+        const double along = row[0] * from[0] + row[1] * from[1] + row[2] * from[2];
+        extent = {std::min(extent.lo, along), std::max(extent.hi, along)};
+    }
+    return extent;
+}
+
+CornerReach reach_of(const MeshClass& made) {
+    CornerReach reach;
+    if (made.points.empty()) return reach;
+    const auto at = [&](const Vec3i& p) { return glm::dvec3(p[0], p[1], p[2]) * made.lattice.pitch; };
+    glm::dvec3 lo = at(made.points[0]), hi = lo;
+    for (const Vec3i& point : made.points) lo = glm::min(lo, at(point)), hi = glm::max(hi, at(point));
+    reach.middle = 0.5 * (lo + hi);
+    reach.half = glm::max(hi - reach.middle, reach.middle - lo);
+    for (const Vec3i& point : made.points) {
+        const glm::dvec3 from = at(point) - reach.middle;
+        reach.ball = std::max(reach.ball, std::sqrt(glm::dot(from, from)));
+        for (int k = 0; k < 3; ++k) {
+            const double y = from[(k + 1) % 3], z = from[(k + 2) % 3];
+            reach.disc[k] = std::max(reach.disc[k], std::sqrt(y * y + z * z));
+        }
+    }
+    return reach;
+}
+
+/// The box of the mesh's corners as the stored map places them, with what a hit may be off around each: a triangle
+/// lies within its corners' box, and so do the triangle's points, each with that around it.
+void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3& moved, const Config& config,
+               bool by_reach, Fitted& fitted) {
+    const double largest = largest_of(config);
+    InstanceMap& map = fitted.map;
+    const glm::dmat3 back = glm::inverse(linear);
+    glm::dvec3 reach(0);   // of a step in the mesh
+    for (int i = 0; i < 3; ++i) reach[i] = std::abs(back[0][i]) + std::abs(back[1][i]) + std::abs(back[2][i]);
+    const double stretch = std::max({reach.x, reach.y, reach.z});   // alpha
+    const double shortest = std::ldexp(1, config.dir_bits - 2);     // of a direction's largest component
+    fitted.stretched = !(stretch <= most_stretch);
+    if (fitted.stretched) return;
+    const double last = (2 * largest + 1.25 * stretch + 1) / (shortest - stretch / 2);
+    map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
+    const double slack = map.is_whole && !by_reach ? 0 : 1.0 / 64;   // of double arithmetic here
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 row(back[0][i], back[1][i], back[2][i]);
+        const Extent extent = by_reach ? extent_of(made, row, moved) : exact_extent(made, row, moved);
+        const double least = std::floor(extent.lo - reach[i] * map.off - slack),
+                     most = std::ceil(extent.hi + reach[i] * map.off + slack);
+        fitted.beyond = std::max({fitted.beyond, -(largest + 1) - least, most - (largest + 1)});
+        map.box.lo[std::size_t(i)] = std::int32_t(least);
+        map.box.hi[std::size_t(i)] = std::int32_t(most);
+    }
+}
+
+/// `by_reach`: the box is that of the solids around the corners, because an instance that moves has many.
+Fitted fit(const Seen& seen, const MeshClass& made, const Config& config, bool by_reach) {
+    const int frac = config.map_frac();
+    const std::int64_t one = std::int64_t(1) << frac;
+    Fitted fitted;
+    InstanceMap& map = fitted.map;
+    map.is_whole = true;
+    glm::dmat3 linear;   // as stored
+    glm::dvec3 moved;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double unit = std::ldexp(1, frac) / made.lattice.pitch[int(i)];
+        std::array<double, 3> exact;
+        std::int64_t sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            exact[k] = seen.row[i][int(k)] * unit;
+            sum += std::abs(std::llround(exact[k]));
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double entry = sum > one ? std::trunc(exact[k]) : std::round(exact[k]);
+            map.a[3 * i + k] = std::int32_t(entry);
+            linear[int(k)][int(i)] = std::ldexp(entry, -frac);
+            map.is_whole = map.is_whole && map.a[3 * i + k] % one == 0;
+        }
+        map.b[i] = std::llround((seen.middle[int(i)] - made.lattice.centre[int(i)]) * unit);
+        moved[int(i)] = std::ldexp(double(map.b[i]), -frac);
+        map.is_whole = map.is_whole && map.b[i] % one == 0;
+    }
+    place_box(made, linear, moved, config, by_reach && made.points.size() > most_exact, fitted);
+    return fitted;
+}
+
 class Mapper {
 public:
-    Mapper(const LevelParts& parts, const glm::dvec3& eye, const Config& config)
+    Mapper(const LevelParts& parts, std::span<const Places> times, std::span<const glm::dvec3> eyes,
+           const Config& config)
         : parts_(parts),
-          eye_(eye),
+          times_(times),
+          eyes_(eyes),
           config_(config),
-          largest_(double((1 << (config.coord_bits - 1)) - 1)),
-          is_out_(parts.instances.size()) {}
+          largest_(largest_of(config)),
+          is_out_(parts.instances.size()),
+          moves_(parts.instances.size()) {
+        for (const Places& places : times)
+            for (std::size_t i = 0; i < places.size(); ++i) moves_[i] = moves_[i] || places[i] != times[0][i];
+        std::uint64_t corners = 0;
+        for (const Instance& instance : parts.instances) corners += parts.meshes[instance.mesh]->vertices.size();
+        is_large_ = corners > most_corners;
+    }
 
-    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin.
-    LevelMaps run() {
+    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves would have to
+    /// be written out.
+    bool run() {
         find_bounds();
         for (double margin = 0;;) {
             written_out_ = false;
             const double beyond = map(margin);
+            if (moves_out()) return false;
             if (written_out_) continue;   // once more, with more instances written out
-            if (beyond <= 0) return std::move(maps_);
+            if (beyond <= 0) return true;
             margin += beyond + 1;
             if (margin < largest_ / 4) continue;
             // Not seen yet. What is written out rounds nothing and needs no margin.
@@ -63,21 +185,52 @@ public:
             margin = 0;
         }
     }
+    LevelMaps take() { return std::move(maps_); }
 
 private:
+    bool moves_out() const {
+        for (std::size_t i = 0; i < moves_.size(); ++i)
+            if (moves_[i] && is_out_[i]) return true;
+        return false;
+    }
+
     void find_bounds() {
-        constexpr double far = std::numeric_limits<double>::infinity();
-        Bounds box{glm::dvec3(far), glm::dvec3(-far)};
-        for (const Instance& instance : parts_.instances) {
-            const SharedMesh& mesh = *parts_.meshes[instance.mesh];
+        Growing box;
+        for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
+            const SharedMesh& mesh = *parts_.meshes[parts_.instances[i].mesh];
+            if (moves_[i] || is_large_) {
+                const std::array<glm::dvec3, 8>& corners = corners_of(parts_.instances[i].mesh);
+                for (std::size_t t = 0; t < (moves_[i] ? times_.size() : 1); ++t)
+                    for (const glm::dvec3& corner : corners) box.add(times_[t][i], corner);
+                continue;
+            }
             for (const Triangle& triangle : mesh.triangles)
-                for (const std::uint32_t index : triangle.vertex) {
-                    const auto point = glm::dvec3(instance.place * glm::dvec4(mesh.vertices[index], 1));
-                    box.lo = glm::min(box.lo, point);
-                    box.hi = glm::max(box.hi, point);
-                }
+                for (const std::uint32_t index : triangle.vertex) box.add(times_[0][i], mesh.vertices[index]);
         }
-        bounds_ = {glm::min(box.lo, eye_), glm::max(box.hi, eye_)};
+        for (const glm::dvec3& eye : eyes_) box.add(glm::dmat4(1), eye);
+        bounds_ = {box.lo, box.hi};
+    }
+
+    struct Growing {
+        glm::dvec3 lo{std::numeric_limits<double>::infinity()}, hi{-std::numeric_limits<double>::infinity()};
+        void add(const glm::dmat4& place, const glm::dvec3& p) {
+            const auto point = glm::dvec3(place * glm::dvec4(p, 1));
+            lo = glm::min(lo, point);
+            hi = glm::max(hi, point);
+        }
+    };
+    /// Of a mesh's bounds: they hold it, and so do their images.
+    const std::array<glm::dvec3, 8>& corners_of(std::uint32_t number) {
+        const auto [found, is_new] = corners_.try_emplace(number);
+        if (!is_new) return found->second;
+        const SharedMesh& mesh = *parts_.meshes[number];
+        Growing box;
+        for (const Triangle& triangle : mesh.triangles)
+            for (const std::uint32_t index : triangle.vertex) box.add(glm::dmat4(1), mesh.vertices[index]);
+        std::array<glm::dvec3, 8>& corners = found->second;
+        for (int c = 0; c < 8; ++c)
+            for (int k = 0; k < 3; ++k) corners[std::size_t(c)][k] = c >> k & 1 ? box.hi[k] : box.lo[k];
+        return corners;
     }
 
     Lattice scene_lattice(double margin) const {
@@ -88,10 +241,10 @@ private:
         if (margin > 0)
             for (glm::dvec3& corner : corners.vertices) corner = middle + room * (corner - middle);
         corners.triangles = {{{0, 1, 1}, 0}};
-        return fit_lattice(corners, eye_, config_.coord_bits);
+        return fit_lattice(corners, eyes_[0], config_.coord_bits);
     }
 
-    /// All of it; returns by how many steps boxes reach beyond what a node can say.
+    /// All of it; returns by how many steps boxes reach beyond what a node can say, at the worst time.
     double map(double margin) {
         maps_ = {};
         maps_.lattice = scene_lattice(margin);
@@ -99,32 +252,49 @@ private:
         make_lattices();
         double beyond = 0;
         for (std::size_t i = 0; i < parts_.instances.size(); ++i)
-            beyond = std::max(beyond, map_one(i, maps_.instances[i], seen_[i]));
+            for (std::size_t t = moves_[i] ? times_.size() : 1; t-- > 0;)   // the first time is what stays
+                beyond = std::max(beyond, map_one(i, t));
         return beyond;
     }
 
+    double map_one(std::size_t i, std::size_t t) {
+        InstanceMap& map = maps_.instances[i];
+        const MeshClass& made = maps_.classes[map.mesh_class];
+        const Fitted fitted = fit(seen_at(i, t), made, config_, moves_[i] || is_large_);
+        map = fitted.map;
+        map.mesh_class = class_[i];
+        if (fitted.stretched && !is_out_[i]) is_out_[i] = written_out_ = true;
+        return fitted.stretched ? 0 : fitted.beyond;
+    }
+
+    Seen seen_at(std::size_t i, std::size_t t) const {
+        return seen_from(is_out_[i] ? glm::dmat4(1) : times_[t][i], maps_.lattice);
+    }
+
     void sort_into_classes() {
-        seen_.clear();
         needs_.clear();
+        class_.clear();
         std::vector<std::vector<std::uint32_t>> of_mesh(parts_.meshes.size());
         for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
             const Instance& instance = parts_.instances[i];
-            Seen seen = seen_from(instance.place, maps_.lattice);
-            if (!is_usable(seen)) is_out_[i] = true;
-            if (is_out_[i]) seen = seen_from(glm::dmat4(1), maps_.lattice);
-            seen_.push_back(seen);
+            const std::size_t times = moves_[i] ? times_.size() : 1;
+            for (std::size_t t = 0; t < times; ++t)
+                if (!is_usable(seen_at(i, t))) is_out_[i] = true;
+            Needs own = needs_of(seen_at(i, 0));
+            for (std::size_t t = 1; t < times; ++t) add(own, needs_of(seen_at(i, t)));
             std::vector<std::uint32_t>& known = of_mesh[instance.mesh];
             const auto found =
                 is_out_[i] ? known.end() : std::find_if(known.begin(), known.end(), [&](std::uint32_t c) {
-                    return fits(needs_[c], seen);
+                    return fits(needs_[c], own);
                 });
             const std::uint32_t at = found != known.end() ? *found : std::uint32_t(needs_.size());
             if (found == known.end()) {
                 if (!is_out_[i]) known.push_back(at);
-                needs_.push_back({seen.step, seen.step, seen.middle, seen.middle, true, seen});
-                maps_.classes.push_back({instance.mesh, is_out_[i] ? instance.place : glm::dmat4(1), {}, {}});
+                needs_.push_back(own);
+                maps_.classes.push_back({instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}});
             }
-            add(needs_[at], seen);
+            add(needs_[at], own);
+            class_.push_back(at);
             maps_.instances.push_back({at, {}, {}, false, 0, {}});
         }
     }
@@ -135,17 +305,23 @@ private:
                glm::all(glm::lessThan(glm::abs(seen.middle), glm::dvec3(most)));
     }
 
-    static bool fits(const Needs& needs, const Seen& seen) {
-        const glm::dvec3 least = glm::min(needs.least, seen.step), most = glm::max(needs.most, seen.step);
+    Needs needs_of(const Seen& seen) const {
+        return {seen.step, seen.step, seen.middle - largest_ * seen.step, seen.middle + largest_ * seen.step, true,
+                seen};
+    }
+
+    static bool fits(const Needs& needs, const Needs& more) {
+        const glm::dvec3 least = glm::min(needs.least, more.least), most = glm::max(needs.most, more.most);
         return glm::all(glm::lessThanEqual(most, 2.0 * least));
     }
 
-    void add(Needs& needs, const Seen& seen) const {
-        needs.is_one = needs.is_one && seen.middle == needs.seen.middle && seen.step == needs.seen.step;
-        needs.least = glm::min(needs.least, seen.step);
-        needs.most = glm::max(needs.most, seen.step);
-        needs.lo = glm::min(needs.lo, seen.middle - largest_ * seen.step);
-        needs.hi = glm::max(needs.hi, seen.middle + largest_ * seen.step);
+    static void add(Needs& needs, const Needs& more) {
+        needs.is_one = needs.is_one && more.is_one && more.seen.middle == needs.seen.middle &&
+                       more.seen.step == needs.seen.step;
+        needs.least = glm::min(needs.least, more.least);
+        needs.most = glm::max(needs.most, more.most);
+        needs.lo = glm::min(needs.lo, more.lo);
+        needs.hi = glm::max(needs.hi, more.hi);
     }
 
     /// The smallest lattice that covers what all members see; to the bit theirs, if all see the same.
@@ -164,82 +340,23 @@ private:
                 if (is_used[i]) made.points.push_back(snapped_corner(made, mesh, std::uint32_t(i)));
             std::sort(made.points.begin(), made.points.end());
             made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());
+            made.reach = reach_of(made);
         }
-    }
-
-    /// Returns by how many steps its box reaches beyond what a node can say.
-    double map_one(std::size_t number, InstanceMap& map, const Seen& seen) {
-        const MeshClass& made = maps_.classes[map.mesh_class];
-        const int frac = config_.map_frac();
-        const std::int64_t one = std::int64_t(1) << frac;
-        map.is_whole = true;
-        glm::dmat3 linear;   // as stored
-        glm::dvec3 moved;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double unit = std::ldexp(1, frac) / made.lattice.pitch[int(i)];
-            std::array<double, 3> exact;
-            std::int64_t sum = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                exact[k] = seen.row[i][int(k)] * unit;
-                sum += std::abs(std::llround(exact[k]));
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double entry = sum > one ? std::trunc(exact[k]) : std::round(exact[k]);
-                map.a[3 * i + k] = std::int32_t(entry);
-                linear[int(k)][int(i)] = std::ldexp(entry, -frac);
-                map.is_whole = map.is_whole && map.a[3 * i + k] % one == 0;
-            }
-            map.b[i] = std::llround((seen.middle[int(i)] - made.lattice.centre[int(i)]) * unit);
-            moved[int(i)] = std::ldexp(double(map.b[i]), -frac);
-            map.is_whole = map.is_whole && map.b[i] % one == 0;
-        }
-        return place_box(number, made.points, linear, moved, map);
-    }
-
-    /// The box of the mesh's corners as the stored map places them, with what a hit may be off around each:
-    /// a triangle lies within its corners' box, and so do the triangle's points, each with that around it.
-    double place_box(std::size_t number, const std::vector<Vec3i>& points, const glm::dmat3& linear,
-                     const glm::dvec3& moved, InstanceMap& map) {
-        const glm::dmat3 back = glm::inverse(linear);
-        glm::dvec3 reach(0);   // of a step in the mesh
-        for (int i = 0; i < 3; ++i)
-            reach[i] = std::abs(back[0][i]) + std::abs(back[1][i]) + std::abs(back[2][i]);
-        const double stretch = std::max({reach.x, reach.y, reach.z});   // alpha
-        const double shortest = std::ldexp(1, config_.dir_bits - 2);    // of a direction's largest component
-        if (!(stretch <= most_stretch)) {
-            is_out_[number] = written_out_ = true;
-            return 0;
-        }
-        const double last = (2 * largest_ + 1.25 * stretch + 1) / (shortest - stretch / 2);
-        map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
-        constexpr double far = std::numeric_limits<double>::infinity();
-        glm::dvec3 lo(far), hi(-far);
-        for (const Vec3i& point : points) {
-            const glm::dvec3 placed = back * (glm::dvec3(point[0], point[1], point[2]) - moved);
-            lo = glm::min(lo, placed);
-            hi = glm::max(hi, placed);
-        }
-        const double slack = map.is_whole ? 0 : 1.0 / 64;   // of double arithmetic here
-        double beyond = 0;
-        for (int i = 0; i < 3; ++i) {
-            const double least = std::floor(lo[i] - reach[i] * map.off - slack),
-                         most = std::ceil(hi[i] + reach[i] * map.off + slack);
-            beyond = std::max({beyond, -(largest_ + 1) - least, most - (largest_ + 1)});
-            map.box.lo[std::size_t(i)] = std::int32_t(least);
-            map.box.hi[std::size_t(i)] = std::int32_t(most);
-        }
-        return beyond;
     }
 
     const LevelParts& parts_;
-    const glm::dvec3 eye_;
+    std::span<const Places> times_;
+    std::span<const glm::dvec3> eyes_;
     const Config& config_;
     const double largest_;       // L
     std::vector<bool> is_out_;   // by instance: it is written out
+    std::vector<bool> moves_;
+    bool is_large_ = false;
+    std::map<std::uint32_t, std::array<glm::dvec3, 8>> corners_;   // by mesh
     bool written_out_ = false;   // one more was found
     Bounds bounds_;
     LevelMaps maps_;
-    std::vector<Seen> seen_;
+    std::vector<std::uint32_t> class_;
     std::vector<Needs> needs_;
 };
 
@@ -249,8 +366,36 @@ Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_
     return made.lattice.snap(glm::dvec3(made.before * glm::dvec4(mesh.vertices[index], 1)));
 }
 
+double CornerReach::along(const glm::dvec3& d) const {
+    const glm::dvec3 size = glm::abs(d);
+    double least = std::min(glm::dot(size, half), ball * std::sqrt(glm::dot(d, d)));
+    for (int k = 0; k < 3; ++k) {
+        const double y = d[(k + 1) % 3], z = d[(k + 2) % 3];
+        least = std::min(least, size[k] * half[k] + disc[k] * std::sqrt(y * y + z * z));
+    }
+    return least;
+}
+
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config) {
-    return Mapper(parts, eye, config).run();
+    Places places;
+    for (const Instance& instance : parts.instances) places.push_back(instance.place);
+    Mapper mapper(parts, std::span(&places, 1), std::span(&eye, 1), config);
+    mapper.run();
+    return mapper.take();
+}
+
+std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Places> times,
+                                    std::span<const glm::dvec3> eyes, const Config& config) {
+    Mapper mapper(parts, times, eyes, config);
+    if (!mapper.run()) return {};
+    return mapper.take();
+}
+
+InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps, const Config& config) {
+    const MeshClass& made = maps.classes[mesh_class];
+    InstanceMap map = fit(seen_from(place, maps.lattice), made, config, true).map;
+    map.mesh_class = mesh_class;
+    return map;
 }
 
 }   // namespace rayclock

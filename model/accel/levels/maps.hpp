@@ -1,5 +1,7 @@
 #pragma once
 // The lattices of a scene of instances, and their maps: docs/motion.md has the rules and the proofs.
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "model/accel/memory_image.hpp"
@@ -14,6 +16,16 @@ struct LevelParts {
     std::vector<Instance> instances;   ///< in the order of their primitives' numbers; `mesh` is of `meshes`
 };
 
+/// Solids that hold all corners of a class, whose extent along any direction is soon told: a box, a ball, and three
+/// discs as thick as the box. In steps of the lattice times its pitches, about `middle`.
+struct CornerReach {
+    glm::dvec3 middle{0}, half{0}, disc{0};   ///< disc: the radius about each axis
+    double ball = 0;
+
+    /// The most that a corner lies from the middle along a direction, times its length.
+    double along(const glm::dvec3& direction) const;
+};
+
 /// Instances of one mesh that share a lattice, and so a lower structure: none sees the scene's lattice more
 /// than twice as large as another on any axis. Or one that no map could place well: it is written out, its
 /// mesh moved to its place beforehand, and its map is the identity.
@@ -22,6 +34,7 @@ struct MeshClass {
     glm::dmat4 before{1};   ///< the identity, or the place of what is written out
     Lattice lattice;
     std::vector<Vec3i> points;   ///< its corners on the lattice, each once
+    CornerReach reach;
 };
 
 struct InstanceMap {
@@ -47,5 +60,16 @@ Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_
 constexpr double most_stretch = 32;
 
 LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Config& config);
+
+/// Where all instances of LevelParts stand at one time.
+using Places = std::vector<glm::dmat4>;
+
+/// Lattices and classes that serve all of an animation's times: places and eyes of each. Boxes are those of the first
+/// time. Nothing if an instance that moves would have to be written out. The first eye is a lattice point.
+std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Places> times,
+                                    std::span<const glm::dvec3> eyes, const Config& config);
+
+/// The map of an instance of a class where it stands at one of these times.
+InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps, const Config& config);
 
 }   // namespace rayclock

@@ -114,6 +114,15 @@ MeshWriter begin_gears(Scene& scene, std::uint64_t vertices, std::uint64_t trian
     return mesh;
 }
 
+/// A gear about the origin.
+SharedMesh one_gear(const GearShape& shape) {
+    Scene alone;
+    MeshWriter writer(alone);
+    writer.reserve(2 * corners, {.triangles = triangles_per_gear}, false);
+    gear(writer, shape, glm::dvec3(0), 0);
+    return {"gear", std::move(alone.vertices), {}, std::move(alone.triangles)};
+}
+
 /// Of each gear in turn: its centre, how far it is turned, its material.
 template <class See> void each_gear(int size, const GearShape& shape, const See& see) {
     for (int z = 0; z < size; ++z)
@@ -145,15 +154,43 @@ Scene make_gears(int size) {
     return scene;
 }
 
+std::uint64_t clockwork_triangles(int size) {
+    const auto n = static_cast<std::uint64_t>(size);
+    return n * n * triangles_per_gear + 2;
+}
+
+PlacedScene make_clockwork(int size) {
+    PlacedScene scene;
+    begin_gears(scene.own, 0, 0);
+    const GearShape shape(size);
+    scene.meshes.push_back(one_gear(shape));
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const double r = shape.spacing, sense = (x + y) % 2 == 0 ? 1 : -1;
+            const auto number = static_cast<std::uint32_t>(scene.instances.size());
+            MotionNode node{.name = "gear " + std::to_string(x) + " " + std::to_string(y)};
+            node.is_parts = true;
+            node.translate = {-1 + r + 1.9 * r * x, -1 + r + 1.9 * r * y, 0.8};
+            for (int quarter = 0; quarter <= 4; ++quarter) {   // once round in four seconds
+                node.turns.times.push_back(quarter);
+                node.turns.values.push_back(glm::angleAxis(std::numbers::pi / 36 * ((x + y) % 2) +
+                                                               sense * std::numbers::pi / 2 * quarter,
+                                                           glm::dvec3(0, 0, 1)));
+            }
+            scene.instances.push_back({node.name, 0, glm::dmat4(1), number + 1});   // 0 is the ground
+            scene.own.materials.push_back(gear_material(x, y, 0));
+            scene.motion.hung.push_back({number, number, glm::dmat4(1)});
+            scene.motion.nodes.push_back(std::move(node));
+        }
+    pose(scene, 0);
+    return scene;
+}
+
 PlacedScene make_gearbox(int size) {
     PlacedScene scene;
     begin_gears(scene.own, 0, 0);
     const GearShape shape(size);
-    Scene alone;
-    MeshWriter writer(alone);
-    writer.reserve(2 * corners, {.triangles = triangles_per_gear}, false);
-    gear(writer, shape, glm::dvec3(0), 0);
-    scene.meshes.push_back({"gear", std::move(alone.vertices), {}, std::move(alone.triangles)});
+    scene.meshes.push_back(one_gear(shape));
     each_gear(size, shape, [&](const glm::dvec3& centre, double phase, Material material) {
         const glm::dmat4 place = glm::rotate(glm::translate(glm::dmat4(1), centre), phase, {0, 0, 1});
         scene.instances.push_back(

@@ -20,6 +20,15 @@ std::uint64_t gears_triangles(int size);
 Scene make_gears(int size);
 PlacedScene make_gearbox(int size);   ///< the same, of one gear
 
+// Scenes that move, for some seconds and then again from the beginning; each of instances of few meshes.
+
+std::uint64_t clockwork_triangles(int size);
+PlacedScene make_clockwork(int size);   ///< a wall of size * size gears that turn each other, over a ground
+std::uint64_t crowd_triangles(int size);
+PlacedScene make_crowd(int size);   ///< size * size walkers of five parts each; the camera goes along
+std::uint64_t flight_triangles(int size);
+PlacedScene make_flight(int size);   ///< so many mirror balls that are thrown over a ground; a light goes round
+
 PrimitiveCounts mount_counts(int size, Primitives primitives);
 Scene make_mount(int size, Primitives primitives);
 

@@ -22,6 +22,13 @@ double grid_line(int k) {
 
 glm::dvec3 unit(const glm::dvec3& v) { return v / glm::length(v); }
 
+// Two rounds of multiply and fold (Wellons 2018, "Prospecting for hash functions", lowbias32).
+double chance(std::uint32_t i) {
+    i = (i ^ i >> 16) * 0x7feb352du;
+    i = (i ^ i >> 15) * 0x846ca68bu;
+    return double((i ^ i >> 16) >> 8) / (1 << 24);
+}
+
 std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions) {
     std::vector<Light> lights;
     for (const glm::dvec3& position : positions)

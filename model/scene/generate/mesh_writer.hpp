@@ -60,6 +60,9 @@ private:
 
 glm::dvec3 unit(const glm::dvec3& v);
 
+/// Numbers from 0 to below 1 that look like chance, the same everywhere.
+double chance(std::uint32_t i);
+
 /// White lights of strength 1/sqrt(n) each (spd.md 2.2).
 std::vector<Light> white_lights(std::initializer_list<glm::dvec3> positions);
 

@@ -1,0 +1,40 @@
+#pragma once
+// What simulate, verify and render do with the frames of a film beside running them: pictures, the reference's error,
+// and the report of all frames.
+#include "sim/film/film.hpp"
+#include "sim/report/json.hpp"
+
+namespace rayclock {
+
+/// What is known of the frames beside their runs.
+struct FilmStrip {
+    bool moves = false;
+    double fps = 0;
+    std::vector<double> times;   ///< seconds of the scene
+    std::vector<double> psnr;    ///< of the model's picture beside the reference's, dB, if it was asked for
+    std::string folder;          ///< of numbered pictures; empty: there are none
+};
+
+struct StripOptions {
+    int threads = 0;
+    std::string folder;
+    bool compares = false;   ///< every frame with the reference's
+};
+
+/// Records all frames. Of a scene that moves, and has more frames than one, it writes the pictures and compares them.
+FilmStrip record_film(Film& film, const StripOptions& options, const Progress& progress,
+                      std::vector<FrameTrace>& traces);
+
+/// Fails early (UserError) if the frames could not be written.
+void check_film_folder(const std::string& folder, std::size_t frames);
+/// Joins the pictures and says so, unless `quiet`.
+void finish_film(const FilmStrip& strip, bool quiet);
+
+/// A row for each frame, then the least, mean and most; empty if nothing moves. At the first clock.
+std::string film_table(const Config& config, const std::vector<ClockRun>& runs, const FilmStrip& strip,
+                       const std::vector<FrameTrace>& traces);
+/// The same for each clock; null if nothing moves.
+nlohmann::ordered_json film_json(const Config& config, const std::vector<ClockRun>& runs, const FilmStrip& strip,
+                                 const std::vector<FrameTrace>& traces);
+
+}   // namespace rayclock

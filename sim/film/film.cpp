@@ -1,0 +1,164 @@
+#include "sim/film/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "model/base/error.hpp"
+#include "model/base/stopwatch.hpp"
+
+namespace rayclock {
+namespace {
+
+/// The image, as the words that differ from those that the memory holds.
+void take_differences(const MemoryImage& image, const std::vector<std::uint32_t>& held, Upload& upload) {
+    upload.image_lines = image.lines();
+    for (std::uint32_t i = 0; i < image.lines(); ++i) {
+        const std::uint32_t* const line = image.line(i);
+        const bool is_there = std::size_t(i + 1) * 16 <= held.size();
+        if (is_there && std::equal(line, line + 16, &held[std::size_t(i) * 16])) continue;
+        upload.lines.push_back(i);
+        upload.words.insert(upload.words.end(), line, line + 16);
+    }
+}
+
+MemoryImage without_words(const MemoryImage& image) {
+    MemoryImage shape;
+    shape.lattice = image.lattice;
+    shape.surfaces = image.surfaces;
+    shape.primitives = image.primitives;
+    shape.listed = image.listed;
+    shape.report = image.report;
+    return shape;
+}
+
+}   // namespace
+
+Camera panned(const Camera& camera, double pan, int i) {
+    if (i == 0 || pan == 0) return camera;
+    // Rodrigues' rotation of the view direction about the up axis.
+    const double angle = pan * i * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const glm::dvec3 axis = glm::normalize(camera.up), view = camera.at - camera.eye;
+    Camera turned = camera;
+    turned.at = camera.eye + view * c + glm::cross(axis, view) * s + axis * glm::dot(axis, view) * (1 - c);
+    return turned;
+}
+
+Film::Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
+           const Progress& progress, bool for_chip)
+    : request_(std::move(request)),
+      pan_(options.pan),
+      size_(size),
+      progress_(progress),
+      for_chip_(for_chip),
+      first_camera_(*request_.scene.camera) {
+    Scene& scene = request_.scene;
+    moves_ = scene.placed && !scene.placed->motion.empty();
+    times_ = frame_times(options, moves_);
+    if (options.uploads != "between" && options.uploads != "double")
+        throw UserError(fmt::format("--uploads must be between or double, not '{}'", options.uploads));
+    is_double_ = moves_ && options.uploads == "double";
+    if (!moves_) return;
+    placed_ = *scene.placed;
+    placed_.own.name = scene.name;
+    placed_.own.materials = scene.materials;   // the picture's settings may have changed them
+    if (placed_.own.lights.empty()) placed_.own.lights = scene.lights;
+    camera_moves_ = !placed_.motion.camera.empty() && !view_is_asked;
+    if (!for_chip) return;
+    if (request_.config.has_instances()) prepare_levels();
+    if (is_double_ && !levels_)
+        throw UserError(
+            "--uploads double needs a scene's tree apart from what does not move: levels=2, and instances that "
+            "are not sheared or flattened");
+}
+
+Camera Film::camera_of(std::size_t f, const std::optional<Camera>& moving) const {
+    return panned(camera_moves_ && moving ? *moving : first_camera_, pan_, int(f));
+}
+
+/// Goes through all times once, because the lattice must cover them all.
+void Film::prepare_levels() {
+    std::vector<Places> times;
+    std::vector<glm::dvec3> eyes;
+    for (std::size_t f = 0; f < frames(); ++f) {
+        pose(placed_, times_.times[f]);
+        times.push_back(places_of(placed_));
+        eyes.push_back(camera_of(f, placed_.own.camera).eye);
+    }
+    levels_ = MovingLevels::make(placed_, times, eyes, is_double_ ? 2 : 1, request_.config);
+}
+
+void Film::pose_at(std::size_t f) {
+    pose(placed_, times_.times[f]);
+    request_.scene.camera = camera_of(f, placed_.own.camera);
+    request_.scene.lights = placed_.own.lights;
+    is_stale_ = true;
+}
+
+const Request& Film::request() {
+    if (!is_stale_) return request_;
+    const Camera camera = *request_.scene.camera;
+    Scene flat = flat_copy(placed_);
+    flat.camera = camera;
+    request_.scene = std::move(flat);
+    is_stale_ = false;
+    return request_;
+}
+
+void Film::next() {
+    const std::size_t f = frame_++;
+    upload_ = {};
+    if (!moves_) {
+        request_.scene.camera = panned(first_camera_, pan_, int(f));
+        if (!for_chip_) return;
+        if (f == 0)
+            job_ = make_job(request_.scene, camera(), size_, request_.config, progress_, request_.settings);
+        job_.frame = job_frame(job_, camera());
+        return;
+    }
+    pose_at(f);
+    if (!for_chip_) return;
+    if (!levels_) return next_whole();
+    upload_ = levels_->next(places_of(placed_));
+    if (f == 0) {
+        check_frame_size(size_);
+        job_.config = request_.config;
+        job_.image = levels_->image();
+        job_.size = size_;
+        check_capacity(job_.image, job_.config);
+    } else {
+        apply(upload_, job_.image);
+    }
+    job_.mirrored = mirrored_primitives(placed_);
+    job_.frame = job_frame(job_, camera());
+    job_.frame.root = levels_->root();
+}
+
+/// Compiles the scene as if there had been no frame before.
+void Film::next_whole() {
+    const std::vector<std::uint32_t> held = std::move(job_.image.words);
+    request();
+    const Stopwatch watch;
+    request_.scene.placed = std::make_shared<const PlacedScene>(placed_);
+    job_ = make_job(request_.scene, camera(), size_, request_.config, progress_, request_.settings);
+    request_.scene.placed.reset();
+    upload_.image = without_words(job_.image);
+    take_differences(job_.image, held, upload_);
+    upload_.is_whole = true;
+    upload_.nodes = job_.image.report.nodes;
+    upload_.instances = placed_.instances.size();
+    upload_.resets = frame_ > 1 && !upload_.lines.empty();
+    upload_.seconds = watch.seconds();
+}
+
+FrameTrace Film::record(int threads, const Progress& progress) {
+    FrameTrace trace = record_frame(job_, job_.frame, threads, progress);
+    trace.upload = take_upload();
+    return trace;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,144 @@
+#include "sim/load/gltf_motion.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "sim/load/json_motion.hpp"
+
+namespace rayclock {
+namespace {
+
+/// One animation of the document.
+class AnimationReader {
+public:
+    AnimationReader(const JsonValue& document, const JsonValue& animation, GltfBuffers& buffers)
+        : document_(document), in_(animation), buffers_(buffers) {}
+
+    std::map<std::uint64_t, GltfTracks> read() {
+        const JsonValue channels = in_.at("channels").array();
+        for (std::size_t i = 0; i < channels.size(); ++i) channel(channels[i]);
+        return std::move(tracks_);
+    }
+    std::uint64_t weights() const { return weights_; }
+
+private:
+    void channel(const JsonValue& in) {
+        const JsonValue target = in.at("target");
+        const std::string path = target.at("path").string();
+        if (path == "weights") return void(++weights_);
+        const auto node = target.find("node");
+        if (!node) return;   // of an extension
+        const JsonValue samplers = in_.at("samplers").array();
+        const JsonValue sampler = samplers[in.at("sampler").whole(samplers.size())];
+        const std::uint64_t nodes = document_.find("nodes") ? document_.at("nodes").array().size() : 0;
+        GltfTracks& own = tracks_[node->whole(nodes)];
+        if (path == "translation")
+            fill(target, sampler, own.translates, 3, [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
+        else if (path == "scale")
+            fill(target, sampler, own.scales, 3, [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
+        else if (path == "rotation")
+            fill(target, sampler, own.turns, 4, [](const double* v) { return glm::dquat(v[3], v[0], v[1], v[2]); });
+        else
+            target.at("path").expected("translation, rotation, scale or weights");
+        check_values(sampler, own);
+    }
+
+    template <class Value, class Read>
+    void fill(const JsonValue& target, const JsonValue& sampler, Track<Value>& track, std::uint64_t width,
+              const Read& read) {
+        if (!track.empty()) target.refuse("is moved by a channel before this one as well");
+        track.between = between_of(sampler);
+        track.times = times_of(sampler);
+        const std::uint64_t accessor = number_of(sampler, "output");
+        const std::vector<double> numbers = buffers_.read(accessor, width);
+        const std::size_t each = track.between == Between::cubic ? 3 : 1;
+        if (numbers.size() != track.times.size() * each * width)
+            sampler.refuse(fmt::format("has {} values for {} times", numbers.size() / width, track.times.size()));
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (!std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e30)
+                document_.at("accessors")[accessor].refuse(
+                    fmt::format("has {} at element {}, which moves a node too far", numbers[i], i / width));
+        for (std::size_t i = 0; i < numbers.size(); i += width) track.values.push_back(read(&numbers[i]));
+    }
+
+    static Between between_of(const JsonValue& sampler) {
+        const auto typed = sampler.find("interpolation");
+        if (!typed || typed->string() == "LINEAR") return Between::linear;
+        if (typed->string() == "STEP") return Between::step;
+        if (typed->string() != "CUBICSPLINE") typed->expected("LINEAR, STEP or CUBICSPLINE");
+        return Between::cubic;
+    }
+
+    std::vector<double> times_of(const JsonValue& sampler) {
+        const std::uint64_t accessor = number_of(sampler, "input");
+        std::vector<double> times = buffers_.read(accessor, 1);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const bool is_good = times[i] >= 0 && times[i] <= latest_time && (i == 0 || times[i] > times[i - 1]);
+            if (!is_good)
+                document_.at("accessors")[accessor].refuse(
+                    fmt::format("has the time {} at element {}; times of keys rise from 0 on, up to {:.0f} s", times[i],
+                                i, latest_time));
+        }
+        return times;
+    }
+
+    std::uint64_t number_of(const JsonValue& sampler, const char* key) const {
+        return sampler.at(key).whole(document_.at("accessors").array().size());
+    }
+
+    /// No key flattens a mesh, and every rotation is one.
+    static void check_values(const JsonValue& sampler, const GltfTracks& own) {
+        const auto each = [&](const auto& track, const auto& is_bad, const char* what) {
+            const std::size_t width = track.between == Between::cubic ? 3 : 1;
+            for (std::size_t k = 0; k < track.times.size(); ++k)
+                if (is_bad(track.values[width * k + width / 2]))
+                    sampler.refuse(fmt::format("has a {} at {} s", what, track.times[k]));
+        };
+        each(own.scales, [](const glm::dvec3& s) { return is_singular(glm::scale(glm::dmat4(1), s)); },
+             "scale that flattens its mesh, or blows it up,");
+        each(own.turns, [](const glm::dquat& q) { return !(glm::dot(q, q) > 0.25 && glm::dot(q, q) < 4); },
+             "rotation that is far from a unit quaternion");
+    }
+
+    const JsonValue& document_;
+    JsonValue in_;
+    GltfBuffers& buffers_;
+    std::map<std::uint64_t, GltfTracks> tracks_;
+    std::uint64_t weights_ = 0;
+};
+
+}   // namespace
+
+std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers, Loading& loading,
+                                                const std::string& file) {
+    const auto list = document.find("animations");
+    if (!list || list->array().size() == 0) return {};
+    if (list->size() > 1) loading.note(file, counted(list->size() - 1, "animation") + " beside the first left out");
+    AnimationReader reader(document, (*list)[0], buffers);
+    std::map<std::uint64_t, GltfTracks> tracks = reader.read();
+    if (reader.weights() > 0)
+        loading.note(file, counted(reader.weights(), "channel") + " that moves morph targets left out");
+    return tracks;
+}
+
+MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks) {
+    MotionNode node{.name = in.where(), .matrix = matrix};
+    if (!tracks) return node;
+    if (in.find("matrix")) in.refuse("has a matrix, and an animation moves its parts");
+    node.is_parts = true;
+    if (const auto move = in.find("translation")) node.translate = move->triple();
+    if (const auto scale = in.find("scale")) node.scale = scale->triple();
+    if (const auto turn = in.find("rotation"))
+        node.turn = glm::normalize(
+            glm::dquat((*turn)[3].number(), (*turn)[0].number(), (*turn)[1].number(), (*turn)[2].number()));
+    node.translates = tracks->translates;
+    node.scales = tracks->scales;
+    node.turns = tracks->turns;
+    for (glm::dquat& turn : node.turns.values)
+        if (node.turns.between != Between::cubic) turn = glm::normalize(turn);
+    return node;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,26 @@
+// Nodes of a glTF document that an animation moves.
+#pragma once
+#include <map>
+
+#include "model/scene/motion.hpp"
+#include "sim/files/json_value.hpp"
+#include "sim/load/gltf_buffers.hpp"
+#include "sim/load/loading.hpp"
+
+namespace rayclock {
+
+/// Tracks of a node, and where the file says so.
+struct GltfTracks {
+    Track<glm::dvec3> translates, scales;
+    Track<glm::dquat> turns;
+};
+
+/// The tracks of the document's first animation, by node. What is left out is noted: other animations, and weights of
+/// morph targets. Throws UserError.
+std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers, Loading& loading,
+                                                const std::string& file);
+
+/// A node of the document as a node of ours, with its tracks if it has any. `matrix` is gltf_transform() of it.
+MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks);
+
+}   // namespace rayclock

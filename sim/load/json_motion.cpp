@@ -1,0 +1,133 @@
+#include "sim/load/json_motion.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "sim/load/json_parts.hpp"
+
+namespace rayclock {
+namespace {
+
+/// Times of all keys: they rise, and there are two or more, so no motion has the length 0.
+std::vector<double> times_of(const JsonValue& keyframes) {
+    if (keyframes.array().size() < 2)
+        keyframes.refuse(fmt::format("has {} key{}; a motion needs two or more, or its length is 0", keyframes.size(),
+                                     keyframes.size() == 1 ? "" : "s"));
+    std::vector<double> times;
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        const JsonValue time = keyframes[i].object().at("time");
+        const double t = time.number();
+        if (!(t >= 0 && t <= latest_time)) time.expected(fmt::format("a time within 0 and {:.0f} s", latest_time));
+        if (!times.empty() && !(t > times.back()))
+            time.refuse(fmt::format("is {}, but keys stand in the order of their times, and the one before is at {}", t,
+                                    times.back()));
+        times.push_back(t);
+    }
+    return times;
+}
+
+/// What is said of one key must be said of all.
+void check_alike(const JsonValue& keyframes, std::initializer_list<std::string_view> keys) {
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        keyframes[i].only_keys(keys);
+        for (const std::string_view key : keys)
+            if (keyframes[i].find(key).has_value() != keyframes[0].find(key).has_value())
+                keyframes[i].refuse(fmt::format("and the first key must both have '{}', or neither", key));
+    }
+}
+
+template <class Value, class Read>
+Track<Value> track_of(const JsonValue& keyframes, const std::vector<double>& times, std::string_view key,
+                      const Read& read) {
+    Track<Value> track;
+    if (!keyframes[0].find(key)) return track;
+    track.times = times;
+    for (std::size_t i = 0; i < keyframes.size(); ++i) track.values.push_back(read(keyframes[i].at(key)));
+    return track;
+}
+
+glm::dvec3 triple(const JsonValue& in) { return in.triple(); }
+
+/// Rotations. Between two keys about one axis the angle grows evenly, however far: so there are keys in between, no
+/// more than a quarter of a turn apart, which slerp joins the way that is meant.
+Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>& times) {
+    Track<glm::dquat> track;
+    if (!keyframes[0].find("rotate")) return track;
+    Turn before;
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        const JsonValue in = keyframes[i].at("rotate");
+        const Turn turn = turn_of(in);
+        if (i > 0 && turn.axis == before.axis) {
+            const double far = turn.degrees - before.degrees;
+            if (!(std::abs(far) <= most_degrees))
+                in.at("degrees").refuse(fmt::format("turns by {} from the key before; the most is {:.0f}", far,
+                                                    most_degrees));
+            const int parts = std::max(1, int(std::ceil(std::abs(far) / 90)));
+            for (int k = 1; k < parts; ++k) {
+                const double s = double(k) / parts;
+                track.times.push_back(times[i - 1] + s * (times[i] - times[i - 1]));
+                track.values.push_back(quaternion({turn.axis, before.degrees + s * far}));
+            }
+        }
+        track.times.push_back(times[i]);
+        track.values.push_back(quaternion(turn));
+        before = turn;
+    }
+    return track;
+}
+
+}   // namespace
+
+MotionNode node_of(const JsonValue& keyframes) {
+    MotionNode node;
+    node.name = keyframes.where();
+    const std::vector<double> times = times_of(keyframes);
+    check_alike(keyframes, {"time", "translate", "rotate", "scale", "matrix"});
+    const auto has = [&](std::string_view key) { return keyframes[0].find(key).has_value(); };
+    node.is_parts = !has("matrix");
+    for (const char* key : {"translate", "rotate", "scale"})
+        if (has("matrix") && has(key)) keyframes[0].refuse(fmt::format("has both 'matrix' and '{}'", key));
+    node.matrices = track_of<glm::dmat4>(keyframes, times, "matrix", matrix_of);
+    node.translates = track_of<glm::dvec3>(keyframes, times, "translate", triple);
+    node.turns = turns_of(keyframes, times);
+    node.scales = track_of<glm::dvec3>(keyframes, times, "scale", scale_of);
+    return node;
+}
+
+CameraMotion camera_motion_of(const JsonValue& keyframes, Camera& first) {
+    CameraMotion motion;
+    const std::vector<double> times = times_of(keyframes);
+    check_alike(keyframes, {"time", "eye", "at", "up", "fov_degrees"});
+    std::vector<Camera> cameras;
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        cameras.push_back(camera_of_keys(keyframes[i]));
+        motion.eye.values.push_back(cameras.back().eye);
+        motion.at.values.push_back(cameras.back().at);
+        motion.up.values.push_back(cameras.back().up);
+        motion.fov.values.push_back(cameras.back().fov_degrees);
+    }
+    motion.eye.times = motion.at.times = motion.up.times = motion.fov.times = times;
+    first = cameras.front();
+    return motion;
+}
+
+LightMotion light_motion_of(const JsonValue& keyframes, std::uint32_t number, Light& first) {
+    LightMotion motion;
+    motion.light = number;
+    const std::vector<double> times = times_of(keyframes);
+    check_alike(keyframes, {"time", "position", "colour"});
+    motion.position.times = times;
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        const Light light = light_of_keys(keyframes[i]);
+        motion.position.values.push_back(light.position);
+        if (keyframes[0].find("colour")) motion.colour.values.push_back(light.colour);
+        if (i == 0) first = {light.position, keyframes[0].find("colour") ? light.colour : first.colour};
+    }
+    if (!motion.colour.values.empty()) motion.colour.times = times;
+    return motion;
+}
+
+}   // namespace rayclock

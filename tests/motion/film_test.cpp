@@ -1,0 +1,324 @@
+// Films: the upper structure is made anew for every frame and nothing else, every frame has the hits of its own scene,
+// and model and RTL do the same with the host's writes in between.
+#include <catch2/catch.hpp>
+
+#include <glm/geometric.hpp>
+
+#include "model/base/rng.hpp"
+#include "model/reference/reference.hpp"
+#include "sim/film/film.hpp"
+#include "sim/image/image.hpp"
+#include "sim/lockstep/lockstep.hpp"
+#include "tests/load/files.hpp"
+#include "tests/support/machine/build_all.hpp"
+#include "tests/system/frames.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+Config two(const std::string& name, int interval, const Values& more = {}) {
+    Values values{{"levels", 2}, {"xform_interval", interval}};
+    values.insert(values.end(), more.begin(), more.end());
+    return with(quick_config(name), values);
+}
+
+/// Formats and paths; each its own RTL, and the same as those of two levels elsewhere.
+std::vector<Config> chips() {
+    return {two("default", 2), two("small", 4),
+            two("small", 1, {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
+            two("narrow", 4), two("broad", 2)};
+}
+
+FramesOptions frames_of(int frames, double fps, const std::string& uploads = "between") {
+    FramesOptions o;
+    o.frames = frames;
+    o.fps = fps;
+    o.uploads = uploads;
+    return o;
+}
+
+Film film_of(const std::string& spec, const Config& config, FrameSize size, const FramesOptions& options) {
+    Request request;
+    request.config = config;
+
+    request.scene = load_scene(spec);
+    if (!request.scene.camera) request.scene.camera = fit_camera(request.scene, double(size.width) / size.height);
+    return Film(std::move(request), options, false, size);
+}
+
+struct Recorded {
+    std::vector<FrameTrace> traces;
+    Job job;
+};
+Recorded recorded(Film& film) {
+    Recorded r;
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        r.traces.push_back(film.record(1, {}));
+    }
+    r.job = film.job();
+    return r;
+}
+
+bool same(const std::vector<Closest>& a, const std::vector<Closest>& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].found != b[i].found || a[i].prim != b[i].prim || a[i].t != b[i].t || a[i].u != b[i].u || a[i].v != b[i].v)
+            return false;
+    return true;
+}
+
+}   // namespace
+
+TEST_CASE("the RTL that draws films builds", "[.build]") {
+    std::vector<RtlJob> jobs;
+    for (Config config : chips()) {
+
+        jobs.push_back({"rc_chip", config.name + ", films", config});
+    }
+    REQUIRE_NOTHROW(build_all(jobs));
+}
+
+TEST_CASE("frames of a film write the scene's tree alone, and the uploads in turn give every frame's memory",
+          "[motion][film]") {
+    for (const char* uploads : {"between", "double"}) {
+        INFO(uploads);
+        Film film = film_of("crowd:3", two("default", 2), {32, 24}, frames_of(6, 8, uploads));
+        const Recorded made = recorded(film);
+        const bool is_double = std::string(uploads) == "double";
+        // A memory that holds nonsense where the scene's trees are to lie.
+        MemoryImage image = made.job.image;
+        std::uint32_t most = 0;
+        for (const FrameTrace& trace : made.traces) most = std::max(most, trace.upload.lines.back());
+        std::fill_n(image.words.begin(), std::size_t(most + 1) * 16, 0x5a5a5a5au);
+        const std::vector<std::uint32_t> lower(image.words.begin() + std::ptrdiff_t(most + 1) * 16, image.words.end());
+        CHECK(lower.size() > 3 * 16);
+        for (std::size_t f = 0; f < made.traces.size(); ++f) {
+            const Upload& upload = made.traces[f].upload;
+            INFO("frame " << f);
+            CHECK(upload.instances == (f == 0 ? 0 : 45));
+            CHECK_FALSE(upload.is_whole);
+            CHECK(upload.beside == (is_double && f > 0));
+            // Between frames every tree lies where the last one was read; of two buffers each is read every second
+            // frame, and one reset empties the caches of both.
+            CHECK(upload.resets == (is_double ? f > 0 && f % 2 == 0 : f > 0));
+            CHECK(made.traces[f].frame.root == (is_double && f % 2 ? made.traces[1].frame.root : 0));
+            apply(upload, image);
+            const Trace again = record_trace(image, made.traces[f].frame, made.job.config, 1);
+            CHECK(same(again.hits, made.traces[f].trace.hits));
+        }
+        CHECK(std::equal(lower.begin(), lower.end(), image.words.begin() + std::ptrdiff_t(most + 1) * 16));
+    }
+}
+
+TEST_CASE("a frame does not depend on the frames before it", "[motion][film]") {
+    const Config config = two("default", 2);
+    Film film = film_of("crowd:2", config, {32, 24}, frames_of(5, 6));
+    const Recorded made = recorded(film);
+    PlacedScene scene = make_placed("crowd:2");
+    std::vector<Places> times;
+    std::vector<glm::dvec3> eyes;
+    for (int f = 0; f < 5; ++f) {
+        pose(scene, f / 6.0);
+        times.push_back(places_of(scene));
+        eyes.push_back(scene.own.camera->eye);
+    }
+    for (const std::size_t f : {1, 4}) {
+        const auto alone = MovingLevels::make(scene, times, eyes, 1, config);
+        REQUIRE(alone);
+        alone->next(times[f]);
+        CHECK(same(record_trace(alone->image(), made.traces[f].frame, made.job.config, 1).hits,
+                   made.traces[f].trace.hits));
+    }
+}
+
+TEST_CASE("the solids around a mesh's corners hold them, whichever way it is turned", "[motion][film]") {
+    for (const char* spec : {"clockwork:1", "flight:1", "crowd:1"}) {
+        PlacedScene scene = make_placed(spec);
+        const Places places = places_of(scene);
+        const glm::dvec3 eye = scene.own.camera->eye;
+        const auto levels = MovingLevels::make(scene, std::span(&places, 1), std::span(&eye, 1), 1, two("default", 2));
+        REQUIRE(levels);
+        Rng rng{5};
+        double loosest = 0;
+        for (const MeshClass& made : levels->levels().maps.classes) {
+            if (made.points.size() < 8) continue;
+            for (int i = 0; i < 500; ++i) {
+                const glm::dvec3 d(rng.below(2001) - 1000.0, rng.below(2001) - 1000.0, rng.below(2001) - 1000.0);
+                double most = -1e300;
+                for (const Vec3i& p : made.points)
+                    most = std::max(most, glm::dot(d, glm::dvec3(p[0], p[1], p[2]) * made.lattice.pitch - made.reach.middle));
+                const double said = made.reach.along(d);
+                REQUIRE(most <= said * (1 + 1e-12));
+                loosest = std::max(loosest, said / most);
+            }
+        }
+        CHECK(loosest < 1.6);   // and hold little else
+    }
+}
+
+TEST_CASE("the order of instances changes no hit", "[motion][film]") {
+    const Config config = two("default", 2);
+    PlacedScene scene = make_placed("flight:60"), turned = scene;
+    std::reverse(turned.instances.begin(), turned.instances.end());
+    for (Hung& hung : turned.motion.hung) hung.instance = 59 - hung.instance;
+    const FrameSize size{48, 36};
+    std::vector<std::vector<Closest>> hits;
+    for (PlacedScene* one : {&scene, &turned}) {
+        pose(*one, 1.3);
+        const Places places = places_of(*one);
+        const glm::dvec3 eye = one->own.camera->eye;
+        const auto levels = MovingLevels::make(*one, std::span(&places, 1), std::span(&eye, 1), 1, config);
+        REQUIRE(levels);
+        levels->next(places);
+        hits.push_back(record_trace(levels->image(), make_frame(*one->own.camera, size, levels->image(), config), config, 1).hits);
+    }
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < hits[0].size(); ++i) {
+        const Closest &a = hits[0][i], &b = hits[1][i];
+        REQUIRE(a.found == b.found);
+        if (!a.found) continue;
+        CHECK((a.t == b.t && a.u == b.u && a.v == b.v));
+        const auto number = [](std::uint32_t prim, bool is_turned) {   // 2 triangles of the ground, then 320 a ball
+            if (prim < 2) return prim;
+            const std::uint32_t ball = (prim - 2) / 320;
+            return 2 + (is_turned ? 59 - ball : ball) * 320 + (prim - 2) % 320;
+        };
+        CHECK(number(a.prim, false) == number(b.prim, true));
+        found += a.prim >= 2;
+    }
+    CHECK(found > 100);
+}
+
+TEST_CASE("every frame looks as the reference says that its scene looks", "[motion][film]") {
+    for (const char* spec : {"clockwork:4", "crowd:4", "flight:40"})
+        for (const int levels : {1, 2}) {
+            INFO(spec << ", levels " << levels);
+            Film film = film_of(spec, levels == 2 ? two("default", 2) : named_config("default"), {96, 72}, frames_of(4, 7));
+            Picture before;
+            for (std::size_t f = 0; f < film.frames(); ++f) {
+                film.next();
+                const FrameTrace trace = film.record(1, {});
+                const Scene& scene = film.request().scene;
+                const Picture own = shade(scene, hits_of(film.job(), trace)),
+                              other = shade(scene, Reference(scene).frame(film.camera(), {96, 72}, 1));
+                CHECK(compare(own, other).psnr_db >= 40);
+                if (f > 0) CHECK(compare(own, before).psnr_db < 40);   // something has moved
+                before = own;
+                CHECK(trace.upload.is_whole == (levels == 1));
+            }
+        }
+}
+
+TEST_CASE("a mirrored, sheared and scaled instance moves as its triangles do", "[motion][film]") {
+    const Folder folder;
+    const std::string path = folder.write("odd.json", R"({
+      "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],
+      "meshes": {"b": {"builtin": "icosphere:2"}, "g": {"builtin": "gears:1"}},
+      "objects": [{"mesh": "b", "keyframes": [{"time": 0, "scale": [-1, 0.4, 1.5]}, {"time": 1, "scale": [-0.5, 1, 1]}],
+                   "instances": [{"translate": [1, 1, 0]}, {"matrix": [1, 0.7, 0, -2,  0, 1, 0, -1,  0, 0.3, 1, 0,  0, 0, 0, 1]}]},
+                  {"mesh": "g", "keyframes": [{"time": 0, "matrix": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]},
+                                              {"time": 1, "matrix": [1,0.5,0,1, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}]}]})");
+    Film film = film_of(path, two("default", 2), {96, 72}, frames_of(3, 3));
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        const FrameTrace trace = film.record(1, {});
+        CHECK_FALSE(trace.upload.is_whole);
+        const Scene& scene = film.request().scene;
+        CHECK(compare(shade(scene, hits_of(film.job(), trace)), shade(scene, Reference(scene).frame(film.camera(), {96, 72}, 1)))
+                  .psnr_db >= 40);
+    }
+}
+
+TEST_CASE("what is flattened too much to move as an instance is made anew, and still right", "[motion][film]") {
+    const Folder folder;
+    const std::string path = folder.write("flat.json", R"({
+      "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],
+      "meshes": {"b": {"builtin": "icosphere:2"}},
+      "objects": [{"mesh": "b", "keyframes": [{"time": 0, "matrix": [1, 0, 0, -2,  1, 0.0005, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1]},
+                                              {"time": 1, "matrix": [1, 0, 0, 2,  1, 0.0005, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1]}]}]})");
+    Film film = film_of(path, two("default", 2), {64, 48}, frames_of(3, 3));
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        const FrameTrace trace = film.record(1, {});
+        CHECK(trace.upload.is_whole);
+        const Scene& scene = film.request().scene;
+        CHECK(compare(shade(scene, hits_of(film.job(), trace)), shade(scene, Reference(scene).frame(film.camera(), {64, 48}, 1)))
+                  .psnr_db >= 40);
+    }
+    CHECK_THROWS_WITH(film_of(path, two("default", 2), {64, 48}, frames_of(3, 3, "double")),
+                      Catch::Contains("--uploads double"));
+}
+
+TEST_CASE("model and RTL draw the same film with the writes of the host in between", "[motion][film]") {
+    const Config config = GENERATE(from_range(chips()));
+    for (const char* uploads : {"between", "double"}) {
+        INFO(config.name << ", " << uploads);
+        Film film = film_of("crowd:1", config, {16, 12}, frames_of(4, 4, uploads));
+        const Recorded made = recorded(film);
+        REQUIRE(made.traces[1].upload.lines.size() > 2);
+        CHECK_FALSE(same(made.traces[0].trace.hits, made.traces[1].trace.hits));
+        check_lockstep(made.job, made.traces);
+        check_lockstep(made.job, made.traces, {9, 30, 77}, 77);
+        const std::vector<FrameRun> runs = run_rtl(made.job, made.job.khz, made.traces);
+        const std::vector<FrameTiming> timings = replay(made.job.config, made.job.khz, made.traces);
+        REQUIRE(runs.size() == 4);
+        for (std::size_t f = 0; f < runs.size(); ++f) {
+            CHECK(runs[f].cycles == timings[f].cycles);
+            CHECK(runs[f].upload.cycles == timings[f].upload.cycles);
+            CHECK(runs[f].upload.reset == timings[f].upload.reset);
+            CHECK(runs[f].upload.lines == made.traces[f].upload.lines.size());
+            CHECK(same(runs[f].answers, made.traces[f].trace.hits));
+            CHECK((runs[f].upload.reset > 0) == made.traces[f].upload.resets);
+            if (std::string(uploads) == "between") CHECK(runs[f].upload.cycles >= made.traces[f].upload.lines.size());
+        }
+    }
+}
+
+TEST_CASE("a scene of one level that moves is made anew for every frame, shadows and mirrors with it", "[motion][film]") {
+    Request request;
+    request.scene = load_scene("flight:3");
+    request.settings = {};
+    request.settings.depth = 2;
+    request.config = fitted_config(request.scene, request.settings, named_config("default"));
+    request.finished = true;
+    Film film(request, frames_of(2, 2), false, {16, 12});
+    const Recorded made = recorded(film);
+    CHECK(made.traces[1].upload.is_whole);
+    CHECK(made.traces[1].upload.resets);
+    CHECK(made.traces[0].trace.colours != made.traces[1].trace.colours);
+    // Whatever memory the first frame finds, its upload is the whole image.
+    CHECK(made.traces[0].upload.lines.size() == made.traces[0].upload.image_lines);
+}
+
+TEST_CASE("the times of frames are those that were asked for", "[motion][film]") {
+    FramesOptions o;
+    CHECK(frame_times(o, true).times == std::vector<double>{0});
+    o.frames = 3;
+    CHECK(frame_times(o, true).times == std::vector<double>{0, 0.04, 0.08});
+    o.fps = 2;
+    CHECK(frame_times(o, true).times == std::vector<double>{0, 0.5, 1});
+    o.time = "1.5";
+    CHECK(frame_times(o, true).times == std::vector<double>{1.5, 2, 2.5});
+    o.fps.reset();
+    o.time = "1:4";
+    CHECK(frame_times(o, true).times == std::vector<double>{1, 2, 3});
+    o.frames = 1, o.fps = 2;
+    CHECK(frame_times(o, true).times == std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5});
+    const auto refused = [](int frames, std::optional<double> fps, const std::string& time, const std::string& part) {
+        FramesOptions bad;
+        bad.frames = frames, bad.fps = fps, bad.time = time;
+        CHECK_THROWS_WITH(frame_times(bad, true), Catch::Contains(part));
+    };
+    refused(0, {}, "", "--frames must lie in 1..1000, not 0");
+    refused(1, 0.0, "", "--fps must lie in");
+    refused(1, {}, "2:2", "length 0");
+    refused(1, {}, "3:2", "ends before");
+    refused(1, {}, "x", "is not a time");
+    refused(1, {}, "-1", "is not a time");
+    refused(1, {}, "nan", "is not a time");
+    refused(2, 4.0, "0:1", "say the same twice");
+    refused(1, 1000.0, "0:2", "2000 frames");
+}
