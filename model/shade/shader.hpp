@@ -38,17 +38,34 @@ public:
     /// The same, if somebody else has read the surface: surface_at(line).
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
+        if (wants_surface() && config_->has_homes())
+            in_.placement = unpack<Placement>(image_->line(hit.place), *config_);
         if (watch_) watch_->answered(hit);
         if (is_arrival())
             signature_.met(hit.found ? hit.prim : no_primitive);
         else
             signature_.asked(hit.found != 0);
         if (wants_surface()) in_.surface = surface_at(surface_line());
+        is_placing_ = wants_surface() && config_->has_homes();
         counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
     }
     /// A surface must come before the next pass: its line.
     bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
-    std::uint32_t surface_line() const { return frame_->shade.surfaces + in_.hit.prim; }
+    std::uint32_t surface_line() const {
+        if (config_->has_homes())
+            return (in_.placement.surfaces + in_.hit.prim) & ((1u << config_->addr_bits) - 1);
+        return frame_->shade.surfaces + in_.hit.prim;
+    }
+    /// With two levels the instance comes before the surface: its line.
+    std::uint32_t placement_line() const { return in_.hit.place; }
+    /// For those who see lines come one by one: which is waited for; that it has come, and whether it was the
+    /// surface.
+    std::uint32_t next_line() const { return is_placing_ ? placement_line() : surface_line(); }
+    bool got_line() {
+        const bool was_surface = !is_placing_;
+        is_placing_ = false;
+        return was_surface;
+    }
     Surface surface() const { return unpack<Surface>(image_->line(surface_line()), *config_); }
 
     /// Passes until a ray or the pixel leaves; returns how many.
@@ -77,6 +94,7 @@ private:
     std::vector<Waiting> stack_;
     RayCounts counts_;
     PathSignature signature_;
+    bool is_placing_ = false;   ///< the instance is waited for
 };
 
 /// The slot's ray as raygen would get it from shade.

@@ -1,10 +1,14 @@
 // compile_levels: lattices and maps, a lower structure for each class, the scene's tree above them.
 #include <bit>
+#include <map>
+
+#include <glm/matrix.hpp>
 
 #include "model/accel/collapse.hpp"
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/levels/levels.hpp"
+#include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 
@@ -27,11 +31,13 @@ void check_levels(const PlacedScene& scene, const Config& config, const std::str
 /// The triangles of a mesh that count on a class's lattice, numbered within the mesh.
 std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
     std::vector<PrimData> all;
+    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // turned inside out again
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto corner = [&](std::size_t k) {
             return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
         };
-        const PrimData prim{corner(0), corner(1), corner(2), std::uint32_t(i), 0};
+        const PrimData prim{corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2), std::uint32_t(i),
+                            0};
         if (counts(prim, config)) all.push_back(prim);
     }
     return all;
@@ -39,8 +45,9 @@ std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, con
 
 class LevelsCompiler {
 public:
-    LevelsCompiler(const LevelParts& parts, const Config& config, const std::string& name, LevelsImage& out)
-        : parts_(parts), config_(config), name_(name), out_(out), image_(out.image) {}
+    LevelsCompiler(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
+                   const std::string& name, LevelsImage& out)
+        : parts_(parts), materials_(materials), config_(config), name_(name), out_(out), image_(out.image) {}
 
     void run() {
         std::vector<std::uint32_t> firsts;
@@ -135,12 +142,43 @@ private:
             image_.report.nodes += lowers_[c].report.nodes;
             move_nodes(root);
         }
+        image_.surfaces = image_.lines();
         for (const Placed& placed : placements_) {
             const InstanceMap& map = out_.maps.instances[placed.instance];
-            write_payload(Placement{placed.first, out_.roots[map.mesh_class], map.a, map.b}, config_,
-                          at(placed.line), scratch_);
+            const std::uint32_t surfaces = config_.shading ? surfaces_of(placed.instance) - placed.first : 0;
+            write_payload(Placement{placed.first, out_.roots[map.mesh_class], placed.line,
+                                    surfaces & ((1u << config_.addr_bits) - 1), map.a, map.b},
+                          config_, at(placed.line), scratch_);
             set_line_kind(at(placed.line), LineKind::placement);
         }
+    }
+
+    /// Line of the first surface of an instance's mesh; instances of a class and a material share them.
+    std::uint32_t surfaces_of(std::uint32_t instance) {
+        const auto key = std::pair(class_of(instance), parts_.instances[instance].material);
+        const auto [found, is_new] = surfaces_.try_emplace(key, image_.lines());
+        if (is_new) write_surfaces_of(key.first, key.second);
+        return found->second;
+    }
+
+    /// On the class's lattice, whose steps are the unit here: normals of corners are turned as planes are.
+    void write_surfaces_of(std::uint32_t number, std::optional<std::uint32_t> material) {
+        const MeshClass& made = out_.maps.classes[number];
+        const SharedMesh& mesh = *parts_.meshes[made.mesh];
+        Scene part, scene;
+        part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
+        append(scene, part, made.before, material, 0);
+        scene.materials = materials_;
+        if (!made.corners.empty()) scene.vertices = made.corners;
+        for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
+        for (glm::dvec3& normal : scene.normals) normal = unit_or_zero(normal * made.lattice.pitch);
+        Lattice steps;
+        steps.coord_bits = config_.coord_bits;
+        MemoryImage surfaces;
+        surfaces.lattice = steps;
+        check_lines(std::uint64_t(image_.lines()) + mesh.triangles.size(), config_, name_);
+        write_surfaces(scene, config_, name_, surfaces);
+        image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
 
     /// Nodes of a lower structure that was compiled from line 0 on and now begins at `root`.
@@ -165,12 +203,15 @@ private:
         std::uint32_t instance = 0, first = 0, line = 0;
     };
     const LevelParts& parts_;
+    const std::vector<Material>& materials_;
     const Config& config_;
     const std::string& name_;
     LevelsImage& out_;
     MemoryImage& image_;
     std::vector<MemoryImage> lowers_;   // by class
     std::vector<Placed> placements_;
+    std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::uint32_t> surfaces_;   // their
+                                                                                                 // lines
     Words scratch_;
 };
 
@@ -187,7 +228,7 @@ LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, cons
     const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
     const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
-    const SharedMesh own{"", scene.own.vertices, {}, scene.own.triangles};
+    const SharedMesh own{"", scene.own.vertices, scene.own.normals, scene.own.triangles};
     LevelParts parts;
     if (!own.triangles.empty()) {
         parts.meshes.push_back(&own);
@@ -203,7 +244,7 @@ LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, cons
     LevelsImage out;
     out.maps = map_instances(parts, eye, config);
     out.image.lattice = out.maps.lattice;
-    LevelsCompiler(parts, config, name, out).run();
+    LevelsCompiler(parts, scene.own.materials, config, name, out).run();
     out.image.report.pitch = out.maps.lattice.pitch;
     out.image.report.seconds = watch.seconds();
     return out;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "model/accel/surfaces.hpp"
+#include "model/base/error.hpp"
+
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -58,8 +61,13 @@ public:
             if (beyond <= 0) return std::move(maps_);
             margin += beyond + 1;
             if (margin < largest_ / 4) continue;
-            // Not seen yet. What is written out rounds nothing and needs no margin.
+            // Not seen yet. What is written out rounds nothing, and needs no margin but that of secondary
+            // rays.
+            if (all_out_)
+                throw UserError("two levels need more origin_bits than " +
+                                std::to_string(config_.origin_bits) + " for secondary rays on this lattice");
             is_out_.assign(is_out_.size(), true);
+            all_out_ = true;
             margin = 0;
         }
     }
@@ -88,7 +96,7 @@ private:
         if (margin > 0)
             for (glm::dvec3& corner : corners.vertices) corner = middle + room * (corner - middle);
         corners.triangles = {{{0, 1, 1}, 0}};
-        return fit_lattice(corners, eye_, config_.coord_bits);
+        return fit_lattice(corners, eye_, config_.coord_bits, config_.shading != 0);
     }
 
     /// All of it; returns by how many steps boxes reach beyond what a node can say.
@@ -122,7 +130,8 @@ private:
             if (found == known.end()) {
                 if (!is_out_[i]) known.push_back(at);
                 needs_.push_back({seen.step, seen.step, seen.middle, seen.middle, true, seen});
-                maps_.classes.push_back({instance.mesh, is_out_[i] ? instance.place : glm::dmat4(1), {}, {}});
+                maps_.classes.push_back(
+                    {instance.mesh, is_out_[i] ? instance.place : glm::dmat4(1), {}, {}, {}, 0});
             }
             add(needs_[at], seen);
             maps_.instances.push_back({at, {}, {}, false, 0, {}});
@@ -157,6 +166,14 @@ private:
                             config_.coord_bits};
             if (needs.is_one) made.lattice.centre = needs.seen.middle, made.lattice.pitch = needs.seen.step;
             const SharedMesh& mesh = *parts_.meshes[made.mesh];
+            if (config_.shading) align(made, mesh);
+            for (const Triangle& triangle : mesh.triangles)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Vec3i from = snapped_corner(made, mesh, triangle.vertex[k]),
+                                to = snapped_corner(made, mesh, triangle.vertex[(k + 1) % 3]);
+                    for (std::size_t i = 0; i < 3; ++i)
+                        made.longest = std::max(made.longest, std::abs(to[i] - from[i]));
+                }
             std::vector<bool> is_used(mesh.vertices.size());
             for (const Triangle& triangle : mesh.triangles)
                 for (const std::uint32_t index : triangle.vertex) is_used[index] = true;
@@ -165,6 +182,16 @@ private:
             std::sort(made.points.begin(), made.points.end());
             made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());
         }
+    }
+
+    /// As in a flat scene; see there.
+    static void align(MeshClass& made, const SharedMesh& mesh) {
+        Scene scene;
+        for (const glm::dvec3& at : mesh.vertices)
+            scene.vertices.push_back(glm::dvec3(made.before * glm::dvec4(at, 1)));
+        scene.triangles = mesh.triangles;
+        if (std::optional<Scene> moved = aligned(scene, made.lattice))
+            made.corners = std::move(moved->vertices);
     }
 
     /// Returns by how many steps its box reaches beyond what a node can say.
@@ -193,12 +220,12 @@ private:
             moved[int(i)] = std::ldexp(double(map.b[i]), -frac);
             map.is_whole = map.is_whole && map.b[i] % one == 0;
         }
-        return place_box(number, made.points, linear, moved, map);
+        return place_box(number, made, linear, moved, map);
     }
 
     /// The box of the mesh's corners as the stored map places them, with what a hit may be off around each:
     /// a triangle lies within its corners' box, and so do the triangle's points, each with that around it.
-    double place_box(std::size_t number, const std::vector<Vec3i>& points, const glm::dmat3& linear,
+    double place_box(std::size_t number, const MeshClass& made, const glm::dmat3& linear,
                      const glm::dvec3& moved, InstanceMap& map) {
         const glm::dmat3 back = glm::inverse(linear);
         glm::dvec3 reach(0);   // of a step in the mesh
@@ -212,9 +239,10 @@ private:
         }
         const double last = (2 * largest_ + 1.25 * stretch + 1) / (shortest - stretch / 2);
         map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
+        if (config_.shading) map.off = off_of_secondary(made, map.is_whole, stretch);
         constexpr double far = std::numeric_limits<double>::infinity();
         glm::dvec3 lo(far), hi(-far);
-        for (const Vec3i& point : points) {
+        for (const Vec3i& point : made.points) {
             const glm::dvec3 placed = back * (glm::dvec3(point[0], point[1], point[2]) - moved);
             lo = glm::min(lo, placed);
             hi = glm::max(hi, placed);
@@ -231,12 +259,31 @@ private:
         return beyond;
     }
 
+    /// The same for all rays of a chip that shades, bounce after bounce: docs/motion.md, Secondary rays.
+    /// Where a ray leaves the instance again, it begins as far off as it was when it met it, and a little
+    /// more.
+    double off_of_secondary(const MeshClass& made, bool is_whole, double stretch) const {
+        const double frac = std::ldexp(1, -config_.origin_bits), slope = is_whole ? 0 : 0.5,
+                     camera = std::ldexp(1, config_.dir_bits - 2), bounce = 0.57 * camera;
+        const auto reach = [&](double begin, double shortest) {   // S, of a ray that begins so far off
+            return (2 * largest_ + 2 + stretch * (1.25 + begin)) / (shortest - slope * stretch);
+        };
+        const double anew = std::ldexp(1, -config_.t_frac_bits) + frac + 1.25 + 2.5 * frac * made.longest;
+        double off = frac + slope * reach(frac, camera);
+        for (int bounces = 0; bounces <= config_.bounces; ++bounces) {
+            const double begin = off + anew;
+            off = begin + slope * reach(begin, bounce);
+        }
+        return off;
+    }
+
     const LevelParts& parts_;
     const glm::dvec3 eye_;
     const Config& config_;
     const double largest_;       // L
     std::vector<bool> is_out_;   // by instance: it is written out
     bool written_out_ = false;   // one more was found
+    bool all_out_ = false;
     Bounds bounds_;
     LevelMaps maps_;
     std::vector<Seen> seen_;
@@ -246,6 +293,7 @@ private:
 }   // namespace
 
 Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_t index) {
+    if (!made.corners.empty()) return made.lattice.snap(made.corners[index]);
     return made.lattice.snap(glm::dvec3(made.before * glm::dvec4(mesh.vertices[index], 1)));
 }
 

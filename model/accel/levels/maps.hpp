@@ -21,7 +21,9 @@ struct MeshClass {
     std::uint32_t mesh = 0;
     glm::dmat4 before{1};   ///< the identity, or the place of what is written out
     Lattice lattice;
-    std::vector<Vec3i> points;   ///< its corners on the lattice, each once
+    std::vector<glm::dvec3> corners;   ///< of a chip that shades: the mesh's, as aligned() moves them
+    std::vector<Vec3i> points;         ///< its corners on the lattice, each once
+    std::int32_t longest = 0;          ///< component of an edge, in steps
 };
 
 struct InstanceMap {
