@@ -23,7 +23,7 @@ namespace rayclock {
 /// shades, a pixel has many rays, one after the other, and each is followed by two words: the line of the
 /// surface that must be read (if the flag is set), whether the pixel then is finished and, if not, what the
 /// next ray is for; and how many passes through shade follow. If there are instances, a word with the line of
-/// that which was hit comes before them.
+/// that which was hit comes before them, and one with the line of its material if it has one for all.
 struct Trace {
     static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit

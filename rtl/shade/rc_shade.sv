@@ -73,7 +73,13 @@ module rc_shade (
   localparam int unsigned MapW   = 9 * rc_pkg::MapBits
                                  + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
   localparam int unsigned PlaceW = A + MapW;
-  logic              placing, placed, came;   // an instance has come, and is taken; a surface
+  localparam int unsigned MaterialW = 9 * (rc_pkg::ShareBits + 1)
+                                    + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits + 2 * rc_pkg::RatioBits;
+  localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
+  // An instance or its material has come; an instance is taken, either; a surface has come.
+  logic              placing, placed, taken, came;
+  logic [rc_pkg::SurfaceW-1:0] surface_found;
+  rc_pkg::surface_t            surface_came;
   logic [PlaceW-1:0] place_data, place;
   logic           arrived_valid, arrived_pop;
   logic [I-1:0]   arrived_ray;
@@ -88,10 +94,16 @@ module rc_shade (
       .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
     assign surf_req_o = fetch;
     assign placing    = 1'b0;
+    assign placed     = 1'b0;
+    assign taken      = 1'b0;
     assign place_data = '0;
+    assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
+    logic unused;
+    assign unused = ^{surface_came, taken};
   end else begin : gen_fetch_twice
-    logic [T-1:0]       placing_q;   // the context's instance is asked for, and has not come
-    logic [A-1:0]       prim;
+    logic [T-1:0]       placing_q, lends_q;   // an instance is waited for, or a material
+    logic [A-1:0]       prim, surface_line, kept_line;
+    logic               lends;
     logic [I-1:0]       came_ray;
     rc_pkg::placement_t instance_came;
     logic [A-1:0]       line;
@@ -99,13 +111,40 @@ module rc_shade (
     logic [I+A-1:0]     place_next, fetch_next, fetch;
     assign came_ray      = surf_rsp_i.ray;
     assign instance_came = rc_pkg::PlacementW'(surf_rsp);
-    assign line          = instance_came.surfaces + prim;
-    assign placing       = placing_q[came_ray];
+    assign surface_line  = instance_came.surfaces + prim;
+    assign lends         = lends_q[came_ray];
+    assign line          = lends ? kept_line
+                         : instance_came.material != '0 ? instance_came.material : surface_line;
+    assign placing       = placing_q[came_ray] || lends;
+    assign placed        = surf_rsp_valid_i && placing_q[came_ray];
+    assign taken         = surf_rsp_valid_i && placing;
     assign place_data    = {instance_came.here, MapW'(rc_pkg::PlacementW'(surf_rsp))};
     always_ff @(posedge clk_i) begin
       if (placed)                           placing_q[came_ray]    <= 1'b0;
-      if (closest_valid_i && wants_surface) placing_q[closest_ray] <= 1'b1;
+      if (closest_valid_i)                  placing_q[closest_ray] <= wants_surface;
+      if (taken) begin
+        lends_q[came_ray] <= placed && instance_came.material != '0;
+        lent_q[came_ray]  <= lends || instance_came.material != '0;
+      end
+      if (closest_valid_i)                  lends_q[closest_ray]   <= 1'b0;
     end
+    rc_ram #(.Width(A), .Depth(T)) u_line (
+      .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
+      .read_addr_i(came_ray), .read_data_o(kept_line));
+    // A material for all primitives of the instance takes the place of the surface's own.
+    logic [T-1:0]         lent_q;
+    logic [MaterialW:0]   material;
+    rc_ram #(.Width(MaterialW + 1), .Depth(T)) u_material (
+      .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
+      .write_data_i({surface_came.schlick, surf_rsp[MaterialW-1:0]}), .read_addr_i(came_ray),
+      .read_data_o(material));
+    logic [rc_pkg::SurfaceW-1:0] lent;
+    always_comb begin
+      lent = rc_pkg::SurfaceW'(surf_rsp);
+      if (lent_q[came_ray]) lent[MaterialW-1:0] = material[MaterialW-1:0];
+      if (lent_q[came_ray]) lent[SchlickAt]     = material[MaterialW];
+    end
+    assign surface_found = lent;
     rc_ram #(.Width(A), .Depth(T)) u_prim (
       .clk_i, .write_i(closest_valid_i), .write_addr_i(closest_ray),
       .write_data_i(A'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
@@ -114,7 +153,7 @@ module rc_shade (
       .data_i({closest_ray, closest_i.place}), .valid_o(place_valid),
       .pop_i(place_valid && place_ready), .data_o(place_next));
     rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
-      .clk_i, .rst_ni, .push_i(placed), .data_i({came_ray, line}), .valid_o(fetch_valid),
+      .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
       .pop_i(fetch_valid && fetch_ready), .data_o(fetch_next));
     rc_merge #(.Width(I + A)) u_ask (
       .clk_i, .rst_ni,
@@ -123,9 +162,8 @@ module rc_shade (
       .valid_o(surf_req_valid_o), .ready_i(surf_req_ready_i), .data_o(fetch));
     assign surf_req_o = fetch;
     logic unused;
-    assign unused = ^{instance_came, shade_frame};
+    assign unused = ^{instance_came, shade_frame, surface_came};
   end
-  assign placed = surf_rsp_valid_i && placing;
   assign came   = surf_rsp_valid_i && !placing;
   rc_queue #(.Width(I), .Depth(T)) u_arrived (
     .clk_i, .rst_ni, .push_i(closest_valid_i && !wants_surface), .data_i(closest_ray),
@@ -178,11 +216,12 @@ module rc_shade (
   logic                              passes;
   logic [I-1:0]                      pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
-  assign surf_rsp = surf_rsp_i;
+  assign surf_rsp     = surf_rsp_i;
+  assign surface_came = rc_pkg::SurfaceW'(surf_rsp);
   if (Every == 1) begin : gen_at_once
     assign passes   = enters;
     assign pass_ray = ray;
-    assign surface  = rc_pkg::SurfaceW'(surf_rsp);
+    assign surface  = surface_found;
   end else begin : gen_read
     logic                        passes_q;
     logic [I-1:0]                ray_q;
@@ -190,7 +229,7 @@ module rc_shade (
     always_ff @(posedge clk_i) begin
       passes_q  <= rst_ni && enters;
       ray_q     <= ray;
-      surface_q <= rc_pkg::SurfaceW'(surf_rsp);
+      surface_q <= surface_found;
     end
     assign passes   = passes_q;
     assign pass_ray = ray_q;

@@ -145,38 +145,56 @@ private:
         image_.surfaces = image_.lines();
         for (const Placed& placed : placements_) {
             const InstanceMap& map = out_.maps.instances[placed.instance];
-            const std::uint32_t surfaces = config_.shading ? surfaces_of(placed.instance) - placed.first : 0;
+            std::uint32_t surfaces = 0, material = 0;
+            if (config_.shading) {
+                surfaces = surfaces_of(placed.instance) - placed.first;
+                if (const auto& own = parts_.instances[placed.instance].material)
+                    material = material_of(*own);
+            }
             write_payload(Placement{placed.first, out_.roots[map.mesh_class], placed.line,
-                                    surfaces & ((1u << config_.addr_bits) - 1), map.a, map.b},
+                                    surfaces & ((1u << config_.addr_bits) - 1), material, map.a, map.b},
                           config_, at(placed.line), scratch_);
             set_line_kind(at(placed.line), LineKind::placement);
         }
     }
 
-    /// Line of the first surface of an instance's mesh; instances of a class and a material share them.
+    /// Line of the first surface of an instance's mesh; instances of a class share them.
     std::uint32_t surfaces_of(std::uint32_t instance) {
-        const auto key = std::pair(class_of(instance), parts_.instances[instance].material);
-        const auto [found, is_new] = surfaces_.try_emplace(key, image_.lines());
-        if (is_new) write_surfaces_of(key.first, key.second);
+        const auto [found, is_new] = surfaces_.try_emplace(class_of(instance), image_.lines());
+        if (is_new) write_surfaces_of(class_of(instance));
+        return found->second;
+    }
+
+    /// Line of a surface that has a material and no corners.
+    std::uint32_t material_of(std::uint32_t material) {
+        const auto [found, is_new] = materials_of_.try_emplace(material, image_.lines());
+        if (!is_new) return found->second;
+        Scene scene;
+        scene.vertices.emplace_back();
+        scene.triangles = {{{0, 0, 0}, material}};
+        write(scene);
         return found->second;
     }
 
     /// On the class's lattice, whose steps are the unit here: normals of corners are turned as planes are.
-    void write_surfaces_of(std::uint32_t number, std::optional<std::uint32_t> material) {
+    void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
         const SharedMesh& mesh = *parts_.meshes[made.mesh];
         Scene part, scene;
         part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
-        append(scene, part, made.before, material, 0);
-        scene.materials = materials_;
+        append(scene, part, made.before, {}, 0);
         if (!made.corners.empty()) scene.vertices = made.corners;
         for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
         for (glm::dvec3& normal : scene.normals) normal = unit_or_zero(normal * made.lattice.pitch);
-        Lattice steps;
-        steps.coord_bits = config_.coord_bits;
+        write(scene);
+    }
+
+    /// Surfaces of a scene whose unit is a step.
+    void write(Scene& scene) {
+        scene.materials = materials_;
         MemoryImage surfaces;
-        surfaces.lattice = steps;
-        check_lines(std::uint64_t(image_.lines()) + mesh.triangles.size(), config_, name_);
+        surfaces.lattice.coord_bits = config_.coord_bits;
+        check_lines(std::uint64_t(image_.lines()) + scene.triangles.size(), config_, name_);
         write_surfaces(scene, config_, name_, surfaces);
         image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
@@ -210,8 +228,7 @@ private:
     MemoryImage& image_;
     std::vector<MemoryImage> lowers_;   // by class
     std::vector<Placed> placements_;
-    std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, std::uint32_t> surfaces_;   // their
-                                                                                                 // lines
+    std::map<std::uint32_t, std::uint32_t> surfaces_, materials_of_;   // lines, by class and by material
     Words scratch_;
 };
 
