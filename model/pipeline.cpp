@@ -31,12 +31,12 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
 
 void Pipeline::settle(std::uint64_t now) {
     moves_ = {};
-    shading_  ? settle<true, false>(moves_, now)
+    shading_  ? (levels_ ? settle<true, true>(moves_, now) : settle<true, false>(moves_, now))
     : levels_ ? settle<false, true>(moves_, now)
               : settle<false, false>(moves_, now);
 }
 void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
-    shading_  ? clock<true, false>(moves_, now, shared)
+    shading_  ? (levels_ ? clock<true, true>(moves_, now, shared) : clock<true, false>(moves_, now, shared))
     : levels_ ? clock<false, true>(moves_, now, shared)
               : clock<false, false>(moves_, now, shared);
 }
@@ -52,7 +52,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 shading_ ? clock_raygen<true>(moves_, now) : clock_raygen<false>(moves_, now);
                 break;
             case Unit::trav:
-                shading_  ? clock_trav<true, false>(moves_)
+                shading_  ? (levels_ ? clock_trav<true, true>(moves_) : clock_trav<true, false>(moves_))
                 : levels_ ? clock_trav<false, true>(moves_)
                           : clock_trav<false, false>(moves_);
                 break;
@@ -68,7 +68,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                 if (shading_) clock_surf_cache(moves_, shared);
                 break;
             case Unit::shade:
-                if (shading_) clock_shade(moves_, now);
+                if (shading_) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
             default: break;   // treelet, globe and slant are clocked as box is: one of them is there
         }
@@ -93,18 +93,30 @@ Shade::Turn Pipeline::turn_of(std::uint32_t ray) {
     return Shade::Turn::spawn;
 }
 
-void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
-    bool surface = false;
-    const LinkInside& closest = m[Link::closest];
-    if (closest.fires) {   // past the last visit, or its last triangle
-        Place& place = rays_[closest.ray];
+template <bool levels> void Pipeline::clock_shade(const Moves& m, std::uint64_t now) {
+    Shade::Wants wants = Shade::Wants::nothing;
+    const LinkInside &closest = m[Link::closest], &came = m[Link::surf_rsp];
+    const auto next = [this](std::uint32_t ray) -> std::uint32_t {
+        Place& place = rays_[ray];
         ++place.at;
         place.head = place.at[1];
-        surface = *place.at & Trace::surface_flag;
+        return *place.at;
+    };
+    if (closest.fires) {   // past the last visit, or its last triangle
+        const std::uint32_t word = next(closest.ray);
+        if (levels && (word & Trace::place_flag))
+            wants = Shade::Wants::place;
+        else if (word & Trace::surface_flag)
+            wants = Shade::Wants::surface;
     }
-    shade_.clock(now, closest, surface, m[Link::surf_rsp], m[Link::surf_req].fires, m[Link::spawn].fires,
-                 m[Link::hit].fires, [this](std::uint32_t ray) { return turn_of(ray); });
+    const bool placed = came.fires & m.placing;
+    if (placed) next(came.ray);
+    shade_.clock<levels>(now, closest, wants, {bool(came.fires & !m.placing), came.ray}, {placed, came.ray},
+                         m[Link::surf_req].fires, m[Link::spawn].fires, m[Link::hit].fires,
+                         [this](std::uint32_t ray) { return turn_of(ray); });
 }
+template void Pipeline::clock_shade<false>(const Moves& m, std::uint64_t now);
+template void Pipeline::clock_shade<true>(const Moves& m, std::uint64_t now);
 
 namespace {
 LinkMask at(bool on, Link link) { return LinkMask(on) << index(link); }

@@ -116,9 +116,10 @@ private:
     /// All links inside in a cycle. Those to what the pipelines share are in SharedMoves.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        OnLink boxed, tried;   // box's and tri's answers as far as trav and list are
-        bool step = false;     // inside trav, of a ray that was tested or has no leaves
-        bool read = false;     // node_cache's answer is taken
+        OnLink boxed, tried;    // box's and tri's answers as far as trav and list are
+        bool step = false;      // inside trav, of a ray that was tested or has no leaves
+        bool read = false;      // node_cache's answer is taken
+        bool placing = false;   // surf_cache's answer is an instance
         std::uint32_t shade_code = 0, xform_code = 0;   // of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
@@ -159,7 +160,7 @@ private:
     void clock_prim_cache(const Moves& m, const SharedMoves& shared);
     void clock_tri(const Moves& m, std::uint64_t now);
     void clock_surf_cache(const Moves& m, const SharedMoves& shared);
-    void clock_shade(const Moves& m, std::uint64_t now);
+    template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
     bool shading_, levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
     NodeUnit decides_;                // what node is met

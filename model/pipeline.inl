@@ -39,10 +39,12 @@ template <bool shades, bool levels>
     if constexpr (shades) {
         m.offer(Link::hit, shade_.pixel_valid(), sink_.ready(), shade_.pixel_ray());
         m.offer(Link::closest, trav_.done_valid(), true, trav_.done_ray());
-        m.offer(Link::surf_req, shade_.surf_valid(), surf_cache_.ready(), shade_.surf_ray());
-        m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready(), surf_cache_.answer());
+        m.offer(Link::surf_req, shade_.surf_valid<levels>(), surf_cache_.ready(), shade_.surf_ray<levels>());
+        const std::uint32_t came = surf_cache_.answer();
+        m.placing = levels && (*rays_[came].at & Trace::place_flag);
+        m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready() | m.placing, came);
         m.offer(Link::spawn, shade_.spawn_valid(), raygen_.ready() & !camera, shade_.spawn_ray());
-        m.shade_code = shade_.code(surf_cache_.valid(), surf_cache_.waits());
+        m.shade_code = shade_.code(surf_cache_.valid() & !m.placing, surf_cache_.waits());
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
@@ -196,7 +198,7 @@ template <bool shades, bool levels>
         asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() &
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
-        clock_shade(m, now);
+        clock_shade<levels>(m, now);
         asleep_ = asleep_ & (surf_deed_ > CacheDeed::drain) & !surf_cache_.loaded();
     }
 }
@@ -209,7 +211,7 @@ template <bool shades, bool levels> inline bool Pipeline::step(std::uint64_t now
 }
 
 inline bool Pipeline::step(std::uint64_t now, const SharedMoves& shared) {
-    return shading_  ? step<true, false>(now, shared)
+    return shading_  ? (levels_ ? step<true, true>(now, shared) : step<true, false>(now, shared))
            : levels_ ? step<false, true>(now, shared)
                      : step<false, false>(now, shared);
 }

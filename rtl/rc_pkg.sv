@@ -60,6 +60,7 @@ package rc_pkg;
   localparam int unsigned NumBits = 56;
   localparam int unsigned TriRayBits = 114;
   localparam int unsigned OriginBits = 0;
+  localparam int unsigned Homes = 0;
   localparam int unsigned OriginWidth = 18;
   localparam int unsigned PointWidth = 18;
   localparam int unsigned ApproachShift = 0;
@@ -192,7 +193,8 @@ package rc_pkg;
     EventLight = 3'd1,
     EventRefract = 3'd2,
     EventReflect = 3'd3,
-    EventPop = 3'd4
+    EventPop = 3'd4,
+    EventTurn = 3'd5
   } shade_event_e;
   typedef enum logic [1:0] {
     PendingNone = 2'd0,

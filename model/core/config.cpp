@@ -357,11 +357,10 @@ void check_config(const Config& c, const std::string& where) {
             "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "
             "and "
             "of other tests it is not known how far a hit may lie from its primitive");
-    if (c.has_instances() && (!c.is_bvh() || c.test() != PrimitiveTest::exact || c.shading))
+    if (c.has_instances() && (!c.is_bvh() || c.test() != PrimitiveTest::exact || c.has_kinds()))
         refuse(
-            "levels=2 needs structure=bvh, primitive_test=exact and shading=0: of these alone it is known "
-            "how "
-            "a ray walks instances");
+            "levels=2 needs structure=bvh, primitive_test=exact, spheres=0 and planes=0: of these alone it "
+            "is known how a ray walks instances");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},
                                                  {"smooth", c.smooth},

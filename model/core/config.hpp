@@ -151,6 +151,7 @@ struct Config {
     bool has_globes() const { return Structure(structure) == Structure::spheres; }
     bool has_slants() const { return Structure(structure) == Structure::bsp; }
     bool has_instances() const { return levels == 2; }
+    bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
     bool is_octree() const { return Structure(structure) == Structure::octree; }
     Structure engine() const {
         return is_octree() ? Structure::kd : Structure(structure);

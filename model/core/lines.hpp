@@ -106,11 +106,17 @@ struct GlobeNode {
 struct Placement {
     std::uint32_t first = 0;           ///< number of its first primitive
     std::uint32_t root = 0;            ///< line of the root of its lower structure
+    std::uint32_t here = 0;            ///< its own line: what it is called, if the chip shades
+    std::uint32_t surfaces = 0;        ///< line of the surface that primitive 0 would have; it may wrap
+    std::uint32_t material = 0;        ///< line of a surface whose material all its primitives have; 0: none
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
     Vec3l b{};                         ///< likewise
     template <class V> void fields(V& v, const Config& c) {
         v("first", first, c.prim_bits);
         v("root", root, c.addr_bits);
+        if (c.shading) v("here", here, c.addr_bits);
+        if (c.shading) v("surfaces", surfaces, c.addr_bits);
+        if (c.shading) v("material", material, c.addr_bits);
         v("a", a, c.map_bits(), 9);
         v("b", b, c.coord_bits + c.map_frac(), 3);
     }
@@ -189,6 +195,15 @@ struct Surface {
         v("shine", shine, shine_bits);
         v("enter", enter, ratio_bits);
         v("leave", leave, ratio_bits);
+    }
+    /// With the material of another; what only planes have stays.
+    Surface with_material(const Surface& o) const {
+        Surface s = *this;
+        s.schlick = o.schlick, s.colour = o.colour, s.other = o.other;
+        s.ambient = o.ambient, s.diffuse = o.diffuse, s.highlight = o.highlight;
+        s.mirror = o.mirror, s.transmit = o.transmit, s.r0 = o.r0, s.shine = o.shine;
+        s.enter = o.enter, s.leave = o.leave;
+        return s;
     }
     friend bool operator==(const Surface&, const Surface&) = default;
 };

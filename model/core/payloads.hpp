@@ -36,6 +36,21 @@ struct Slot {
     }
 };
 
+/// With two levels: the instance from whose triangle a ray starts, or at which a shadow ray ends, and the
+/// ray in the space of its mesh. There it is not made from o and d, which are rounded, but this is it: it
+/// begins, or ends, exactly in the triangle (docs/motion.md). Camera rays have none.
+struct Home {
+    std::uint32_t line = 0;   ///< Placement::here
+    Vec3i o{}, d{};           ///< as in Ray
+    template <class V> void fields(V& v, const Config& c) {
+        if (!c.has_homes()) return;
+        v("home", line, c.addr_bits);
+        v("home_o", o, c.origin_width(), 3);
+        v("home_d", d, c.ray_dir_bits(), 3);
+    }
+    friend bool operator==(const Home&, const Home&) = default;
+};
+
 /// shade -> raygen: the next ray of a context. A camera ray is made from its pixel and sample, and has
 /// neither o nor d.
 struct Spawn {
@@ -46,6 +61,7 @@ struct Spawn {
     std::uint32_t self = 0, inside = 0;   ///< as in Ray
     Vec3i o{};                            ///< N + B bits, B of them fraction
     Vec3i d{};                            ///< N + B + 1 bits
+    Home home;                            ///< as in Ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         v("kind", kind, 2);
@@ -55,6 +71,7 @@ struct Spawn {
         if (c.planes) v("is_finite", finite, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
+        home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
     }
@@ -90,6 +107,7 @@ struct Ray {
     std::uint32_t self = 0, inside = 0;     ///< primitive that a bounce leaves, or a shadow ray ends at;
                                             ///< whether on a sphere's inside
     std::uint32_t finite = 0;   ///< of a ray to or from a light: asks only what has an end, and no plane
+    Home home;                  ///< if there are instances, and it is no camera ray
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
         if (c.is_sheared()) shear.fields(v, c);
@@ -97,6 +115,7 @@ struct Ray {
         if (c.planes) v("is_finite", finite, 1);
         if (c.spheres) v("self", self, c.prim_bits);
         if (c.spheres) v("is_inside", inside, 1);
+        home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
         v("recip", recip, c.recip_bits + 1, 3);
@@ -136,8 +155,12 @@ struct XformReq {
     std::uint32_t ray = 0;
     Vec3i o{}, d{};
     Placement placement;
+    std::uint32_t kind = 0;   ///< RayKind
+    Home home{};
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        if (c.has_homes()) v("kind", kind, 2);
+        home.fields(v, c);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
         placement.fields(v, c);
@@ -148,13 +171,16 @@ struct XformReq {
 /// and its distance to beat stay. Next it visits the mesh's root.
 struct Change {
     std::uint32_t ray = 0;
-    std::uint32_t root = 0, first = 0;             ///< as in Placement
+    std::uint32_t root = 0, first = 0, here = 0;   ///< as in Placement
     Vec3i o{}, d{};                                ///< in the mesh's space, as in Ray
     std::array<std::uint32_t, 3> recip{}, len{};   ///< of d
+    std::uint32_t kind = 0;                        ///< RayKind
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        if (c.has_homes()) v("kind", kind, 2);
         v("first", first, c.prim_bits);
         v("root", root, c.addr_bits);
+        if (c.has_homes()) v("here", here, c.addr_bits);
         v("o", o, c.origin_width(), 3);
         v("d", d, c.ray_dir_bits(), 3);
         v("recip", recip, c.recip_bits + 1, 3);
@@ -341,8 +367,10 @@ struct Closest {
     std::uint32_t found = 0;
     std::uint32_t prim = 0, t = 0, u = 0, v = 0;   ///< zero if not found
     std::uint32_t back = 0;                        ///< if the chip shades, as in TriRsp
+    std::uint32_t place = 0;   ///< and has instances: line of that which was hit; 0 in a pixel
     template <class V> void fields(V& v_, const Config& c) {
         v_("ray", ray, c.ray_bits());
+        if (c.has_homes()) v_("place", place, c.addr_bits);
         v_("found", found, 1);
         if (c.shading) v_("back", back, 1);
         v_("prim", prim, c.prim_bits);

@@ -43,16 +43,18 @@ std::uint32_t coordinate(Wide edge, Wide det, const Config& config) {
     return std::uint32_t(std::uint64_t(whole) & ((std::uint64_t(1) << config.uv_bits()) - 1));
 }
 
-/// Bounces, and rays away to a light: their origin has B fraction bits.
-bool leaves_surface(const Ray& ray) {
-    return RayKind(ray.kind) == RayKind::bounce || RayKind(ray.kind) == RayKind::away;
+/// Bounces, and rays away to a light: their origin has B fraction bits. In an instance a camera ray's has
+/// them as well.
+bool leaves_surface(const Ray& ray, const Config& config) {
+    return RayKind(ray.kind) == RayKind::bounce || RayKind(ray.kind) == RayKind::away ||
+           (config.has_instances() && RayKind(ray.kind) == RayKind::camera);
 }
 
 /// Triangles and planes, whatever the ray.
 void flat_test(const Ray& ray, const PrimData& prim, const Best& best, const Config& config, TriRsp& out) {
     if (ray.finite && ends_at_any(ray.kind) && PrimKind(prim.kind) == PrimKind::plane) return;
     const bool shadow = RayKind(ray.kind) == RayKind::shadow;
-    const int frac = config.origin_frac(), scale = leaves_surface(ray) ? frac : 0;
+    const int frac = config.origin_frac(), scale = leaves_surface(ray, config) ? frac : 0;
     const bool edges_count = PrimKind(prim.kind) == PrimKind::triangle;
     Edges<Wide> e;
     bool flip = false;
@@ -116,7 +118,7 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
     }
     const int scale = config.origin_frac();
     const Meeting m = meeting(ray, sphere, scale, config);
-    const bool own = leaves_surface(ray) && sphere.prim == ray.self;
+    const bool own = leaves_surface(ray, config) && sphere.prim == ray.self;
     if (own && !ray.inside) return;
     const bool outside = m.power > 0, far = own || !outside;
     if (outside ? m.along >= 0 || m.disc < 0 : m.power < 0 ? m.square == 0 : m.along >= 0) return;
@@ -165,7 +167,8 @@ void any_test(const Ray& ray, const PrimData& prim, const Best& best, const Conf
     const bool short_best = !best.found || (best.num | best.det) >> 63 == 0;   // always, as only camera rays
                                                                                // compare with camera rays'
                                                                                // hits
-    if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best)
+    if (kind == PrimKind::plane || RayKind(ray.kind) != RayKind::camera || !short_best ||
+        config.has_instances())
         return flat_test(ray, prim, best, config, out);
     Vec3i o;
     for (std::size_t k = 0; k < 3; ++k) o[k] = ray.o[k] >> config.origin_frac();

@@ -12,17 +12,17 @@ public:
     BestHit(const Start& start, std::uint32_t reach)
         : ray_(start.ray), reach_(reach), any_(ends_at_any(start.kind)) {}
 
-    /// Tri's answer.
-    void take(const TriRsp& tri) {
+    /// Tri's answer; `place` is Closest's.
+    void take(const TriRsp& tri, std::uint32_t place = 0) {
         if (!tri.closer) return;
         best_ = {1, tri.num, tri.det, tri.prim};
-        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back};   // zeros, if any hit will do
+        found_ = {ray_, 1, tri.prim, tri.t, tri.u, tri.v, tri.back, place};   // zeros, if any hit will do
         reach_ = tri.t;
     }
     const Best& best() const { return best_; }
     std::uint32_t t() const { return reach_; }          ///< to beat
     bool stop() const { return any_ && best_.found; }   ///< the light is blocked
-    Closest closest() const { return best_.found ? found_ : Closest{ray_, 0, 0, 0, 0, 0, 0}; }
+    Closest closest() const { return best_.found ? found_ : Closest{ray_, 0, 0, 0, 0, 0, 0, 0}; }
 
 private:
     std::uint32_t ray_ = 0, reach_ = 0;

@@ -88,6 +88,7 @@ Ray spawn_ray(const Spawn& spawn, const Frame& frame, const Config& config) {
     ray.self = spawn.self;
     ray.inside = spawn.inside;
     ray.finite = spawn.finite;
+    ray.home = spawn.home;
     return ray;
 }
 

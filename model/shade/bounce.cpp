@@ -4,6 +4,7 @@
 
 #include "model/shade/dot.hpp"
 #include "model/shade/square_root.hpp"
+#include "model/xform/xform.hpp"
 
 namespace rayclock {
 
@@ -44,15 +45,28 @@ std::int64_t refracted_cosine(const ShadeState& state) {
     return (std::int64_t(1) << 2 * unit_bits) - std::int64_t(bent);
 }
 
+/// Where a ray along d leaves the surface: 1 on the side seen. With two levels its d' decides, exactly.
+int leaves(const Config& c, const ShadeState& state, const Placement& placement, BounceOut& out) {
+    if (!c.has_homes()) return side_of(state.n, out.d);
+    out.home = home_of(state, out.d, placement, c);
+    return side_of(state.n, out.home.d);
+}
+
 }   // namespace
 
-BounceOut reflect(const Config& c, const ShadeState& state) {
+Home home_of(const ShadeState& state, const Vec3i& d, const Placement& placement, const Config& c) {
+    Home home{placement.here, {}, moved_direction(placement, d, c)};
+    for (std::size_t k = 0; k < 3; ++k) home.o[k] = std::int32_t(state.inner[k]);
+    return home;
+}
+
+BounceOut reflect(const Config& c, const ShadeState& state, const Placement& placement) {
     BounceOut out;
     Vec3l mirrored{};
     for (std::size_t k = 0; k < 3; ++k)
         mirrored[k] = rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits) - state.view[k];
     out.d = direction_of(within(mirrored), c);
-    out.goes = side_of(state.n, out.d) > 0;
+    out.goes = leaves(c, state, placement, out) > 0;
     std::int64_t share = state.mirror;
     if (c.refraction) {
         if (state.total)
@@ -64,7 +78,7 @@ BounceOut reflect(const Config& c, const ShadeState& state) {
     return out;
 }
 
-BounceOut refract(const Config& c, const ShadeState& state) {
+BounceOut refract(const Config& c, const ShadeState& state, const Placement& placement) {
     BounceOut out;
     const std::int64_t cosine2 = refracted_cosine(state);
     out.total = cosine2 < 0;
@@ -76,7 +90,7 @@ BounceOut refract(const Config& c, const ShadeState& state) {
             along * state.normal[k] - (std::int64_t(state.ratio) * state.view[k] << (unit_bits - index_frac)),
             unit_bits);
     out.d = direction_of(within(bent), c);
-    out.goes = !out.total && side_of(state.n, out.d) < 0;
+    out.goes = leaves(c, state, placement, out) < 0 && !out.total;
     const std::int64_t share =
         state.schlick ? rounded(state.transmit * (one - schlick(state)), unit_bits) : state.transmit;
     out.weight = times(state.weight, share);

@@ -10,8 +10,12 @@ struct BounceOut {
     bool total = false;   ///< total reflection
     std::uint32_t weight = 0;
     Vec3i d{};   ///< M bits
+    Home home;   ///< with two levels: from the instance that was hit
 };
-BounceOut reflect(const Config& config, const ShadeState& state);
-BounceOut refract(const Config& config, const ShadeState& state);
+BounceOut reflect(const Config& config, const ShadeState& state, const Placement& placement = {});
+BounceOut refract(const Config& config, const ShadeState& state, const Placement& placement = {});
+
+/// With two levels: the ray from a point of an instance's triangle, in its mesh's space.
+Home home_of(const ShadeState& state, const Vec3i& d, const Placement& placement, const Config& config);
 
 }   // namespace rayclock

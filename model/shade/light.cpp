@@ -3,12 +3,28 @@
 #include <algorithm>
 
 #include "model/shade/dot.hpp"
+#include "model/shade/bounce.hpp"
 #include "model/shade/power.hpp"
 #include "model/shade/unit_vector.hpp"
+#include "model/xform/xform.hpp"
 
 namespace rayclock {
 
-LightOut light(const Frame& frame, const Config& c, ShadeState& state) {
+namespace {
+
+/// With two levels: the way in the mesh's space. The light goes there as any ray's origin; the ray from it
+/// ends exactly at the point.
+Home home_from(const Vec3i& light, const ShadeState& state, const Placement& placement, const Config& c) {
+    Vec3i o = light;
+    for (auto& x : o) x *= 1 << c.origin_bits;
+    Home home{placement.here, moved_point(placement, o, RayKind::shadow, c), {}};
+    for (std::size_t k = 0; k < 3; ++k) home.d[k] = std::int32_t(state.inner[k] - home.o[k]);
+    return home;
+}
+
+}   // namespace
+
+LightOut light(const Frame& frame, const Config& c, ShadeState& state, const Placement& placement) {
     const std::int32_t* place = &frame.shade.place[3 * state.light];
     LightOut out;
     Vec3l to{};
@@ -20,7 +36,11 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state) {
     if (near)   // from the light; as far as to a point beyond the lattice only the direction can be told
         for (std::size_t k = 0; k < 3; ++k) out.d[k] = state.far ? -out.d[k] : std::int32_t(-to[k]);
     // On the side seen, exactly: the ray's own direction decides.
-    for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * out.d[k];
+    if (c.has_homes())
+        out.home = near ? home_from({place[0], place[1], place[2]}, state, placement, c)
+                        : home_of(state, out.d, placement, c);
+    const Vec3i& way = c.has_homes() ? out.home.d : out.d;
+    for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * way[k];
     if (near) side = -side;
     const std::uint32_t cosine = clamped_dot(state.normal, unit);   // N . L
     out.counts = side > 0 && cosine > 0;

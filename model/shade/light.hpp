@@ -10,7 +10,8 @@ struct LightOut {
     LightParts parts;
     Vec3i d{};   ///< near: from the light to o, times 2^B, or of M bits if o is far; else from o to the
                  ///< light, of M bits
+    Home home;   ///< with two levels: at, or from, the instance that was hit
 };
-LightOut light(const Frame& frame, const Config& config, ShadeState& state);
+LightOut light(const Frame& frame, const Config& config, ShadeState& state, const Placement& placement = {});
 
 }   // namespace rayclock

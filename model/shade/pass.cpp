@@ -63,6 +63,7 @@ void arrive(const PassIn& in, const Frame& frame, const Config& c, ShadeState& s
     if (in.hit.found) {
         add(s.colour, surf(in, c, s));
         next_light(s, 0, frame, c);
+        if (c.has_homes()) s.event = std::uint32_t(ShadeEvent::turn);
         return;
     }
     see_background(s, s.weight, frame);
@@ -88,7 +89,7 @@ Vec3i light_place(const Frame& frame, std::uint32_t light, const Config& c) {
 /// and the eye: otherwise none hides the light from what the eye sees.
 void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
-    const LightOut found = light(frame, c, s);
+    const LightOut found = light(frame, c, s, in.placement);
     out.light = found.parts;
     const std::uint32_t index = s.light;
     next_light(s, index + 1, frame, c);
@@ -111,6 +112,7 @@ void send_shadow(const PassIn& in, const Frame& frame, const Config& c, PassOut&
     out.spawn.finite = c.planes && !to_the_point && clear;
     out.spawn.o = *start;
     out.spawn.d = found.d;
+    out.spawn.home = found.home;
 }
 
 void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
@@ -121,17 +123,18 @@ void send_bounce(const PassIn& in, const Waiting& ray, PassOut& out) {
     out.spawn = spawn_of(in, s, RayKind::bounce);
     out.spawn.o = ray.o, out.spawn.d = ray.d;
     out.spawn.self = ray.self, out.spawn.inside = ray.inside;
+    out.spawn.home = ray.home;
 }
 
 Waiting bounced(const ShadeState& s, const Vec3i& start, const BounceOut& found, bool through) {
-    return {start, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through)};
+    return {start, found.d, found.weight, s.depth + 1, s.self, s.inside ^ std::uint32_t(through), found.home};
 }
 
 /// A sphere's outside is left by a reflected ray outside and by a refracted one inside; from inside the other
 /// way round.
-void send_refracted(const Frame& frame, const Config& c, PassOut& out) {
+void send_refracted(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
-    const BounceOut found = refract(c, s);
+    const BounceOut found = refract(c, s, in.placement);
     s.total = found.total;
     s.event = std::uint32_t(ShadeEvent::reflect);
     if (!weighs_enough(found.weight, s.depth + 1, frame)) return;
@@ -146,7 +149,7 @@ void send_refracted(const Frame& frame, const Config& c, PassOut& out) {
 
 void send_reflected(const PassIn& in, const Frame& frame, const Config& c, PassOut& out) {
     ShadeState& s = out.state;
-    const BounceOut found = reflect(c, s);
+    const BounceOut found = reflect(c, s, in.placement);
     s.event = std::uint32_t(ShadeEvent::pop);
     if (!weighs_enough(found.weight, s.depth + 1, frame) || !found.goes) return;
     const std::optional<Vec3i> start = start_of(s, found.d, c);
@@ -204,8 +207,12 @@ PassOut pass(const PassIn& in, const Frame& frame, const Config& c) {
     switch (ShadeEvent(s.event)) {
         case ShadeEvent::arrive: arrive(in, frame, c, s); break;
         case ShadeEvent::light: send_shadow(in, frame, c, out); break;
-        case ShadeEvent::refract: send_refracted(frame, c, out); break;
+        case ShadeEvent::refract: send_refracted(in, frame, c, out); break;
         case ShadeEvent::reflect: send_reflected(in, frame, c, out); break;
+        case ShadeEvent::turn:
+            turn_surface(in, c, s);
+            next_light(s, 0, frame, c);
+            break;
         case ShadeEvent::pop:
             if (s.waiting > 0) {
                 --s.waiting;

@@ -33,23 +33,44 @@ public:
     void sent(const Ray& ray);
     /// list -> shade: its answer.
     void arrived(const Closest& hit) {
-        arrived(hit, [this](std::uint32_t) { return surface(); });
+        arrived(hit, [this](std::uint32_t line) { return surface_at(line); });
     }
     /// The same, if somebody else has read the surface: surface_at(line).
     template <class SurfaceAt> void arrived(const Closest& hit, const SurfaceAt& surface_at) {
         in_.hit = hit;
+        if (wants_surface() && config_->has_homes())
+            in_.placement = unpack<Placement>(image_->line(hit.place), *config_);
         if (watch_) watch_->answered(hit);
         if (is_arrival())
             signature_.met(hit.found ? hit.prim : no_primitive);
         else
             signature_.asked(hit.found != 0);
-        if (wants_surface()) in_.surface = surface_at(surface_line());
+        if (wants_surface()) {
+            in_.surface = surface_at(surface_line());
+            if (material_line() != 0) in_.surface = in_.surface.with_material(surface_at(material_line()));
+        }
+        lines_ = !config_->has_homes() ? 0 : material_line() != 0 ? 2 : 1;
         counts_.primary_hits += is_arrival() && hit.found && in_.state.depth == 0;
     }
     /// A surface must come before the next pass: its line.
     bool wants_surface() const { return is_arrival() && in_.hit.found != 0; }
-    std::uint32_t surface_line() const { return frame_->shade.surfaces + in_.hit.prim; }
-    Surface surface() const { return unpack<Surface>(image_->line(surface_line()), *config_); }
+    std::uint32_t surface_line() const {
+        if (config_->has_homes())
+            return (in_.placement.surfaces + in_.hit.prim) & ((1u << config_->addr_bits) - 1);
+        return frame_->shade.surfaces + in_.hit.prim;
+    }
+    Surface surface_at(std::uint32_t line) const { return unpack<Surface>(image_->line(line), *config_); }
+    /// With two levels the instance comes before the surface, and in between its material if it has one for
+    /// all: their lines.
+    std::uint32_t placement_line() const { return in_.hit.place; }
+    std::uint32_t material_line() const { return config_->has_homes() ? in_.placement.material : 0; }
+    /// For those who see lines come one by one: which is waited for; that it has come, and whether it was the
+    /// surface.
+    std::uint32_t next_line() const {
+        if (lines_ == 0) return surface_line();
+        return lines_ == 1 && material_line() != 0 ? material_line() : placement_line();
+    }
+    bool got_line() { return lines_-- == 0; }
 
     /// Passes until a ray or the pixel leaves; returns how many.
     int run();
@@ -77,6 +98,7 @@ private:
     std::vector<Waiting> stack_;
     RayCounts counts_;
     PathSignature signature_;
+    int lines_ = 0;   ///< that come before the surface
 };
 
 /// The slot's ray as raygen would get it from shade.

@@ -10,7 +10,8 @@ enum class ShadeEvent : std::uint32_t {
     light,    ///< the next light
     refract,
     reflect,
-    pop,   ///< the next ray that waits, or the sample's end
+    pop,    ///< the next ray that waits, or the sample's end
+    turn,   ///< with two levels, after arrive: what was found in the mesh's space is turned into the scene's
 };
 
 /// Whether the contribution of a light is added at the beginning of the next pass.
@@ -29,8 +30,10 @@ struct ShadeState {
     // The ray under way, or the last one.
     std::uint32_t weight = 0, depth = 0;
     // The surface that it hit.
-    Vec3l o{};   ///< B fraction bits: a point exactly on it (a sphere's: nearly)
-    Vec3l n{};   ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides
+    Vec3l o{};       ///< B fraction bits: a point exactly on it (a sphere's, an instance's: nearly)
+    Vec3l inner{};   ///< with two levels: likewise, exactly on it in the mesh's space
+    Vec3l n{};       ///< normal to the side seen, not unit, 2N + 3 bits; its sign decides. With two levels in
+                     ///< the mesh's space
     std::array<std::int32_t, 3> normal{}, view{};   ///< unit vectors
     std::uint32_t cosine = 0;                       ///< normal . view, at least 0
     std::uint32_t far = 0;                          ///< o lies on a plane and beyond the lattice
@@ -60,6 +63,7 @@ struct ShadeState {
         v_("weight", weight, unit_bits + 1);
         v_("depth", depth, depth_bits);
         v_("o", o, c.point_width(), 3);
+        if (c.has_homes()) v_("inner", inner, c.origin_width(), 3);
         v_("n", n, c.normal_bits(), 3);
         v_("normal", normal, unit_bits + 2, 3);
         v_("view", view, unit_bits + 2, 3);
@@ -92,6 +96,7 @@ struct ShadeState {
 struct Waiting {
     Vec3i o{}, d{};   ///< B fraction bits; M bits
     std::uint32_t weight = 0, depth = 0, self = 0, inside = 0;
+    Home home;   ///< its d has M bits here
     template <class V> void fields(V& v, const Config& c) {
         v("o", o, c.origin_width(), 3);
         v("d", d, c.dir_bits, 3);
@@ -99,6 +104,10 @@ struct Waiting {
         v("depth", depth, depth_bits);
         v("self", self, c.prim_bits);   // of spheres only
         v("is_inside", inside, 1);
+        if (!c.has_homes()) return;
+        v("home", home.line, c.addr_bits);
+        v("home_o", home.o, c.origin_width(), 3);
+        v("home_d", home.d, c.dir_bits, 3);
     }
     friend bool operator==(const Waiting&, const Waiting&) = default;
 };
@@ -113,6 +122,8 @@ struct PassIn {
     Vec3i o{}, d{};    ///< of the last camera ray or bounce
     Surface surface;   ///< of an arrive event that found something
     Waiting top;       ///< of a pop event, the stack's top
+    /// With two levels: the instance that was hit last. Of it `here`, a and b count.
+    Placement placement{};
 };
 /// What a light's pass works out on the way to its contribution; for whoever judges it.
 struct LightParts {

@@ -64,7 +64,32 @@ std::array<std::uint32_t, 3> albedo_of(const Surface& s, bool is_plane, const Cl
     return between;
 }
 
+/// Where the ray is at t.
+void ray_at(const PassIn& in, const Config& c, Vec3l& o) {
+    for (std::size_t k = 0; k < 3; ++k)
+        saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t,
+                                   c.dir_bits - 1 + c.t_frac_bits - c.origin_bits),
+                 c.origin_width(), o[k]);
+}
+
+/// The unit normal is made; the view against the ray, and the cosine between them.
+void look(const PassIn& in, ShadeState& state) {
+    state.view = unit_vector({-std::int64_t(in.d[0]), -std::int64_t(in.d[1]), -std::int64_t(in.d[2])});
+    state.cosine = clamped_dot(state.normal, state.view);
+}
+
 }   // namespace
+
+void turn_surface(const PassIn& in, const Config& c, ShadeState& state) {
+    state.inner = state.o;
+    ray_at(in, c, state.o);
+    Vec3l toward{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            toward[k] += std::int64_t(in.placement.a[3 * i + k]) * state.normal[i];
+    state.normal = unit_vector(toward);
+    look(in, state);
+}
 
 std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState& state) {
     const Surface& s = in.surface;
@@ -75,11 +100,8 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
     state.far = state.lost = 0;
     bool ends = false;
     if (is_sphere) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            saturate(in.o[k] + rounded(std::int64_t(in.d[k]) * in.hit.t, c.dir_bits - 1 + c.t_frac_bits - b),
-                     c.origin_width(), state.o[k]);
-            state.n[k] = state.o[k] - (std::int64_t(s.a[k]) << b);
-        }
+        ray_at(in, c, state.o);
+        for (std::size_t k = 0; k < 3; ++k) state.n[k] = state.o[k] - (std::int64_t(s.a[k]) << b);
         toward = state.n;
     } else {
         const int fine = is_plane ? 0 : int(s.fine);
@@ -101,8 +123,7 @@ std::array<std::uint32_t, 3> surf(const PassIn& in, const Config& c, ShadeState&
         if (in.hit.back) state.n[k] = -state.n[k], toward[k] = -toward[k];
     }
     state.normal = unit_vector(toward);
-    state.view = unit_vector({-std::int64_t(in.d[0]), -std::int64_t(in.d[1]), -std::int64_t(in.d[2])});
-    state.cosine = clamped_dot(state.normal, state.view);
+    look(in, state);
     state.albedo = albedo_of(s, is_plane, in.hit, ends, c);
     state.self = in.hit.prim;
     state.inside = in.hit.back;

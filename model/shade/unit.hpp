@@ -7,6 +7,9 @@ namespace rayclock {
 /// one pass every shade_interval cycles; what a pass does is pass()'s business. A hit waits for its surface,
 /// which shade asks for.
 ///
+/// With two levels it asks for the instance first, and when that has come, which is always taken, for the
+/// surface; requests for surfaces go before those for instances.
+///
 /// The pipeline takes surfaces first, then contexts that need another pass, then those whose ray hit nothing
 /// or was a shadow ray. Its answers are always taken: a context goes on to its next ray, to its pixel's end,
 /// or passes again. Mirror of rtl/shade/rc_shade.sv.
@@ -16,6 +19,7 @@ public:
 
     explicit Shade(const Config& config)
         : fetch_(config.contexts),
+          places_(config.has_homes() ? config.contexts : 1),
           arrived_(config.contexts),
           again_(config.contexts),
           spawns_(config.contexts),
@@ -23,8 +27,15 @@ public:
           pass_(config.shade_latency(), config.shade_queue),
           rests_(std::uint32_t(config.shade_interval - 1)) {}
 
-    bool surf_valid() const { return !fetch_.empty(); }   ///< a surface is asked for
-    std::uint32_t surf_ray() const { return fetch_.front(); }
+    /// A surface is asked for, or an instance.
+    template <bool levels = false> bool surf_valid() const {
+        return !fetch_.empty() | (levels && !places_.empty());
+    }
+    template <bool levels = false> std::uint32_t surf_ray() const {
+        if constexpr (levels)
+            if (surf_link_.second(!fetch_.empty())) return places_.front();
+        return fetch_.front();
+    }
     bool rests() const { return rest_ > 0; }                  ///< it took a pass, and takes no other yet
     bool ready() const { return pass_.ready() & !rests(); }   ///< for a surface
     /// What it does in this cycle, of units.hpp, with or without a surface that came, or that memory owes.
@@ -42,7 +53,7 @@ public:
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
-        return fetch_.contains(r)                           ? "shade: waits for the link to surf_cache"
+        return fetch_.contains(r) || places_.contains(r)    ? "shade: waits for the link to surf_cache"
                : arrived_.contains(r) || again_.contains(r) ? "shade: waits for a pass"
                : pass_.contains(r)                          ? "shade: in a pass"
                : spawns_.contains(r)                        ? "shade: waits for raygen"
@@ -50,14 +61,24 @@ public:
                                                             : nullptr;
     }
 
-    /// One clock edge: the ray whose answer came and whether it wants a surface, the one whose surface is
-    /// there, and which outputs were taken. `turn(ray)` tells what a pass has led to.
-    template <class Decide> void clock(std::uint64_t now, OnLink closest, bool wants_surface, OnLink surface,
-                                       bool surf_taken, bool spawn_taken, bool pixel_taken, Decide&& turn) {
+    /// What a ray whose answer came waits for.
+    enum class Wants : std::uint8_t { nothing, surface, place };
+    /// One clock edge: the ray whose answer came and what it wants, the one whose surface is there, the one
+    /// whose instance is, and which outputs were taken. `turn(ray)` tells what a pass has led to.
+    template <bool levels = false, class Decide>
+    void clock(std::uint64_t now, OnLink closest, Wants wants, OnLink surface, OnLink place, bool surf_taken,
+               bool spawn_taken, bool pixel_taken, Decide&& turn) {
         const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty();
         const bool answer = pass_.valid(now);
         const RayNumber done = pass_.front();
-        fetch_.pop(surf_taken);
+        if constexpr (levels) {
+            const bool second = surf_link_.second(!fetch_.empty());
+            surf_link_.clock(surf_valid<levels>(), surf_taken, second);
+            places_.pop(surf_taken & second);
+            fetch_.pop(surf_taken & !second);
+        } else {
+            fetch_.pop(surf_taken);
+        }
         spawns_.pop(spawn_taken);
         pixels_.pop(pixel_taken);
         const RayNumber next = surface.there ? RayNumber(surface.ray)
@@ -73,13 +94,19 @@ public:
                 case Turn::spawn: spawns_.push(done); break;
                 case Turn::pixel: pixels_.push(done); break;
             }
-        fetch_.push(RayNumber(closest.ray), closest.there & wants_surface);
-        arrived_.push(RayNumber(closest.ray), closest.there & !wants_surface);
+        if constexpr (levels) {
+            fetch_.push(RayNumber(place.ray), place.there);
+            places_.push(RayNumber(closest.ray), closest.there & (wants == Wants::place));
+        } else {
+            fetch_.push(RayNumber(closest.ray), closest.there & (wants == Wants::surface));
+        }
+        arrived_.push(RayNumber(closest.ray), closest.there & (wants == Wants::nothing));
     }
 
 private:
-    RayRing fetch_, arrived_, again_, spawns_, pixels_;
+    RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
     Pipe<RayNumber> pass_;
+    Merge surf_link_;                  // of fetch_ and places_
     std::uint32_t rests_, rest_ = 0;   // cycles after a pass in which it takes none; that are left
 };
 

@@ -206,6 +206,7 @@ static void record(const RecordJob& job, const RecordBlock& block, RecordScratch
 static std::size_t record_any(const Decoder& decoder, const Config& config, std::uint32_t root,
                               const Ray& ray, std::size_t at, RecordScratch& scratch, RecordTotals& totals,
                               Closest& hit) {
-    if (!config.is_bvh()) return record_ray<FromUnits>(root, at, scratch, totals, hit, decoder, config, ray);
+    if (!config.is_bvh() || config.has_instances())
+        return record_ray<FromUnits>(root, at, scratch, totals, hit, decoder, config, ray);
     return record_ray<FromAnywhere>(root, at, scratch, totals, hit, decoder, config, ray);
 }

@@ -17,8 +17,12 @@ std::size_t ShadedRecorder::pixel(std::uint32_t x, std::uint32_t y, std::size_t 
         shader_.arrived(hit, [this](std::uint32_t line) -> const Surface& { return decoder_.surface(line); });
         const bool surface = shader_.wants_surface();
         const std::uint32_t line = surface ? shader_.surface_line() | Trace::surface_flag : 0;
+        const std::uint32_t place = surface && config_.has_homes() ? shader_.placement_line() : 0;
+        const std::uint32_t material = surface ? shader_.material_line() : 0;
         const auto passes = std::uint32_t(shader_.run());
-        if (scratch.words.size() < at + 2) scratch.words.resize(2 * scratch.words.size() + 2);
+        if (scratch.words.size() < at + 4) scratch.words.resize(2 * scratch.words.size() + 4);
+        if (place != 0) scratch.words[at++] = place | Trace::place_flag;
+        if (material != 0) scratch.words[at++] = material | Trace::place_flag;
         scratch.words[at++] = line | (shader_.is_finished() ? Trace::pixel_flag : purpose_word(shader_));
         scratch.words[at++] = passes;
         spawn = shader_.spawn();

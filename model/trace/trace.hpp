@@ -22,14 +22,16 @@ namespace rayclock {
 /// last). The visit of an instance has its flags alone: enters(), which no number of groups is. If the chip
 /// shades, a pixel has many rays, one after the other, and each is followed by two words: the line of the
 /// surface that must be read (if the flag is set), whether the pixel then is finished and, if not, what the
-/// next ray is for; and how many passes through shade follow.
+/// next ray is for; and how many passes through shade follow. If there are instances, a word with the line of
+/// that which was hit comes before them, and one with the line of its material if it has one for all.
 struct Trace {
     static constexpr std::uint32_t tests_flag = 1u << 24;   ///< triangle words follow
     static constexpr std::uint32_t end_flag = 1u << 25;     ///< the ray is done after this visit
     static constexpr int turns_shift = 26;
     static constexpr std::uint32_t entry_flags = ~0u << turns_shift;   ///< of an instance's visit
     static constexpr bool enters(std::uint32_t head) { return head >= entry_flags; }
-    static constexpr std::uint32_t last_flag = 1u << 31;   ///< of a triangle's word
+    static constexpr std::uint32_t last_flag = 1u << 31;    ///< of a triangle's word
+    static constexpr std::uint32_t place_flag = 1u << 31;   ///< of the word before that word
     static constexpr std::uint32_t surface_flag = 1u << 24,
                                    pixel_flag = 1u << 25;   ///< of the word after a ray
     static constexpr int purpose_shift = 26;                ///< likewise: RayPurpose of the next ray

@@ -74,13 +74,15 @@ struct UnitWay {
     std::uint32_t next_page(std::uint32_t line) const { return decoder.next_page(line); }
     void test(std::uint32_t half_line) {
         tri.ray = ray.ray;
-        if (config.shading)
+        if (config.has_homes())
+            any_test(inside.moved, primitive(half_line), hit.best(), config, tri);
+        else if (config.shading)
             any_test(ray, decoder.prim(half_line), hit.best(), config, tri);
         else if (config.has_instances())
             primitive_test(o(), d(), primitive(half_line), hit.best(), config, tri);
         else
             primitive_test(ray.o, ray.d, decoder.prim(half_line), hit.best(), config, tri);
-        hit.take(tri);
+        hit.take(tri, config.has_homes() ? inside.change.here : 0);
     }
     std::uint32_t t() const { return hit.t(); }
     bool stop() const { return hit.stop(); }

@@ -72,7 +72,8 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
         }
         case Link::xform_req: {
             Walk& w = walk(m);
-            tell(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_)});
+            tell(XformReq{m.id, w.ray().o, w.ray().d, unpack<Placement>(image_.line(w.node()), config_),
+                          w.ray().kind, w.ray().home});
             w.test_node();
             return;
         }
@@ -144,9 +145,10 @@ template <class See> void Witness::operator()(const Move& m, See&& see) {
             shader(m).arrived(walk(m).closest());
             if (!shader(m).wants_surface()) shader(m).run();
             return;
-        case Link::surf_req: return tell(SurfReq{m.id, shader(m).surface_line()});
+        case Link::surf_req: return tell(SurfReq{m.id, shader(m).next_line()});
         case Link::surf_rsp:
-            tell(SurfRsp{m.id, shader(m).surface()});
+            tell(SurfRsp{m.id, unpack<Surface>(image_.line(shader(m).next_line()), config_)});
+            if (!shader(m).got_line()) return;
             shader(m).run();
             return;
         case Link::spawn:

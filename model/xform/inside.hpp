@@ -11,14 +11,16 @@ namespace rayclock {
 struct InsideRay {
     Change change;
     BoxRay from;
+    Ray moved{};   ///< as any_test() wants it
     WideNode entry;
     bool enters = false;   ///< the line that was read last is an instance
 
     /// The ray changes, and goes on: its best hit and its distance to beat stay.
     const WideNode& enter(const Ray& ray, const Placement& placement, const Config& config,
                           std::uint32_t* t_near, std::uint32_t& hits) {
-        change = xform({ray.ray, ray.o, ray.d, placement}, config);
+        change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
         from = box_ray(change);
+        moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
         entry.base = change.root;
         entry.children = entry.children_mask = entry.inner_mask = 1;
         t_near[0] = 0;

@@ -120,12 +120,23 @@ module rc_trav (
     assign unused = xform_req_ready_i;
   end else begin : gen_instances
     logic               is_instance;
-    logic [3*M-1:0]     kept_d, change_d;
+    // What xform wants of a ray beside its origin: its direction, and if the chip shades what it is
+    // and where it starts from.
+    localparam int unsigned KeptW = rc_pkg::XformReqW - I - rc_pkg::PlacementW
+                                  - 3 * rc_pkg::OriginWidth;
+    localparam int unsigned Home  = KeptW - 3 * M;
+    logic [3*M-1:0]     change_d;
+    logic [KeptW-1:0]   keep_way, kept_way;
     logic [BoxRayW-1:0] changed_ray;
     assign change_d = change_i.d;
-    rc_ram #(.Width(3 * M), .Depth(T)) u_direction (
-      .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(ray_d),
-      .read_addr_i(node_rsp_i.ray), .read_data_o(kept_d));
+    if (rc_pkg::Homes == 1) begin : gen_homes
+      assign keep_way = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
+    end else begin : gen_no_homes
+      assign keep_way = ray_d;
+    end
+    rc_ram #(.Width(KeptW), .Depth(T)) u_direction (
+      .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
+      .read_addr_i(node_rsp_i.ray), .read_data_o(kept_way));
     rc_ram #(.Width(BoxRayW), .Depth(T)) u_changed (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray),
       .write_data_i({change_i.o, change_d[3*M-1], change_d[2*M-1], change_d[M-1], change_i.recip,
@@ -136,8 +147,14 @@ module rc_trav (
     assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
     assign node_rsp_ready_o  = is_instance ? xform_req_ready_i : decide_req_ready_i;
-    assign xform_req_o = {node_rsp_i.ray, kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth], kept_d,
-                          node_rsp[rc_pkg::PlacementW-1:0]};
+    logic [3*rc_pkg::OriginWidth-1:0] kept_o;
+    assign kept_o = kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth];
+    if (Home == 0) begin : gen_request
+      assign xform_req_o = {node_rsp_i.ray, kept_o, kept_way, node_rsp[rc_pkg::PlacementW-1:0]};
+    end else begin : gen_home_request   // kind and home come first
+      assign xform_req_o = {node_rsp_i.ray, kept_way[KeptW-1:3*M], kept_o, kept_way[3*M-1:0],
+                            node_rsp[rc_pkg::PlacementW-1:0]};
+    end
 `ifndef SYNTHESIS
     a_changed: assert property (@(posedge clk_i) disable iff (!rst_ni)
                                 change_fires_i && node_rsp_valid_i

@@ -104,7 +104,9 @@ module rc_tri (
   assign in_c    = in.c;
   if (rc_pkg::Shading == 1) begin : gen_kind
     assign in_any    = in.kind == rc_pkg::RayShadow || in.kind == rc_pkg::RayAway;
-    assign in_leaves = in.kind == rc_pkg::RayBounce || in.kind == rc_pkg::RayAway;
+    // In an instance a camera ray's origin has a fraction as well.
+    assign in_leaves = in.kind == rc_pkg::RayBounce || in.kind == rc_pkg::RayAway
+                    || (rc_pkg::Levels == 2 && in.kind == rc_pkg::RayCamera);
   end else begin : gen_camera
     assign in_any    = 1'b0;
     assign in_leaves = 1'b0;

@@ -261,7 +261,9 @@ module rc_list (
     logic unused;
     assign unused = ray_fires_i;
   end
-  if (rc_pkg::Levels != 1) begin : gen_changed_ray
+  if (rc_pkg::Homes == 1) begin : gen_changed_ray_with_kind
+    assign ray_for_tri = {change_i.kind, change_i.o, change_i.d};
+  end else if (rc_pkg::Levels != 1) begin : gen_changed_ray
     assign ray_for_tri = {change_i.o, change_i.d};
   end else if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_slopes
     assign ray_for_tri = {ray_i.axis, ray_i.neg, ray_i.size, ray_i.slope, ray_i.o};
@@ -330,13 +332,26 @@ module rc_list (
                       tri_found ? tri_best : {BestW{1'b0}}};
 
   // ---- The answer for a ray that trav has finished.
-  localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1;
+  localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1 - (rc_pkg::Homes == 1 ? A : 0);
   logic [FoundW-1:0] new_found, end_found;
   logic              is_found;
   rc_ram #(.Width(FoundW), .Depth(T)) u_found (
     .clk_i, .write_i(closer), .write_addr_i(came.ray),
     .write_data_i(new_found),
     .read_addr_i(done_i.ray), .read_data_o(end_found));
+  if (rc_pkg::Homes == 1) begin : gen_place   // the instance; the ray's does not change before tri answers
+    logic [A-1:0] here, end_place;
+    rc_ram #(.Width(A), .Depth(T)) u_here (
+      .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
+      .read_addr_i(came.ray), .read_data_o(here));
+    rc_ram #(.Width(A), .Depth(T)) u_place (
+      .clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),
+      .read_addr_i(done_i.ray), .read_data_o(end_place));
+    assign closest_o = {done_i.ray, is_found ? end_place : {A{1'b0}}, is_found,
+                        is_found ? end_found : {FoundW{1'b0}}};
+  end else begin : gen_no_place
+    assign closest_o = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
+  end
   if (rc_pkg::Shading != 0) begin : gen_side   // the side seen comes first
     assign new_found = {came.back, came.prim, came.t, came.u, came.v};
   end else begin : gen_no_side
@@ -345,7 +360,6 @@ module rc_list (
   assign is_found        = found[done_i.ray];
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
-  assign closest_o       = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
 
   logic unused;
   assign unused = ^{ray_i, change_fires_i, change_i};   // what only trav uses of a ray

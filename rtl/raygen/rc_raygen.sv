@@ -189,7 +189,9 @@ module rc_raygen (
     localparam int unsigned TagW = HeadW - 2 - 3 * OW;
     if (TagW != 0) begin : gen_tag
       logic [TagW-1:0] req_tag, end_tag;
-      if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
+      if (rc_pkg::Homes == 1) begin : gen_home   // an instance's rays ask for triangles alone
+        assign req_tag = {req.home, req.home_o, req.home_d};
+      end else if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
         assign req_tag = {req.is_finite, req.self, req.is_inside};
       end else if (rc_pkg::Planes != 0) begin : gen_planes
         assign req_tag = req.is_finite;

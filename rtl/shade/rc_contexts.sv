@@ -11,7 +11,9 @@ module rc_contexts #(
   localparam int unsigned P  = rc_pkg::OriginWidth,
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits
+  localparam int unsigned HitW = 2 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits,
+  localparam int unsigned PlaceW = rc_pkg::AddrBits + 9 * rc_pkg::MapBits
+                                 + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac)
 ) (
   input  logic                         clk_i,
   // Listened to: a context begins a pixel, has a ray, and gets its answer
@@ -23,6 +25,10 @@ module rc_contexts #(
   input  logic                         closest_fires_i,
   input  logic [I-1:0]                 closest_ray_i,
   input  logic [HitW-1:0]              closest_hit_i,
+  // The instance that was hit: its line, a, b
+  input  logic                         place_fires_i,
+  input  logic [I-1:0]                 place_ray_i,
+  input  logic [PlaceW-1:0]            place_i,
   // To rc_pass
   input  logic                         read_i,
   input  logic [I-1:0]                 read_ray_i,
@@ -31,6 +37,7 @@ module rc_contexts #(
   output logic [3*M-1:0]               d_o,
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
+  output logic [PlaceW-1:0]            place_o,
   // From rc_pass
   input  logic                         write_i,        // a pass has ended
   input  logic [I-1:0]                 write_ray_i,
@@ -63,6 +70,17 @@ module rc_contexts #(
   rc_kept #(.Width(HitW), .Depth(T)) u_hit (
     .clk_i, .write_i(closest_fires_i), .write_addr_i(closest_ray_i),
     .write_data_i(closest_hit_i), .read_i, .read_addr_i(read_ray_i), .read_data_o(hit_o));
+
+  // ---- The instance that was hit last.
+  if (rc_pkg::Homes == 1) begin : gen_place
+    rc_kept #(.Width(PlaceW), .Depth(T)) u_place (
+      .clk_i, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(place_i),
+      .read_i, .read_addr_i(read_ray_i), .read_data_o(place_o));
+  end else begin : gen_no_place
+    assign place_o = '0;
+    logic unused;
+    assign unused = ^{place_fires_i, place_ray_i, place_i};
+  end
 
   // ---- The state: x and y, what all chips have, what only some have, in that order.
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;

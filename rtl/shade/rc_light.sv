@@ -29,6 +29,8 @@ module rc_light #(
   input  logic [VB-1:0]        s15_cosine_i,
   input  logic signed [18:0]   s15_mirror_i,
   output logic [3*D-1:0]       s15_d_o,     // the shadow ray's direction
+  output logic                 s15_near_o,  // it comes from a light within the lattice,
+  output logic [3*N-1:0]       s15_place_o, // from here; only if the chip has instances
   output logic [3*N-1:0]       s28_place_o,
   output logic                 s28_near_o,
   output logic                 s28_clear_o,
@@ -124,6 +126,14 @@ module rc_light #(
     assign s15_away[k*D +: D] = s15_near ? -wide : wide;
     logic unused;
     assign unused = ^from;
+  end
+  assign s15_near_o = s15_near;
+  if (rc_pkg::Homes == 1) begin : gen_place
+    rc_beside #(.Width(3 * N), .Stages(14)) u_lattice (
+      .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i(s1_lattice),
+      .data_o(s15_place_o));
+  end else begin : gen_no_place
+    assign s15_place_o = '0;
   end
   assign s15_d_o = s15_near && !s15_far ? s15_from : s15_away;
 

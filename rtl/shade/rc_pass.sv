@@ -21,7 +21,10 @@ module rc_pass #(
   localparam int unsigned U  = rc_pkg::UvBits,
   localparam int unsigned TB = rc_pkg::TBits,
   localparam int unsigned PB = rc_pkg::PrimBits,
-  localparam int unsigned HitW = 2 + PB + TB + 2 * U
+  localparam int unsigned HitW = 2 + PB + TB + 2 * U,
+  localparam int unsigned MapW   = 9 * rc_pkg::MapBits
+                                 + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac),
+  localparam int unsigned PlaceW = rc_pkg::AddrBits + MapW
 ) (
   input  logic                 clk_i,
   input  logic                 rst_ni,
@@ -35,6 +38,7 @@ module rc_pass #(
   input  logic [3*M-1:0]       d_i,
   input  rc_pkg::surface_t     surface_i,  // if it arrives now, having hit something
   input  rc_pkg::waiting_t     top_i,      // of the rays that wait
+  input  logic [PlaceW-1:0]    place_i,    // with two levels: the instance that was hit
   // To rc_contexts
   output logic                        end_valid_o,
   output logic [I-1:0]                end_ray_o,
@@ -51,7 +55,10 @@ module rc_pass #(
   localparam int unsigned N     = rc_pkg::CoordBits;
   localparam int unsigned NB    = rc_pkg::NormalBits;
   localparam int unsigned V     = rc_pkg::LightBits + rc_pkg::OriginBits + 1;
-  localparam int unsigned UnitW = V > NB ? V : NB;   // V also holds a sum of corner normals
+  localparam int unsigned LongW = V > NB ? V : NB;   // V also holds a sum of corner normals
+  localparam int unsigned TurnW = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
+  localparam int unsigned UnitW = LongW > TurnW ? LongW : TurnW;
+  localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d is begun
 
   // ---- What has come; it is held if a pass stays for more than a cycle.
   logic                 valid;
@@ -62,6 +69,7 @@ module rc_pass #(
   logic [3*M-1:0]       d;
   rc_pkg::surface_t     surface;
   rc_pkg::waiting_t     top_came;
+  logic [PlaceW-1:0]    place;
   if (Every == 1) begin : gen_as_it_comes
     assign valid    = valid_i;
     assign ray      = ray_i;
@@ -71,18 +79,19 @@ module rc_pass #(
     assign d        = d_i;
     assign surface  = surface_i;
     assign top_came = top_i;
+    assign place    = place_i;
   end else begin : gen_held
     localparam int unsigned InW = I + rc_pkg::ShadeStateW + HitW + 3 * P + 3 * M
-                                  + rc_pkg::SurfaceW + rc_pkg::WaitingW;
+                                  + rc_pkg::SurfaceW + rc_pkg::WaitingW + PlaceW;
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
     rc_delay #(.Width(InW), .Stages(1)) u_in (
-      .clk_i, .valid_i, .data_i({ray_i, state_i, hit_i, o_i, d_i, surface_i, top_i}),
-      .data_o({ray, state, hit, o, d, surface, top_came}));
+      .clk_i, .valid_i, .data_i({ray_i, state_i, hit_i, o_i, d_i, surface_i, top_i, place_i}),
+      .data_o({ray, state, hit, o, d, surface, top_came, place}));
   end
 
   // ---- s0: what the pass is for.
   logic [L:0]           ends;   // a pass goes on from the stage; to the last it has come
-  logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end;
+  logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
   logic [TB-1:0]        t;
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]          colour;
@@ -93,7 +102,7 @@ module rc_pass #(
   rc_start u_start (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
-    .end_o(s0_end),
+    .turn_o(s0_turn), .end_o(s0_end),
     .colour_o(colour), .known_o(known));
 
   // In which cycle of which stage a pass is, s0 lowest. It is over in the last one's first cycle.
@@ -111,8 +120,8 @@ module rc_pass #(
   assign end_valid_o = ends[L];
 
   // What those are for that go on.
-  logic [L:0] surf_at, light_at, bounce_at, end_at;
-  logic [L:1] surf_q, light_q, bounce_q, end_q;
+  logic [L:0] surf_at, light_at, bounce_at, end_at, turn_at, face_at;   // face: surf or turn
+  logic [L:1] surf_q, light_q, bounce_q, end_q, turn_q_at;
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < L; i++)
       if (Every == 1 || ends[i]) begin
@@ -120,6 +129,7 @@ module rc_pass #(
         light_q[i+1]  <= light_at[i];
         bounce_q[i+1] <= bounce_at[i];
         end_q[i+1]    <= end_at[i];
+        turn_q_at[i+1] <= turn_at[i];
       end
   end
   if (Every == 1) begin : gen_always_on
@@ -127,12 +137,15 @@ module rc_pass #(
     assign light_at  = {light_q, s0_light};
     assign bounce_at = {bounce_q, s0_bounce};
     assign end_at    = {end_q, s0_end};
+    assign turn_at   = {turn_q_at, s0_turn};
   end else begin : gen_goes_on
     assign surf_at   = {surf_q & ends[L:1], s0_surf};
     assign light_at  = {light_q & ends[L:1], s0_light};
     assign bounce_at = {bounce_q & ends[L:1], s0_bounce};
     assign end_at    = {end_q & ends[L:1], s0_end};
+    assign turn_at   = {turn_q_at & ends[L:1], s0_turn};
   end
+  assign face_at = surf_at | turn_at;
 
   // ---- The state as far as it is known waits for the end.
   localparam int unsigned KnownW = I + rc_pkg::ShadeStateW + rc_pkg::WaitingW;
@@ -145,18 +158,18 @@ module rc_pass #(
 
   // What others take from it on the way.
   logic [3*AB-1:0]     s13_normal, s13_view;
-  logic [3*NB-1:0] s15_n;
+  logic [3*NB-1:0] side_n;
   rc_beside #(.Width(108), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
     .data_i({state.normal, state.view}), .data_o({s13_normal, s13_view}));
-  rc_beside #(.Width(3 * NB), .Stages(15)) u_n (
-    .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
-    .data_i(state.n), .data_o(s15_n));
+  rc_beside #(.Width(3 * NB), .Stages(Side)) u_n (
+    .clk_i, .rst_ni, .come_i(s0_light || s0_bounce),
+    .leave_i(light_at[Side] || bounce_at[Side]), .data_i(state.n), .data_o(side_n));
 
   // ---- The surface.
   logic [3*PW-1:0]    s5_o, surf_o;
   logic [3*NB-1:0]    s5_n, surf_n;
-  logic [3*UnitW-1:0] s5_toward, s5_target;
+  logic [3*UnitW-1:0] s5_toward, s5_target, s5_turned;
   logic               s5_far, surf_far, s5_lost, surf_lost;
   logic [38:0]        s6_albedo, surf_albedo;
   logic [3*VB-1:0]        s7_ambient, surf_ambient;
@@ -185,25 +198,28 @@ module rc_pass #(
   logic signed [18:0] s15_mirror;
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*V +: V]))
-                                                     : s5_toward[k*UnitW +: UnitW];
+                            : turn_q_at[5] ? s5_turned[k*UnitW +: UnitW]
+                                           : s5_toward[k*UnitW +: UnitW];
   end
   rc_angles #(.UnitW(UnitW)) u_angles (
-    .clk_i, .rst_ni, .surf_i(surf_at[14:0]), .light_i(light_at[14:0]),
-    .turn_i(turn[14*Every-1:0]), .s13_surf_i(surf_q[13]), .s0_d_i(d),
+    .clk_i, .rst_ni, .surf_i(face_at[14:0]), .light_i(light_at[14:0]),
+    .turn_i(turn[14*Every-1:0]), .s13_surf_i(surf_q[13] || turn_q_at[13]), .s0_d_i(d),
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
   rc_beside #(.Width(108), .Stages(L - 13)) u_surf_vectors (
-    .clk_i, .rst_ni, .come_i(surf_at[13]), .leave_i(surf_at[L]),
+    .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[L]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
   rc_beside #(.Width(VB), .Stages(L - 15)) u_cosine (
-    .clk_i, .rst_ni, .come_i(surf_at[15]), .leave_i(surf_at[L]), .data_i(s15_cosine),
+    .clk_i, .rst_ni, .come_i(face_at[15]), .leave_i(face_at[L]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
   // ---- A light, a bounce.
   logic            light_near, light_clear, s13_total, bounce_total;
   logic [3*D-1:0]  s15_light_d, s15_d, end_d;
+  logic            s15_near;
+  logic [3*N-1:0]  s15_place;
   logic [3*N-1:0]  light_place;
   logic [3*VB-1:0]     light_share;
   logic [VB-1:0]     s9_weight, bounce_weight;
@@ -214,7 +230,7 @@ module rc_pass #(
     .s0_o_i(state.o), .s0_far_i(state.is_far), .s0_weight_i(state.weight),
     .s0_state_i(state), .s5_to_o(s5_to),
     .s13_unit_i(s13_unit), .s15_cosine_i(s15_cosine), .s15_mirror_i(s15_mirror),
-    .s15_d_o(s15_light_d), .s28_place_o(light_place),
+    .s15_d_o(s15_light_d), .s15_near_o(s15_near), .s15_place_o(s15_place), .s28_place_o(light_place),
     .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
   rc_bounce u_bounce (
     .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .turn_i(turn[14*Every-1:0]),
@@ -255,23 +271,64 @@ module rc_pass #(
     .data_o(end_background));
 
   // ---- On which side of the surface a direction leaves, exactly.
-  logic s17_above, s17_below, end_above, end_below, end_positive;
+  logic above, below, end_above, end_below, end_positive;
+  logic [3*D-1:0] side_d;
   for (genvar k = 0; k < 3; k++) begin : gen_d
     assign s15_d[k*D +: D] = light_q[15] ? s15_light_d[k*D +: D]
                                           : D'($signed(s15_bounce_d[k*M +: M]));
   end
   rc_side u_side (
-    .clk_i, .valid_i((light_at[16:15] | bounce_at[16:15])), .turn_i(turn[15*Every +: Every]),
-    .s15_n_i(s15_n), .s15_d_i(s15_d),
-    .s17_above_o(s17_above), .s17_below_o(s17_below));
-  rc_beside #(.Width(2), .Stages(L - 17)) u_sides (
-    .clk_i, .rst_ni, .come_i(light_at[17] || bounce_at[17]),
-    .leave_i(light_at[L] || bounce_at[L]), .data_i({s17_above, s17_below}),
+    .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
+    .turn_i(turn[Side*Every +: Every]), .n_i(side_n), .d_i(side_d),
+    .above_o(above), .below_o(below));
+  rc_beside #(.Width(2), .Stages(L - Side - 2)) u_sides (
+    .clk_i, .rst_ni, .come_i(light_at[Side+2] || bounce_at[Side+2]),
+    .leave_i(light_at[L] || bounce_at[L]), .data_i({above, below}),
     .data_o({end_above, end_below}));
   rc_beside #(.Width(3 * D + 1), .Stages(L - 15)) u_d (
     .clk_i, .rst_ni, .come_i(light_at[15] || bounce_at[15]),
     .leave_i(light_at[L] || bounce_at[L]), .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
+
+  // ---- With two levels: from a mesh's space, and into it.
+  logic [3*P-1:0]              turned_o, end_home_o;
+  logic [3*D-1:0]              end_home_d;
+  logic [rc_pkg::AddrBits-1:0] end_home;
+  if (rc_pkg::Homes == 1) begin : gen_homes
+    localparam int unsigned E = rc_pkg::MapBits;
+    localparam int unsigned H = N + rc_pkg::MapFrac;
+    logic [3*P-1:0]              s5_turned_o, s19_home_o;
+    logic [3*D-1:0]              s19_home_d;
+    logic [rc_pkg::AddrBits-1:0] here;
+    logic [9*E-1:0]              map_a;
+    logic [3*H-1:0]              map_b;
+    assign {here, map_a, map_b} = place;
+    rc_homes #(.UnitW(UnitW)) u_homes (
+      .clk_i, .rst_ni, .turn_valid_i(turn_at[4:0]), .s0_turn_i(turn[Every-1:0]), .s0_o_i(o),
+      .s0_d_i(d), .s0_t_i(t), .s0_normal_i(state.normal), .s0_a_i(map_a),
+      .s5_toward_o(s5_turned), .s5_o_o(s5_turned_o),
+      .leave_0_i(s0_light || s0_bounce), .leave_valid_i(light_at[18:15] | bounce_at[18:15]),
+      .s15_turn_i(turn[15*Every +: Every]), .s0_b_i(map_b), .s0_inner_i(state.inner),
+      .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
+      .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
+    assign side_d = s19_home_d;
+    rc_beside #(.Width(3 * P), .Stages(L - 5)) u_turned (
+      .clk_i, .rst_ni, .come_i(turn_at[5]), .leave_i(turn_at[L]), .data_i(s5_turned_o),
+      .data_o(turned_o));
+    rc_beside #(.Width(3 * (P + D)), .Stages(L - 19)) u_home (
+      .clk_i, .rst_ni, .come_i(light_at[19] || bounce_at[19]),
+      .leave_i(light_at[L] || bounce_at[L]), .data_i({s19_home_o, s19_home_d}),
+      .data_o({end_home_o, end_home_d}));
+    rc_beside #(.Width(rc_pkg::AddrBits), .Stages(L)) u_here (
+      .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[L] || bounce_at[L]),
+      .data_i(here), .data_o(end_home));
+  end else begin : gen_one_space
+    assign side_d    = s15_d;
+    assign s5_turned = '0;
+    assign {turned_o, end_home, end_home_o, end_home_d} = '0;
+    logic unused;
+    assign unused = ^{place, s15_near, s15_place};
+  end
 
   // ---- From beyond the lattice: where the ray comes into it.
   logic           enters;
@@ -325,6 +382,8 @@ module rc_pass #(
     .surf_view_i(surf_view), .surf_cosine_i(surf_cosine), .surf_far_i(surf_far),
     .surf_lost_i(surf_lost),
     .surf_albedo_i(surf_albedo), .surf_ambient_i(surf_ambient), .background_i(end_background),
+    .turn_i(turn_at[L]), .turn_o_i(turned_o), .home_i(end_home), .home_o_i(end_home_o),
+    .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
     .light_share_i(light_share),
     .above_i(end_above), .below_i(end_below), .positive_i(end_positive), .d_i(end_d),
@@ -335,6 +394,6 @@ module rc_pass #(
   assign end_ray_o = end_ray;
 
   logic unused;
-  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at};
+  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, turn_at, face_at};
 endmodule
 `default_nettype wire

@@ -1,6 +1,7 @@
 // Shading: takes a finished ray's answer, and sends the context's next ray or its finished
 // pixel. What it computes: rc_pass; what it keeps of a context: rc_contexts. A camera ray or
-// bounce that has hit something waits for its surface, which is asked for here.
+// bounce that has hit something waits for its surface, which is asked for here. With two levels the
+// instance is asked for first, which says where surfaces lie; when it comes it is always taken.
 //
 // A pass enters every ShadeInterval cycles: first those whose surface is there, then those that
 // need another pass, then answers of other rays. Latency rc_pkg::ShadeLatency + 1 from a pass to
@@ -69,17 +70,101 @@ module rc_shade (
   assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
   always_ff @(posedge clk_i) if (ray_fires_i) any_hit_q[ray_i.ray] <= ends_at_any;
 
-  logic [A-1:0]   surfaces, line;
-  logic [I+A-1:0] fetch;
+  localparam int unsigned MapW   = 9 * rc_pkg::MapBits
+                                 + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
+  localparam int unsigned PlaceW = A + MapW;
+  localparam int unsigned MaterialW = 9 * (rc_pkg::ShareBits + 1)
+                                    + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits + 2 * rc_pkg::RatioBits;
+  localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
+  // An instance or its material has come; an instance is taken, either; a surface has come.
+  logic              placing, placed, taken, came;
+  logic [rc_pkg::SurfaceW-1:0] surface_found;
+  rc_pkg::surface_t            surface_came;
+  logic [PlaceW-1:0] place_data, place;
   logic           arrived_valid, arrived_pop;
   logic [I-1:0]   arrived_ray;
-  assign surfaces = shade_frame.surfaces;
-  assign line     = surfaces + A'(closest_prim);
-  rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
-    .clk_i, .rst_ni, .push_i(closest_valid_i && wants_surface),
-    .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
-    .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
-  assign surf_req_o = fetch;
+  if (rc_pkg::Homes == 0) begin : gen_fetch
+    logic [A-1:0]   surfaces, line;
+    logic [I+A-1:0] fetch;
+    assign surfaces = shade_frame.surfaces;
+    assign line     = surfaces + A'(closest_prim);
+    rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
+      .clk_i, .rst_ni, .push_i(closest_valid_i && wants_surface),
+      .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
+      .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
+    assign surf_req_o = fetch;
+    assign placing    = 1'b0;
+    assign placed     = 1'b0;
+    assign taken      = 1'b0;
+    assign place_data = '0;
+    assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
+    logic unused;
+    assign unused = ^{surface_came, taken};
+  end else begin : gen_fetch_twice
+    logic [T-1:0]       placing_q, lends_q;   // an instance is waited for, or a material
+    logic [A-1:0]       prim, surface_line, kept_line;
+    logic               lends;
+    logic [I-1:0]       came_ray;
+    rc_pkg::placement_t instance_came;
+    logic [A-1:0]       line;
+    logic               place_valid, place_ready, fetch_valid, fetch_ready;
+    logic [I+A-1:0]     place_next, fetch_next, fetch;
+    assign came_ray      = surf_rsp_i.ray;
+    assign instance_came = rc_pkg::PlacementW'(surf_rsp);
+    assign surface_line  = instance_came.surfaces + prim;
+    assign lends         = lends_q[came_ray];
+    assign line          = lends ? kept_line
+                         : instance_came.material != '0 ? instance_came.material : surface_line;
+    assign placing       = placing_q[came_ray] || lends;
+    assign placed        = surf_rsp_valid_i && placing_q[came_ray];
+    assign taken         = surf_rsp_valid_i && placing;
+    assign place_data    = {instance_came.here, MapW'(rc_pkg::PlacementW'(surf_rsp))};
+    always_ff @(posedge clk_i) begin
+      if (placed)                           placing_q[came_ray]    <= 1'b0;
+      if (closest_valid_i)                  placing_q[closest_ray] <= wants_surface;
+      if (taken) begin
+        lends_q[came_ray] <= placed && instance_came.material != '0;
+        lent_q[came_ray]  <= lends || instance_came.material != '0;
+      end
+      if (closest_valid_i)                  lends_q[closest_ray]   <= 1'b0;
+    end
+    rc_ram #(.Width(A), .Depth(T)) u_line (
+      .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
+      .read_addr_i(came_ray), .read_data_o(kept_line));
+    // A material for all primitives of the instance takes the place of the surface's own.
+    logic [T-1:0]         lent_q;
+    logic [MaterialW:0]   material;
+    rc_ram #(.Width(MaterialW + 1), .Depth(T)) u_material (
+      .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
+      .write_data_i({surface_came.schlick, surf_rsp[MaterialW-1:0]}), .read_addr_i(came_ray),
+      .read_data_o(material));
+    logic [rc_pkg::SurfaceW-1:0] lent;
+    always_comb begin
+      lent = rc_pkg::SurfaceW'(surf_rsp);
+      if (lent_q[came_ray]) lent[MaterialW-1:0] = material[MaterialW-1:0];
+      if (lent_q[came_ray]) lent[SchlickAt]     = material[MaterialW];
+    end
+    assign surface_found = lent;
+    rc_ram #(.Width(A), .Depth(T)) u_prim (
+      .clk_i, .write_i(closest_valid_i), .write_addr_i(closest_ray),
+      .write_data_i(A'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
+    rc_queue #(.Width(I + A), .Depth(T)) u_place (
+      .clk_i, .rst_ni, .push_i(closest_valid_i && wants_surface),
+      .data_i({closest_ray, closest_i.place}), .valid_o(place_valid),
+      .pop_i(place_valid && place_ready), .data_o(place_next));
+    rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
+      .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
+      .pop_i(fetch_valid && fetch_ready), .data_o(fetch_next));
+    rc_merge #(.Width(I + A)) u_ask (
+      .clk_i, .rst_ni,
+      .first_valid_i(fetch_valid), .first_ready_o(fetch_ready), .first_i(fetch_next),
+      .second_valid_i(place_valid), .second_ready_o(place_ready), .second_i(place_next),
+      .valid_o(surf_req_valid_o), .ready_i(surf_req_ready_i), .data_o(fetch));
+    assign surf_req_o = fetch;
+    logic unused;
+    assign unused = ^{instance_came, shade_frame, surface_came};
+  end
+  assign came   = surf_rsp_valid_i && !placing;
   rc_queue #(.Width(I), .Depth(T)) u_arrived (
     .clk_i, .rst_ni, .push_i(closest_valid_i && !wants_surface), .data_i(closest_ray),
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
@@ -90,11 +175,11 @@ module rc_shade (
   rc_door #(.Credits(rc_pkg::ShadeQueue)) u_door (
     .clk_i, .rst_ni, .admit_i(enters), .leave_i(out_valid), .open_o(room));
   assign open        = room && !rests;
-  assign surf_rsp_ready_o = open;
-  assign enters      = open && (surf_rsp_valid_i || again_valid || arrived_valid);
-  assign again_pop   = open && !surf_rsp_valid_i && again_valid;
-  assign arrived_pop = open && !surf_rsp_valid_i && !again_valid && arrived_valid;
-  assign ray         = surf_rsp_valid_i ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
+  assign surf_rsp_ready_o = open || placing;
+  assign enters      = open && (came || again_valid || arrived_valid);
+  assign again_pop   = open && !came && again_valid;
+  assign arrived_pop = open && !came && !again_valid && arrived_valid;
+  assign ray         = came ? surf_rsp_i.ray : again_valid ? again_ray : arrived_ray;
   if (Every == 1) begin : gen_never_rests
     assign rests = 1'b0;
   end else begin : gen_rests
@@ -109,7 +194,7 @@ module rc_shade (
   always_comb begin
     if (rests)
       cause_o = rc_pkg::ShadeBusyWork;
-    else if (surf_rsp_valid_i || again_valid || arrived_valid)
+    else if (came || again_valid || arrived_valid)
       cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;
     else
       cause_o = surf_waits_i ? rc_pkg::ShadeStarvedMemory : rc_pkg::ShadeStarvedList;
@@ -131,11 +216,12 @@ module rc_shade (
   logic                              passes;
   logic [I-1:0]                      pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
-  assign surf_rsp = surf_rsp_i;
+  assign surf_rsp     = surf_rsp_i;
+  assign surface_came = rc_pkg::SurfaceW'(surf_rsp);
   if (Every == 1) begin : gen_at_once
     assign passes   = enters;
     assign pass_ray = ray;
-    assign surface  = rc_pkg::SurfaceW'(surf_rsp);
+    assign surface  = surface_found;
   end else begin : gen_read
     logic                        passes_q;
     logic [I-1:0]                ray_q;
@@ -143,7 +229,7 @@ module rc_shade (
     always_ff @(posedge clk_i) begin
       passes_q  <= rst_ni && enters;
       ray_q     <= ray;
-      surface_q <= rc_pkg::SurfaceW'(surf_rsp);
+      surface_q <= surface_found;
     end
     assign passes   = passes_q;
     assign pass_ray = ray_q;
@@ -153,11 +239,12 @@ module rc_shade (
     .clk_i, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_ray),
     .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray),
-    .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .write_i(end_valid),
+    .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
+    .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place), .write_i(end_valid),
     .write_ray_i(end_ray), .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),
-    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top),
+    .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top), .place_i(place),
     .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
     .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 

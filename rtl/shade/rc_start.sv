@@ -16,6 +16,7 @@ module rc_start #(
   output logic                 light_o,
   output logic                 bounce_o,
   output logic                 refract_o,  // which: refracted, or reflected
+  output logic                 turn_o,     // what was found in a mesh's space is turned
   output logic                 end_o,      // a ray that waits, or the sample's end
   output logic [3*VB-1:0]      colour_o,   // with what was pending
   output rc_pkg::shade_state_t known_o
@@ -30,6 +31,7 @@ module rc_start #(
   assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
   assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
   assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
+  assign turn_o    = valid_i && rc_pkg::Homes == 1 && state_i.purpose == rc_pkg::EventTurn;
   assign end_o     = valid_i && state_i.purpose == rc_pkg::EventPop;
 
   // A light's share counts if nothing was in its way.

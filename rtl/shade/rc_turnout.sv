@@ -30,6 +30,12 @@ module rc_turnout #(
   input  logic [38:0]     surf_albedo_i,
   input  logic [3*VB-1:0] surf_ambient_i,
   input  logic [3*VB-1:0] background_i,
+  // With two levels, from rc_homes: a surface was turned; the ray in the mesh's space
+  input  logic            turn_i,
+  input  logic [3*P-1:0]  turn_o_i,
+  input  logic [rc_pkg::AddrBits-1:0] home_i,
+  input  logic [3*P-1:0]  home_o_i,
+  input  logic [3*D-1:0]  home_d_i,
   // From rc_light
   input  logic            light_near_i,
   input  logic            light_clear_i,
@@ -87,7 +93,7 @@ module rc_turnout #(
   logic [2:0] after;
   assign far    = was_i.is_far;
   assign starts = !far || (!was_i.is_lost && enters_i);
-  assign light = surf_i ? '0 : was_i.light + 7'd1;
+  assign light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
   assign after = light < frame_i.lights ? rc_pkg::EventLight
                : was_i.depth >= frame_i.depth ? rc_pkg::EventPop
                : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? rc_pkg::EventRefract
@@ -108,60 +114,77 @@ module rc_turnout #(
   assign reflects  = reflected && starts;
   assign escapes   = (refracted || reflected) && !starts;   // and sees the background
 
+  rc_pkg::shade_state_t next;
   always_comb begin
-    state_o = was_i;
+    next = was_i;
     if (surf_i) begin
-      state_o.o      = surf_o_i;
-      state_o.n      = surf_n_i;
-      state_o.normal = surf_normal_i;
-      state_o.view   = surf_view_i;
-      state_o.cosine = surf_cosine_i;
-      state_o.is_far   = surf_far_i;
-      state_o.is_lost  = surf_lost_i;
-      state_o.albedo = surf_albedo_i;
-      state_o.light  = '0;
+      next.o      = surf_o_i;
+      next.n      = surf_n_i;
+      next.normal = surf_normal_i;
+      next.view   = surf_view_i;
+      next.cosine = surf_cosine_i;
+      next.is_far   = surf_far_i;
+      next.is_lost  = surf_lost_i;
+      next.albedo = surf_albedo_i;
+      next.light  = '0;
     end
     if (is_arrive) begin
-      state_o.purpose = surf_i ? after : rc_pkg::EventPop;
+      next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTurn : after;
     end
-    if (is_arrive || escapes) state_o.colour = colour;
+    if (turn_i) begin
+      next.o       = (3*PW)'(turn_o_i);   // there are no planes then, and so no point beyond
+      next.normal  = surf_normal_i;
+      next.view    = surf_view_i;
+      next.cosine  = surf_cosine_i;
+      next.light   = '0;
+      next.purpose = after;
+    end
+    if (is_arrive || escapes) next.colour = colour;
     if (is_light) begin
-      state_o.share   = light_share_i;
-      state_o.light   = light;
-      state_o.purpose = after;
-      state_o.pending = !counts ? rc_pkg::PendingNone
+      next.share   = light_share_i;
+      next.light   = light;
+      next.purpose = after;
+      next.pending = !counts ? rc_pkg::PendingNone
                       : asks ? rc_pkg::PendingAnswer : rc_pkg::PendingSure;
     end
     if (is_refract) begin
-      state_o.total = total_i;
-      state_o.purpose = rc_pkg::EventReflect;
-      if (pushes) state_o.waiting = was_i.waiting + 4'd1;
+      next.total = total_i;
+      next.purpose = rc_pkg::EventReflect;
+      if (pushes) next.waiting = was_i.waiting + 4'd1;
     end
     if (is_reflect) begin
-      state_o.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
+      next.purpose = reflects ? rc_pkg::EventArrive : rc_pkg::EventPop;
       if (reflects) begin
-        state_o.weight = weight_i;
-        state_o.depth  = was_i.depth + 4'd1;
+        next.weight = weight_i;
+        next.depth  = was_i.depth + 4'd1;
       end
     end
     if (is_pop) begin
-      state_o.waiting = was_i.waiting - 4'd1;
-      state_o.weight  = top_i.weight;
-      state_o.depth   = top_i.depth;
-      state_o.purpose = rc_pkg::EventArrive;
+      next.waiting = was_i.waiting - 4'd1;
+      next.weight  = top_i.weight;
+      next.depth   = top_i.depth;
+      next.purpose = rc_pkg::EventArrive;
     end
     if (is_end) begin
-      state_o.sum   = sum_i;
-      state_o.least = least_i;
-      state_o.most  = most_i;
+      next.sum   = sum_i;
+      next.least = least_i;
+      next.most  = most_i;
     end
     if (is_next) begin
-      state_o.sample = was_i.sample + 6'd1;
-      state_o.colour = '0;
-      state_o.weight = 17'h10000;
-      state_o.depth  = '0;
-      state_o.purpose = rc_pkg::EventArrive;
+      next.sample = was_i.sample + 6'd1;
+      next.colour = '0;
+      next.weight = 17'h10000;
+      next.depth  = '0;
+      next.purpose = rc_pkg::EventArrive;
     end
+  end
+  if (rc_pkg::Homes == 1) begin : gen_inner   // what was found in the mesh's space is kept
+    always_comb begin
+      state_o = next;
+      if (turn_i) state_o.inner = was_i.o;
+    end
+  end else begin : gen_no_inner
+    assign state_o = next;
   end
   assign leave_o = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
@@ -183,7 +206,9 @@ module rc_turnout #(
                                                        : d_i[k*D +: D];
   end
   assign push_o   = pushes;
-  assign pushed_o = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
+  localparam int unsigned PushedW = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
+  logic [PushedW-1:0] pushed;
+  assign pushed = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
 
   // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
   logic [1:0]                 kind;
@@ -201,9 +226,32 @@ module rc_turnout #(
   logic finite;   // it asks no planes
   assign finite = is_light && !to_point && light_clear_i;
   localparam int unsigned GivenW = 3 * P + 3 * D;
-  localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+  localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
+  localparam int unsigned SelfW  = rc_pkg::Homes == 1 ? HomeW
+                                 : rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
   logic [GivenW+SelfW-1:0] given;
-  if (rc_pkg::Spheres == 1) begin : gen_self
+  if (rc_pkg::Homes == 1) begin : gen_home
+    logic [3*M-1:0] short_home_d, top_home_d;
+    logic [3*D-1:0] top_way, home_d;
+    assign top_home_d = top_i.home_d;
+    for (genvar k = 0; k < 3; k++) begin : gen_axis
+      assign short_home_d[k*M +: M] = home_d_i[k*D +: M];
+      assign top_way[k*D +: D]      = D'($signed(top_home_d[k*M +: M]));
+    end
+    assign home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
+    assign pushed_o = {pushed, home_i, home_o_i, short_home_d};
+    assign given    = {is_next ? '0 : is_pop ? top_i.home : home_i,
+                       is_next ? '0 : is_pop ? top_i.home_o : home_o_i, home_d,
+                       spawn_place, spawn_way};
+    logic unused;
+    assign unused = ^self;
+  end else begin : gen_no_home
+    assign pushed_o = pushed;
+    logic unused;
+    assign unused = ^{home_i, home_o_i, home_d_i};
+  end
+  if (rc_pkg::Homes == 1) begin : gen_triangles
+  end else if (rc_pkg::Spheres == 1) begin : gen_self
     assign given = {self, spawn_place, spawn_way};
   end else begin : gen_no_self
     assign given = {spawn_place, spawn_way};
@@ -219,7 +267,12 @@ module rc_turnout #(
   end
   logic [3*VB-1:0] pixel;
   assign pixel   = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
-  assign pixel_o = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, pixel};
+  if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
+    assign pixel_o = {ray_i, {rc_pkg::AddrBits{1'b0}}, was_i.found, 1'b0, was_i.prim, was_i.t,
+                      was_i.u, was_i.v, pixel};
+  end else begin : gen_pixel
+    assign pixel_o = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, pixel};
+  end
 
   logic unused;
   assign unused = ^{frame_i, top_i, was_o};

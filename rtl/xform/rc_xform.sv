@@ -6,6 +6,9 @@
 // and |A o + b| is below 2^(CoordBits-1), which the scene's compiler sees to; so o' and d' are no
 // wider than o and d.
 //
+// If the chip shades, o and o' have OriginBits of fraction; a shadow ray's o' is rounded to a lattice
+// point. Of the instance that a ray leaves, or at which a shadow ray ends, o' and d' come with it.
+//
 // Latency rc_pkg::XformLatency, a ray every XformInterval cycles: its 18 products share
 // multipliers, and its reciprocals dividers. Its answers are always taken. Model:
 // model/xform/xform.hpp.
@@ -27,7 +30,8 @@ module rc_xform (
   localparam int unsigned X  = N > M ? N : M;
   localparam int unsigned E  = rc_pkg::MapBits;
   localparam int unsigned K  = rc_pkg::MapFrac;
-  localparam int unsigned BW = N + K;
+  localparam int unsigned B  = rc_pkg::OriginBits;
+  localparam int unsigned BW = N - B + K;
   localparam int unsigned P  = E + X;               // of a product
   localparam int unsigned SW = X + K + 1;           // of a sum
   localparam int unsigned R1 = rc_pkg::RecipBits + 1;
@@ -93,8 +97,12 @@ module rc_xform (
   // ---- Sums. Half a step is added early, to b, or in its place.
   localparam logic [SW-1:0] Half = SW'(1) << (K - 1);
   logic [3*SW-1:0] begin_b, made_b;
+  logic            in_shadow, moved_shadow, at_home, sum_shadow;
+  logic [3*N-1:0]  home_o;
+  logic [3*M-1:0]  home_d;
   for (genvar i = 0; i < 3; i++) begin : gen_b
-    assign begin_b[i*SW +: SW] = SW'($signed(in_b[i*BW +: BW])) + Half;
+    assign begin_b[i*SW +: SW] = (SW'($signed(in_b[i*BW +: BW])) <<< B)
+                               + (in_shadow ? Half << B : Half);
   end
   rc_cut #(.Width(3 * SW), .Stages(Made - In)) u_b (
     .clk_i, .data_i(begin_b), .data_o(made_b));
@@ -103,13 +111,17 @@ module rc_xform (
   for (genvar i = 0; i < 6; i++) begin : gen_sum
     logic [SW-1:0] rest, first_q, second_q;
     logic [SW-1:0] total;
-    logic [X-1:0]  moved_q;
+    logic [X-1:0]  moved_q, home, rounded;
     if (i < 3) begin : gen_point
       assign rest = made_b[i*SW +: SW];
       assign moved_o[i*X +: X] = moved_q;
+      assign home = X'($signed(home_o[i*N +: N]));
+      assign rounded = sum_shadow ? total[K +: X] >> B << B : total[K +: X];
     end else begin : gen_direction
       assign rest = Half;
       assign moved_d[(i-3)*X +: X] = moved_q;
+      assign home = X'($signed(home_d[(i-3)*M +: M]));
+      assign rounded = total[K +: X];
     end
     assign total = first_q + second_q;
     always_ff @(posedge clk_i) begin
@@ -117,7 +129,7 @@ module rc_xform (
         first_q  <= SW'($signed(product[3*i*P +: P])) + SW'($signed(product[(3*i+1)*P +: P]));
         second_q <= SW'($signed(product[(3*i+2)*P +: P])) + rest;
       end
-      if (valid[Made+1]) moved_q <= total[K +: X];
+      if (valid[Made+1]) moved_q <= at_home ? home : rounded;
     end
 `ifndef SYNTHESIS
     localparam int unsigned Width = i < 3 ? N : M;
@@ -135,6 +147,21 @@ module rc_xform (
     assign d[k*M +: M] = moved_d[k*X +: M];
   end
 
+  // ---- A ray that starts from this instance, or a shadow ray that ends there.
+  if (rc_pkg::Homes == 1) begin : gen_homes
+    logic in_home;
+    assign in_shadow = in.kind == rc_pkg::RayShadow;
+    assign in_home   = in.kind != rc_pkg::RayCamera && in.home == in.here;
+    rc_cut #(.Width(2 + 3 * (N + M)), .Stages(Made + 1 - In)) u_home (
+      .clk_i, .data_i({in_home, in_shadow, in.home_o, in.home_d}),
+      .data_o({at_home, sum_shadow, home_o, home_d}));
+    rc_cut #(.Width(1), .Stages(1)) u_shadow (
+      .clk_i, .data_i(sum_shadow), .data_o(moved_shadow));
+  end else begin : gen_no_homes
+    assign {in_shadow, moved_shadow, at_home, sum_shadow} = '0;
+    assign {home_o, home_d} = '0;
+  end
+
   // ---- Reciprocals: a divider makes those of Share axes, one after the other.
   localparam int unsigned Dividers = (3 + Share - 1) / Share;
   logic [3*R1-1:0] recip;
@@ -144,17 +171,22 @@ module rc_xform (
     localparam int unsigned Own   = 3 - First < Share ? 3 - First : Share;
     logic signed [M-1:0] axis;
     logic [R1+EB-1:0]    made;
+    logic                is_short;
     if (Own == 1) begin : gen_alone
-      assign axis = d[First*M +: M];
+      assign axis     = d[First*M +: M];
+      assign is_short = !moved_shadow;
     end else begin : gen_axes   // the next waits lowest
       logic [(Own-1)*M-1:0] wait_q;
-      assign axis = valid[Moved] ? d[First*M +: M] : wait_q[M-1:0];
+      logic               short_q;
+      assign axis     = valid[Moved] ? d[First*M +: M] : wait_q[M-1:0];
+      assign is_short = valid[Moved] ? !moved_shadow : short_q;
       always_ff @(posedge clk_i) begin
+        short_q <= is_short;
         wait_q <= valid[Moved] ? d[(First+1)*M +: (Own-1)*M] : wait_q >> M;
       end
     end
     rc_recip u_recip (
-      .clk_i, .valid_i(valid[Moved +: Own] != '0), .short_i(1'b1), .d_i(axis),
+      .clk_i, .valid_i(valid[Moved +: Own] != '0), .short_i(is_short), .d_i(axis),
       .recip_o(made[R1-1:0]), .len_o(made[R1+EB-1:R1]));
     for (genvar i = 0; i < Own; i++) begin : gen_axis   // the first wait for the last
       rc_cut #(.Width(R1 + EB), .Stages(Share - 1 - i)) u_early (
@@ -164,18 +196,23 @@ module rc_xform (
   end
 
   // ---- What is known earlier waits beside.
-  localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (N + M + R1 + EB);   // ray, first, root
-  logic [WhoseW-1:0]    end_whose;
+  // Ray, first and root; if the chip shades, its kind and the instance's own line as well.
+  localparam int unsigned WhoseW = rc_pkg::ChangeW - 3 * (N + M + R1 + EB);
+  logic [WhoseW-1:0]    in_whose, end_whose;
+  if (rc_pkg::Homes == 1) begin : gen_whose_home
+    assign in_whose = {in.ray, in.kind, in.first, in.root, in.here};
+  end else begin : gen_whose
+    assign in_whose = {in.ray, in.first, in.root};
+  end
   logic [3*(N+M)-1:0]   end_moved;
   rc_wait #(.Width(WhoseW), .Stages(L - In)) u_whose (
-    .clk_i, .rst_ni, .valid_i(valid[In]), .data_i({in.ray, in.first, in.root}),
-    .data_o(end_whose));
+    .clk_i, .rst_ni, .valid_i(valid[In]), .data_i(in_whose), .data_o(end_whose));
   rc_wait #(.Width(3 * (N + M)), .Stages(L - Moved)) u_moved (
     .clk_i, .rst_ni, .valid_i(valid[Moved]), .data_i({o, d}), .data_o(end_moved));
   assign change_fires_o = valid[L];
   assign change_o       = {end_whose, end_moved, recip, len};
 
   logic unused;
-  assign unused = ^{moved_o, moved_d};
+  assign unused = ^{moved_o, moved_d, in};
 endmodule
 `default_nettype wire

@@ -15,7 +15,7 @@ Compared compare(const Request& request, const Job& job, const MachineFrame& mad
         c.reference = picture_of(reference);
         c.error = frame_error(c.hits, c.picture, reference.hits, c.reference);
         const Given given{made.answers, made.colours, made.signatures};
-        if (judged)
+        if (judged && can_judge(request.config))
             c.judgement = judge_finished(asked, job.image, request.settings, {reference, c.picture, given},
                                          c.hits, threads, progress);
         c.reference_hits = std::move(reference.hits);

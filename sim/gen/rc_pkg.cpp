@@ -191,6 +191,7 @@ void derived(Package& p, const Config& c) {
     p.constant("NumBits", c.num_bits());
     p.constant("TriRayBits", c.tri_ray_bits());
     p.constant("OriginBits", c.origin_frac());
+    p.constant("Homes", int(c.has_homes()));   // rays start from instances
     p.constant("OriginWidth", c.origin_width());
     p.constant("PointWidth", c.point_width());
     p.constant("ApproachShift", c.approach_shift());
@@ -318,7 +319,8 @@ void enumerations(Package& p) {
                                {"Light", ShadeEvent::light},
                                {"Refract", ShadeEvent::refract},
                                {"Reflect", ShadeEvent::reflect},
-                               {"Pop", ShadeEvent::pop}});
+                               {"Pop", ShadeEvent::pop},
+                               {"Turn", ShadeEvent::turn}});
     p.enumeration<Pending>("pending_e", "Pending", 2,
                            {{"None", Pending::none}, {"Answer", Pending::answer}, {"Sure", Pending::sure}});
     using Leave = PassOut::Leave;

@@ -93,6 +93,7 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::refract: refract(in, out); break;
         case ShadeEvent::reflect: reflect(in, out); break;
         case ShadeEvent::pop: pop(in, out); break;
+        case ShadeEvent::turn: fail("instances have no judge"); break;
     }
     demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
            "what was added is not what the surface, light or background gives");

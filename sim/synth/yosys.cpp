@@ -50,7 +50,8 @@ YosysFolder::~YosysFolder() {
 bool YosysFolder::run(const Config& config, const std::string& read_flags, const std::string& script) const {
     write("rc_pkg.sv", rc_package(config));
     // With RC_ECP5 products lie in the device's own blocks: rtl/fixed/rc_mul_limb.sv.
-    std::string commands = "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
+    std::string commands =
+        "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v\nread_verilog -sv rc_pkg.sv\n";
     // Copies in this folder: Yosys names cells by the files' names, and what ABC and a placer make of them
     // depends on their names. So a netlist is the same wherever the sources lie.
     for (const RtlText& source : rtl_texts()) {

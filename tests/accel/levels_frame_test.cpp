@@ -122,7 +122,7 @@ TEST_CASE("what two levels cannot do is refused", "[levels]") {
     };
     Config config = format(18, 20);
     CHECK(refused(config, scene).empty());
-    config.shading = 1;
+    config.shading = config.spheres = 1;
     CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(18, 20);
     config.structure = int(Structure::kd);

@@ -18,8 +18,10 @@ mutant(judge_last_light_is_left_out FILE model/shade/pass.cpp TEST simulate "sph
   OLD [[light < frame.shade.lights ?]]
   NEW [[light + 1 < frame.shade.lights ?]])
 mutant(judge_first_light_is_left_out FILE model/shade/pass.cpp TEST simulate "balls:1 --depth 1"
-  OLD [[        next_light(s, 0, frame, c);]]
-  NEW [[        next_light(s, 1, frame, c);]])
+  OLD [[        next_light(s, 0, frame, c);
+        if (c.has_homes())]]
+  NEW [[        next_light(s, 1, frame, c);
+        if (c.has_homes())]])
 mutant(judge_sum_loses_its_carry FILE model/shade/pass.cpp TEST simulate "spheres --depth 2"
   OLD [[std::min(colour[k] + more[k], one);]]
   NEW [[std::min((colour[k] & ~255u) + (more[k] & ~255u) + ((colour[k] + more[k]) & 255u), one);]])
@@ -63,7 +65,7 @@ mutant(judge_mirrored_by_half FILE model/shade/bounce.cpp TEST simulate "mirrors
   OLD [[rounded(2 * std::int64_t(state.cosine) * state.normal[k], unit_bits)]]
   NEW [[rounded(std::int64_t(state.cosine) * state.normal[k], unit_bits)]])
 mutant(judge_reflected_ray_may_go_in FILE model/shade/bounce.cpp TEST simulate "teapot:3 --depth 3 --size 96x72 | mount:2 --depth 3 --size 96x72 | rings:1 --depth 3"
-  OLD [[out.goes = side_of(state.n, out.d) > 0;]]
+  OLD [[out.goes = leaves(c, state, placement, out) > 0;]]
   NEW [[out.goes = true;]])
 mutant(judge_total_reflection_is_dim FILE model/shade/bounce.cpp TEST simulate "gears:2 --depth 4 --size 96x72"
   OLD [[if (state.total)

@@ -2,11 +2,11 @@
 
 # ---- The map: one rounding, one t, nothing kept from the wrong space.
 mutant(xform_rounds_down FILE model/xform/xform.cpp TEST accel [levels]
-  OLD [[std::int64_t sum = b[i] + (std::int64_t(1) << (frac - 1));]]
-  NEW [[std::int64_t sum = b[i];]])
+  OLD [[(std::int64_t(1) << config.origin_frac()) + (std::int64_t(1) << (frac - 1));]]
+  NEW [[(std::int64_t(1) << config.origin_frac());]])
 mutant(xform_moves_directions_as_points FILE model/xform/xform.cpp TEST accel [levels]
-  OLD [[mapped(p, req.d, {}, frac)]]
-  NEW [[mapped(p, req.d, p.b, frac)]])
+  OLD [[unrounded(p, d, {half, half, half});]]
+  NEW [[unrounded(p, d, p.b);]])
 mutant(xform_mixes_rows_and_columns FILE model/xform/xform.cpp TEST accel [levels]
   OLD [[(p.a[3 * i + k])]]
   NEW [[(p.a[i + 3 * k])]])
@@ -16,8 +16,8 @@ mutant(walk_keeps_the_scenes_reciprocals FILE model/xform/inside.hpp WITH tests/
   NEW [[from = box_ray(change), from.recip = ray.recip, from.len = ray.len;]])
 mutant(walk_goes_back_in_the_wrong_space FILE model/xform/inside.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
   TEST accel [levels]
-  OLD [[xform({ray.ray, ray.o, ray.d, placement}, config);]]
-  NEW [[xform({ray.ray, change.first ? change.o : ray.o, change.first ? change.d : ray.d, placement}, config);]])
+  OLD [[xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);]]
+  NEW [[xform({ray.ray, change.first ? change.o : ray.o, change.first ? change.d : ray.d, placement, ray.kind, ray.home}, config);]])
 mutant(walk_forgets_the_first_number FILE model/trace/walk.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
   TEST accel [levels]
   OLD [[prim.prim += inside.change.first;]]

@@ -97,8 +97,8 @@ mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [s
   OLD [[if (read_i) read_fresh_q <= fresh_q[read_ray_i];]]
   NEW [[if (read_i) read_fresh_q <= fresh_q[write_ray_i];]])
 mutant(shade_surface_of_the_next_pass FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
-  OLD [[      surface_q <= rc_pkg::SurfaceW'(surf_rsp);]]
-  NEW [[      if (passes_q) surface_q <= rc_pkg::SurfaceW'(surf_rsp);]])
+  OLD [[      surface_q <= surface_found;]]
+  NEW [[      if (passes_q) surface_q <= surface_found;]])
 mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pass][interval]
   OLD [[if (turn_i[i+Inside]) p_q <= p;]]
   NEW [[if (turn_i[i+1]) p_q <= p;]])

@@ -189,8 +189,8 @@ mutant(corners_third_subtracted FILE rtl/shade/rc_corners.sv TEST unit [pass][al
   OLD [[S'(s3_b_q) + S'(s3_c_q);]]
   NEW [[S'(s3_b_q) - S'(s3_c_q);]])
 mutant(side_in_the_plane_is_above FILE rtl/shade/rc_side.sv TEST unit [pass][all]
-  OLD [[&& s16_sum != '0;]]
-  NEW [[&& s16_sum[Q:0] != '1;]])
+  OLD [[&& sum != '0;]]
+  NEW [[&& sum[Q:0] != '1;]])
 mutant(light_share_wraps FILE rtl/shade/rc_light.sv TEST unit [pass][all]
   OLD [[s27_rounded[52:44] != '0 ? 17'h10000]]
   NEW [[&s27_rounded[52:44] ? 17'h10000]])
@@ -225,8 +225,8 @@ mutant(shade_shadow_hit_fetches_its_surface FILE rtl/shade/rc_shade.sv TEST unit
   OLD [[closest_i.found && !any_hit_q[closest_ray];]]
   NEW [[closest_i.found && !(any_hit_q[closest_ray] && kind[0]);]])
 mutant(shade_arrived_before_again FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
-  OLD [[open && !surf_rsp_valid_i && !again_valid && arrived_valid;]]
-  NEW [[open && !surf_rsp_valid_i && (!again_valid || push) && arrived_valid;]])
+  OLD [[open && !came && !again_valid && arrived_valid;]]
+  NEW [[open && !came && (!again_valid || push) && arrived_valid;]])
 mutant(shade_is_busy_behind_a_closed_door FILE rtl/shade/rc_shade.sv TEST unit [shade]~[slow]
   OLD [[cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;]]
   NEW [[cause_o = rc_pkg::ShadeBusyWork;]])

@@ -1,9 +1,13 @@
 // compile_levels: lattices and maps, a lower structure for each class, the scene's tree above them.
 #include <bit>
+#include <map>
+
+#include <glm/matrix.hpp>
 
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/levels/levels.hpp"
+#include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 
@@ -15,11 +19,13 @@ constexpr int most_groups = 62;   // a Trace tells an instance from so many drop
 /// The triangles of a mesh that count on a class's lattice, numbered within the mesh.
 std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
     std::vector<PrimData> all;
+    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // turned inside out again
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto corner = [&](std::size_t k) {
             return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
         };
-        const PrimData prim{corner(0), corner(1), corner(2), std::uint32_t(i), 0};
+        const PrimData prim{corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2), std::uint32_t(i),
+                            0};
         if (counts(prim, config)) all.push_back(prim);
     }
     return all;
@@ -27,8 +33,9 @@ std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, con
 
 class LevelsCompiler {
 public:
-    LevelsCompiler(const LevelParts& parts, const Config& config, const std::string& name, LevelsImage& out)
-        : parts_(parts), config_(config), name_(name), out_(out), image_(out.image) {}
+    LevelsCompiler(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
+                   const std::string& name, LevelsImage& out)
+        : parts_(parts), materials_(materials), config_(config), name_(name), out_(out), image_(out.image) {}
 
     void run(int buffers) {
         lowers_.resize(out_.maps.classes.size());
@@ -41,8 +48,9 @@ public:
         std::vector<std::uint32_t> placed;
         const UpperReport report = write_upper(out_.entries, 0, true, config_, name_, image_.words, placed);
         append_lowers();
+        image_.surfaces = image_.lines();
         for (std::size_t e = 0; e < placed.size(); ++e) {
-            out_.entries[e].root = out_.roots[out_.entries[e].map->mesh_class];
+            complete(out_.entries[e], out_.of_entry[e]);
             write_entry(out_.entries[e], placed[e], config_, image_.words);
         }
         image_.report.nodes += report.nodes;
@@ -56,6 +64,8 @@ public:
     }
 
 private:
+    std::uint32_t class_of(std::uint32_t instance) const { return out_.maps.instances[instance].mesh_class; }
+
     /// Instances of which something is left.
     void gather_entries() {
         std::uint64_t& number = triangles_;
@@ -64,7 +74,7 @@ private:
             const MemoryImage& lower = lowers_[map.mesh_class];
             if (!lower.words.empty()) {
                 out_.entries.push_back(
-                    {&map, std::uint32_t(number), 0, lower.report.stack_need, lower.report.depth});
+                    {&map, std::uint32_t(number), 0, 0, 0, lower.report.stack_need, lower.report.depth});
                 out_.of_entry.push_back(std::uint32_t(i));
             }
             number += parts_.meshes[parts_.instances[i].mesh]->triangles.size();
@@ -78,7 +88,8 @@ private:
     /// Whole lines of every cache: none that holds a line of one tree holds one of another.
     std::uint32_t aligned(std::uint32_t lines) const {
         const auto step = std::uint32_t(
-            std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
+            std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) /
+            line_bytes);
         return (lines + step - 1) / step * step;
     }
 
@@ -101,6 +112,55 @@ private:
         }
     }
 
+    /// What an entry can say once the lower structures lie in memory.
+    void complete(UpperEntry& entry, std::uint32_t instance) {
+        entry.root = out_.roots[entry.map->mesh_class];
+        if (!config_.shading) return;
+        entry.surfaces = surfaces_of(instance) - entry.first;
+        if (const auto& own = parts_.instances[instance].material) entry.material = material_of(*own);
+    }
+
+    /// Line of the first surface of an instance's mesh; instances of a class share them.
+    std::uint32_t surfaces_of(std::uint32_t instance) {
+        const auto [found, is_new] = surfaces_.try_emplace(class_of(instance), image_.lines());
+        if (is_new) write_surfaces_of(class_of(instance));
+        return found->second;
+    }
+
+    /// Line of a surface that has a material and no corners.
+    std::uint32_t material_of(std::uint32_t material) {
+        const auto [found, is_new] = materials_of_.try_emplace(material, image_.lines());
+        if (!is_new) return found->second;
+        Scene scene;
+        scene.vertices.emplace_back();
+        scene.triangles = {{{0, 0, 0}, material}};
+        write(scene);
+        return found->second;
+    }
+
+    /// On the class's lattice, whose steps are the unit here: normals of corners are turned as planes are.
+    void write_surfaces_of(std::uint32_t number) {
+        const MeshClass& made = out_.maps.classes[number];
+        const SharedMesh& mesh = *parts_.meshes[made.mesh];
+        Scene part, scene;
+        part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
+        append(scene, part, made.before, {}, 0);
+        if (!made.corners.empty()) scene.vertices = made.corners;
+        for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
+        for (glm::dvec3& normal : scene.normals) normal = unit_or_zero(normal * made.lattice.pitch);
+        write(scene);
+    }
+
+    /// Surfaces of a scene whose unit is a step.
+    void write(Scene& scene) {
+        scene.materials = materials_;
+        MemoryImage surfaces;
+        surfaces.lattice.coord_bits = config_.coord_bits;
+        check_lines(std::uint64_t(image_.lines()) + scene.triangles.size(), config_, name_);
+        write_surfaces(scene, config_, name_, surfaces);
+        image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
+    }
+
     /// Nodes of a lower structure that was compiled from line 0 on and now begins at `root`.
     void move_nodes(std::uint32_t root) {
         std::vector<std::uint32_t> pending{root};
@@ -120,12 +180,14 @@ private:
     std::uint32_t* at(std::uint32_t line) { return &image_.words[std::size_t(line) * words_per_line]; }
 
     const LevelParts& parts_;
+    const std::vector<Material>& materials_;
     const Config& config_;
     const std::string& name_;
     LevelsImage& out_;
     MemoryImage& image_;
-    std::vector<MemoryImage> lowers_;   // by class
-    std::uint64_t triangles_ = 0;       // placed
+    std::vector<MemoryImage> lowers_;                                  // by class
+    std::uint64_t triangles_ = 0;                                      // placed
+    std::map<std::uint32_t, std::uint32_t> surfaces_, materials_of_;   // lines, by class and by material
     Words scratch_;
 };
 
@@ -162,7 +224,9 @@ Places places_of(const PlacedScene& scene) {
     return places;
 }
 
-SharedMesh own_mesh(const PlacedScene& scene) { return {"", scene.own.vertices, {}, scene.own.triangles}; }
+SharedMesh own_mesh(const PlacedScene& scene) {
+    return {"", scene.own.vertices, scene.own.normals, scene.own.triangles};
+}
 
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
     if (!scene.own.spheres.empty() || !scene.own.planes.empty())
@@ -175,10 +239,10 @@ void check_levels(const PlacedScene& scene, const Config& config, const std::str
                         std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits));
 }
 
-void compile_parts(const LevelParts& parts, const Config& config, const std::string& name, int buffers,
-                   LevelsImage& out) {
+void compile_parts(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
+                   const std::string& name, int buffers, LevelsImage& out) {
     out.image.lattice = out.maps.lattice;
-    LevelsCompiler(parts, config, name, out).run(buffers);
+    LevelsCompiler(parts, materials, config, name, out).run(buffers);
     out.image.report.pitch = out.maps.lattice.pitch;
 }
 
@@ -197,7 +261,7 @@ LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, cons
     const LevelParts parts = parts_of(scene, own);
     LevelsImage out;
     out.maps = map_instances(parts, eye, config);
-    compile_parts(parts, config, name, 0, out);
+    compile_parts(parts, scene.own.materials, config, name, 0, out);
     out.image.report.seconds = watch.seconds();
     return out;
 }

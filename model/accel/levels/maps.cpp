@@ -5,6 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "model/accel/surfaces.hpp"
+#include "model/base/error.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -14,7 +17,8 @@ namespace rayclock {
 namespace {
 
 constexpr std::uint64_t most_corners = 20'000'000;   // of all instances: of more, no box is exact
-constexpr std::size_t most_exact = 64;               // corners of a mesh: of more, the box of an instance that moves is not exact
+constexpr std::size_t most_exact = 64;   // corners of a mesh: of more, the box of an instance that moves is
+                                         // not exact
 
 /// The scene's lattice seen from a mesh: its middle, and for each axis of the mesh what a step along each of
 /// the scene's axes is there.
@@ -53,13 +57,15 @@ struct Fitted {
     bool stretched = false;
 };
 
-/// Extents of the class's corners along a row of the stored map's inverse: of all of them, or of solids around them.
+/// Extents of the class's corners along a row of the stored map's inverse: of all of them, or of solids
+/// around them.
 struct Extent {
     double lo = 0, hi = 0;
 };
 Extent extent_of(const MeshClass& made, const glm::dvec3& row, const glm::dvec3& moved) {
     const glm::dvec3 scaled = row / made.lattice.pitch;
-    const double middle = glm::dot(scaled, made.reach.middle) - glm::dot(row, moved), reach = made.reach.along(scaled);
+    const double middle = glm::dot(scaled, made.reach.middle) - glm::dot(row, moved),
+                 reach = made.reach.along(scaled);
     return {middle - reach, middle + reach};
 }
 Extent exact_extent(const MeshClass& made, const glm::dvec3& row, const glm::dvec3& moved) {
@@ -92,8 +98,26 @@ CornerReach reach_of(const MeshClass& made) {
     return reach;
 }
 
-/// The box of the mesh's corners as the stored map places them, with what a hit may be off around each: a triangle
-/// lies within its corners' box, and so do the triangle's points, each with that around it.
+/// How far off its own triangles a hit may be for all rays of a chip that shades, bounce after bounce:
+/// docs/motion.md, Secondary rays. Where a ray leaves the instance again, it begins as far off as it was when
+/// it met it, and a little more.
+double off_of_secondary(const MeshClass& made, bool is_whole, double stretch, const Config& config) {
+    const double frac = std::ldexp(1, -config.origin_bits), slope = is_whole ? 0 : 0.5,
+                 camera = std::ldexp(1, config.dir_bits - 2), bounce = 0.57 * camera;
+    const auto reach = [&](double begin, double shortest) {   // S, of a ray that begins so far off
+        return (2 * largest_of(config) + 2 + stretch * (1.25 + begin)) / (shortest - slope * stretch);
+    };
+    const double anew = std::ldexp(1, -config.t_frac_bits) + frac + 1.25 + 2.5 * frac * made.longest;
+    double off = frac + slope * reach(frac, camera);
+    for (int bounces = 0; bounces <= config.bounces; ++bounces) {
+        const double begin = off + anew;
+        off = begin + slope * reach(begin, bounce);
+    }
+    return off;
+}
+
+/// The box of the mesh's corners as the stored map places them, with what a hit may be off around each: a
+/// triangle lies within its corners' box, and so do the triangle's points, each with that around it.
 void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3& moved, const Config& config,
                bool by_reach, Fitted& fitted) {
     const double largest = largest_of(config);
@@ -107,6 +131,7 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
     if (fitted.stretched) return;
     const double last = (2 * largest + 1.25 * stretch + 1) / (shortest - stretch / 2);
     map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
+    if (config.shading) map.off = off_of_secondary(made, map.is_whole, stretch, config);
     const double slack = map.is_whole && !by_reach ? 0 : 1.0 / 64;   // of double arithmetic here
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 row(back[0][i], back[1][i], back[2][i]);
@@ -164,12 +189,13 @@ public:
         for (const Places& places : times)
             for (std::size_t i = 0; i < places.size(); ++i) moves_[i] = moves_[i] || places[i] != times[0][i];
         std::uint64_t corners = 0;
-        for (const Instance& instance : parts.instances) corners += parts.meshes[instance.mesh]->vertices.size();
+        for (const Instance& instance : parts.instances)
+            corners += parts.meshes[instance.mesh]->vertices.size();
         is_large_ = corners > most_corners;
     }
 
-    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves would have to
-    /// be written out.
+    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves
+    /// would have to be written out.
     bool run() {
         find_bounds();
         for (double margin = 0;;) {
@@ -180,8 +206,13 @@ public:
             if (beyond <= 0) return true;
             margin += beyond + 1;
             if (margin < largest_ / 4) continue;
-            // Not seen yet. What is written out rounds nothing and needs no margin.
+            // Not seen yet. What is written out rounds nothing, and needs no margin but that of secondary
+            // rays.
+            if (all_out_)
+                throw UserError("two levels need more origin_bits than " +
+                                std::to_string(config_.origin_bits) + " for secondary rays on this lattice");
             is_out_.assign(is_out_.size(), true);
+            all_out_ = true;
             margin = 0;
         }
     }
@@ -241,7 +272,7 @@ private:
         if (margin > 0)
             for (glm::dvec3& corner : corners.vertices) corner = middle + room * (corner - middle);
         corners.triangles = {{{0, 1, 1}, 0}};
-        return fit_lattice(corners, eyes_[0], config_.coord_bits);
+        return fit_lattice(corners, eyes_[0], config_.coord_bits, config_.shading != 0);
     }
 
     /// All of it; returns by how many steps boxes reach beyond what a node can say, at the worst time.
@@ -291,7 +322,8 @@ private:
             if (found == known.end()) {
                 if (!is_out_[i]) known.push_back(at);
                 needs_.push_back(own);
-                maps_.classes.push_back({instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}});
+                maps_.classes.push_back(
+                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}, 0, {}});
             }
             add(needs_[at], own);
             class_.push_back(at);
@@ -306,8 +338,8 @@ private:
     }
 
     Needs needs_of(const Seen& seen) const {
-        return {seen.step, seen.step, seen.middle - largest_ * seen.step, seen.middle + largest_ * seen.step, true,
-                seen};
+        return {seen.step, seen.step, seen.middle - largest_ * seen.step, seen.middle + largest_ * seen.step,
+                true,      seen};
     }
 
     static bool fits(const Needs& needs, const Needs& more) {
@@ -333,6 +365,14 @@ private:
                             config_.coord_bits};
             if (needs.is_one) made.lattice.centre = needs.seen.middle, made.lattice.pitch = needs.seen.step;
             const SharedMesh& mesh = *parts_.meshes[made.mesh];
+            if (config_.shading) align(made, mesh);
+            for (const Triangle& triangle : mesh.triangles)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Vec3i from = snapped_corner(made, mesh, triangle.vertex[k]),
+                                to = snapped_corner(made, mesh, triangle.vertex[(k + 1) % 3]);
+                    for (std::size_t i = 0; i < 3; ++i)
+                        made.longest = std::max(made.longest, std::abs(to[i] - from[i]));
+                }
             std::vector<bool> is_used(mesh.vertices.size());
             for (const Triangle& triangle : mesh.triangles)
                 for (const std::uint32_t index : triangle.vertex) is_used[index] = true;
@@ -344,6 +384,16 @@ private:
         }
     }
 
+    /// As in a flat scene; see there.
+    static void align(MeshClass& made, const SharedMesh& mesh) {
+        Scene scene;
+        for (const glm::dvec3& at : mesh.vertices)
+            scene.vertices.push_back(glm::dvec3(made.before * glm::dvec4(at, 1)));
+        scene.triangles = mesh.triangles;
+        if (std::optional<Scene> moved = aligned(scene, made.lattice))
+            made.corners = std::move(moved->vertices);
+    }
+
     const LevelParts& parts_;
     std::span<const Places> times_;
     std::span<const glm::dvec3> eyes_;
@@ -353,7 +403,8 @@ private:
     std::vector<bool> moves_;
     bool is_large_ = false;
     std::map<std::uint32_t, std::array<glm::dvec3, 8>> corners_;   // by mesh
-    bool written_out_ = false;   // one more was found
+    bool written_out_ = false;                                     // one more was found
+    bool all_out_ = false;
     Bounds bounds_;
     LevelMaps maps_;
     std::vector<std::uint32_t> class_;
@@ -363,6 +414,7 @@ private:
 }   // namespace
 
 Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_t index) {
+    if (!made.corners.empty()) return made.lattice.snap(made.corners[index]);
     return made.lattice.snap(glm::dvec3(made.before * glm::dvec4(mesh.vertices[index], 1)));
 }
 
@@ -391,7 +443,8 @@ std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Pla
     return mapper.take();
 }
 
-InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps, const Config& config) {
+InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps,
+                   const Config& config) {
     const MeshClass& made = maps.classes[mesh_class];
     InstanceMap map = fit(seen_from(place, maps.lattice), made, config, true).map;
     map.mesh_class = mesh_class;

@@ -8,7 +8,8 @@
 namespace rayclock {
 
 std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::span<const Places> times,
-                                                 std::span<const glm::dvec3> eyes, int buffers, const Config& given) {
+                                                 std::span<const glm::dvec3> eyes, int buffers,
+                                                 const Config& given) {
     const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
     const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
@@ -25,7 +26,7 @@ MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, int buffers
     const Stopwatch watch;
     const SharedMesh own = own_mesh(scene);
     levels_.maps = std::move(maps);
-    compile_parts(parts_of(scene, own), config_, name_, buffers, levels_);
+    compile_parts(parts_of(scene, own), scene.own.materials, config_, name_, buffers, levels_);
     levels_.image.report.seconds = watch.seconds();
     // What is there now comes with the first frame.
     std::fill_n(levels_.image.words.begin(), std::size_t(levels_.upper_lines) * words_per_line, 0u);
@@ -48,7 +49,8 @@ Upload MovingLevels::next(const Places& places) {
     held_.assign(words.begin() + std::ptrdiff_t(begin),
                  words.begin() + std::ptrdiff_t(begin + std::size_t(levels_.upper_lines) * words_per_line));
     const UpperReport report = write_upper(levels_.entries, root_, false, config_, name_, words, placed_);
-    for (std::size_t e = 0; e < placed_.size(); ++e) write_entry(levels_.entries[e], placed_[e], config_, words);
+    for (std::size_t e = 0; e < placed_.size(); ++e)
+        write_entry(levels_.entries[e], placed_[e], config_, words);
     check_need(report.stack_need, config_, name_);
     upload.nodes = report.nodes;
     take_changes(root_, upload);

@@ -1,0 +1,309 @@
+// Secondary rays of two levels: inside the instance that a ray leaves it begins exactly on its triangle, so
+// no surface shadows itself and no light leaks; and no box of the scene's tree hides what a ray meets.
+#include <catch2/catch.hpp>
+
+#include "model/accel/levels/levels.hpp"
+#include "model/base/error.hpp"
+#include "model/isect/any.hpp"
+#include "model/oracle/sight.hpp"
+#include "model/raygen/raygen.hpp"
+#include "model/shade/bounce.hpp"
+#include "model/shade/dot.hpp"
+#include "model/shade/light.hpp"
+#include "model/shade/surf.hpp"
+#include "model/shade/unit_vector.hpp"
+#include "model/xform/walk.hpp"
+#include "tests/accel/solids.hpp"
+
+using namespace rayclock;
+using oracle::Sight;
+
+namespace {
+
+struct Format {
+    int coord_bits, dir_bits, origin_bits;
+};
+constexpr Format formats[] = {{12, 12, 10}, {12, 24, 12}, {14, 18, 12}, {18, 20, 12}, {20, 18, 10}};
+
+Config shaded(const Format& f) {
+    Config config = format(f.coord_bits, f.dir_bits);
+    config.shading = 1, config.levels = 2, config.origin_bits = f.origin_bits;
+    check_config(config, "the test");
+    return config;
+}
+
+/// A compiled scene, and what a ray meets in it.
+class World {
+public:
+    World(const PlacedScene& scene, const glm::dvec3& eye, const Config& config)
+        : config_(config),
+          levels_(compile_levels(scene, eye, config)),
+          decoder_(levels_.image, config),
+          walk_(frame_, decoder_, config) {
+        for (std::uint32_t line = 0; line < levels_.image.surfaces; ++line)
+            if (line_kind(levels_.image.line(line)) == LineKind::placement)
+                placements_.push_back(unpack<Placement>(levels_.image.line(line), config));
+        for (const Placement& p : placements_) {
+            meshes_.emplace_back();
+            gather(p.root, meshes_.back());
+        }
+    }
+
+    const LevelsImage& levels() const { return levels_; }
+    const std::vector<Placement>& placements() const { return placements_; }
+    const std::vector<PrimData>& mesh(std::size_t instance) const { return meshes_[instance]; }
+    Closest trace(const Ray& ray) { return walk_.trace(ray); }
+
+    /// Every triangle of every instance asked, without a tree.
+    Closest asked(const Ray& ray) const {
+        BestHit best({0, ray.kind}, reach_of(RayKind(ray.kind), config_));
+        for (std::size_t i = 0; i < placements_.size(); ++i) {
+            const Change in = xform({0, ray.o, ray.d, placements_[i], ray.kind, ray.home}, config_);
+            Ray moved;
+            moved.kind = ray.kind, moved.o = in.o, moved.d = in.d;
+            for (PrimData prim : meshes_[i]) {
+                TriRsp tri;
+                prim.prim += in.first;
+                any_test(moved, prim, best.best(), config_, tri);
+                best.take(tri, in.here);
+                if (best.stop()) return best.closest();
+            }
+        }
+        return best.closest();
+    }
+
+    /// What shade knows of a hit.
+    ShadeState surface_of(const Ray& ray, const Closest& hit, PassIn& in) const {
+        in.hit = hit, in.o = ray.o, in.d = ray.d;
+        in.placement = unpack<Placement>(levels_.image.line(hit.place), config_);
+        const std::uint32_t line = (in.placement.surfaces + hit.prim) & ((1u << config_.addr_bits) - 1);
+        in.surface = unpack<Surface>(levels_.image.line(line), config_);
+        ShadeState state = fresh_state(0, 0);
+        surf(in, config_, state);
+        turn_surface(in, config_, state);
+        return state;
+    }
+
+private:
+    void gather(std::uint32_t line, std::vector<PrimData>& prims) const {
+        const WideNode& node = decoder_.node(line);
+        for (std::uint32_t i = 0; i < node.children; ++i) {
+            if (node.inner_mask >> i & 1) {
+                gather(node.base + i, prims);
+                continue;
+            }
+            for (std::uint32_t k = 0; k < node.count[i]; ++k)
+                prims.push_back(decoder_.prim(2 * node.base + node.offset[i] + k));
+        }
+    }
+
+    const Config config_;
+    const Frame frame_{};
+    const LevelsImage levels_;
+    const Decoder decoder_;
+    LevelWalk walk_;
+    std::vector<Placement> placements_;
+    std::vector<std::vector<PrimData>> meshes_;
+};
+
+Vec3i unit_towards(const glm::dvec3& d, int bits) {
+    Vec3l wide{};
+    for (std::size_t k = 0; k < 3; ++k) wide[k] = std::int64_t(d[int(k)] * std::ldexp(1, bits));
+    return unit_vector(wide);
+}
+
+/// A direction as shade makes one.
+Vec3i draw_direction(Draw& draw, const Config& config) {
+    return direction_of(unit_towards(draw.point() + glm::dvec3(1e-6), 30), config);
+}
+
+int side_of(const Vec3l& n, const Vec3i& d) {
+    const Wide dot = Wide(n[0]) * d[0] + Wide(n[1]) * d[1] + Wide(n[2]) * d[2];
+    return dot > 0 ? 1 : dot < 0 ? -1 : 0;
+}
+
+/// A camera ray towards some point near an instance.
+Ray camera_ray(const World& world, const PlacedScene& scene, const Vec3i& eye, Draw& draw,
+               const Config& config) {
+    const Lattice& lattice = world.levels().image.lattice;
+    const auto below = [&](std::size_t n) {
+        return std::min(n - 1, std::size_t((0.5 + 0.5 * draw()) * double(n)));
+    };
+    const Instance& instance = scene.instances[below(scene.instances.size())];
+    const SharedMesh& mesh = scene.meshes[instance.mesh];
+    const auto corner = [&] {
+        const glm::dvec4 at(mesh.vertices[below(mesh.vertices.size())], 1);
+        return (glm::dvec3(instance.place * at) - lattice.centre) / lattice.pitch;
+    };
+    const double share = 0.5 + 0.5 * draw();
+    const glm::dvec3 from(eye[0], eye[1], eye[2]), to = share * corner() + (1 - share) * corner();
+    const glm::dvec3 d = to - from;
+    const double most = std::ldexp(1, config.dir_bits - 1) - 1,
+                 largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1e-9});
+    Vec3i full{};
+    for (std::size_t k = 0; k < 3; ++k) full[k] = std::int32_t(d[int(k)] * most / largest);
+    return make_ray(ray_origin(eye, config), full, config);
+}
+
+/// A light: anywhere, close to a point, or at a corner.
+Vec3i draw_light(Draw& draw, const Vec3l& near, const Config& config) {
+    const int end = (1 << (config.coord_bits - 1)) - 1;
+    const double kind = draw(), size = kind < 0 ? end : std::pow(2.0, 8 * kind);
+    Vec3i at{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double middle = kind < 0 ? 0 : std::ldexp(double(near[k]), -config.origin_bits);
+        at[k] = std::clamp(std::int32_t(std::round(middle + size * draw())), -end, end);
+    }
+    return at;
+}
+
+/// The way in the mesh's space, judged by the instance's own triangles.
+Sight::Answer truth(const std::vector<PrimData>& mesh, std::uint32_t own, int facing,
+                    const oracle::Path& path) {
+    const auto corners = [](const PrimData& p) { return oracle::Corners{p.a, p.b, p.c}; };
+    const auto home =
+        std::find_if(mesh.begin(), mesh.end(), [&](const PrimData& p) { return p.prim == own; });
+    REQUIRE(home != mesh.end());
+    REQUIRE(oracle::in_plane(path.from, corners(*home)));
+    Sight sight(path, corners(*home), facing);
+    for (const PrimData& prim : mesh)
+        if (!sight.look(corners(prim))) break;
+    return sight.answer();
+}
+
+struct Tally {
+    std::uint64_t ways = 0, blocked = 0, wrong_free = 0, wrong_blocked = 0, either = 0;
+    void add(bool is_blocked, Sight::Answer right) {
+        ++ways, blocked += is_blocked;
+        either += right == Sight::Answer::either;
+        wrong_free += !is_blocked && right == Sight::Answer::blocked;
+        wrong_blocked += is_blocked && right == Sight::Answer::free;
+    }
+};
+
+/// Shadow rays and bounces off one instance.
+void try_instance(World& world, const PlacedScene& scene, const Vec3i& eye, int rays, std::uint32_t seed,
+                  const Config& config, Tally& shadows, Tally& bounces) {
+    Draw draw{seed};
+    for (int i = 0; i < rays; ++i) {
+        const Ray ray = camera_ray(world, scene, eye, draw, config);
+        const Closest hit = world.trace(ray);
+        if (!hit.found) continue;
+        PassIn in;
+        ShadeState state = world.surface_of(ray, hit, in);
+        oracle::Place point;
+        for (std::size_t k = 0; k < 3; ++k) point.num[k] = oracle::Int128(state.inner[k]);
+        point.den = oracle::Int128(1) << config.origin_bits;
+        const std::uint32_t own = hit.prim - in.placement.first;
+        const int seen = hit.back ? -1 : 1;
+        Frame frame;
+        frame.shade.near[0] = 1;
+        const Vec3i at = draw_light(draw, state.o, config);
+        std::copy(at.begin(), at.end(), frame.shade.place.begin());
+        if (const LightOut out = light(frame, config, state, in.placement); out.counts) {
+            Ray way = make_ray(ray_origin(at, config), out.d, config, RayKind::shadow);
+            way.home = out.home;
+            Vec3i to{};
+            for (std::size_t k = 0; k < 3; ++k) to[k] = out.home.o[k] >> config.origin_bits;
+            shadows.add(world.trace(way).found, truth(world.mesh(0), own, seen, {point, to, {}}));
+        }
+        const Vec3i d = draw_direction(draw, config);
+        const Home home = home_of(state, d, in.placement, config);
+        const int side = side_of(state.n, home.d);
+        if (side == 0) continue;
+        Vec3i o{};
+        for (std::size_t k = 0; k < 3; ++k) o[k] = std::int32_t(state.o[k]);
+        Ray way = make_ray(o, d, config, RayKind::bounce);
+        way.home = home;
+        bounces.add(world.trace(way).found, truth(world.mesh(0), own, seen * side, {point, {}, home.d}));
+    }
+}
+
+}   // namespace
+
+TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[levels][secondary]") {
+    struct Family {
+        const char* name;
+        double least, most, shear;
+    };
+    const Family family = GENERATE(values<Family>({{"alike", 0.5, 0.5, 0},
+                                                   {"scaled", 0.02, 3, 0},
+                                                   {"sheared", 0.3, 2, 3},
+                                                   {"tiny and huge", 1e-3, 1e3, 0},
+                                                   {"nearly flat", 0.2, 2, 40}}));
+    constexpr int rays = 150;   // a scene
+    Tally shadows, bounces;
+    for (const Format& f : formats) {
+        const Config config = shaded(f);
+        for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+            PlacedScene scene = make_placed("gearbox:1");
+            scene.own = solids(0, 1, 1, 1, 0).own;
+            Draw draw{seed};
+            scene.instances = {{"gear", 0, random_map(draw, family.least, family.most, family.shear), {}}};
+            const glm::dvec3 eye{9, 7, 8};
+            std::optional<World> world;
+            try {
+                world.emplace(scene, eye, config);
+            } catch (const UserError&) {   // a gear of a thousandth vanishes on a coarse lattice
+                continue;
+            }
+            const Vec3i at = world->levels().image.lattice.snap(eye);
+            try_instance(*world, scene, at, rays, seed, config, shadows, bounces);
+        }
+    }
+    CAPTURE(family.name, shadows.ways, shadows.blocked, shadows.either, bounces.ways, bounces.blocked,
+            bounces.either);
+    CHECK(shadows.ways > 100);
+    CHECK(bounces.ways > 300);
+    CHECK(bounces.blocked > 30);
+    CHECK(shadows.wrong_blocked == 0);
+    CHECK(shadows.wrong_free == 0);
+    CHECK(bounces.wrong_blocked == 0);
+    CHECK(bounces.wrong_free == 0);
+    CHECK(20 * (shadows.either + bounces.either) <= shadows.ways + bounces.ways);
+}
+
+TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[levels][secondary]") {
+    const auto [least, most, shear] =
+        GENERATE(values<std::tuple<double, double, double>>({{0.5, 0.5, 0}, {0.1, 3, 0}, {0.3, 2, 3}}));
+    std::uint64_t rays = 0, hits = 0, wrong = 0, shadows = 0;
+    for (const Format& f : formats) {
+        const Config config = shaded(f);
+        const PlacedScene scene = solids(12, 7, least, most, shear);
+        const glm::dvec3 eye{9, 7, 8};
+        World world(scene, eye, config);
+        const Vec3i at = world.levels().image.lattice.snap(eye);
+        Draw draw{11};
+        const auto is_same = [](const Closest& a, const Closest& b) {
+            return a.found == b.found && a.prim == b.prim && a.t == b.t && a.place == b.place;
+        };
+        for (int i = 0; i < 60; ++i) {
+            Ray ray = camera_ray(world, scene, at, draw, config);
+            for (int depth = 0; depth <= config.bounces; ++depth) {
+                const Closest hit = world.trace(ray);
+                ++rays, hits += hit.found, wrong += !is_same(hit, world.asked(ray));
+                if (!hit.found) break;
+                PassIn in;
+                ShadeState state = world.surface_of(ray, hit, in);
+                Frame frame;
+                frame.shade.near[0] = 1;
+                const Vec3i place = draw_light(draw, state.o, config);
+                std::copy(place.begin(), place.end(), frame.shade.place.begin());
+                if (const LightOut out = light(frame, config, state, in.placement); out.counts) {
+                    Ray way = make_ray(ray_origin(place, config), out.d, config, RayKind::shadow);
+                    way.home = out.home;
+                    ++shadows, wrong += world.trace(way).found != world.asked(way).found;
+                }
+                const Vec3i d = draw_direction(draw, config);
+                Vec3i o{};
+                for (std::size_t k = 0; k < 3; ++k) o[k] = std::int32_t(state.o[k]);
+                ray = make_ray(o, d, config, RayKind::bounce);
+                ray.home = home_of(state, d, in.placement, config);
+            }
+        }
+    }
+    CAPTURE(rays, hits, shadows);
+    CHECK(wrong == 0);
+    CHECK(hits > 300);
+    CHECK(shadows > 50);
+}
