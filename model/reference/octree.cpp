@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -27,6 +29,56 @@ bool are_halves(const Corners& a, const Corners& b) {
     return false;
 }
 
+glm::dvec3 across(const Corners& c) { return glm::cross(c[1] - c[0], c[2] - c[0]); }
+
+/// Whether a triangle may be of the polygon that another is of: it lies in its plane, and looks the same way.
+bool is_in_plane(const Corners& a, const Corners& b) {
+    const glm::dvec3 n = across(a);
+    if (!(glm::dot(n, across(b)) > 0)) return false;
+    return std::all_of(b.begin(), b.end(), [&](const glm::dvec3& p) {
+        return std::abs(glm::dot(n, p - a[0])) <= 1e-9 * glm::length(n) * glm::length(p - a[0]);
+    });
+}
+
+/// Triangles that were cut from polygons, by number: those that follow each other in one plane and are
+/// connected by edges are of one polygon.
+class FlatPolygons {
+public:
+    explicit FlatPolygons(const Scene& scene) : scene_(scene), of_(scene.triangles.size()) {
+        std::iota(of_.begin(), of_.end(), 0);
+        for (std::uint32_t first = 0, end = 0; first < of_.size(); first = end) {
+            const Corners plane = corners_of(scene, scene.triangles[first]);
+            for (end = first + 1; end < of_.size(); ++end)
+                if (scene.triangles[end].material != scene.triangles[first].material ||
+                    !is_in_plane(plane, corners_of(scene, scene.triangles[end])))
+                    break;
+            connect(first, end);
+        }
+    }
+    /// The first triangle of the polygon.
+    std::uint32_t of(std::uint32_t triangle) const {
+        while (of_[triangle] != triangle) triangle = of_[triangle];
+        return triangle;
+    }
+
+private:
+    void connect(std::uint32_t first, std::uint32_t end) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges;
+        for (std::uint32_t i = first; i < end; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [a, b] =
+                    std::minmax(scene_.triangles[i].vertex[k], scene_.triangles[i].vertex[(k + 1) % 3]);
+                const auto [edge, is_new] = edges.try_emplace({a, b}, i);
+                if (is_new) continue;
+                const std::uint32_t one = of(edge->second), other = of(i);
+                of_[std::max(one, other)] = std::min(one, other);
+            }
+    }
+
+    const Scene& scene_;
+    std::vector<std::uint32_t> of_;   ///< an earlier triangle of the same polygon, or itself
+};
+
 }   // namespace
 
 RefOctree::RefOctree(const Scene& scene, int depth) : boxes_(objects_of(scene)) {
@@ -36,14 +88,35 @@ RefOctree::RefOctree(const Scene& scene, int depth) : boxes_(objects_of(scene)) 
         all[i] = i;
         root_ = {glm::min(root_.lo, boxes_[i].lo), glm::max(root_.hi, boxes_[i].hi)};
     }
-    const glm::dvec3 side = root_.hi - root_.lo;
-    const double room = std::ldexp(std::max({side.x, side.y, side.z}), -20);
-    root_ = {root_.lo - room, root_.hi + room};
+    root_ = {root_.lo - around_root, root_.hi + around_root};
     nodes_.emplace_back();
     build(0, root_, all, depth);
 }
 
 std::vector<RefOctree::Box> RefOctree::objects_of(const Scene& scene) {
+    std::vector<Box> boxes = scene.normals.empty() ? flat_objects(scene) : smooth_objects(scene);
+    for (Box& box : boxes)
+        for (int k = 0; k < 3; ++k)
+            if (box.hi[k] - box.lo[k] < thin) box.lo[k] -= thin, box.hi[k] += thin;
+    for (const Sphere& s : scene.spheres) boxes.push_back({s.centre - s.radius, s.centre + s.radius});
+    return boxes;
+}
+
+std::vector<RefOctree::Box> RefOctree::flat_objects(const Scene& scene) {
+    const FlatPolygons polygons(scene);
+    std::vector<Box> boxes;
+    std::vector<std::size_t> place(scene.triangles.size());   // of the box of a polygon, by its first
+                                                              // triangle
+    for (std::uint32_t i = 0; i < place.size(); ++i) {
+        const std::uint32_t first = polygons.of(i);
+        const Corners corners = corners_of(scene, scene.triangles[i]);
+        if (first == i) place[i] = boxes.size(), boxes.push_back({corners[0], corners[0]});
+        boxes[place[first]].add(corners);
+    }
+    return boxes;
+}
+
+std::vector<RefOctree::Box> RefOctree::smooth_objects(const Scene& scene) {
     std::vector<Box> boxes;
     bool is_whole = true;   // the triangle before is no half of a parallelogram that has just begun
     Corners before{};
@@ -53,12 +126,10 @@ std::vector<RefOctree::Box> RefOctree::objects_of(const Scene& scene) {
                              scene.triangles[i].material == scene.triangles[i - 1].material &&
                              are_halves(before, corners);
         if (!goes_on) boxes.push_back({corners[0], corners[0]});
-        for (const glm::dvec3& p : corners)
-            boxes.back() = {glm::min(boxes.back().lo, p), glm::max(boxes.back().hi, p)};
+        boxes.back().add(corners);
         is_whole = goes_on;
         before = corners;
     }
-    for (const Sphere& s : scene.spheres) boxes.push_back({s.centre - s.radius, s.centre + s.radius});
     return boxes;
 }
 

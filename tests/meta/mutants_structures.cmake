@@ -219,3 +219,14 @@ mutant(none_last_leaf_is_full FILE rtl/none/rc_none.sv TEST system "model and RT
 mutant(none_goes_on_when_told_to_stop FILE rtl/none/rc_none.sv TEST system "model and RTL agree on finished pictures of every structure"
   OLD [[&& !s1_stop_q;]]
   NEW [[&& (!s1_stop_q || s1_ray_q[0]);]])
+
+# ---- Octrees by published rules.
+mutant(published_octree_without_room_around FILE model/reference/octree.hpp TEST reference "octrees of Haines' scenes are those that were published"
+  OLD [[around_root = 0.001;]]
+  NEW [[around_root = 0.0001;]])
+mutant(published_octree_forgets_thin_boxes FILE model/reference/octree.cpp TEST reference "octrees of Haines' scenes are those that were published"
+  OLD [[if (box.hi[k] - box.lo[k] < thin)]]
+  NEW [[if (box.hi[k] - box.lo[k] < 0.9 * thin)]])
+mutant(published_octree_joins_what_is_not_connected FILE model/reference/octree.cpp TEST reference "what was one polygon is one object of an octree"
+  OLD [[connect(first, end);]]
+  NEW [[for (std::uint32_t i = first; i < end; ++i) of_[i] = first;]])
