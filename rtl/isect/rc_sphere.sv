@@ -316,7 +316,11 @@ module rc_sphere #(
   logic signed [V-1:0] r_along;
   logic [G-1:0]        r_square;
   logic [RightW:0]     late_right_lost;
+  logic [V-1:0]        s2_near_along;    // all but shadow rays' have so many bits
+  logic [G-1:0]        s2_near_square;
   logic [V+G-1:0]      late_ray;
+  assign s2_near_along  = s2_along_q[V-1:0];
+  assign s2_near_square = s2_square_q[G-1:0];
   rc_sqrt #(.Stages(RootSteps), .Bits(Bits), .Every(Every)) u_sqrt (
     .clk_i, .valid_i(Every > 1 ? met_q[AtS5] : met_moves[AtS5]), .square_i(s5_cut_q),
     .root_o(r_root), .inexact_o(r_inexact));
@@ -325,7 +329,7 @@ module rc_sphere #(
     .data_o(late_right_lost));
   rc_beside #(.Width(V + G), .Stages(RayLate), .Every(Every)) u_ray (
     .clk_i, .rst_ni, .come_i(there[AtS2]), .leave_i(there[AtR-1]),
-    .data_i({V'(s2_along_q), G'(s2_square_q)}), .data_o(late_ray));
+    .data_i({s2_near_along, s2_near_square}), .data_o(late_ray));
   rc_cut #(.Width(RightW + 1 + V + G), .Stages(1)) u_late (
     .clk_i, .data_i({late_right_lost, late_ray}),
     .data_o({r_right, r_lost, r_along, r_square}));
@@ -422,6 +426,6 @@ module rc_sphere #(
 `endif
 
   logic unused;
-  assign unused = ^{w_below[Q+V-1:Q], s2_bb, s2_ac, s3_disc, s4_cut, there, moves};
+  assign unused = ^{w_below[Q+V-1:Q], s2_bb, s2_ac, s3_disc, s4_cut, there, moves, up};
 endmodule
 `default_nettype wire

@@ -51,10 +51,10 @@ mutant(shared_products_wait_alike FILE rtl/fixed/rc_mul_shared.sv TEST unit [tri
   NEW [[.Stages(Own - 1)) u_early]])
 mutant(shared_divider_always_begins FILE rtl/isect/rc_hitdiv.sv TEST unit [tri][interval]
   OLD [[assign begins = Every > 1 ? there : valid[Cut];]]
-  NEW [[assign begins = valid[Cut];]])
-mutant(aside_one_place_short FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
+  NEW [[assign begins = Every > 1 && there ? 1'b1 : valid[Cut];]])
+mutant(aside_half_the_places FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
   OLD [[.Stages((Stages + Every - 2) / Every)]]
-  NEW [[.Stages((Stages + Every - 2) / Every - 1)]])
+  NEW [[.Stages((Stages + 2 * Every - 2) / Every / 2)]])
 mutant(aside_leaves_a_cycle_early FILE rtl/prim/rc_aside.sv TEST unit [tri][interval]
   OLD [[.leave_i(there_i[Stages-1])]]
   NEW [[.leave_i(there_i[Stages-2])]])
@@ -114,9 +114,11 @@ mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][inter
 mutant(approach_tells_of_the_last_pass FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
   OLD [[done_q <= rst_ni && gen_in_turn.began[Steps];]]
   NEW [[done_q <= rst_ni && gen_in_turn.began[Steps-1];]])
-mutant(shade_spawns_what_comes_after FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
-  OLD [[.data_i({out_ray, spawn_q})]]
-  NEW [[.data_i({out_ray, SpawnDataW'(spawn)})]])
+mutant(shade_spawns_what_came_before FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
+  OLD [[      if (end_valid) begin
+        spawn_q]]
+  NEW [[      if (out_valid) begin
+        spawn_q]])
 mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
   OLD [[.Stages(Held)) u_step]]
   NEW [[.Stages(Held < 4 ? Held : 1)) u_step]])
