@@ -81,12 +81,16 @@ module rc_pass #(
     assign top_came = top_i;
     assign place    = place_i;
   end else begin : gen_held
-    localparam int unsigned InW = I + rc_pkg::ShadeStateW + HitW + 3 * P + 3 * M
-                                  + rc_pkg::SurfaceW + rc_pkg::WaitingW + PlaceW;
+    localparam int unsigned RayW = I + HitW + 3 * P + 3 * M;
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
-    rc_delay #(.Width(InW), .Stages(1)) u_in (
-      .clk_i, .valid_i, .data_i({ray_i, state_i, hit_i, o_i, d_i, surface_i, top_i, place_i}),
-      .data_o({ray, state, hit, o, d, surface, top_came, place}));
+    rc_delay #(.Width(RayW), .Stages(1)) u_ray (
+      .clk_i, .valid_i, .data_i({ray_i, hit_i, o_i, d_i}), .data_o({ray, hit, o, d}));
+    rc_delay #(.Width(rc_pkg::ShadeStateW), .Stages(1)) u_state (
+      .clk_i, .valid_i, .data_i(state_i), .data_o(state));
+    rc_delay #(.Width(rc_pkg::SurfaceW), .Stages(1)) u_surface (
+      .clk_i, .valid_i, .data_i(surface_i), .data_o(surface));
+    rc_delay #(.Width(rc_pkg::WaitingW + PlaceW), .Stages(1)) u_kept (
+      .clk_i, .valid_i, .data_i({top_i, place_i}), .data_o({top_came, place}));
   end
 
   // ---- s0: what the pass is for.
@@ -148,13 +152,14 @@ module rc_pass #(
   assign face_at = surf_at | turn_at;
 
   // ---- The state as far as it is known waits for the end.
-  localparam int unsigned KnownW = I + rc_pkg::ShadeStateW + rc_pkg::WaitingW;
   logic [I-1:0]         end_ray;
   rc_pkg::shade_state_t was;
   rc_pkg::waiting_t     top;
-  rc_beside #(.Width(KnownW), .Stages(L)) u_known (
-    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i({ray, known, top_came}),
-    .data_o({end_ray, was, top}));
+  rc_beside #(.Width(I + rc_pkg::ShadeStateW), .Stages(L)) u_known (
+    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i({ray, known}),
+    .data_o({end_ray, was}));
+  rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L)) u_top (
+    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i(top_came), .data_o(top));
 
   // What others take from it on the way.
   logic [3*AB-1:0]     s13_normal, s13_view;

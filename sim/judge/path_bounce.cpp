@@ -97,7 +97,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     demand(out.push, "a refracted ray is missing");
     waiting_.push_back(bounce(s, weight, *start, d, true));
     const Expected& ray = waiting_.back().ray;
-    const Waiting expected{ray.o, ray.d, weight.promised, branch_.depth + 1, ray.self, ray.inside};
+    const Waiting expected{ray.o, ray.d, weight.promised, branch_.depth + 1, ray.self, ray.inside, {}};
     demand(out.pushed.weight == expected.weight, "a bounce's weight is not the product of what makes it");
     demand(out.pushed == expected, "a refracted ray does not go where Snell's law sends it");
 }

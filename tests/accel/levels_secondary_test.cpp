@@ -1,5 +1,7 @@
 // Secondary rays of two levels: inside the instance that a ray leaves it begins exactly on its triangle, so
 // no surface shadows itself and no light leaks; and no box of the scene's tree hides what a ray meets.
+#include <map>
+
 #include <catch2/catch.hpp>
 
 #include "model/accel/levels/levels.hpp"
@@ -43,7 +45,14 @@ public:
         for (std::uint32_t line = 0; line < levels_.image.surfaces; ++line)
             if (line_kind(levels_.image.line(line)) == LineKind::placement)
                 placements_.push_back(unpack<Placement>(levels_.image.line(line), config));
+        std::map<std::uint32_t, std::size_t> numbers;   // of instances, by their first primitive
+        std::uint32_t first = 0;
+        for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+            numbers[first] = i;
+            first += std::uint32_t(scene.meshes[scene.instances[i].mesh].triangles.size());
+        }
         for (const Placement& p : placements_) {
+            instances_.push_back(numbers.at(p.first));
             meshes_.emplace_back();
             gather(p.root, meshes_.back());
         }
@@ -54,8 +63,9 @@ public:
     const std::vector<PrimData>& mesh(std::size_t instance) const { return meshes_[instance]; }
     Closest trace(const Ray& ray) { return walk_.trace(ray); }
 
-    /// Every triangle of every instance asked, without a tree.
-    Closest asked(const Ray& ray) const {
+    /// Every triangle of every instance asked, without a tree. Counts crossings whose point on the scene's
+    /// ray is not in the instance's box.
+    Closest asked(const Ray& ray, std::uint64_t& outside) const {
         BestHit best({0, ray.kind}, reach_of(RayKind(ray.kind), config_));
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const Change in = xform({0, ray.o, ray.d, placements_[i], ray.kind, ray.home}, config_);
@@ -64,6 +74,9 @@ public:
             for (PrimData prim : meshes_[i]) {
                 TriRsp tri;
                 prim.prim += in.first;
+                any_test(moved, prim, {}, config_, tri);
+                if (tri.closer && tri.det > 0)
+                    outside += !is_in_box(i, ray, double(tri.num) / double(tri.det));
                 any_test(moved, prim, best.best(), config_, tri);
                 best.take(tri, in.here);
                 if (best.stop()) return best.closest();
@@ -85,6 +98,16 @@ public:
     }
 
 private:
+    bool is_in_box(std::size_t placement, const Ray& ray, double t) const {
+        const LatticeBox& box = levels_.maps.instances[instances_[placement]].box;
+        bool is_inside = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = std::ldexp(double(ray.o[k]), -config_.origin_bits) + t * ray.d[k];
+            is_inside = is_inside && box.lo[k] - 1e-6 <= x && x <= box.hi[k] + 1e-6;
+        }
+        return is_inside;
+    }
+
     void gather(std::uint32_t line, std::vector<PrimData>& prims) const {
         const WideNode& node = decoder_.node(line);
         for (std::uint32_t i = 0; i < node.children; ++i) {
@@ -103,6 +126,7 @@ private:
     const Decoder decoder_;
     LevelWalk walk_;
     std::vector<Placement> placements_;
+    std::vector<std::size_t> instances_;   // their numbers
     std::vector<std::vector<PrimData>> meshes_;
 };
 
@@ -112,50 +136,71 @@ Vec3i unit_towards(const glm::dvec3& d, int bits) {
     return unit_vector(wide);
 }
 
-/// A direction as shade makes one.
-Vec3i draw_direction(Draw& draw, const Config& config) {
-    return direction_of(unit_towards(draw.point() + glm::dvec3(1e-6), 30), config);
-}
-
 int side_of(const Vec3l& n, const Vec3i& d) {
     const Wide dot = Wide(n[0]) * d[0] + Wide(n[1]) * d[1] + Wide(n[2]) * d[2];
     return dot > 0 ? 1 : dot < 0 ? -1 : 0;
 }
 
-/// A camera ray towards some point near an instance.
-Ray camera_ray(const World& world, const PlacedScene& scene, const Vec3i& eye, Draw& draw,
-               const Config& config) {
-    const Lattice& lattice = world.levels().image.lattice;
-    const auto below = [&](std::size_t n) {
-        return std::min(n - 1, std::size_t((0.5 + 0.5 * draw()) * double(n)));
-    };
-    const Instance& instance = scene.instances[below(scene.instances.size())];
-    const SharedMesh& mesh = scene.meshes[instance.mesh];
-    const auto corner = [&] {
-        const glm::dvec4 at(mesh.vertices[below(mesh.vertices.size())], 1);
-        return (glm::dvec3(instance.place * at) - lattice.centre) / lattice.pitch;
-    };
-    const double share = 0.5 + 0.5 * draw();
-    const glm::dvec3 from(eye[0], eye[1], eye[2]), to = share * corner() + (1 - share) * corner();
-    const glm::dvec3 d = to - from;
-    const double most = std::ldexp(1, config.dir_bits - 1) - 1,
-                 largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1e-9});
-    Vec3i full{};
-    for (std::size_t k = 0; k < 3; ++k) full[k] = std::int32_t(d[int(k)] * most / largest);
-    return make_ray(ray_origin(eye, config), full, config);
-}
-
-/// A light: anywhere, close to a point, or at a corner.
-Vec3i draw_light(Draw& draw, const Vec3l& near, const Config& config) {
-    const int end = (1 << (config.coord_bits - 1)) - 1;
-    const double kind = draw(), size = kind < 0 ? end : std::pow(2.0, 8 * kind);
-    Vec3i at{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double middle = kind < 0 ? 0 : std::ldexp(double(near[k]), -config.origin_bits);
-        at[k] = std::clamp(std::int32_t(std::round(middle + size * draw())), -end, end);
+/// Points that rays are aimed at, and the rays.
+class Aim {
+public:
+    Aim(const PlacedScene& scene, const Lattice& lattice, const Config& config, std::uint32_t seed)
+        : config_(config), draw_(seed) {
+        for (const Instance& instance : scene.instances)
+            for (const glm::dvec3& v : scene.meshes[instance.mesh].vertices)
+                corners_.push_back((glm::dvec3(instance.place * glm::dvec4(v, 1)) - lattice.centre) /
+                                   lattice.pitch);
     }
-    return at;
-}
+
+    double number() { return draw_(); }
+
+    /// From the eye, towards a point between two corners.
+    Ray camera_ray(const Vec3i& eye) {
+        const double share = 0.5 + 0.5 * draw_();
+        const glm::dvec3 d = share * corner() + (1 - share) * corner() - glm::dvec3(eye[0], eye[1], eye[2]);
+        const double most = std::ldexp(1, config_.dir_bits - 1) - 1,
+                     largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1e-9});
+        Vec3i full{};
+        for (std::size_t k = 0; k < 3; ++k) full[k] = std::int32_t(d[int(k)] * most / largest);
+        return make_ray(ray_origin(eye, config_), full, config_);
+    }
+
+    /// As shade makes one: towards a corner, or anywhere.
+    Vec3i direction(const Vec3l& from) {
+        glm::dvec3 d = draw_.point() + glm::dvec3(1e-6);
+        if (draw_() < 0.5) {
+            for (int k = 0; k < 3; ++k)
+                d[k] = -std::ldexp(double(from[std::size_t(k)]), -config_.origin_bits);
+            d = (d + corner()) * std::ldexp(1, -config_.coord_bits);
+        }
+        return direction_of(unit_towards(d, 30), config_);
+    }
+
+    /// Anywhere, close to a point, or at a corner.
+    Vec3i light(const Vec3l& near) {
+        const int end = (1 << (config_.coord_bits - 1)) - 1;
+        const double kind = draw_(), size = kind < 0 ? end : kind < 0.3 ? 1 : std::pow(2.0, 8 * kind);
+        const glm::dvec3 at_corner = corner();
+        Vec3i at{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double middle = kind < 0     ? 0
+                                  : kind < 0.3 ? at_corner[int(k)]
+                                               : std::ldexp(double(near[k]), -config_.origin_bits);
+            at[k] = std::int32_t(std::clamp(std::round(middle + size * draw_()), double(-end), double(end)));
+        }
+        return at;
+    }
+
+private:
+    const glm::dvec3& corner() {
+        return corners_[std::min(corners_.size() - 1,
+                                 std::size_t((0.5 + 0.5 * draw_()) * double(corners_.size())))];
+    }
+
+    const Config& config_;
+    Draw draw_;
+    std::vector<glm::dvec3> corners_;   // on the scene's lattice, not rounded
+};
 
 /// The way in the mesh's space, judged by the instance's own triangles.
 Sight::Answer truth(const std::vector<PrimData>& mesh, std::uint32_t own, int facing,
@@ -183,10 +228,10 @@ struct Tally {
 
 /// Shadow rays and bounces off one instance.
 void try_instance(World& world, const PlacedScene& scene, const Vec3i& eye, int rays, std::uint32_t seed,
-                  const Config& config, Tally& shadows, Tally& bounces) {
-    Draw draw{seed};
+                  const Config& config, Tally& shadows, Tally& bounces, std::uint64_t& wrong_sides) {
+    Aim aim(scene, world.levels().image.lattice, config, seed);
     for (int i = 0; i < rays; ++i) {
-        const Ray ray = camera_ray(world, scene, eye, draw, config);
+        const Ray ray = aim.camera_ray(eye);
         const Closest hit = world.trace(ray);
         if (!hit.found) continue;
         PassIn in;
@@ -198,7 +243,7 @@ void try_instance(World& world, const PlacedScene& scene, const Vec3i& eye, int 
         const int seen = hit.back ? -1 : 1;
         Frame frame;
         frame.shade.near[0] = 1;
-        const Vec3i at = draw_light(draw, state.o, config);
+        const Vec3i at = aim.light(state.o);
         std::copy(at.begin(), at.end(), frame.shade.place.begin());
         if (const LightOut out = light(frame, config, state, in.placement); out.counts) {
             Ray way = make_ray(ray_origin(at, config), out.d, config, RayKind::shadow);
@@ -207,9 +252,11 @@ void try_instance(World& world, const PlacedScene& scene, const Vec3i& eye, int 
             for (std::size_t k = 0; k < 3; ++k) to[k] = out.home.o[k] >> config.origin_bits;
             shadows.add(world.trace(way).found, truth(world.mesh(0), own, seen, {point, to, {}}));
         }
-        const Vec3i d = draw_direction(draw, config);
+        const Vec3i d = aim.direction(state.o);
         const Home home = home_of(state, d, in.placement, config);
         const int side = side_of(state.n, home.d);
+        const BounceOut mirrored = reflect(config, state, in.placement);
+        wrong_sides += mirrored.goes != (side_of(state.n, mirrored.home.d) > 0);
         if (side == 0) continue;
         Vec3i o{};
         for (std::size_t k = 0; k < 3; ++k) o[k] = std::int32_t(state.o[k]);
@@ -233,6 +280,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
                                                    {"nearly flat", 0.2, 2, 40}}));
     constexpr int rays = 150;   // a scene
     Tally shadows, bounces;
+    std::uint64_t wrong_sides = 0;
     for (const Format& f : formats) {
         const Config config = shaded(f);
         for (std::uint32_t seed = 1; seed <= 4; ++seed) {
@@ -248,7 +296,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
                 continue;
             }
             const Vec3i at = world->levels().image.lattice.snap(eye);
-            try_instance(*world, scene, at, rays, seed, config, shadows, bounces);
+            try_instance(*world, scene, at, rays, seed, config, shadows, bounces, wrong_sides);
         }
     }
     CAPTURE(family.name, shadows.ways, shadows.blocked, shadows.either, bounces.ways, bounces.blocked,
@@ -256,6 +304,7 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
     CHECK(shadows.ways > 100);
     CHECK(bounces.ways > 300);
     CHECK(bounces.blocked > 30);
+    CHECK(wrong_sides == 0);
     CHECK(shadows.wrong_blocked == 0);
     CHECK(shadows.wrong_free == 0);
     CHECK(bounces.wrong_blocked == 0);
@@ -266,35 +315,35 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
 TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[levels][secondary]") {
     const auto [least, most, shear] =
         GENERATE(values<std::tuple<double, double, double>>({{0.5, 0.5, 0}, {0.1, 3, 0}, {0.3, 2, 3}}));
-    std::uint64_t rays = 0, hits = 0, wrong = 0, shadows = 0;
+    std::uint64_t rays = 0, hits = 0, wrong = 0, shadows = 0, outside = 0;
     for (const Format& f : formats) {
         const Config config = shaded(f);
         const PlacedScene scene = solids(12, 7, least, most, shear);
         const glm::dvec3 eye{9, 7, 8};
         World world(scene, eye, config);
         const Vec3i at = world.levels().image.lattice.snap(eye);
-        Draw draw{11};
+        Aim aim(scene, world.levels().image.lattice, config, 11);
         const auto is_same = [](const Closest& a, const Closest& b) {
             return a.found == b.found && a.prim == b.prim && a.t == b.t && a.place == b.place;
         };
-        for (int i = 0; i < 60; ++i) {
-            Ray ray = camera_ray(world, scene, at, draw, config);
+        for (int i = 0; i < 200; ++i) {
+            Ray ray = aim.camera_ray(at);
             for (int depth = 0; depth <= config.bounces; ++depth) {
                 const Closest hit = world.trace(ray);
-                ++rays, hits += hit.found, wrong += !is_same(hit, world.asked(ray));
+                ++rays, hits += hit.found, wrong += !is_same(hit, world.asked(ray, outside));
                 if (!hit.found) break;
                 PassIn in;
                 ShadeState state = world.surface_of(ray, hit, in);
                 Frame frame;
                 frame.shade.near[0] = 1;
-                const Vec3i place = draw_light(draw, state.o, config);
+                const Vec3i place = aim.light(state.o);
                 std::copy(place.begin(), place.end(), frame.shade.place.begin());
                 if (const LightOut out = light(frame, config, state, in.placement); out.counts) {
                     Ray way = make_ray(ray_origin(place, config), out.d, config, RayKind::shadow);
                     way.home = out.home;
-                    ++shadows, wrong += world.trace(way).found != world.asked(way).found;
+                    ++shadows, wrong += world.trace(way).found != world.asked(way, outside).found;
                 }
-                const Vec3i d = draw_direction(draw, config);
+                const Vec3i d = aim.direction(state.o);
                 Vec3i o{};
                 for (std::size_t k = 0; k < 3; ++k) o[k] = std::int32_t(state.o[k]);
                 ray = make_ray(o, d, config, RayKind::bounce);
@@ -304,6 +353,7 @@ TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[level
     }
     CAPTURE(rays, hits, shadows);
     CHECK(wrong == 0);
+    CHECK(outside == 0);
     CHECK(hits > 300);
     CHECK(shadows > 50);
 }

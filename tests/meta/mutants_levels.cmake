@@ -72,3 +72,61 @@ mutant(levels_boxes_forget_the_direction FILE model/accel/levels/maps.cpp TEST a
 mutant(levels_all_in_one_class FILE model/accel/levels/maps.cpp TEST accel [levels]
   OLD [[lessThanEqual(most, 2.0 * least)]]
   NEW [[lessThanEqual(most, 2e9 * least)]])
+
+# ---- Finished pictures: where a ray begins in the instance that it leaves, and on which side.
+mutant(xform_forgets_home FILE model/xform/xform.cpp TEST accel [secondary]
+  OLD [[req.home.line == p.here;]]
+  NEW [[req.home.line == p.here + 1;]])
+mutant(xform_is_at_home_everywhere FILE model/xform/xform.cpp TEST accel [secondary]
+  OLD [[kind != RayKind::camera && req.home.line == p.here;]]
+  NEW [[kind != RayKind::camera;]])
+mutant(xform_moves_lights_between_points FILE model/xform/xform.cpp TEST accel [secondary]
+  OLD [[const int whole = kind == RayKind::shadow ? config.origin_frac() : 0,]]
+  NEW [[const int whole = 0,]])
+mutant(bounce_side_of_the_scenes_direction FILE model/shade/bounce.cpp TEST accel [secondary]
+  OLD [[return side_of(state.n, out.home.d);]]
+  NEW [[return side_of(state.n, out.d);]])
+mutant(light_side_of_the_scenes_direction FILE model/shade/light.cpp TEST accel [secondary]
+  OLD [[c.has_homes() ? out.home.d : out.d;]]
+  NEW [[out.d;]])
+mutant(shadow_ray_ends_beside_its_point FILE model/shade/light.cpp TEST accel [secondary]
+  OLD [[state.inner[k] - home.o[k]);]]
+  NEW [[state.inner[k] - home.o[k] + 1);]])
+mutant(normal_is_turned_as_a_direction FILE model/shade/surf.cpp TEST accel [secondary]
+  OLD [[in.placement.a[3 * i + k]) * state.normal[i];]]
+  NEW [[in.placement.a[3 * k + i]) * state.normal[i];]])
+mutant(corner_normals_scaled_as_points FILE model/accel/levels/compile.cpp TEST accel [secondary]
+  OLD [[unit_or_zero(normal * made.lattice.pitch);]]
+  NEW [[unit_or_zero(normal / made.lattice.pitch);]])
+mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/maps.cpp TEST accel [secondary]
+  OLD [[if (config_.shading) map.off =]]
+  NEW [[if (config_.shading && made.longest < 0) map.off =]])
+mutant(levels_boxes_forget_where_bounces_begin FILE model/accel/levels/maps.cpp TEST accel [secondary]
+  OLD [[off = begin + slope * reach(begin, bounce);]]
+  NEW [[off = slope * reach(begin, bounce);]])
+
+# ---- The same in RTL.
+mutant(rtl_xform_forgets_home FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
+  OLD [[in.kind != rc_pkg::RayCamera && in.home == in.here;]]
+  NEW [[1'b0 && in.home == in.here;]])
+mutant(rtl_xform_moves_lights_between_points FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
+  OLD [[rounded = sum_shadow ?]]
+  NEW [[rounded = 1'b0 && sum_shadow ?]])
+mutant(rtl_xform_takes_shadow_rays_for_short FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
+  OLD [[assign is_short = valid[Moved] ? !moved_shadow : short_q;]]
+  NEW [[assign is_short = !valid[Moved] || !moved_shadow || short_q;]])
+mutant(rtl_list_forgets_the_instance FILE rtl/list/rc_list.sv TEST system "model and RTL draw instances alike"
+  OLD [[.clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),]]
+  NEW [[.clk_i, .write_i(came_fires), .write_addr_i(came.ray), .write_data_i(here),]])
+mutant(rtl_tri_drops_a_camera_rays_fraction FILE rtl/isect/rc_tri.sv TEST system "model and RTL draw instances alike"
+  OLD [[|| (rc_pkg::Levels == 2 && in.kind]]
+  NEW [[|| (rc_pkg::Levels == 3 && in.kind]])
+mutant(rtl_shade_keeps_the_last_material FILE rtl/shade/rc_shade.sv TEST system "model and RTL draw instances alike"
+  OLD [[lent_q[came_ray]  <= lends ||]]
+  NEW [[lent_q[came_ray]  <= lent_q[came_ray] || lends ||]])
+mutant(rtl_homes_mix_rows_and_columns FILE rtl/shade/rc_homes.sv TEST system "model and RTL draw instances alike"
+  OLD [[s0_a_i[(3*i+k)*E +: E];]]
+  NEW [[s0_a_i[(3*k+i)*E +: E];]])
+mutant(rtl_homes_round_lights_down FILE rtl/shade/rc_homes.sv TEST system "model and RTL draw instances alike"
+  OLD [[SW'($signed(s15_b[k*(N+K) +: N+K])) + Half : Half;]]
+  NEW [[SW'($signed(s15_b[k*(N+K) +: N+K])) : Half;]])

@@ -76,6 +76,7 @@ std::uint64_t totally_reflected(const Trace& trace) {
         for (bool done = false; !done;) {
             while (!(*word & Trace::end_flag)) word = after_visit(word);
             word = after_visit(word);
+            while (*word & Trace::place_flag) ++word;
             done = *word & Trace::pixel_flag;
             word += 2;
             ++rays;

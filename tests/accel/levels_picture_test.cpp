@@ -1,0 +1,66 @@
+// Finished pictures of instances, beside the reference and beside the same scene in one level.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "model/reference/reference.hpp"
+#include "model/shade/shade.hpp"
+#include "model/trace/trace.hpp"
+#include "tests/accel/mixed.hpp"
+#include "tests/accel/solids.hpp"
+
+using namespace rayclock;
+
+namespace {
+
+struct Drawn {
+    Trace trace;
+    Picture picture;
+};
+
+Drawn drawn(const Scene& scene, FrameSize size, const Whitted& settings, Config config, int levels) {
+    config = fitted_config(scene, settings, config);
+    config.levels = levels;
+    check_config(config, "the test");
+    const MemoryImage image = compile_scene(scene, scene.camera->eye, config);
+    Frame frame = make_frame(*scene.camera, size, image, config);
+    frame.shade = make_shade_frame(scene, settings, image, config);
+    Drawn made{record_trace(image, frame, config, 1), {size, {}}};
+    for (const auto& c : made.trace.colours)
+        made.picture.pixels.push_back(glm::vec3(c[0], c[1], c[2]) / 65536.0f);
+    return made;
+}
+
+double psnr(const Picture& picture, const std::vector<glm::dvec3>& reference) {
+    double sum = 0;
+    const auto level = [](double x) { return 255 * std::pow(std::clamp(x, 0.0, 1.0), 1 / 2.2); };
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const double d = level(double(picture.pixels[i][k])) - level(reference[i][k]);
+            sum += d * d;
+        }
+    return 10 * std::log10(255.0 * 255 * 3 * double(reference.size()) / sum);
+}
+
+}   // namespace
+
+TEST_CASE("finished pictures of instances are the reference's", "[levels][secondary]") {
+    const bool is_smooth = GENERATE(false, true);
+    const auto [coord_bits, dir_bits] = GENERATE(values<std::pair<int, int>>({{18, 20}, {20, 18}, {16, 20}}));
+    CAPTURE(is_smooth, coord_bits, dir_bits);
+    const Scene scene = flattened(mixed(is_smooth));
+    constexpr FrameSize size{64, 48};
+    Whitted settings;
+    settings.depth = 4;
+    const Config config = format(coord_bits, dir_bits);
+    const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, settings, 1);
+    const Drawn two = drawn(scene, size, settings, config, 2), one = drawn(scene, size, settings, config, 1);
+    const double with_two = psnr(two.picture, right.pixels), with_one = psnr(one.picture, right.pixels);
+    CAPTURE(with_two, with_one, two.trace.counts.all(), one.trace.counts.all());
+    CHECK(with_two >= 45);
+    // Nearly every ray is sent that a flat scene sends.
+    CHECK(std::abs(double(two.trace.counts.all()) - double(one.trace.counts.all())) <=
+          0.005 * double(one.trace.counts.all()));
+    CHECK(two.trace.counts.reflection > 500);
+    CHECK(two.trace.counts.refraction > 100);
+}

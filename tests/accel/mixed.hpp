@@ -1,0 +1,53 @@
+#pragma once
+// Instances with mirrors, glass and shadows: what the tests of finished pictures in two levels look at.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "model/scene/placed.hpp"
+
+namespace rayclock {
+
+/// A ball of the radius 1; normals outwards if it is smooth.
+inline SharedMesh ball(bool is_smooth) {
+    const Scene scene = make_builtin("icosphere:3");
+    SharedMesh mesh{"ball", scene.vertices, {}, scene.triangles};
+    for (Triangle& triangle : mesh.triangles) triangle.material = 1;
+    if (is_smooth) mesh.normals = mesh.vertices;
+    return mesh;
+}
+
+inline Material coloured(const glm::dvec3& colour, double mirror, double transmit) {
+    Material material;
+    material.colour = colour, material.mirror = mirror, material.transmit = transmit;
+    material.highlight = 0.3, material.shine = 20;
+    if (transmit > 0) material.index = 1.3;
+    return material;
+}
+
+/// Balls on a floor: turned, squeezed, mirrored, small, of glass; two lights.
+inline PlacedScene mixed(bool is_smooth) {
+    PlacedScene scene;
+    Scene& own = scene.own;
+    own.name = "mixed";
+    own.materials = {coloured({0.5, 0.6, 0.5}, 0.1, 0), coloured({0.8, 0.2, 0.2}, 0.2, 0),
+                     coloured({0.3, 0.3, 0.4}, 0.6, 0), coloured({0.1, 0.2, 0.1}, 0.1, 0.7)};
+    own.vertices = {{-8, -1, -8}, {-8, -1, 8}, {8, -1, 8}, {8, -1, -8}};
+    if (is_smooth) own.normals.assign(4, {0, 1, 0});
+    own.triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+    own.lights = {{{6, 9, 4}, glm::dvec3(0.7)}, {{-5, 7, 7}, {0.4, 0.4, 0.3}}};
+    own.camera = Camera{{3, 4, 9}, {0, 0, 0}, {0, 1, 0}, 45};
+    scene.meshes.push_back(ball(is_smooth));
+    const auto put = [&](const glm::dvec3& at, double angle, const glm::dvec3& axis, const glm::dvec3& size,
+                         std::optional<std::uint32_t> material) {
+        glm::dmat4 place = glm::rotate(glm::translate(glm::dmat4(1), at), angle, axis);
+        scene.instances.push_back({"ball", 0, glm::scale(place, size), material});
+    };
+    put({-2.5, 0, 0}, 0, {0, 1, 0}, glm::dvec3(1), {});
+    put({0, 0, -1}, 0, {0, 1, 0}, glm::dvec3(1), 2);
+    put({2.5, -0.2, 0.5}, 0.7, {0.6, 0.8, 0}, {1.2, 0.5, 0.8}, {});
+    put({0.3, -0.4, 1.8}, 0, {0, 1, 0}, {-0.6, 0.6, 0.6}, 3);
+    put({-1.6, -0.7, 2}, 0, {0, 1, 0}, glm::dvec3(0.3), 2);
+    put({1.8, -0.6, 2.2}, 0.4, {0, 0, 1}, {0.3, 0.3, -0.6}, 1);
+    return scene;
+}
+
+}   // namespace rayclock

@@ -1,0 +1,64 @@
+// Finished pictures of two levels: the RTL makes the colours that the model makes, in the same cycles.
+#include <catch2/catch.hpp>
+
+#include "tests/accel/mixed.hpp"
+#include "tests/support/machine/build_all.hpp"
+#include "tests/system/frames.hpp"
+
+using namespace rayclock;
+using namespace rayclock::test;
+
+namespace {
+
+/// Some units are there in one and not in another; the paths, intervals and formats differ.
+Config chip(const std::string& name, bool is_smooth, const Values& more) {
+    Values values{{"levels", 2}, {"stack_depth", 64}};
+    values.insert(values.end(), more.begin(), more.end());
+    Whitted settings;
+    settings.depth = 4, settings.aa = is_smooth ? 2 : 1;
+    return fitted_config(flattened(mixed(is_smooth)), settings, with(quick_config(name), values));
+}
+
+const std::vector<Config>& chips() {
+    static const std::vector<Config> all{
+        chip("default", true, {}),
+        chip("small", false,
+             {{"xform_interval", 1},
+              {"shade_interval", 4},
+              {"timing", 1},
+              {"raygen_queue", 32},
+              {"box_queue", 32},
+              {"tri_queue", 64}}),
+        chip("narrow", true,
+             {{"bary_bits", 12}, {"t_frac_bits", 2}, {"xform_interval", 4}, {"shade_interval", 8}}),
+        chip("broad", false, {{"dir_bits", 20}})};
+    return all;
+}
+
+Job job_of(const Scene& scene, FrameSize size, const Config& config, const Whitted& settings) {
+    return make_job(scene, *scene.camera, size, config, {}, settings);
+}
+
+}   // namespace
+
+TEST_CASE("the RTL of two levels that shades builds", "[.build]") {
+    std::vector<RtlJob> jobs;
+    for (const Config& config : chips())
+        jobs.push_back({"rc_chip", config.name + ", two levels, finished", config});
+    REQUIRE_NOTHROW(build_all(jobs));
+}
+
+TEST_CASE("model and RTL draw instances alike", "[levels]") {
+    const Config config = GENERATE(from_range(chips()));
+    INFO(config.name << ", a pass every " << config.shade_interval);
+    const Scene scene = flattened(mixed(config.smooth));
+    Whitted settings;
+    settings.depth = 4, settings.aa = config.supersampling ? 2 : 1;
+    const Job job = job_of(scene, {16, 12}, config, settings);
+    const LockstepResult result = check_lockstep(job);
+    CHECK(result.model.rays.shadow > 100);
+    CHECK(result.model.rays.reflection > 50);
+    CHECK(result.model.rays.refraction > 5);
+    settings.aa = 1;
+    check_lockstep(job_of(scene, {10, 8}, config, settings), {9, 30, 77}, 77);
+}
