@@ -30,8 +30,8 @@ public:
     /// the frame.
     void start(const Frame& frame, const Trace& trace);
 
-    /// Between frames: resets the chip, after which its caches are empty. The memory goes on with what it does, for
-    /// reset_cycles() of the configuration.
+    /// Between frames: resets the chip, after which its caches are empty. The memory goes on with what it
+    /// does, for reset_cycles() of the configuration.
     void reset();
     /// The host begins to write these lines of the memory, beside whatever the chip reads.
     void write(const std::vector<std::uint32_t>& lines) { memory_.write(lines); }

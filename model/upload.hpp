@@ -8,21 +8,22 @@
 
 namespace rayclock {
 
-/// Cycles that a reset of the chip takes: four more than its largest cache has sets, and sixteen in which it clears
-/// its counters (docs/chip.md).
+/// Cycles that a reset of the chip takes: four more than its largest cache has sets, and sixteen in which it
+/// clears its counters (docs/chip.md).
 inline int reset_cycles(const Config& c) {
     return 4 + std::max({c.node_sets, c.prim_sets, c.shading ? c.surf_sets : 0, c.l2_sets}) + 16;
 }
 
-/// Lines that differ from what the memory holds, and what the host did to know them. Applied in their order, uploads
-/// give every frame the lines that it reads, whatever the image held before.
+/// Lines that differ from what the memory holds, and what the host did to know them. Applied in their order,
+/// uploads give every frame the lines that it reads, whatever the image held before.
 struct Upload {
     std::vector<std::uint32_t> lines;   ///< their numbers, rising
     std::vector<std::uint32_t> words;   ///< 16 for each of them
     MemoryImage image;                  ///< of the frame, but that its words are elsewhere
     std::uint32_t image_lines = 0;      ///< of it; 0: no upload at all, the scene stands still
-    bool beside = false;     ///< written while the chip draws the frame before, which reads none of these lines
-    bool resets = false;     ///< the caches may hold lines that were written since the last reset: the chip is reset
+    bool beside = false;   ///< written while the chip draws the frame before, which reads none of these lines
+    bool resets = false;   ///< the caches may hold lines that were written since the last reset: the chip is
+                           ///< reset
     bool is_whole = false;   ///< the host has made everything anew, and not the upper structure alone
     std::uint64_t nodes = 0, instances = 0;   ///< that the host has made anew
     double seconds = 0;                       ///< that it took the host
@@ -46,9 +47,9 @@ struct UploadTiming {
     std::uint64_t reset = 0;    ///< of the reset
 };
 
-/// What must happen before frame `f`: the host's writes, and a reset, on a machine of the model or the RTL. Then the
-/// writes of the next frame begin, if they go beside this one. `upload_of(f)` is a frame's upload, null beyond the
-/// last.
+/// What must happen before frame `f`: the host's writes, and a reset, on a machine of the model or the RTL.
+/// Then the writes of the next frame begin, if they go beside this one. `upload_of(f)` is a frame's upload,
+/// null beyond the last.
 template <class Machine, class UploadOf>
 UploadTiming bring(Machine& machine, std::size_t f, const UploadOf& upload_of) {
     UploadTiming timing;

@@ -123,7 +123,8 @@ void Dram::run() {
 
 void Dram::plan() {
     choice_ = Choice{};
-    if (current_ >= 0) consider(column_command(queue_[std::size_t(current_)]), queue_[std::size_t(current_)].bank, current_);
+    if (current_ >= 0)
+        consider(column_command(queue_[std::size_t(current_)]), queue_[std::size_t(current_)].bank, current_);
     if (!refreshing_)
         choose();
     else if (current_ < 0)
@@ -140,12 +141,12 @@ void Dram::consider(DramCommand command, int bank, int entry) {
     if (clock < choice_.clock) choice_ = {clock, command, bank, entry};
 }
 
-/// Reads and writes first, each kind by age. All requests of a bank for its open row that read, that write, or for
-/// another row could have their command at the same time: only the oldest is considered.
+/// Reads and writes first, each kind by age. All requests of a bank for its open row that read, that write,
+/// or for another row could have their command at the same time: only the oldest is considered.
 void Dram::choose() {
     std::array<std::uint32_t, 2> wanted{};   // banks whose open row a request waits to read, or to write
-    std::uint32_t turned = 0;    // banks that a request waits to open or to close,
-    std::array<int, 32> turns;   // and the oldest such request of each, by age
+    std::uint32_t turned = 0;                // banks that a request waits to open or to close,
+    std::array<int, 32> turns;               // and the oldest such request of each, by age
     std::size_t n = 0;
     for (std::size_t i = 0; i < arrived_; ++i) {
         const Entry& e = queue_[i];

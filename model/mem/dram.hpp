@@ -16,7 +16,8 @@ enum class DramCause { busy, refresh, row, starved };
 constexpr int dram_causes = 4;
 
 struct DramStatistics {
-    std::uint64_t reads = 0;   ///< requests whose last read was given; each, and each write, is one of the next three
+    std::uint64_t reads = 0;   ///< requests whose last read was given; each, and each write, is one of the
+                               ///< next three
     std::uint64_t writes = 0;
     std::uint64_t row_hits = 0, row_misses = 0,
                   row_conflicts = 0;   ///< row was open; bank was closed; another row was open
@@ -28,9 +29,9 @@ struct DramStatistics {
 
 /// A DRAM and its controller, in real time: chip cycle c begins at floor(c * 1e9 / khz) ps. Latency: see
 /// DramPart; at most one request and one answer per chip cycle. The same class lies under the model and under
-/// the RTL. It keeps only who asked for which address; whoever owns it reads and changes the memory image. The chip
-/// only reads; writes are the host's. A write has no id and no answer; writes() tells when all are done. It waits,
-/// opens rows and takes its turn as a read does.
+/// the RTL. It keeps only who asked for which address; whoever owns it reads and changes the memory image.
+/// The chip only reads; writes are the host's. A write has no id and no answer; writes() tells when all are
+/// done. It waits, opens rows and takes its turn as a read does.
 ///
 /// An address counts words of 64 bytes: row : bank : word of the row, lowest last, so that addresses in
 /// sequence stay in a row and go on in the next bank. If there are bank groups they go round these first, as
@@ -143,8 +144,8 @@ private:
     Ring<Data> data_;              // on the bus from now on
     Data refresh_{};               // the last refresh, from when it was due
     std::vector<char> under_way_;
-    int writing_ = 0;                   // writes in the queue
-    std::uint64_t last_write_ps_ = 0;   // end of the last data written
+    int writing_ = 0;                               // writes in the queue
+    std::uint64_t last_write_ps_ = 0;               // end of the last data written
     std::uint64_t now_ = 0, time_ = 0, rest_ = 0;   // time_: begin of now_, rest_ / khz ps more
     bool ready_ = true, valid_ = false, waiting_ = false, busy_ = false;
     Answer answer_{};

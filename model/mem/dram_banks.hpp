@@ -41,7 +41,8 @@ private:
 
     int tck_;
     Clock trcd_, trp_, tras_, trc_, trrd_, trrd_l_, tfaw_, trtp_, tccd_, tccd_l_, trfc_;
-    Clock to_write_, to_read_, to_precharge_;   // from a read to a write; from a write to a read and a precharge
+    Clock to_write_, to_read_, to_precharge_;   // from a read to a write; from a write to a read and a
+                                                // precharge
     struct Group {
         Clock activate = 0, column = 0;   // first clock that its own gates allow
     };
@@ -54,10 +55,10 @@ private:
 
     std::vector<Bank> banks_;
     std::vector<Group> groups_;
-    int open_ = 0;                                  // banks with an open row
+    int open_ = 0;                                              // banks with an open row
     Clock command_ = 0, activate_ = 0, read_ = 0, write_ = 0;   // first clock that the shared gates allow
-    std::array<Clock, 4> activates_{};              // the last four, plus tFAW
-    unsigned oldest_ = 0;                           // of those
+    std::array<Clock, 4> activates_{};                          // the last four, plus tFAW
+    unsigned oldest_ = 0;                                       // of those
 };
 
 }   // namespace rayclock

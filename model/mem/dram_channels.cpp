@@ -20,7 +20,8 @@ void DramChannels::clock(const Answer* request) {
     DramCause cause = DramCause::starved;
     for (std::uint32_t c = 0; c < count_; ++c) {
         const bool takes = request && c == channel;
-        const Answer own{takes ? request->id : 0, takes ? request->addr / count_ : 0, takes && request->is_write};
+        const Answer own{takes ? request->id : 0, takes ? request->addr / count_ : 0,
+                         takes && request->is_write};
         channels_[c].clock(takes ? &own : nullptr);
         cause = std::min(cause, channels_[c].last_cause());
     }

@@ -12,8 +12,8 @@ int DramPart::bursts() const { return std::max(1, 8 * line_bytes / bus_bits / bu
 
 std::int64_t longest_pause_ps(const DramPart& p) {
     const std::int64_t trrd = std::max(p.trrd, p.trrd_l), tccd = std::max(p.tccd, p.tccd_l);
-    const std::int64_t gates =
-        std::int64_t(p.trcd) + p.trp + p.tras + p.trc + trrd + p.tfaw + p.trtp + p.twr + p.twtr + tccd + p.trfc;
+    const std::int64_t gates = std::int64_t(p.trcd) + p.trp + p.tras + p.trc + trrd + p.tfaw + p.trtp +
+                               p.twr + p.twtr + tccd + p.trfc;
     const std::int64_t data = std::int64_t(p.cl + p.bursts() * (p.burst_clocks() + tccd / p.tck)) * p.tck;
     return p.request_ps + gates + data + p.answer_ps;
 }

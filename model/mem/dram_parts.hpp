@@ -20,23 +20,23 @@ struct DramPart {
     int columns = 1024;    ///< of a row, one transfer each
 
     // Clock and gates.
-    int tck = 0;      ///< clock; commands and data are given on it
-    int cl = 0;       ///< clocks from read to first data
-    int trcd = 0;     ///< activate to read, same bank
-    int trp = 0;      ///< precharge to activate or refresh
-    int tras = 0;     ///< activate to precharge, same bank
-    int trc = 0;      ///< activate to activate, same bank
-    int trrd = 0;     ///< activate to activate, any bank
-    int trrd_l = 0;   ///< the same in one bank group, if that takes longer
-    int tfaw = 0;     ///< at most four activates in it; 0: no such gate
-    int trtp = 0;     ///< read to precharge, same bank
-    int tccd = 0;     ///< read to read
-    int tccd_l = 0;   ///< the same in one bank group, if that takes longer
-    int cwl = 0;      ///< clocks from write to first data
-    int twr = 15'000;    ///< last data of a write to precharge, same bank
-    int twtr = 7'500;    ///< last data of a write to a read
-    int trefi = 0;    ///< one refresh of all banks in every such time
-    int trfc = 0;     ///< refresh to activate or refresh
+    int tck = 0;        ///< clock; commands and data are given on it
+    int cl = 0;         ///< clocks from read to first data
+    int trcd = 0;       ///< activate to read, same bank
+    int trp = 0;        ///< precharge to activate or refresh
+    int tras = 0;       ///< activate to precharge, same bank
+    int trc = 0;        ///< activate to activate, same bank
+    int trrd = 0;       ///< activate to activate, any bank
+    int trrd_l = 0;     ///< the same in one bank group, if that takes longer
+    int tfaw = 0;       ///< at most four activates in it; 0: no such gate
+    int trtp = 0;       ///< read to precharge, same bank
+    int tccd = 0;       ///< read to read
+    int tccd_l = 0;     ///< the same in one bank group, if that takes longer
+    int cwl = 0;        ///< clocks from write to first data
+    int twr = 15'000;   ///< last data of a write to precharge, same bank
+    int twtr = 7'500;   ///< last data of a write to a read
+    int trefi = 0;      ///< one refresh of all banks in every such time
+    int trfc = 0;       ///< refresh to activate or refresh
 
     // Controller.
     int request_ps = 0;   ///< from the clock edge that accepts a request to the first command it can cause
@@ -46,8 +46,8 @@ struct DramPart {
 
     int row_bytes() const { return columns * bus_bits / 8; }
     int burst_clocks() const { return burst_length / transfers; }
-    /// Clocks in which nobody drives the data bus, as it turns from reading to writing: a chip of single data rate
-    /// needs one, others two (JESD79-3F, 4.13.2.2: RL + tCCD + 2 tCK - WL from read to write).
+    /// Clocks in which nobody drives the data bus, as it turns from reading to writing: a chip of single data
+    /// rate needs one, others two (JESD79-3F, 4.13.2.2: RL + tCCD + 2 tCK - WL from read to write).
     int turn_clocks() const { return transfers == 1 ? 1 : 2; }
     /// Read commands that one request of 64 bytes takes.
     int bursts() const;

@@ -85,11 +85,11 @@ DramPart ddr3() {
     p.tfaw = 45'000;           // tfaw
     p.trtp = 4 * 3'000;        // the greater of trtp 7.5 ns and 4 clocks (Table 56)
     p.tccd = 4 * 3'000;        // 4 clocks (Table 56)
-    p.cwl = 5;                 // for 2.5 ns <= tCK < 3.3 ns (Micron 2Gb DDR3 data sheet, CWL 5: up to 333 MHz)
-    p.twr = 15'000;            // twr
-    p.twtr = 4 * 3'000;        // the greater of twtr 7.5 ns and 4 clocks
-    p.trefi = 7'800'000;       // trefi
-    p.trfc = 160'000;          // trfc
+    p.cwl = 5;             // for 2.5 ns <= tCK < 3.3 ns (Micron 2Gb DDR3 data sheet, CWL 5: up to 333 MHz)
+    p.twr = 15'000;        // twr
+    p.twtr = 4 * 3'000;    // the greater of twtr 7.5 ns and 4 clocks
+    p.trefi = 7'800'000;   // trefi
+    p.trfc = 160'000;      // trfc
     p.request_ps = 5 * 12'000;   // assumed: five clocks of a controller that runs at a quarter of the
                                  // memory's clock (PHYRatio)
     p.answer_ps = 5 * 12'000;    // assumed: the same on the way back

@@ -21,7 +21,8 @@ constexpr std::size_t memory_deeds = 4;
 /// What the memory has done.
 struct MemoryStats {
     std::uint64_t reads = 0;                         ///< of 64 bytes
-    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these and the writes: the row was open; another row was
+    std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these and the writes: the row was open; another
+                                                     ///< row was
     std::uint64_t refreshes = 0;
     std::uint64_t writes = 0;   ///< of 64 bytes, by the host
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
@@ -42,8 +43,8 @@ public:
     bool valid() const { return disturbed_ ? offer_ >= 0 : comes(); }
     Answer answer() const { return disturbed_ ? late_[std::size_t(offer_)].what : coming(); }
 
-    /// The host begins to write these lines, one after the other: one in every cycle in which the memory has room
-    /// for it and takes no request of the chip. So the chip's reads go first.
+    /// The host begins to write these lines, one after the other: one in every cycle in which the memory has
+    /// room for it and takes no request of the chip. So the chip's reads go first.
     void write(const std::vector<std::uint32_t>& lines);
     /// Some of them are not written yet.
     bool writes() const { return left_ > 0 || (dram_ && dram_->writes()); }
@@ -63,9 +64,9 @@ public:
 
     std::uint64_t quiet_until() const {
         return disturbed_ || left_ > 0 ? 0
-               : sleeping_ ? ~std::uint64_t(0)
-               : dram_     ? dram_->quiet_until()
-                           : ideal_.quiet_until();
+               : sleeping_             ? ~std::uint64_t(0)
+               : dram_                 ? dram_->quiet_until()
+                                       : ideal_.quiet_until();
     }
     /// The same as so many clock(nullptr), not beyond quiet_until().
     void skip(std::uint64_t cycles);
@@ -97,8 +98,8 @@ private:
     std::vector<std::uint32_t> written_;   // lines that the host writes, and how many of them are left
     std::size_t left_ = 0;
     std::uint64_t writes_ = 0;   // of the ideal memory
-    std::vector<Late> late_;   // answers that traffic holds back, oldest first
-    int offer_ = -1;           // of these, the one on offer
+    std::vector<Late> late_;     // answers that traffic holds back, oldest first
+    int offer_ = -1;             // of these, the one on offer
 };
 
 }   // namespace rayclock

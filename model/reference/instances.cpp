@@ -44,9 +44,7 @@ Scene corners_of(const std::vector<Bounds>& boxes) {
 }
 
 /// A step of a float further than the double's rounding, which is smaller by far.
-float well_below(double x) {
-    return std::nextafter(float_below(x), -std::numeric_limits<float>::infinity());
-}
+float well_below(double x) { return std::nextafter(float_below(x), -std::numeric_limits<float>::infinity()); }
 
 }   // namespace
 
@@ -125,7 +123,8 @@ Hit RefInstances::trace(const glm::dvec3& origin, const glm::dvec3& given) const
         if (entry.near > limit) continue;
         if (entry.blocks > 0) {   // a leaf's last place may repeat the one before
             std::uint32_t before = no_primitive;
-            for (std::uint32_t i = entry.child * ref_block_size; i < (entry.child + entry.blocks) * ref_block_size; ++i) {
+            for (std::uint32_t i = entry.child * ref_block_size;
+                 i < (entry.child + entry.blocks) * ref_block_size; ++i) {
                 if (order_[i] != before) test(placed_[order_[i]], origin, direction, best);
                 before = order_[i];
             }
@@ -142,7 +141,8 @@ Hit RefInstances::trace(const glm::dvec3& origin, const glm::dvec3& given) const
         }
     }
     if (best.primitive == no_primitive) return {};
-    return {best.primitive, static_cast<float>(best.depth), static_cast<float>(best.u), static_cast<float>(best.v)};
+    return {best.primitive, static_cast<float>(best.depth), static_cast<float>(best.u),
+            static_cast<float>(best.v)};
 }
 
 }   // namespace rayclock

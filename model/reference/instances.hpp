@@ -9,9 +9,9 @@
 
 namespace rayclock {
 
-/// The reference tracer on instances that are not written out: a hierarchy over their boxes, and one for each mesh. A ray
-/// is moved into an instance's space in double precision by the inverse of its place; nothing of the chip's maps is
-/// known here.
+/// The reference tracer on instances that are not written out: a hierarchy over their boxes, and one for each
+/// mesh. A ray is moved into an instance's space in double precision by the inverse of its place; nothing of
+/// the chip's maps is known here.
 class RefInstances {
 public:
     explicit RefInstances(const PlacedScene& scene);
@@ -21,13 +21,14 @@ public:
 
 private:
     struct Placed {
-        glm::dmat3 back{1};       ///< from the scene's directions to the mesh's
-        glm::dvec3 origin{0};     ///< the mesh's origin in the scene
+        glm::dmat3 back{1};     ///< from the scene's directions to the mesh's
+        glm::dvec3 origin{0};   ///< the mesh's origin in the scene
         std::uint32_t mesh = 0, first = 0;
         bool is_mirrored = false;
     };
     void add(const glm::dmat4& place, std::uint32_t mesh, std::uint64_t first);
-    void test(const Placed& placed, const glm::dvec3& origin, const glm::dvec3& direction, RefClosest& best) const;
+    void test(const Placed& placed, const glm::dvec3& origin, const glm::dvec3& direction,
+              RefClosest& best) const;
 
     std::vector<RefGeometry> meshes_;
     std::vector<Bounds> bounds_;   ///< of the meshes

@@ -50,7 +50,8 @@ HitFrame Reference::frame(const Camera& camera, FrameSize size, int threads, con
 WhittedFrame Reference::whitted(const Camera& camera, FrameSize size, const Whitted& settings, int threads,
                                 const Progress& progress, const RayWatch& watch) const {
     if (impl_->instances)
-        throw UserError(impl_->scene.name + ": so many placed triangles have no finished picture, only camera rays");
+        throw UserError(impl_->scene.name +
+                        ": so many placed triangles have no finished picture, only camera rays");
     return ref_whitted(impl_->geometry, impl_->scene, camera, size, settings, threads, progress, watch);
 }
 

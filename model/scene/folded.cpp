@@ -77,7 +77,8 @@ void check_folded(const Scene& scene, const std::string& where) {
         throw UserError(where + ": " + std::to_string(count) +
                         " placed triangles are too many to find a camera for them; the scene must have one");
     if (!placed.motion.empty())
-        throw UserError(where + ": " + std::to_string(count) + " placed triangles are too many for a scene that moves");
+        throw UserError(where + ": " + std::to_string(count) +
+                        " placed triangles are too many for a scene that moves");
     const auto check = [&](const auto& mesh) {
         Scene alone;
         alone.vertices = mesh.vertices, alone.normals = mesh.normals, alone.triangles = mesh.triangles;

@@ -1,6 +1,6 @@
 #pragma once
-// Scenes of so many placed triangles that nobody writes them out: their instances stay as they are. A machine of two
-// levels walks them, and the reference moves its rays into them, in double precision.
+// Scenes of so many placed triangles that nobody writes them out: their instances stay as they are. A machine
+// of two levels walks them, and the reference moves its rays into them, in double precision.
 #include "model/scene/placed.hpp"
 
 namespace rayclock {
@@ -39,8 +39,8 @@ private:
     std::vector<std::uint64_t> firsts_;   ///< of the instances
 };
 
-/// Throws UserError unless a folded scene can be drawn: as check_scene(), mesh by mesh; and it must have a camera, since
-/// finding one needs all triangles.
+/// Throws UserError unless a folded scene can be drawn: as check_scene(), mesh by mesh; and it must have a
+/// camera, since finding one needs all triangles.
 void check_folded(const Scene& scene, const std::string& where);
 
 }   // namespace rayclock

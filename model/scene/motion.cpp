@@ -25,8 +25,8 @@ glm::dquat tidy(const glm::dquat& turn) { return glm::normalize(turn); }
 template <class Value> Value spline(const Value* from, const Value* to, double s, double span) {
     const double s2 = s * s, s3 = s2 * s;
     const Value &value = from[1], &leaves = from[2], &arrives = to[0], &end = to[1];
-    return tidy(value * (2 * s3 - 3 * s2 + 1) + leaves * (span * (s3 - 2 * s2 + s)) + end * (3 * s2 - 2 * s3) +
-                arrives * (span * (s3 - s2)));
+    return tidy(value * (2 * s3 - 3 * s2 + 1) + leaves * (span * (s3 - 2 * s2 + s)) +
+                end * (3 * s2 - 2 * s3) + arrives * (span * (s3 - s2)));
 }
 
 glm::dmat4 local_place(const MotionNode& node, double time) {
@@ -42,7 +42,8 @@ glm::dvec3 point_at(const glm::dmat4& place, const glm::dvec3& point) {
 
 double last_time(const MotionNode& node) {
     double last = 0;
-    for (const auto* times : {&node.matrices.times, &node.translates.times, &node.scales.times, &node.turns.times})
+    for (const auto* times :
+         {&node.matrices.times, &node.translates.times, &node.scales.times, &node.turns.times})
         if (!times->empty()) last = std::max(last, times->back());
     return last;
 }
@@ -121,8 +122,8 @@ void pose(PlacedScene& scene, double time) {
     }
 }
 
-// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths beyond any
-// use are refused with it: their products would leave the range of a double.
+// The volume that the three directions of unit length span is 1 for a rotation and 0 when flat. Lengths
+// beyond any use are refused with it: their products would leave the range of a double.
 bool is_singular(const glm::dmat4& m) {
     glm::dmat3 directions(m);
     for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,5 @@
-// What moves in a scene, and how: nodes over time, and what hangs at them. scenes/README.md has the form in files.
+// What moves in a scene, and how: nodes over time, and what hangs at them. scenes/README.md has the form in
+// files.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,12 +14,12 @@
 
 namespace rayclock {
 
-/// What a value does between two keys. `cubic` is glTF's CUBICSPLINE: each key has three values, the tangent that
-/// comes in, the value, and the tangent that goes out.
+/// What a value does between two keys. `cubic` is glTF's CUBICSPLINE: each key has three values, the tangent
+/// that comes in, the value, and the tangent that goes out.
 enum class Between { linear, step, cubic };
 
-/// A value over time: keys in rising order of their times, seconds. Before the first and after the last it stays
-/// as it is there. Rotations that are linear are slerped, the shorter way. An empty track says nothing.
+/// A value over time: keys in rising order of their times, seconds. Before the first and after the last it
+/// stays as it is there. Rotations that are linear are slerped, the shorter way. An empty track says nothing.
 template <class Value> struct Track {
     std::vector<double> times;
     std::vector<Value> values;   ///< one for each time; of a cubic one three
@@ -29,12 +30,12 @@ template <class Value> struct Track {
     Value at(double time, const Value& otherwise) const;
 };
 
-/// A space that moves in another one, which is a node before it or the scene. It is scaled first, then turned,
-/// then moved, as objects are; or it has one matrix.
+/// A space that moves in another one, which is a node before it or the scene. It is scaled first, then
+/// turned, then moved, as objects are; or it has one matrix.
 struct MotionNode {
     std::string name;                        ///< in sentences
     std::optional<std::uint32_t> parent{};   ///< an earlier node
-    glm::dmat4 matrix{1};                    ///< if none of translate, turn and scale moves, this or `matrices`
+    glm::dmat4 matrix{1};   ///< if none of translate, turn and scale moves, this or `matrices`
     Track<glm::dmat4> matrices{};
     bool is_parts = false;   ///< the next three, and their tracks, instead of a matrix
     glm::dvec3 translate{0};
@@ -84,8 +85,8 @@ std::vector<glm::dmat4> node_places(const Motion& motion, double time);
 
 struct PlacedScene;
 
-/// Sets the places of instances that move, the camera and the lights to where they are at a time. Throws UserError
-/// with the node's name and the time if a place has become singular, or a number infinite.
+/// Sets the places of instances that move, the camera and the lights to where they are at a time. Throws
+/// UserError with the node's name and the time if a place has become singular, or a number infinite.
 void pose(PlacedScene& scene, double time);
 
 /// A map that makes solids flat, or has lengths that are beyond any use, or is not finite.

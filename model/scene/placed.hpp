@@ -42,8 +42,8 @@ struct PlacedScene {
 /// Of the flat scene.
 std::uint64_t primitive_count(const PlacedScene& scene);
 
-/// Every instance becomes triangles. Without instances and motion, the scene itself. Throws UserError if they are more
-/// than a vertex number can tell.
+/// Every instance becomes triangles. Without instances and motion, the scene itself. Throws UserError if they
+/// are more than a vertex number can tell.
 Scene flattened(PlacedScene scene);
 /// The same triangles, without what was written out to make them.
 Scene flat_copy(const PlacedScene& scene);

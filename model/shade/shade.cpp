@@ -38,7 +38,8 @@ void finish(SurfacePoint& point, const glm::dvec3& eye, const glm::dvec3& outsid
 
 /// Smooth normals can face away from the eye near a silhouette although the triangle faces it; the triangle
 /// decides which side is seen, and its normal stands in where the smooth one vanishes.
-SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit, const glm::dvec3& eye) {
+SurfacePoint on_triangle(const Scene& scene, const PlacedTriangle& triangle, const Hit& hit,
+                         const glm::dvec3& eye) {
     const auto& [a, b, c] = triangle.vertices;
     const double v1 = hit.u, v2 = hit.v, v0 = 1 - v1 - v2;
     SurfacePoint point;
@@ -92,8 +93,8 @@ PlacedTriangle triangle_of(const Scene& scene, std::uint32_t number) {
     return out;
 }
 
-SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit, const glm::dvec3& eye,
-                           const glm::dvec3& direction) {
+SurfacePoint surface_point(const Scene& scene, const Unfolder* unfolder, const Hit& hit,
+                           const glm::dvec3& eye, const glm::dvec3& direction) {
     if (unfolder) return on_triangle(scene, (*unfolder)(hit.primitive), hit, eye);
     const std::size_t triangles = scene.triangles.size(), spheres = scene.spheres.size();
     if (hit.primitive < triangles) return on_triangle(scene, triangle_of(scene, hit.primitive), hit, eye);
@@ -136,7 +137,8 @@ Picture shade(const Scene& scene, const HitFrame& frame, const Progress& progres
             const Hit& hit = frame.hits[i];
             if (hit.primitive == no_primitive) continue;
             const glm::dvec3 direction = rays.direction(static_cast<double>(i - begin), y);
-            picture.pixels[i] = glm::vec3(colour_at(scene, surface_point(scene, unfolder ? &*unfolder : nullptr, hit, eye, direction)));
+            picture.pixels[i] = glm::vec3(
+                colour_at(scene, surface_point(scene, unfolder ? &*unfolder : nullptr, hit, eye, direction)));
         }
         if (!progress) return;
         const std::lock_guard lock(reporting);

@@ -76,8 +76,8 @@ int run(const Options& o) {
         check_page_library();
     }
     const Progress progress = terminal_progress();
-    Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view), o.frames,
-              o.view.is_asked(), size, stopping(progress));
+    Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view),
+              o.frames, o.view.is_asked(), size, stopping(progress));
     std::vector<FrameTrace> traces;
     while (traces.size() < film.frames()) {
         film.next();

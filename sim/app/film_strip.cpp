@@ -35,7 +35,8 @@ Picture drawn_by_reference(const Request& request, const Camera& camera, FrameSi
 
 }   // namespace
 
-FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progress, std::vector<FrameTrace>& traces) {
+FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progress,
+                      std::vector<FrameTrace>& traces) {
     FilmStrip strip;
     strip.moves = film.moves();
     strip.fps = film.times().fps;
@@ -52,7 +53,8 @@ FilmStrip record_film(Film& film, const StripOptions& o, const Progress& progres
             write_pictures(o.folder, {{frame_name(f), picture, hits_of(film.job(), traces.back())}});
         if (o.compares)
             strip.psnr.push_back(
-                compare(picture, drawn_by_reference(request, film.camera(), film.job().size, o.threads)).psnr_db);
+                compare(picture, drawn_by_reference(request, film.camera(), film.job().size, o.threads))
+                    .psnr_db);
     }
     return strip;
 }
@@ -71,8 +73,8 @@ namespace {
 
 /// What is told of every frame, as numbers.
 struct FrameFigures {
-    double cycles = 0, upload = 0, reset = 0, fps = 0, read = 0, written = 0, nodes = 0, prims = 0, visits = 0, tests = 0,
-           rebuilt = 0, instances = 0, seconds = 0;
+    double cycles = 0, upload = 0, reset = 0, fps = 0, read = 0, written = 0, nodes = 0, prims = 0,
+           visits = 0, tests = 0, rebuilt = 0, instances = 0, seconds = 0;
 };
 
 struct Figure {
@@ -168,13 +170,17 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
             row.push_back(cell(figure, k == 0 ? s.least : k == 1 ? s.mean : s.most));
         }
         if (!strip.psnr.empty())
-            row.push_back(k == 1 ? "" : psnr_cell(k == 0 ? *std::min_element(strip.psnr.begin(), strip.psnr.end())
-                                                         : *std::max_element(strip.psnr.begin(), strip.psnr.end())));
+            row.push_back(k == 1
+                              ? ""
+                              : psnr_cell(k == 0 ? *std::min_element(strip.psnr.begin(), strip.psnr.end())
+                                                 : *std::max_element(strip.psnr.begin(), strip.psnr.end())));
         table.add(row);
     }
-    const bool is_whole = std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) { return t.upload.is_whole; });
+    const bool is_whole =
+        std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) { return t.upload.is_whole; });
     return fmt::format(
-        "\n  frames of the moving scene at {:g} MHz; fps includes the host's writes and resets, and not the time that "
+        "\n  frames of the moving scene at {:g} MHz; fps includes the host's writes and resets, and not the "
+        "time that "
         "it takes the host\n  to make {} anew\n{}",
         runs[0].khz / 1e3, is_whole ? "everything" : "the scene's tree", table.text());
 }
@@ -196,7 +202,8 @@ ordered_json film_json(const Config&, const std::vector<ClockRun>& runs, const F
         ordered_json least, mean, most;
         for (const Figure& figure : figures) {
             const Summary s = summary(all, figure.value);
-            least[figure.key] = number(s.least), mean[figure.key] = number(s.mean), most[figure.key] = number(s.most);
+            least[figure.key] = number(s.least), mean[figure.key] = number(s.mean),
+            most[figure.key] = number(s.most);
         }
         clocks.push_back(
             {{"mhz", run.khz / 1e3}, {"frames", frames}, {"least", least}, {"mean", mean}, {"most", most}});

@@ -1,6 +1,6 @@
 #pragma once
-// What simulate, verify and render do with the frames of a film beside running them: pictures, the reference's error,
-// and the report of all frames.
+// What simulate, verify and render do with the frames of a film beside running them: pictures, the
+// reference's error, and the report of all frames.
 #include "sim/film/film.hpp"
 #include "sim/report/json.hpp"
 
@@ -21,7 +21,8 @@ struct StripOptions {
     bool compares = false;   ///< every frame with the reference's
 };
 
-/// Records all frames. Of a scene that moves, and has more frames than one, it writes the pictures and compares them.
+/// Records all frames. Of a scene that moves, and has more frames than one, it writes the pictures and
+/// compares them.
 FilmStrip record_film(Film& film, const StripOptions& options, const Progress& progress,
                       std::vector<FrameTrace>& traces);
 
@@ -34,7 +35,7 @@ void finish_film(const FilmStrip& strip, bool quiet);
 std::string film_table(const Config& config, const std::vector<ClockRun>& runs, const FilmStrip& strip,
                        const std::vector<FrameTrace>& traces);
 /// The same for each clock; null if nothing moves.
-nlohmann::ordered_json film_json(const Config& config, const std::vector<ClockRun>& runs, const FilmStrip& strip,
-                                 const std::vector<FrameTrace>& traces);
+nlohmann::ordered_json film_json(const Config& config, const std::vector<ClockRun>& runs,
+                                 const FilmStrip& strip, const std::vector<FrameTrace>& traces);
 
 }   // namespace rayclock

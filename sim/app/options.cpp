@@ -93,11 +93,14 @@ void frames_options(Parser& parser, FramesOptions& o) {
                 "frames drawn one after the other on one machine: the caches are warm from the second on")
         .with_default();
     parser.option("--pan", o.pan, "degrees that the camera turns from frame to frame");
-    parser.option("--fps", o.fps, "frames in a second of the scene's time, if something moves in it: 25 if it is not given");
-    parser.option("--time", o.time, "the scene's time of the first frame, or two times, A:B, with a colon: seconds");
+    parser.option("--fps", o.fps,
+                  "frames in a second of the scene's time, if something moves in it: 25 if it is not given");
+    parser.option("--time", o.time,
+                  "the scene's time of the first frame, or two times, A:B, with a colon: seconds");
     parser
         .option("--uploads", o.uploads,
-                "when the host writes what has moved: between the frames, or, double, beside the frame before into "
+                "when the host writes what has moved: between the frames, or, double, beside the frame "
+                "before into "
                 "a second buffer")
         .with_default();
 }

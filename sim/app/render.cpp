@@ -51,15 +51,18 @@ void declare(Parser& parser, Options& o) {
     parser.option("--engine", o.engine, "reference, model or rtl").with_default();
     frames_options(parser, o.frames);
     parser
-        .option("-o,--output", o.output,
-                "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
+        .option(
+            "-o,--output", o.output,
+            "picture to write: .png, or .exr with depth and primitive number; of several frames, a folder")
         .required();
     threads_option(parser, o.threads);
     json_option(parser, o.json);
 }
 
 /// Several frames go to a folder, and how many they are is known only once the scene is there.
-bool may_be_film(const Options& o) { return o.frames.frames > 1 || o.frames.time.find(':') != std::string::npos; }
+bool may_be_film(const Options& o) {
+    return o.frames.frames > 1 || o.frames.time.find(':') != std::string::npos;
+}
 
 /// A picture, what its pixels hit, and what the report says of it.
 struct Drawn {

@@ -138,7 +138,8 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
     Simulated s;
     Film& film = work.film;
     s.is_model = o.engine == "model";
-    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {   // one replay, beside the
+    if (s.is_model && work.clocks.size() == 1 && film.frames() == 1 && !film.moves()) {   // one replay,
+                                                                                          // beside the
                                                                                           // recording
         film.next();
         const std::vector<FrameTiming> timings =
@@ -157,10 +158,10 @@ Simulated run_engine(const Options& o, const Work& work, Traffic traffic, const 
 
 /// Sets the last frame beside the reference's, and judges it.
 void compare(Simulated& s, const Options& o, const Work& work, const Progress& progress) {
-    s.compared = rayclock::compare(
-        work.request(), work.job(),
-        {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(), s.traces.back().trace.signatures},
-        !o.no_judge, o.threads, progress);
+    s.compared = rayclock::compare(work.request(), work.job(),
+                                   {s.traces.back().frame, work.film.camera(), s.answers(), s.colours(),
+                                    s.traces.back().trace.signatures},
+                                   !o.no_judge, o.threads, progress);
 }
 
 /// All frames at all clocks together.
@@ -360,10 +361,8 @@ int run(const Options& o) {
         finish_film(simulated.strip, o.json.is_alone());
     }
     o.json.write(json);
-    return simulated.partial ||
-                   (simulated.judgement() && simulated.judgement()->wrong_for(config) > 0)
-               ? 1
-               : 0;
+    return simulated.partial || (simulated.judgement() && simulated.judgement()->wrong_for(config) > 0) ? 1
+                                                                                                        : 0;
 }
 
 }   // namespace

@@ -120,8 +120,7 @@ int run(const Options& o) {
     if (!view.empty()) check_writable(view);
     o.json.check();
     const Progress progress = terminal_progress();
-    Request asked =
-        request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
+    Request asked = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
     if (!asked.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
         throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
     Film film(std::move(asked), o.frames, o.view.is_asked(), size, stopping(progress));

@@ -190,12 +190,12 @@ Verified run_machines(const Options& o, const Work& work, Traffic traffic, const
         return draw_reference(request, work.film.camera(), work.size, o.threads);
     });
     v.job = work.job();
-    v.result = run_lockstep(v.job, v.traces, traffic, progress, int(o.traffic.seed),
-                            [&](const Divergence& first) {
-                                v.divergence_seconds = watch.seconds();
-                                capture_first(o, diverged(o, work, traffic, v, first), v, progress);
-                                if (v.show) v.waveform_seconds = watch.seconds();
-                            });
+    v.result =
+        run_lockstep(v.job, v.traces, traffic, progress, int(o.traffic.seed), [&](const Divergence& first) {
+            v.divergence_seconds = watch.seconds();
+            capture_first(o, diverged(o, work, traffic, v, first), v, progress);
+            if (v.show) v.waveform_seconds = watch.seconds();
+        });
     v.pictures = reference.get();
     return v;
 }
@@ -216,7 +216,8 @@ std::string show_first_divergence(const Options& o, const Work& work, Traffic tr
 }
 
 Picture drawn(const Work& work, const FrameRun& made) {
-    return work.request().finished ? picture_of(work.size, made.colours) : shade(work.request().scene, made.hits);
+    return work.request().finished ? picture_of(work.size, made.colours)
+                                   : shade(work.request().scene, made.hits);
 }
 
 /// Sets the machines' pictures beside the reference's and the golden one, and judges what they answered.

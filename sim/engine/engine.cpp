@@ -108,8 +108,13 @@ std::vector<FrameTiming> replay(const Config& config, int khz, const std::vector
             if (progress)
                 progress(with_rate("model", machine.cycle() - first, watch), machine.hits(), pixels);
         } while (!machine.done() && !interrupted());
-        FrameTiming timing{machine.cycle() - first,           machine.hits(),  machine.accounts() - accounts,
-                           machine.memory().stats() - memory, watch.seconds(), !machine.done(), upload};
+        FrameTiming timing{machine.cycle() - first,
+                           machine.hits(),
+                           machine.accounts() - accounts,
+                           machine.memory().stats() - memory,
+                           watch.seconds(),
+                           !machine.done(),
+                           upload};
         timings.push_back(timing);
         if (timing.partial) break;
     }
@@ -221,8 +226,8 @@ std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrac
     for (std::size_t f = 0; f < frames.size(); ++f) {
         machine.change(frames[f].upload);
         const UploadTiming upload = bring(machine, f, frames);
-        runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, traffic), upload,
-                                     progress));
+        runs.push_back(run_rtl_frame(machine, job, frames[f].frame, patience(job.config, khz, traffic),
+                                     upload, progress));
         if (runs.back().partial) break;
     }
     return runs;

@@ -19,8 +19,9 @@ namespace rayclock {
 
 constexpr int default_khz = 66000;
 
-/// Primitives of instances that are mirror images. The chip knows a mesh's triangles by the order of their corners in
-/// the mesh; in the scene the second and the third have changed places, so that their outside stays outside.
+/// Primitives of instances that are mirror images. The chip knows a mesh's triangles by the order of their
+/// corners in the mesh; in the scene the second and the third have changed places, so that their outside
+/// stays outside.
 struct MirrorRange {
     std::uint32_t first = 0, end = 0;   ///< rising
 };
@@ -51,9 +52,9 @@ struct FrameTiming {
     std::uint64_t pixels = 0;   ///< finished
     Accounts accounts;
     MemoryStats memory;
-    double seconds = 0;     ///< of the host
-    bool partial = false;   ///< stopped before the end
-    UploadTiming upload{};  ///< before it
+    double seconds = 0;      ///< of the host
+    bool partial = false;    ///< stopped before the end
+    UploadTiming upload{};   ///< before it
     std::uint64_t all_cycles() const { return cycles + upload.cycles + upload.reset; }
 };
 
@@ -79,7 +80,8 @@ struct FrameTrace {
     Upload upload{};
 };
 /// bring() for one frame of a sequence.
-template <class Machine> UploadTiming bring(Machine& machine, std::size_t f, std::span<const FrameTrace> frames) {
+template <class Machine>
+UploadTiming bring(Machine& machine, std::size_t f, std::span<const FrameTrace> frames) {
     return bring(machine, f, [&](std::size_t k) { return k < frames.size() ? &frames[k].upload : nullptr; });
 }
 FrameTrace record_frame(const Job& job, const Frame& frame, int threads = 0, const Progress& progress = {});
@@ -96,8 +98,8 @@ std::vector<FrameTiming> record_and_replay(const Job& job, int khz, std::vector<
                                            const Progress& progress = {});
 
 /// Frames on the RTL, which makes its frames by itself: of their traces it reads none.
-std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames, Traffic traffic = {},
-                              const Progress& progress = {}, int seed = 1);
+std::vector<FrameRun> run_rtl(const Job& job, int khz, std::span<const FrameTrace> frames,
+                              Traffic traffic = {}, const Progress& progress = {}, int seed = 1);
 
 /// A frame's run, from what it took, what its rays did and what they answered.
 FrameRun frame_run(const Job& job, const Frame& frame, const FrameTiming& timing, const FrameWork& work,

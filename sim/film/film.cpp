@@ -72,7 +72,8 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_asked, Fr
     if (request_.config.has_instances()) prepare_levels();
     if (is_double_ && !levels_)
         throw UserError(
-            "--uploads double needs a scene's tree apart from what does not move: levels=2, and instances that "
+            "--uploads double needs a scene's tree apart from what does not move: levels=2, and instances "
+            "that "
             "are not sheared or flattened");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// The frames of a scene that moves, one after the other: the scene at its time, the chip's memory, what the host
-// writes (docs/motion.md). A scene that stands still is the same for every frame, and only the camera turns.
+// The frames of a scene that moves, one after the other: the scene at its time, the chip's memory, what the
+// host writes (docs/motion.md). A scene that stands still is the same for every frame, and only the camera
+// turns.
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,8 +36,8 @@ Camera panned(const Camera& camera, double pan, int i);
 
 class Film {
 public:
-    /// `view_is_asked`: the camera was chosen by hand, and does not move with the scene. `for_chip`: frames are made
-    /// for a chip, and not for the reference alone. Throws UserError.
+    /// `view_is_asked`: the camera was chosen by hand, and does not move with the scene. `for_chip`: frames
+    /// are made for a chip, and not for the reference alone. Throws UserError.
     Film(Request request, const FramesOptions& options, bool view_is_asked, FrameSize size,
          const Progress& progress = {}, bool for_chip = true);
 

@@ -27,18 +27,21 @@ std::string make_film(const std::string& folder, std::size_t count, double fps) 
     if (error) throw UserError(film.string() + ": an older film cannot be removed (" + error.message() + ")");
     const fs::path program = find_program(film_program);
     if (program.empty())
-        return fmt::format("no film: the program {} is not installed (Debian's package {}); the frames lie in {}",
-                           film_program, film_program, printable(folder));
+        return fmt::format(
+            "no film: the program {} is not installed (Debian's package {}); the frames lie in {}",
+            film_program, film_program, printable(folder));
     // It numbers them by itself from the first name on. A delay is a fraction of two numbers of 16 bits.
     const auto thousandths = long(std::lround(1000 / fps));
     Process process({{program.string(), fs::absolute(film).string(), frame_name(0),
                       std::to_string(std::min(thousandths, 65'535l)), "1000", "-kc"},
-                     folder, fs::absolute(fs::path(folder) / "film.log"), {}});
+                     folder,
+                     fs::absolute(fs::path(folder) / "film.log"),
+                     {}});
     while (!process.ended() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     if (interrupted()) return "no film: interrupted";
     if (process.code() != 0 || !fs::exists(film, error))
-        return fmt::format("no film: {} ended with {}; what it said is in {}/film.log", film_program, process.code(),
-                           printable(folder));
+        return fmt::format("no film: {} ended with {}; what it said is in {}/film.log", film_program,
+                           process.code(), printable(folder));
     fs::remove(fs::path(folder) / "film.log", error);
     return fmt::format("film of {} frames, made by {}: {}/film.png", count, film_program, printable(folder));
 }

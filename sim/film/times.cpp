@@ -18,14 +18,15 @@ double seconds_of(std::string_view text, const std::string& typed) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0 && value <= latest))
-        throw UserError(fmt::format("--time: {} is not a time or two with a colon between them, like 1.5 or 0:4, from "
-                                    "0 to {:.0f} s",
-                                    shown(typed), latest));
+        throw UserError(
+            fmt::format("--time: {} is not a time or two with a colon between them, like 1.5 or 0:4, from "
+                        "0 to {:.0f} s",
+                        shown(typed), latest));
     return value;
 }
 
-/// From `begin` to `end` by evenly spaced frames; the end itself is not one of them, so that a round motion meets its
-/// beginning again.
+/// From `begin` to `end` by evenly spaced frames; the end itself is not one of them, so that a round motion
+/// meets its beginning again.
 struct Span {
     double begin = 0, end = 0;
     bool has_end = false;
@@ -39,7 +40,8 @@ Span span_of(const std::string& typed) {
     if (!span.has_end) return span;
     span.end = seconds_of(typed.substr(colon + 1), typed);
     if (!(span.end > span.begin))
-        throw UserError(fmt::format("--time: {} ends before it has begun, or has the length 0", shown(typed)));
+        throw UserError(
+            fmt::format("--time: {} ends before it has begun, or has the length 0", shown(typed)));
     return span;
 }
 
@@ -47,8 +49,8 @@ int count_of(const FramesOptions& o, const Span& span, double fps) {
     if (!span.has_end || o.frames > 1) return o.frames;
     const double count = std::round((span.end - span.begin) * fps);
     if (count > most_frames)
-        throw UserError(fmt::format("--time {} at {} frames a second would be {:.0f} frames; the most is {}", o.time, fps,
-                                    count, most_frames));
+        throw UserError(fmt::format("--time {} at {} frames a second would be {:.0f} frames; the most is {}",
+                                    o.time, fps, count, most_frames));
     return std::max(1, int(count));
 }
 
@@ -63,7 +65,8 @@ FrameTimes frame_times(const FramesOptions& o, bool moves) {
         throw UserError(fmt::format("--fps must lie in 0.001..10000, not {}", *o.fps));
     const Span span = span_of(o.time);
     if (span.has_end && o.frames > 1 && o.fps)
-        throw UserError("--time with two times, --frames and --fps say the same twice: leave one of them out");
+        throw UserError(
+            "--time with two times, --frames and --fps say the same twice: leave one of them out");
     FrameTimes out;
     out.is_asked = o.fps || !o.time.empty();
     out.fps = o.fps.value_or(usual_fps);
@@ -71,8 +74,10 @@ FrameTimes frame_times(const FramesOptions& o, bool moves) {
     if (span.has_end && o.frames > 1) out.fps = o.frames / (span.end - span.begin);
     for (int i = 0; i < count; ++i) out.times.push_back(span.begin + i / out.fps);
     if (!moves && out.is_asked)
-        std::fprintf(stderr, "rayclock: note: nothing moves in this scene: --time and --fps have no effect\n");
-    if (o.pan != 0 && count == 1) std::fprintf(stderr, "rayclock: note: --pan has no effect with --frames 1\n");
+        std::fprintf(stderr,
+                     "rayclock: note: nothing moves in this scene: --time and --fps have no effect\n");
+    if (o.pan != 0 && count == 1)
+        std::fprintf(stderr, "rayclock: note: --pan has no effect with --frames 1\n");
     return out;
 }
 

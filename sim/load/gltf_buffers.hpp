@@ -25,7 +25,8 @@ public:
     GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container,
                 Loading& loading);
 
-    /// All components one after the other, integers as they are or scaled if normalised. `width` is 1, 3 or 4.
+    /// All components one after the other, integers as they are or scaled if normalised. `width` is 1, 3
+    /// or 4.
     std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
     /// The bytes of a picture of the document's list `images`.
     std::string image(std::uint64_t index);

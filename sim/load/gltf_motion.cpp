@@ -35,19 +35,21 @@ private:
         const std::uint64_t nodes = document_.find("nodes") ? document_.at("nodes").array().size() : 0;
         GltfTracks& own = tracks_[node->whole(nodes)];
         if (path == "translation")
-            fill(target, sampler, own.translates, 3, [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
+            fill(target, sampler, own.translates, 3,
+                 [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
         else if (path == "scale")
-            fill(target, sampler, own.scales, 3, [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
+            fill(target, sampler, own.scales, 3,
+                 [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
         else if (path == "rotation")
-            fill(target, sampler, own.turns, 4, [](const double* v) { return glm::dquat(v[3], v[0], v[1], v[2]); });
+            fill(target, sampler, own.turns, 4,
+                 [](const double* v) { return glm::dquat(v[3], v[0], v[1], v[2]); });
         else
             target.at("path").expected("translation, rotation, scale or weights");
         check_values(sampler, own);
     }
 
-    template <class Value, class Read>
-    void fill(const JsonValue& target, const JsonValue& sampler, Track<Value>& track, std::uint64_t width,
-              const Read& read) {
+    template <class Value, class Read> void fill(const JsonValue& target, const JsonValue& sampler,
+                                                 Track<Value>& track, std::uint64_t width, const Read& read) {
         if (!track.empty()) target.refuse("is moved by a channel before this one as well");
         track.between = between_of(sampler);
         track.times = times_of(sampler);
@@ -55,7 +57,8 @@ private:
         const std::vector<double> numbers = buffers_.read(accessor, width);
         const std::size_t each = track.between == Between::cubic ? 3 : 1;
         if (numbers.size() != track.times.size() * each * width)
-            sampler.refuse(fmt::format("has {} values for {} times", numbers.size() / width, track.times.size()));
+            sampler.refuse(
+                fmt::format("has {} values for {} times", numbers.size() / width, track.times.size()));
         for (std::size_t i = 0; i < numbers.size(); ++i)
             if (!std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e30)
                 document_.at("accessors")[accessor].refuse(
@@ -75,11 +78,12 @@ private:
         const std::uint64_t accessor = number_of(sampler, "input");
         std::vector<double> times = buffers_.read(accessor, 1);
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const bool is_good = times[i] >= 0 && times[i] <= latest_time && (i == 0 || times[i] > times[i - 1]);
+            const bool is_good =
+                times[i] >= 0 && times[i] <= latest_time && (i == 0 || times[i] > times[i - 1]);
             if (!is_good)
                 document_.at("accessors")[accessor].refuse(
-                    fmt::format("has the time {} at element {}; times of keys rise from 0 on, up to {:.0f} s", times[i],
-                                i, latest_time));
+                    fmt::format("has the time {} at element {}; times of keys rise from 0 on, up to {:.0f} s",
+                                times[i], i, latest_time));
         }
         return times;
     }
@@ -96,10 +100,12 @@ private:
                 if (is_bad(track.values[width * k + width / 2]))
                     sampler.refuse(fmt::format("has a {} at {} s", what, track.times[k]));
         };
-        each(own.scales, [](const glm::dvec3& s) { return is_singular(glm::scale(glm::dmat4(1), s)); },
-             "scale that flattens its mesh, or blows it up,");
-        each(own.turns, [](const glm::dquat& q) { return !(glm::dot(q, q) > 0.25 && glm::dot(q, q) < 4); },
-             "rotation that is far from a unit quaternion");
+        each(
+            own.scales, [](const glm::dvec3& s) { return is_singular(glm::scale(glm::dmat4(1), s)); },
+            "scale that flattens its mesh, or blows it up,");
+        each(
+            own.turns, [](const glm::dquat& q) { return !(glm::dot(q, q) > 0.25 && glm::dot(q, q) < 4); },
+            "rotation that is far from a unit quaternion");
     }
 
     const JsonValue& document_;
@@ -111,11 +117,12 @@ private:
 
 }   // namespace
 
-std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers, Loading& loading,
-                                                const std::string& file) {
+std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers,
+                                                Loading& loading, const std::string& file) {
     const auto list = document.find("animations");
     if (!list || list->array().size() == 0) return {};
-    if (list->size() > 1) loading.note(file, counted(list->size() - 1, "animation") + " beside the first left out");
+    if (list->size() > 1)
+        loading.note(file, counted(list->size() - 1, "animation") + " beside the first left out");
     AnimationReader reader(document, (*list)[0], buffers);
     std::map<std::uint64_t, GltfTracks> tracks = reader.read();
     if (reader.weights() > 0)

@@ -15,12 +15,13 @@ struct GltfTracks {
     Track<glm::dquat> turns;
 };
 
-/// The tracks of the document's first animation, by node. What is left out is noted: other animations, and weights of
-/// morph targets. Throws UserError.
-std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers, Loading& loading,
-                                                const std::string& file);
+/// The tracks of the document's first animation, by node. What is left out is noted: other animations, and
+/// weights of morph targets. Throws UserError.
+std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers,
+                                                Loading& loading, const std::string& file);
 
-/// A node of the document as a node of ours, with its tracks if it has any. `matrix` is gltf_transform() of it.
+/// A node of the document as a node of ours, with its tracks if it has any. `matrix` is gltf_transform() of
+/// it.
 MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks);
 
 }   // namespace rayclock

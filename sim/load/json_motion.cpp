@@ -14,16 +14,18 @@ namespace {
 /// Times of all keys: they rise, and there are two or more, so no motion has the length 0.
 std::vector<double> times_of(const JsonValue& keyframes) {
     if (keyframes.array().size() < 2)
-        keyframes.refuse(fmt::format("has {} key{}; a motion needs two or more, or its length is 0", keyframes.size(),
-                                     keyframes.size() == 1 ? "" : "s"));
+        keyframes.refuse(fmt::format("has {} key{}; a motion needs two or more, or its length is 0",
+                                     keyframes.size(), keyframes.size() == 1 ? "" : "s"));
     std::vector<double> times;
     for (std::size_t i = 0; i < keyframes.size(); ++i) {
         const JsonValue time = keyframes[i].object().at("time");
         const double t = time.number();
-        if (!(t >= 0 && t <= latest_time)) time.expected(fmt::format("a time within 0 and {:.0f} s", latest_time));
+        if (!(t >= 0 && t <= latest_time))
+            time.expected(fmt::format("a time within 0 and {:.0f} s", latest_time));
         if (!times.empty() && !(t > times.back()))
-            time.refuse(fmt::format("is {}, but keys stand in the order of their times, and the one before is at {}", t,
-                                    times.back()));
+            time.refuse(
+                fmt::format("is {}, but keys stand in the order of their times, and the one before is at {}",
+                            t, times.back()));
         times.push_back(t);
     }
     return times;
@@ -39,9 +41,9 @@ void check_alike(const JsonValue& keyframes, std::initializer_list<std::string_v
     }
 }
 
-template <class Value, class Read>
-Track<Value> track_of(const JsonValue& keyframes, const std::vector<double>& times, std::string_view key,
-                      const Read& read) {
+template <class Value, class Read> Track<Value> track_of(const JsonValue& keyframes,
+                                                         const std::vector<double>& times,
+                                                         std::string_view key, const Read& read) {
     Track<Value> track;
     if (!keyframes[0].find(key)) return track;
     track.times = times;
@@ -51,8 +53,8 @@ Track<Value> track_of(const JsonValue& keyframes, const std::vector<double>& tim
 
 glm::dvec3 triple(const JsonValue& in) { return in.triple(); }
 
-/// Rotations. Between two keys about one axis the angle grows evenly, however far: so there are keys in between, no
-/// more than a quarter of a turn apart, which slerp joins the way that is meant.
+/// Rotations. Between two keys about one axis the angle grows evenly, however far: so there are keys in
+/// between, no more than a quarter of a turn apart, which slerp joins the way that is meant.
 Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>& times) {
     Track<glm::dquat> track;
     if (!keyframes[0].find("rotate")) return track;
@@ -63,8 +65,8 @@ Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>
         if (i > 0 && turn.axis == before.axis) {
             const double far = turn.degrees - before.degrees;
             if (!(std::abs(far) <= most_degrees))
-                in.at("degrees").refuse(fmt::format("turns by {} from the key before; the most is {:.0f}", far,
-                                                    most_degrees));
+                in.at("degrees").refuse(
+                    fmt::format("turns by {} from the key before; the most is {:.0f}", far, most_degrees));
             const int parts = std::max(1, int(std::ceil(std::abs(far) / 90)));
             for (int k = 1; k < parts; ++k) {
                 const double s = double(k) / parts;

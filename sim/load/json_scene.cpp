@@ -197,8 +197,9 @@ private:
             const std::uint64_t one = primitive_count(part), copies = copies_of(list[i]);
             const bool is_placed = list[i].find("instances") || list[i].find("keyframes");
             if (!is_placed && one > max_triangles - std::min(copied, max_triangles))
-                list[i].refuse(fmt::format("brings the scene above {} triangles that are copied; 'instances' are not",
-                                           max_triangles));
+                list[i].refuse(
+                    fmt::format("brings the scene above {} triangles that are copied; 'instances' are not",
+                                max_triangles));
             if (one > 0 && copies > (no_primitive - 1 - placed_triangles_) / one)
                 list[i].refuse(fmt::format("brings the scene above {} placed triangles", no_primitive - 1));
             if (!is_placed) copied += one;
@@ -211,7 +212,8 @@ private:
     }
 
     Named& named(const JsonValue& object) {
-        object.only_keys({"mesh", "material", "translate", "rotate", "scale", "matrix", "instances", "keyframes"});
+        object.only_keys(
+            {"mesh", "material", "translate", "rotate", "scale", "matrix", "instances", "keyframes"});
         return known(meshes_, object.at("mesh"), "mesh");
     }
 
@@ -275,7 +277,8 @@ private:
     }
 
     /// Triangles that all its instances share. True spheres and planes are copied.
-    void share(const JsonValue& from, Named& mesh, const Where& where, std::optional<std::uint32_t> material) {
+    void share(const JsonValue& from, Named& mesh, const Where& where,
+               std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
         check_spheres(from, part, where.place);
         if (where.node && !(part.own.spheres.empty() && part.own.planes.empty()))
@@ -294,9 +297,10 @@ private:
         compose(from, mesh, where, material);
     }
 
-    /// The instances that the part has itself: a graph of any depth becomes one level. Its nodes move in what it is
-    /// placed in.
-    void compose(const JsonValue& from, Named& mesh, const Where& where, std::optional<std::uint32_t> material) {
+    /// The instances that the part has itself: a graph of any depth becomes one level. Its nodes move in what
+    /// it is placed in.
+    void compose(const JsonValue& from, Named& mesh, const Where& where,
+                 std::optional<std::uint32_t> material) {
         const PlacedScene& part = *mesh.part;
         if (part.instances.empty()) return;
         const std::uint32_t materials = material_base(from, mesh);
@@ -389,8 +393,7 @@ Part Library::file(const std::filesystem::path& path, const JsonValue& from) {
         from.expected(
             "a file of the kind .obj, .ply, .stl, .off, .3ds, .dae, .glb, .gltf (with .gz or without) or "
             ".json");
-    return part = std::make_shared<PlacedScene>(
-               load_mesh_file(path, loading_, from.where()));
+    return part = std::make_shared<PlacedScene>(load_mesh_file(path, loading_, from.where()));
 }
 
 Part Library::builtin(const std::string& spec, Primitives primitives, const JsonValue& from) {

@@ -48,8 +48,9 @@ JsonLoad load_anything(const std::string& spec, Primitives primitives, Loading& 
 /// Too many placed triangles to be written out.
 Scene folded_scene(JsonLoad load, const std::string& where) {
     if (!load.has_lights)
-        throw UserError(where + ": " + std::to_string(primitive_count(load.scene)) +
-                        " placed triangles are too many to find lights for them; the scene must have a list of them");
+        throw UserError(
+            where + ": " + std::to_string(primitive_count(load.scene)) +
+            " placed triangles are too many to find lights for them; the scene must have a list of them");
     Scene scene = folded(std::move(load.scene));
     check_folded(scene, where);
     return scene;
@@ -62,7 +63,8 @@ Scene load_scene(const std::string& spec, const Progress& progress, Primitives p
     Loading loading(progress, {}, average_colour);
     try {
         JsonLoad load = load_anything(spec, primitives, loading);
-        if (primitive_count(load.scene) > most_unfolded) return folded_scene(std::move(load), printable(spec));
+        if (primitive_count(load.scene) > most_unfolded)
+            return folded_scene(std::move(load), printable(spec));
         Scene scene = flattened(std::move(load.scene));
         check_scene(scene, printable(spec));
         if (!load.has_lights) add_missing_lights(scene);

@@ -13,9 +13,9 @@ namespace {
 using Read = Scene (*)(const std::filesystem::path&, std::string, Loading&);
 
 const std::map<std::string, Read>& formats() {
-    static const std::map<std::string, Read> all{{"obj", read_obj},  {"ply", read_ply},  {"stl", read_stl},
-                                                 {"off", read_off},  {"3ds", read_3ds},  {"dae", read_dae},
-                                                 {"glb", nullptr},   {"gltf", nullptr}};
+    static const std::map<std::string, Read> all{{"obj", read_obj}, {"ply", read_ply}, {"stl", read_stl},
+                                                 {"off", read_off}, {"3ds", read_3ds}, {"dae", read_dae},
+                                                 {"glb", nullptr},  {"gltf", nullptr}};
     return all;
 }
 
@@ -60,7 +60,8 @@ void Assembly::place(std::size_t number, const glm::dmat4& place, std::uint64_t 
     put(scene_, number, place, material, make);
 }
 
-void Assembly::gather(Scene& into, std::size_t number, std::uint64_t material, const std::function<Material()>& make) {
+void Assembly::gather(Scene& into, std::size_t number, std::uint64_t material,
+                      const std::function<Material()>& make) {
     put(into, number, glm::dmat4(1), material, make);
 }
 

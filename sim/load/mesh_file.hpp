@@ -22,9 +22,10 @@ namespace rayclock {
 
 bool is_mesh_file(const std::filesystem::path& path);
 
-/// Triangles in the order of the file, materials in use, camera and lights if the file has them; of glTF, instances and
-/// motion as well. `asked_by`: see read_file(). Throws UserError.
-PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading, const std::string& asked_by = {});
+/// Triangles in the order of the file, materials in use, camera and lights if the file has them; of glTF,
+/// instances and motion as well. `asked_by`: see read_file(). Throws UserError.
+PlacedScene load_mesh_file(const std::filesystem::path& path, Loading& loading,
+                           const std::string& asked_by = {});
 
 /// The readers of the formats, from the bytes of a file; `path` names the file in sentences, and its folder
 /// holds what a file refers to. Each throws UserError for what makes no sense, with line or place, and

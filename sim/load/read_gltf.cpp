@@ -1,7 +1,7 @@
 // glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are
-// taken, and the first animation of nodes. A mesh that stands in several places, or moves, becomes instances. A texture of
-// the base colour is drawn as its mean. Skins, morph targets, other textures and vertex colours are left out. Both is
-// said.
+// taken, and the first animation of nodes. A mesh that stands in several places, or moves, becomes instances.
+// A texture of the base colour is drawn as its mean. Skins, morph targets, other textures and vertex colours
+// are left out. Both is said.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -317,8 +317,8 @@ private:
         }
         const std::string name = fmt::format("nodes[{}]", copy.from);
         if (copy.where.node)
-            placed_.motion.hung.push_back({static_cast<std::uint32_t>(placed_.instances.size()), *copy.where.node,
-                                           copy.where.place});
+            placed_.motion.hung.push_back(
+                {static_cast<std::uint32_t>(placed_.instances.size()), *copy.where.node, copy.where.place});
         placed_.instances.push_back({name, found->second, copy.where.place, {}});
     }
 
@@ -396,8 +396,8 @@ private:
     std::vector<GltfMaterial> materials_;
     std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // of images
     std::vector<bool> visited_;
-    std::map<std::uint64_t, GltfTracks> tracks_;       // by node
-    std::map<std::uint64_t, std::uint32_t> shared_;    // meshes as meshes of ours
+    std::map<std::uint64_t, GltfTracks> tracks_;      // by node
+    std::map<std::uint64_t, std::uint32_t> shared_;   // meshes as meshes of ours
     PlacedScene placed_;
     std::vector<Copy> copies_;
     std::vector<PlacedLight> lights_;

@@ -172,8 +172,8 @@ private:
         const std::uint64_t now = model_.cycle();
         model_.step([&](const Move& move) {
             last_ray_[index(move.link)] = move.id;
-            (*witness_)(move,
-                     [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
+            (*witness_)(
+                move, [&](int pipeline, Link c, const auto& payload) { compare(now, pipeline, c, payload); });
         });
         for (int p = 0; p < job_.config.pipelines && !parted_; ++p)
             if (const LinkMask differ =
@@ -343,8 +343,8 @@ private:
         const bool partial = pixels < frame.trace.rays.size() && !parted_;
         const FrameWork work{frame.trace.counts, frame.trace.visits, frame.trace.box_tests,
                              frame.trace.triangle_tests};
-        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work, hits,
-                         colours);
+        return frame_run(job_, frame.frame, {cycles, pixels, accounts, memory, 0, partial, upload_}, work,
+                         hits, colours);
     }
 
     const Job& job_;
@@ -359,7 +359,7 @@ private:
     RtlMachine rtl_;
     MemoryImage image_;   // of the frame that runs
     std::optional<Witness> witness_;
-    UploadTiming upload_;   // before it
+    UploadTiming upload_;                                // before it
     std::array<std::uint32_t, link_count> last_ray_{};   // of the model's last transfer on each link
     Words words_;
     bool parted_ = false, broken_ = false;

@@ -23,8 +23,7 @@ std::string primitives_text(const PrimitiveCounts& counts) {
 }
 
 std::string primitives_text(const Scene& scene) {
-    return primitives_text(
-        PrimitiveCounts{triangle_count(scene), scene.spheres.size(), scene.planes.size()});
+    return primitives_text(PrimitiveCounts{triangle_count(scene), scene.spheres.size(), scene.planes.size()});
 }
 
 std::string heading(const Scene& scene, FrameSize size, const Job& job) {

@@ -58,8 +58,9 @@ Scene told_scene(const std::string& spec, const Progress& progress, Primitives p
 Scene ready_scene(const std::string& spec, FrameSize size, const Progress& progress, const ViewChoice& view) {
     Scene scene = told_scene(spec, progress);
     if (is_folded(scene))
-        throw UserError(fmt::format("{}: {} placed triangles are too many to be written out, which this command does",
-                                    scene.name, numbered_primitives(scene)));
+        throw UserError(
+            fmt::format("{}: {} placed triangles are too many to be written out, which this command does",
+                        scene.name, numbered_primitives(scene)));
     look(scene, size, view);
     return scene;
 }
@@ -78,10 +79,11 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     if (is_folded(r.scene) && (!r.config.has_instances() || r.finished))
-        throw UserError(fmt::format(
-            "{}: {} placed triangles are too many to be written out: only camera rays of a chip with levels=2 "
-            "(--set levels=2) can draw them",
-            r.scene.name, numbered_primitives(r.scene)));
+        throw UserError(
+            fmt::format("{}: {} placed triangles are too many to be written out: only camera rays of a chip "
+                        "with levels=2 "
+                        "(--set levels=2) can draw them",
+                        r.scene.name, numbered_primitives(r.scene)));
     r.finished = r.finished || !r.scene.spheres.empty() || !r.scene.planes.empty();
     look(r.scene, size, view);
     if (finish.fresnel)

@@ -1,5 +1,5 @@
-// Films: the upper structure is made anew for every frame and nothing else, every frame has the hits of its own scene,
-// and model and RTL do the same with the host's writes in between.
+// Films: the upper structure is made anew for every frame and nothing else, every frame has the hits of its
+// own scene, and model and RTL do the same with the host's writes in between.
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -44,7 +44,8 @@ Film film_of(const std::string& spec, const Config& config, FrameSize size, cons
     request.config = config;
 
     request.scene = load_scene(spec);
-    if (!request.scene.camera) request.scene.camera = fit_camera(request.scene, double(size.width) / size.height);
+    if (!request.scene.camera)
+        request.scene.camera = fit_camera(request.scene, double(size.width) / size.height);
     return Film(std::move(request), options, false, size);
 }
 
@@ -65,7 +66,8 @@ Recorded recorded(Film& film) {
 bool same(const std::vector<Closest>& a, const std::vector<Closest>& b) {
     if (a.size() != b.size()) return false;
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (a[i].found != b[i].found || a[i].prim != b[i].prim || a[i].t != b[i].t || a[i].u != b[i].u || a[i].v != b[i].v)
+        if (a[i].found != b[i].found || a[i].prim != b[i].prim || a[i].t != b[i].t || a[i].u != b[i].u ||
+            a[i].v != b[i].v)
             return false;
     return true;
 }
@@ -75,7 +77,6 @@ bool same(const std::vector<Closest>& a, const std::vector<Closest>& b) {
 TEST_CASE("the RTL that draws films builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (Config config : chips()) {
-
         jobs.push_back({"rc_chip", config.name + ", films", config});
     }
     REQUIRE_NOTHROW(build_all(jobs));
@@ -93,7 +94,8 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
         std::uint32_t most = 0;
         for (const FrameTrace& trace : made.traces) most = std::max(most, trace.upload.lines.back());
         std::fill_n(image.words.begin(), std::size_t(most + 1) * 16, 0x5a5a5a5au);
-        const std::vector<std::uint32_t> lower(image.words.begin() + std::ptrdiff_t(most + 1) * 16, image.words.end());
+        const std::vector<std::uint32_t> lower(image.words.begin() + std::ptrdiff_t(most + 1) * 16,
+                                               image.words.end());
         CHECK(lower.size() > 3 * 16);
         for (std::size_t f = 0; f < made.traces.size(); ++f) {
             const Upload& upload = made.traces[f].upload;
@@ -101,8 +103,8 @@ TEST_CASE("frames of a film write the scene's tree alone, and the uploads in tur
             CHECK(upload.instances == (f == 0 ? 0 : 45));
             CHECK_FALSE(upload.is_whole);
             CHECK(upload.beside == (is_double && f > 0));
-            // Between frames every tree lies where the last one was read; of two buffers each is read every second
-            // frame, and one reset empties the caches of both.
+            // Between frames every tree lies where the last one was read; of two buffers each is read every
+            // second frame, and one reset empties the caches of both.
             CHECK(upload.resets == (is_double ? f > 0 && f % 2 == 0 : f > 0));
             CHECK(made.traces[f].frame.root == (is_double && f % 2 ? made.traces[1].frame.root : 0));
             apply(upload, image);
@@ -139,17 +141,20 @@ TEST_CASE("the solids around a mesh's corners hold them, whichever way it is tur
         PlacedScene scene = make_placed(spec);
         const Places places = places_of(scene);
         const glm::dvec3 eye = scene.own.camera->eye;
-        const auto levels = MovingLevels::make(scene, std::span(&places, 1), std::span(&eye, 1), 1, two("default", 2));
+        const auto levels =
+            MovingLevels::make(scene, std::span(&places, 1), std::span(&eye, 1), 1, two("default", 2));
         REQUIRE(levels);
         Rng rng{5};
         double loosest = 0;
         for (const MeshClass& made : levels->levels().maps.classes) {
             if (made.points.size() < 8) continue;
             for (int i = 0; i < 500; ++i) {
-                const glm::dvec3 d(rng.below(2001) - 1000.0, rng.below(2001) - 1000.0, rng.below(2001) - 1000.0);
+                const glm::dvec3 d(rng.below(2001) - 1000.0, rng.below(2001) - 1000.0,
+                                   rng.below(2001) - 1000.0);
                 double most = -1e300;
                 for (const Vec3i& p : made.points)
-                    most = std::max(most, glm::dot(d, glm::dvec3(p[0], p[1], p[2]) * made.lattice.pitch - made.reach.middle));
+                    most = std::max(most, glm::dot(d, glm::dvec3(p[0], p[1], p[2]) * made.lattice.pitch -
+                                                          made.reach.middle));
                 const double said = made.reach.along(d);
                 REQUIRE(most <= said * (1 + 1e-12));
                 loosest = std::max(loosest, said / most);
@@ -173,7 +178,9 @@ TEST_CASE("the order of instances changes no hit", "[motion][film]") {
         const auto levels = MovingLevels::make(*one, std::span(&places, 1), std::span(&eye, 1), 1, config);
         REQUIRE(levels);
         levels->next(places);
-        hits.push_back(record_trace(levels->image(), make_frame(*one->own.camera, size, levels->image(), config), config, 1).hits);
+        hits.push_back(record_trace(levels->image(),
+                                    make_frame(*one->own.camera, size, levels->image(), config), config, 1)
+                           .hits);
     }
     std::size_t found = 0;
     for (std::size_t i = 0; i < hits[0].size(); ++i) {
@@ -181,7 +188,8 @@ TEST_CASE("the order of instances changes no hit", "[motion][film]") {
         REQUIRE(a.found == b.found);
         if (!a.found) continue;
         CHECK((a.t == b.t && a.u == b.u && a.v == b.v));
-        const auto number = [](std::uint32_t prim, bool is_turned) {   // 2 triangles of the ground, then 320 a ball
+        const auto number = [](std::uint32_t prim, bool is_turned) {   // 2 triangles of the ground, then 320
+                                                                       // a ball
             if (prim < 2) return prim;
             const std::uint32_t ball = (prim - 2) / 320;
             return 2 + (is_turned ? 59 - ball : ball) * 320 + (prim - 2) % 320;
@@ -196,7 +204,8 @@ TEST_CASE("every frame looks as the reference says that its scene looks", "[moti
     for (const char* spec : {"clockwork:4", "crowd:4", "flight:40"})
         for (const int levels : {1, 2}) {
             INFO(spec << ", levels " << levels);
-            Film film = film_of(spec, levels == 2 ? two("default", 2) : named_config("default"), {96, 72}, frames_of(4, 7));
+            Film film = film_of(spec, levels == 2 ? two("default", 2) : named_config("default"), {96, 72},
+                                frames_of(4, 7));
             Picture before;
             for (std::size_t f = 0; f < film.frames(); ++f) {
                 film.next();
@@ -227,12 +236,14 @@ TEST_CASE("a mirrored, sheared and scaled instance moves as its triangles do", "
         const FrameTrace trace = film.record(1, {});
         CHECK_FALSE(trace.upload.is_whole);
         const Scene& scene = film.request().scene;
-        CHECK(compare(shade(scene, hits_of(film.job(), trace)), shade(scene, Reference(scene).frame(film.camera(), {96, 72}, 1)))
+        CHECK(compare(shade(scene, hits_of(film.job(), trace)),
+                      shade(scene, Reference(scene).frame(film.camera(), {96, 72}, 1)))
                   .psnr_db >= 40);
     }
 }
 
-TEST_CASE("what is flattened too much to move as an instance is made anew, and still right", "[motion][film]") {
+TEST_CASE("what is flattened too much to move as an instance is made anew, and still right",
+          "[motion][film]") {
     const Folder folder;
     const std::string path = folder.write("flat.json", R"({
       "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],
@@ -245,7 +256,8 @@ TEST_CASE("what is flattened too much to move as an instance is made anew, and s
         const FrameTrace trace = film.record(1, {});
         CHECK(trace.upload.is_whole);
         const Scene& scene = film.request().scene;
-        CHECK(compare(shade(scene, hits_of(film.job(), trace)), shade(scene, Reference(scene).frame(film.camera(), {64, 48}, 1)))
+        CHECK(compare(shade(scene, hits_of(film.job(), trace)),
+                      shade(scene, Reference(scene).frame(film.camera(), {64, 48}, 1)))
                   .psnr_db >= 40);
     }
     CHECK_THROWS_WITH(film_of(path, two("default", 2), {64, 48}, frames_of(3, 3, "double")),
@@ -272,12 +284,14 @@ TEST_CASE("model and RTL draw the same film with the writes of the host in betwe
             CHECK(runs[f].upload.lines == made.traces[f].upload.lines.size());
             CHECK(same(runs[f].answers, made.traces[f].trace.hits));
             CHECK((runs[f].upload.reset > 0) == made.traces[f].upload.resets);
-            if (std::string(uploads) == "between") CHECK(runs[f].upload.cycles >= made.traces[f].upload.lines.size());
+            if (std::string(uploads) == "between")
+                CHECK(runs[f].upload.cycles >= made.traces[f].upload.lines.size());
         }
     }
 }
 
-TEST_CASE("a scene of one level that moves is made anew for every frame, shadows and mirrors with it", "[motion][film]") {
+TEST_CASE("a scene of one level that moves is made anew for every frame, shadows and mirrors with it",
+          "[motion][film]") {
     Request request;
     request.scene = load_scene("flight:3");
     request.settings = {};
@@ -307,7 +321,8 @@ TEST_CASE("the times of frames are those that were asked for", "[motion][film]")
     CHECK(frame_times(o, true).times == std::vector<double>{1, 2, 3});
     o.frames = 1, o.fps = 2;
     CHECK(frame_times(o, true).times == std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5});
-    const auto refused = [](int frames, std::optional<double> fps, const std::string& time, const std::string& part) {
+    const auto refused = [](int frames, std::optional<double> fps, const std::string& time,
+                            const std::string& part) {
         FramesOptions bad;
         bad.frames = frames, bad.fps = fps, bad.time = time;
         CHECK_THROWS_WITH(frame_times(bad, true), Catch::Contains(part));

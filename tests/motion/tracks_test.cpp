@@ -101,8 +101,10 @@ TEST_CASE("nodes move in their parents, and what hangs at them moves with both",
     CHECK_THROWS_WITH(pose(scene, 1), Catch::Contains("hand at 1 s flattens its mesh"));
 }
 
-TEST_CASE("scenes that move have exactly the triangles that they say, and hundreds of instances", "[motion]") {
-    const auto check = [](const std::string& spec, std::size_t instances, std::uint64_t triangles, double length) {
+TEST_CASE("scenes that move have exactly the triangles that they say, and hundreds of instances",
+          "[motion]") {
+    const auto check = [](const std::string& spec, std::size_t instances, std::uint64_t triangles,
+                          double length) {
         INFO(spec);
         PlacedScene scene = make_placed(spec);
         CHECK(scene.instances.size() == instances);
@@ -124,8 +126,8 @@ TEST_CASE("scenes that move have exactly the triangles that they say, and hundre
 }
 
 TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
-    // In the plane: no corner of a gear lies in another when a tooth or a gap is between them. (On the way there the
-    // corners of straight flanks may touch; Haines' gears do not turn.)
+    // In the plane: no corner of a gear lies in another when a tooth or a gap is between them. (On the way
+    // there the corners of straight flanks may touch; Haines' gears do not turn.)
     PlacedScene scene = make_placed("clockwork:2");
     const SharedMesh& gear = scene.meshes[0];
     for (int k = 0; k < 12; ++k) {
@@ -135,7 +137,8 @@ TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
             bool inside = false;
             for (std::size_t i = 0; i < 144; ++i) {
                 const glm::dvec3 &a = gear.vertices[i], &b = gear.vertices[(i + 1) % 144];
-                if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+                if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                    inside = !inside;
             }
             return inside;
         };

@@ -1,5 +1,5 @@
-// What the host writes goes through the DRAM: every gate of a write is kept, every line is written once, reads keep their
-// answers, and the time follows from the data sheet.
+// What the host writes goes through the DRAM: every gate of a write is kept, every line is written once,
+// reads keep their answers, and the time follows from the data sheet.
 #include <catch2/catch.hpp>
 
 #include <map>
@@ -16,7 +16,8 @@ constexpr int khz = 66'000;
 
 const std::vector<std::string> part_names{"sdr", "sdr_half", "ddr3", "rpu", "ddr4", "lpddr4", "hbm2"};
 
-/// The gates of reads and writes on the data bus and of the rows that they open, by the data sheet, pair by pair.
+/// The gates of reads and writes on the data bus and of the rows that they open, by the data sheet, pair by
+/// pair.
 void check_writes(const DramPart& part, const std::vector<Dram::Issued>& all) {
     const auto clocks = [&](int ps) { return (ps + part.tck - 1) / part.tck; };
     std::map<int, std::uint32_t> open;
@@ -101,7 +102,8 @@ TEST_CASE("the host's writes in sequence come near the peak of the memory", "[mo
         for (; memory.writes(); ++cycles) memory.clock(nullptr);
         CHECK(memory.stats().writes == 4000);
         CHECK(memory.stats().reads == 0);
-        const double seconds = double(cycles) / (khz * 1e3), peak = double(peak_bytes_per_second(dram_part(name)));
+        const double seconds = double(cycles) / (khz * 1e3),
+                     peak = double(peak_bytes_per_second(dram_part(name)));
         CHECK(4000 * 64 / seconds < peak);
         CHECK(4000 * 64 / seconds > 0.8 * peak);
     }

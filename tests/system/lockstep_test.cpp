@@ -146,8 +146,7 @@ TEST_CASE("model and RTL agree over several frames on one machine, whose caches 
     const LockstepResult again = check_lockstep(job, same);
     if (job.config.node_sets > 2) CHECK(again.rtl.memory.reads < run_model(job).memory.reads);
     // The RTL alone: its frames are the model's.
-    const std::vector<FrameRun> runs =
-        run_rtl(job, job.khz, four);
+    const std::vector<FrameRun> runs = run_rtl(job, job.khz, four);
     const std::vector<FrameTiming> timings = replay(job.config, job.khz, four);
     check_lockstep(job, four, {3, 20, 7});
     REQUIRE(runs.size() == 4);

@@ -78,7 +78,8 @@ private:
     /// Whole lines of every cache: none that holds a line of one tree holds one of another.
     std::uint32_t aligned(std::uint32_t lines) const {
         const auto step = std::uint32_t(
-            std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) / line_bytes);
+            std::max({config_.node_line, config_.prim_line, config_.surf_line, config_.l2_line}) /
+            line_bytes);
         return (lines + step - 1) / step * step;
     }
 

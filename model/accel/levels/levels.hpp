@@ -7,8 +7,8 @@ namespace rayclock {
 struct LevelsImage {
     MemoryImage image;   ///< line 0 is the root of the scene's tree; the lattice is the scene's
     LevelMaps maps;
-    std::vector<std::uint32_t> roots;   ///< by class: line of its root, 0 if nothing is left of it
-    std::vector<UpperEntry> entries;    ///< of the scene's tree: their maps are of `maps`
+    std::vector<std::uint32_t> roots;      ///< by class: line of its root, 0 if nothing is left of it
+    std::vector<UpperEntry> entries;       ///< of the scene's tree: their maps are of `maps`
     std::vector<std::uint32_t> of_entry;   ///< by entry: its instance, in the order of `maps`
     std::uint32_t upper_lines = 0;   ///< of a scene that moves: how many lines each of its trees may take
 };
@@ -33,8 +33,8 @@ Places places_of(const PlacedScene& scene);
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name);
 /// Throws UserError if the machine cannot keep so many groups of siblings.
 void check_need(int need, const Config& config, const std::string& name);
-/// The image of `out.maps`: `buffers` trees of the scene's level, of which the first is written, then the lower
-/// structures. 0 buffers: one tree, and no line too many.
+/// The image of `out.maps`: `buffers` trees of the scene's level, of which the first is written, then the
+/// lower structures. 0 buffers: one tree, and no line too many.
 void compile_parts(const LevelParts& parts, const Config& config, const std::string& name, int buffers,
                    LevelsImage& out);
 

@@ -14,7 +14,8 @@ namespace rayclock {
 namespace {
 
 constexpr std::uint64_t most_corners = 20'000'000;   // of all instances: of more, no box is exact
-constexpr std::size_t most_exact = 64;               // corners of a mesh: of more, the box of an instance that moves is not exact
+constexpr std::size_t most_exact = 64;   // corners of a mesh: of more, the box of an instance that moves is
+                                         // not exact
 
 /// The scene's lattice seen from a mesh: its middle, and for each axis of the mesh what a step along each of
 /// the scene's axes is there.
@@ -53,13 +54,15 @@ struct Fitted {
     bool stretched = false;
 };
 
-/// Extents of the class's corners along a row of the stored map's inverse: of all of them, or of solids around them.
+/// Extents of the class's corners along a row of the stored map's inverse: of all of them, or of solids
+/// around them.
 struct Extent {
     double lo = 0, hi = 0;
 };
 Extent extent_of(const MeshClass& made, const glm::dvec3& row, const glm::dvec3& moved) {
     const glm::dvec3 scaled = row / made.lattice.pitch;
-    const double middle = glm::dot(scaled, made.reach.middle) - glm::dot(row, moved), reach = made.reach.along(scaled);
+    const double middle = glm::dot(scaled, made.reach.middle) - glm::dot(row, moved),
+                 reach = made.reach.along(scaled);
     return {middle - reach, middle + reach};
 }
 Extent exact_extent(const MeshClass& made, const glm::dvec3& row, const glm::dvec3& moved) {
@@ -92,8 +95,8 @@ CornerReach reach_of(const MeshClass& made) {
     return reach;
 }
 
-/// The box of the mesh's corners as the stored map places them, with what a hit may be off around each: a triangle
-/// lies within its corners' box, and so do the triangle's points, each with that around it.
+/// The box of the mesh's corners as the stored map places them, with what a hit may be off around each: a
+/// triangle lies within its corners' box, and so do the triangle's points, each with that around it.
 void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3& moved, const Config& config,
                bool by_reach, Fitted& fitted) {
     const double largest = largest_of(config);
@@ -164,12 +167,13 @@ public:
         for (const Places& places : times)
             for (std::size_t i = 0; i < places.size(); ++i) moves_[i] = moves_[i] || places[i] != times[0][i];
         std::uint64_t corners = 0;
-        for (const Instance& instance : parts.instances) corners += parts.meshes[instance.mesh]->vertices.size();
+        for (const Instance& instance : parts.instances)
+            corners += parts.meshes[instance.mesh]->vertices.size();
         is_large_ = corners > most_corners;
     }
 
-    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves would have to
-    /// be written out.
+    /// Boxes may reach beyond the lattice by what is rounded: then it gets a margin. False if what moves
+    /// would have to be written out.
     bool run() {
         find_bounds();
         for (double margin = 0;;) {
@@ -291,7 +295,8 @@ private:
             if (found == known.end()) {
                 if (!is_out_[i]) known.push_back(at);
                 needs_.push_back(own);
-                maps_.classes.push_back({instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}});
+                maps_.classes.push_back(
+                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}});
             }
             add(needs_[at], own);
             class_.push_back(at);
@@ -306,8 +311,8 @@ private:
     }
 
     Needs needs_of(const Seen& seen) const {
-        return {seen.step, seen.step, seen.middle - largest_ * seen.step, seen.middle + largest_ * seen.step, true,
-                seen};
+        return {seen.step, seen.step, seen.middle - largest_ * seen.step, seen.middle + largest_ * seen.step,
+                true,      seen};
     }
 
     static bool fits(const Needs& needs, const Needs& more) {
@@ -353,7 +358,7 @@ private:
     std::vector<bool> moves_;
     bool is_large_ = false;
     std::map<std::uint32_t, std::array<glm::dvec3, 8>> corners_;   // by mesh
-    bool written_out_ = false;   // one more was found
+    bool written_out_ = false;                                     // one more was found
     Bounds bounds_;
     LevelMaps maps_;
     std::vector<std::uint32_t> class_;
@@ -391,7 +396,8 @@ std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Pla
     return mapper.take();
 }
 
-InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps, const Config& config) {
+InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps,
+                   const Config& config) {
     const MeshClass& made = maps.classes[mesh_class];
     InstanceMap map = fit(seen_from(place, maps.lattice), made, config, true).map;
     map.mesh_class = mesh_class;

@@ -16,8 +16,8 @@ struct LevelParts {
     std::vector<Instance> instances;   ///< in the order of their primitives' numbers; `mesh` is of `meshes`
 };
 
-/// Solids that hold all corners of a class, whose extent along any direction is soon told: a box, a ball, and three
-/// discs as thick as the box. In steps of the lattice times its pitches, about `middle`.
+/// Solids that hold all corners of a class, whose extent along any direction is soon told: a box, a ball, and
+/// three discs as thick as the box. In steps of the lattice times its pitches, about `middle`.
 struct CornerReach {
     glm::dvec3 middle{0}, half{0}, disc{0};   ///< disc: the radius about each axis
     double ball = 0;
@@ -64,12 +64,14 @@ LevelMaps map_instances(const LevelParts& parts, const glm::dvec3& eye, const Co
 /// Where all instances of LevelParts stand at one time.
 using Places = std::vector<glm::dmat4>;
 
-/// Lattices and classes that serve all of an animation's times: places and eyes of each. Boxes are those of the first
-/// time. Nothing if an instance that moves would have to be written out. The first eye is a lattice point.
+/// Lattices and classes that serve all of an animation's times: places and eyes of each. Boxes are those of
+/// the first time. Nothing if an instance that moves would have to be written out. The first eye is a lattice
+/// point.
 std::optional<LevelMaps> map_moving(const LevelParts& parts, std::span<const Places> times,
                                     std::span<const glm::dvec3> eyes, const Config& config);
 
 /// The map of an instance of a class where it stands at one of these times.
-InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps, const Config& config);
+InstanceMap map_at(const glm::dmat4& place, std::uint32_t mesh_class, const LevelMaps& maps,
+                   const Config& config);
 
 }   // namespace rayclock

@@ -1,6 +1,6 @@
 #pragma once
-// A scene of instances that move, in two levels: lower structures that stay where they are, and the scene's tree,
-// made anew for every frame.
+// A scene of instances that move, in two levels: lower structures that stay where they are, and the scene's
+// tree, made anew for every frame.
 #include <memory>
 #include <span>
 
@@ -11,15 +11,16 @@ namespace rayclock {
 
 class MovingLevels {
 public:
-    /// For frames at these times, in this order: where instances stand (places_of()) and the eye. With two buffers the
-    /// scene's tree of a frame lies elsewhere than that of the frame before, which can be drawn while it is written.
-    /// Null if an instance that moves is sheared or flattened so much that its mesh would have to be written out.
-    /// Throws UserError as compile_levels() does.
+    /// For frames at these times, in this order: where instances stand (places_of()) and the eye. With two
+    /// buffers the scene's tree of a frame lies elsewhere than that of the frame before, which can be drawn
+    /// while it is written. Null if an instance that moves is sheared or flattened so much that its mesh
+    /// would have to be written out. Throws UserError as compile_levels() does.
     static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const Places> times,
-                                              std::span<const glm::dvec3> eyes, int buffers, const Config& config);
+                                              std::span<const glm::dvec3> eyes, int buffers,
+                                              const Config& config);
 
-    /// The memory as the frame that was made last finds it. Of the first frame, all but the scene's trees is there
-    /// from the beginning.
+    /// The memory as the frame that was made last finds it. Of the first frame, all but the scene's trees is
+    /// there from the beginning.
     const MemoryImage& image() const { return levels_.image; }
     std::uint32_t root() const { return root_; }   ///< of that frame
     const LevelsImage& levels() const { return levels_; }
@@ -38,8 +39,8 @@ private:
     std::size_t frame_ = 0;
     int buffers_;
     std::uint32_t root_ = 0;
-    std::vector<std::uint32_t> held_, placed_;       // the tree's lines before; lines of entries
-    std::array<bool, 2> is_read_{};                  // since the last reset, by buffer
+    std::vector<std::uint32_t> held_, placed_;   // the tree's lines before; lines of entries
+    std::array<bool, 2> is_read_{};              // since the last reset, by buffer
 };
 
 }   // namespace rayclock

@@ -11,8 +11,9 @@ namespace {
 
 class UpperWriter {
 public:
-    UpperWriter(const std::vector<UpperEntry>& entries, BinaryTree tree, const Config& config, const std::string& name,
-                std::vector<std::uint32_t>& words, std::vector<std::uint32_t>& placed)
+    UpperWriter(const std::vector<UpperEntry>& entries, BinaryTree tree, const Config& config,
+                const std::string& name, std::vector<std::uint32_t>& words,
+                std::vector<std::uint32_t>& placed)
         : entries_(entries),
           tree_(std::move(tree)),
           collapse_(tree_, single(config)),
@@ -36,7 +37,8 @@ private:
 
     void make_room() {
         check_lines(next_, config_, name_);
-        if (words_.size() < std::size_t(next_) * words_per_line) words_.resize(std::size_t(next_) * words_per_line, 0);
+        if (words_.size() < std::size_t(next_) * words_per_line)
+            words_.resize(std::size_t(next_) * words_per_line, 0);
     }
 
     /// Returns how many groups of siblings a ray may have to keep below the node.
@@ -50,7 +52,8 @@ private:
         make_room();
         std::uint32_t* const at = &words_[std::size_t(line) * words_per_line];
         std::fill_n(at, words_per_line, 0u);
-        write_payload(encode_node(std::span(children).first(found.size()), base, config_), config_, at, scratch_);
+        write_payload(encode_node(std::span(children).first(found.size()), base, config_), config_, at,
+                      scratch_);
         ++report_.nodes;
         int need = 0;
         for (std::uint32_t i = 0; i < found.size(); ++i)
@@ -82,8 +85,8 @@ private:
 
 }   // namespace
 
-UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t line, bool thorough, const Config& config,
-                        const std::string& name, std::vector<std::uint32_t>& words,
+UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t line, bool thorough,
+                        const Config& config, const std::string& name, std::vector<std::uint32_t>& words,
                         std::vector<std::uint32_t>& placed) {
     std::vector<LatticeBox> boxes;
     boxes.reserve(entries.size());
@@ -94,7 +97,8 @@ UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t li
     return UpperWriter(entries, std::move(tree), config, name, words, placed).run(line);
 }
 
-void write_entry(const UpperEntry& entry, std::uint32_t line, const Config& config, std::vector<std::uint32_t>& words) {
+void write_entry(const UpperEntry& entry, std::uint32_t line, const Config& config,
+                 std::vector<std::uint32_t>& words) {
     Words scratch;
     std::uint32_t* const at = &words[std::size_t(line) * words_per_line];
     std::fill_n(at, words_per_line, 0u);

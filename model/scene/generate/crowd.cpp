@@ -1,5 +1,5 @@
-// A marching crowd: size * size walkers in rows, each a trunk with a head, two arms and two legs that swing about hip
-// and shoulder. All walk ahead by one metre in a second; the camera goes with them.
+// A marching crowd: size * size walkers in rows, each a trunk with a head, two arms and two legs that swing
+// about hip and shoulder. All walk ahead by one metre in a second; the camera goes with them.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -18,9 +18,11 @@ constexpr std::uint64_t box_triangles = 12, limbs = 4;
 
 /// The box between two corners.
 void box(MeshWriter& mesh, const glm::dvec3& lo, const glm::dvec3& hi) {
-    const auto at = [&](int c) { return glm::dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z); };
-    for (const auto& [a, b, c, d] : {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1},
-                                     {4, 5, 7, 6}})
+    const auto at = [&](int c) {
+        return glm::dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z);
+    };
+    for (const auto& [a, b, c, d] :
+         {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}})
         mesh.flat({at(a), at(b), at(c), at(d)});
 }
 
@@ -37,7 +39,8 @@ SharedMesh trunk() {
     const auto first = static_cast<std::uint32_t>(scene.vertices.size());
     for (std::size_t i = 0; i < head.vertices.size(); ++i)
         mesh.vertex(glm::dvec3(0, 0.78, 0) + 0.15 * head.vertices[i], head.normals[i]);
-    for (const Triangle& t : head.triangles) mesh.triangle(first + t.vertex[0], first + t.vertex[1], first + t.vertex[2]);
+    for (const Triangle& t : head.triangles)
+        mesh.triangle(first + t.vertex[0], first + t.vertex[1], first + t.vertex[2]);
     return shared("trunk", std::move(scene));
 }
 
@@ -55,7 +58,8 @@ public:
         ground.material({.name = "ground", .colour{0.6, 0.62, 0.55}, .diffuse = 0.5});
         const double far = 2.0 * size + 8;
         ground.flat({{far, 0, far}, {far, 0, -far}, {-far, 0, -far}, {-far, 0, far}});
-        for (const glm::dvec3& colour : {glm::dvec3(0.75, 0.25, 0.2), {0.2, 0.45, 0.75}, {0.8, 0.7, 0.3}, {0.3, 0.6, 0.35}})
+        for (const glm::dvec3& colour :
+             {glm::dvec3(0.75, 0.25, 0.2), {0.2, 0.45, 0.75}, {0.8, 0.7, 0.3}, {0.3, 0.6, 0.35}})
             ground.material({.name = "coat", .colour = colour, .diffuse = 0.6});
         ground.material({.name = "cloth", .colour{0.25, 0.25, 0.3}, .diffuse = 0.6});
         scene_.own.lights = white_lights({{8, 20, 12}, {-15, 12, 6}});
@@ -65,7 +69,8 @@ public:
     PlacedScene make() {
         for (int row = 0; row < size_; ++row)
             for (int column = 0; column < size_; ++column) walker(row, column);
-        const glm::dvec3 eye(0.9 * size_, 1.2 + 0.45 * size_, 4 + 0.9 * size_), at(0, 0.6, 0), ahead(0, 0, length);
+        const glm::dvec3 eye(0.9 * size_, 1.2 + 0.45 * size_, 4 + 0.9 * size_), at(0, 0.6, 0),
+            ahead(0, 0, length);
         scene_.own.camera = Camera{eye, at, {0, 1, 0}, 45};
         scene_.motion.camera.eye = {{0, length}, {eye, eye + ahead}, Between::linear};
         scene_.motion.camera.at = {{0, length}, {at, at + ahead}, Between::linear};
@@ -89,11 +94,13 @@ private:
             const bool is_leg = limb < 2, is_left = limb % 2 == 0;
             MotionNode swings{.name = name + ", limb " + std::to_string(limb), .parent = node};
             swings.is_parts = true;
-            swings.translate = {is_left ? -(is_leg ? 0.12 : 0.3) : (is_leg ? 0.12 : 0.3), is_leg ? 0 : 0.58, 0};
+            swings.translate = {is_left ? -(is_leg ? 0.12 : 0.3) : (is_leg ? 0.12 : 0.3), is_leg ? 0 : 0.58,
+                                0};
             swings.scale = is_leg ? glm::dvec3(1.05) : glm::dvec3(0.7, 0.75, 0.7);
             const double side = is_left == is_leg ? 1 : -1;
             for (int k = 0; k <= 16; ++k) {
-                const double angle = side * (is_leg ? 0.5 : 0.6) * std::sin(2 * std::numbers::pi * (k / 8.0 + phase));
+                const double angle =
+                    side * (is_leg ? 0.5 : 0.6) * std::sin(2 * std::numbers::pi * (k / 8.0 + phase));
                 swings.turns.times.push_back(length * k / 16);
                 swings.turns.values.push_back(glm::angleAxis(angle, glm::dvec3(1, 0, 0)));
             }
@@ -104,7 +111,8 @@ private:
     std::uint32_t add(const MotionNode& node, std::uint32_t mesh, std::uint32_t material) {
         const auto number = static_cast<std::uint32_t>(scene_.motion.nodes.size());
         scene_.motion.nodes.push_back(node);
-        scene_.motion.hung.push_back({static_cast<std::uint32_t>(scene_.instances.size()), number, glm::dmat4(1)});
+        scene_.motion.hung.push_back(
+            {static_cast<std::uint32_t>(scene_.instances.size()), number, glm::dmat4(1)});
         scene_.instances.push_back({node.name, mesh, glm::dmat4(1), material});
         return number;
     }

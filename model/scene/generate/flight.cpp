@@ -1,5 +1,5 @@
-// Balls in flight over a ground: every ball is thrown up, falls and is thrown again, once in four seconds, along a
-// parabola of sixteen straight pieces. Two of three are mirrors. One of two lights goes round.
+// Balls in flight over a ground: every ball is thrown up, falls and is thrown again, once in four seconds,
+// along a parabola of sixteen straight pieces. Two of three are mirrors. One of two lights goes round.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -17,8 +17,18 @@ void begin(PlacedScene& scene, double side) {
     MeshWriter ground(scene.own);
     ground.material({.name = "ground", .colour{0.75, 0.7, 0.6}, .diffuse = 0.6});
     ground.flat({{side, 0, side}, {side, 0, -side}, {-side, 0, -side}, {-side, 0, side}});
-    ground.material({.name = "mirror", .colour{0.95, 0.95, 1}, .diffuse = 0.15, .highlight = 0.4, .shine = 60, .mirror = 0.8});
-    ground.material({.name = "gold", .colour{1, 0.8, 0.35}, .diffuse = 0.25, .highlight = 0.4, .shine = 40, .mirror = 0.6});
+    ground.material({.name = "mirror",
+                     .colour{0.95, 0.95, 1},
+                     .diffuse = 0.15,
+                     .highlight = 0.4,
+                     .shine = 60,
+                     .mirror = 0.8});
+    ground.material({.name = "gold",
+                     .colour{1, 0.8, 0.35},
+                     .diffuse = 0.25,
+                     .highlight = 0.4,
+                     .shine = 40,
+                     .mirror = 0.6});
     ground.material({.name = "clay", .colour{0.8, 0.35, 0.25}, .diffuse = 0.8});
     scene.own.lights = white_lights({{0.8 * side, 1.6 * side, side}, {side, side, 0}});
     scene.own.camera = Camera{{0.5 * side, 0.9 * side, 1.9 * side}, {0, 0.3 * side, 0}, {0, 1, 0}, 45};
@@ -61,7 +71,8 @@ PlacedScene make_flight(int size) {
     const double side = 1.5 + 0.45 * std::sqrt(size);
     begin(scene, side);
     Scene ball = make_icosphere(ball_size);
-    scene.meshes.push_back({"ball", std::move(ball.vertices), std::move(ball.normals), std::move(ball.triangles)});
+    scene.meshes.push_back(
+        {"ball", std::move(ball.vertices), std::move(ball.normals), std::move(ball.triangles)});
     for (std::uint32_t i = 0; i < std::uint32_t(size); ++i) {
         scene.motion.nodes.push_back(thrown(i, side));
         scene.motion.hung.push_back({i, i, glm::dmat4(1)});

@@ -27,7 +27,8 @@ PlacedScene make_clockwork(int size);   ///< a wall of size * size gears that tu
 std::uint64_t crowd_triangles(int size);
 PlacedScene make_crowd(int size);   ///< size * size walkers of five parts each; the camera goes along
 std::uint64_t flight_triangles(int size);
-PlacedScene make_flight(int size);   ///< so many mirror balls that are thrown over a ground; a light goes round
+PlacedScene make_flight(int size);   ///< so many mirror balls that are thrown over a ground; a light goes
+                                     ///< round
 
 PrimitiveCounts mount_counts(int size, Primitives primitives);
 Scene make_mount(int size, Primitives primitives);
