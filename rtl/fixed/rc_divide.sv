@@ -29,7 +29,8 @@ module rc_divide #(
   begin : gen_refuse
     $error("rc_divide: Width, Stages and Every must be at least 1, Bits 1 or 2, Lows few enough");
   end
-  localparam int unsigned Last  = (Stages + Every - 1) / Every - 1;   // stage
+  localparam int unsigned Last  =   // stage
+    Stages < 1 || Every < 1 ? 0 : (Stages + Every - 1) / Every - 1;
   localparam int unsigned Chunk = Bits * Every;   // bits of the quotient that a stage makes
 
   // valid[i]: step i is next.

@@ -25,7 +25,8 @@ module rc_sqrt #(
   begin : gen_refuse
     $error("rc_sqrt: Stages must be at least 1, Bits 1 or 2, and Every or Held 1");
   end
-  localparam int unsigned Last  = (Stages + Every - 1) / Every - 1;   // stage
+  localparam int unsigned Last  =   // stage
+    Stages < 1 || Every < 1 ? 0 : (Stages + Every - 1) / Every - 1;
   localparam int unsigned Chunk = Bits * Every;   // bits of the root that a stage makes
 
   // valid[i]: step i is next.

@@ -120,17 +120,16 @@ int run(const Options& o) {
     if (!view.empty()) check_writable(view);
     o.json.check();
     const Progress progress = terminal_progress();
-    Film film(request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view),
-              o.frames, o.view.is_asked(), size, stopping(progress));
+    Request asked = request_of(o.scene, o.config, o.finish, o.traffic.seed, size, stopping(progress), o.view);
+    if (!asked.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
+        throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
+    Film film(std::move(asked), o.frames, o.view.is_asked(), size, stopping(progress));
     std::vector<FrameTrace> traces;
     while (traces.size() < film.frames()) {
         film.next();
         traces.push_back(film.record(o.threads, stopping(progress)));
     }
     const Request& request = film.request();
-    const Job& job = film.job();
-    if (!request.finished && !choice.purposes[std::size_t(RayPurpose::camera)])
-        throw UserError("--rays: this picture has camera rays only; --depth draws one that has others");
     const int khz = one_clock_of(o.clock, request.config);
 
     Timeline timeline(request.config, size, choice);

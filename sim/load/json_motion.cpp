@@ -83,6 +83,40 @@ Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>
 
 }   // namespace
 
+std::optional<std::uint32_t> anchor(const Where& where, Motion& motion) {
+    if (where.place == glm::dmat4(1)) return where.node;
+    motion.nodes.push_back({.name = "", .parent = where.node, .matrix = where.place});
+    return static_cast<std::uint32_t>(motion.nodes.size() - 1);
+}
+
+Where where_of(const JsonValue& in, const Where& above, Motion& motion) {
+    const auto keys = in.find("keyframes");
+    if (!keys) return {above.place * transform_of(in), above.node};
+    for (const char* key : {"translate", "rotate", "scale", "matrix"})
+        if (in.find(key)) in.refuse(fmt::format("has both 'keyframes' and '{}'", key));
+    MotionNode node = node_of(*keys);
+    node.parent = anchor(above, motion);
+    motion.nodes.push_back(std::move(node));
+    return {glm::dmat4(1), static_cast<std::uint32_t>(motion.nodes.size() - 1)};
+}
+
+std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion) {
+    if (part.hung.empty()) return 0;
+    const std::optional<std::uint32_t> parent = anchor(where, motion);
+    const auto base = static_cast<std::uint32_t>(motion.nodes.size());
+    for (MotionNode node : part.nodes) {
+        node.parent = node.parent ? std::optional(*node.parent + base) : parent;
+        motion.nodes.push_back(std::move(node));
+    }
+    return base;
+}
+
+std::vector<const Hung*> hung_of(const PlacedScene& part) {
+    std::vector<const Hung*> of(part.instances.size());
+    for (const Hung& hung : part.motion.hung) of[hung.instance] = &hung;
+    return of;
+}
+
 MotionNode node_of(const JsonValue& keyframes) {
     MotionNode node;
     node.name = keyframes.where();

@@ -1,6 +1,6 @@
 // Keyframes of a JSON scene: scenes/README.md says what they mean.
 #pragma once
-#include "model/scene/motion.hpp"
+#include "model/scene/placed.hpp"
 #include "sim/files/json_value.hpp"
 
 namespace rayclock {
@@ -9,6 +9,20 @@ namespace rayclock {
 constexpr double most_degrees = 360'000;
 /// Times of keys lie within 0 and this, seconds.
 constexpr double latest_time = 1e6;
+
+/// Where something stands: in the space of a node of a Motion, or in the scene.
+struct Where {
+    glm::dmat4 place{1};
+    std::optional<std::uint32_t> node{};
+};
+/// A node for it, to be the parent of others; nothing for the scene itself.
+std::optional<std::uint32_t> anchor(const Where& where, Motion& motion);
+/// Where an object or instance stands in what is above it: by its place, or by a new node with its keyframes.
+Where where_of(const JsonValue& in, const Where& above, Motion& motion);
+/// A part's nodes once more, in another space; the number of the first.
+std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion);
+/// By instance: how it hangs at a node, or null.
+std::vector<const Hung*> hung_of(const PlacedScene& part);
 
 /// A node from the keyframes of an object or an instance, in no parent.
 MotionNode node_of(const JsonValue& keyframes);

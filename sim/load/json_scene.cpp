@@ -70,12 +70,6 @@ public:
     }
 
 private:
-    /// Where something stands: in the space of a node, or in the scene.
-    struct Where {
-        glm::dmat4 place{1};
-        std::optional<std::uint32_t> node{};
-    };
-
     /// Refuses what would make more than the files allow.
     void make_room(const JsonValue& from, std::uint64_t bytes) {
         if (!library_.loading().may_make(bytes)) from.refuse(library_.loading().too_much());
@@ -118,30 +112,6 @@ private:
         if (!keys) return void(scene_.camera = camera_of(in));
         in.only_keys({"keyframes"});
         placed_.motion.camera = camera_motion_of(*keys, scene_.camera.emplace());
-    }
-
-    /// Where an object or instance stands in what is above it.
-    Where where_of(const JsonValue& in, const Where& above) {
-        const auto keys = in.find("keyframes");
-        if (!keys) return {above.place * transform_of(in), above.node};
-        for (const char* key : {"translate", "rotate", "scale", "matrix"})
-            if (in.find(key)) in.refuse(fmt::format("has both 'keyframes' and '{}'", key));
-        MotionNode node = node_of(*keys);
-        node.parent = anchor(above);
-        return {glm::dmat4(1), add_node(*keys, std::move(node))};
-    }
-
-    std::uint32_t add_node(const JsonValue& from, MotionNode node) {
-        make_room(from, sizeof(MotionNode));
-        placed_.motion.nodes.push_back(std::move(node));
-        return static_cast<std::uint32_t>(placed_.motion.nodes.size() - 1);
-    }
-
-    /// A node for it, to be the parent of others; nothing for the scene itself.
-    std::optional<std::uint32_t> anchor(const Where& where) {
-        if (where.place == glm::dmat4(1)) return where.node;
-        placed_.motion.nodes.push_back({.name = "", .parent = where.node, .matrix = where.place});
-        return static_cast<std::uint32_t>(placed_.motion.nodes.size() - 1);
     }
 
     template <class Primitive>
@@ -238,7 +208,8 @@ private:
             make_room(in, bytes_of(*mesh.part));
         }
         const std::optional<std::uint32_t> material = material_named(in);
-        const Where where = where_of(in, {});
+        if (in.find("keyframes")) make_room(in, sizeof(MotionNode));
+        const Where where = where_of(in, {}, placed_.motion);
         const auto instances = in.find("instances");
         if (!instances)
             return where.node ? share(in, mesh, where, material) : copy(in, mesh, where.place, material);
@@ -246,7 +217,7 @@ private:
             const JsonValue instance = (*instances)[i];
             instance.only_keys({"material", "translate", "rotate", "scale", "matrix", "keyframes"});
             const std::optional<std::uint32_t> own = material_named(instance);
-            share(instance, mesh, where_of(instance, where), own ? own : material);
+            share(instance, mesh, where_of(instance, where, placed_.motion), own ? own : material);
         }
     }
 
@@ -309,7 +280,8 @@ private:
             for (const SharedMesh& shared : part.meshes) add_mesh(from, shared, materials);
         }
         const std::vector<const Hung*> hung = hung_of(part);
-        const std::uint32_t nodes = add_nodes(from, part.motion, where);
+        make_room(from, part.motion.nodes.size() * sizeof(MotionNode));
+        const std::uint32_t nodes = add_nodes(part.motion, where, placed_.motion);
         for (std::size_t i = 0; i < part.instances.size(); ++i) {
             const Instance& inner = part.instances[i];
             const auto own = inner.material ? std::optional(*inner.material + materials) : std::nullopt;
@@ -317,25 +289,6 @@ private:
                                      : Where{where.place * inner.place, where.node};
             instance(from, *mesh.mesh_base + inner.mesh, at, material ? material : own);
         }
-    }
-
-    /// By instance: how it hangs at a node, or null.
-    static std::vector<const Hung*> hung_of(const PlacedScene& part) {
-        std::vector<const Hung*> of(part.instances.size());
-        for (const Hung& hung : part.motion.hung) of[hung.instance] = &hung;
-        return of;
-    }
-
-    /// A part's nodes once more, in another space; the number of the first.
-    std::uint32_t add_nodes(const JsonValue& from, const Motion& motion, const Where& where) {
-        if (motion.hung.empty()) return 0;
-        const std::optional<std::uint32_t> parent = anchor(where);
-        const auto base = static_cast<std::uint32_t>(placed_.motion.nodes.size());
-        for (MotionNode node : motion.nodes) {
-            node.parent = node.parent ? std::optional(*node.parent + base) : parent;
-            add_node(from, std::move(node));
-        }
-        return base;
     }
 
     std::uint32_t add_mesh(const JsonValue& from, SharedMesh mesh, std::uint32_t material_base) {

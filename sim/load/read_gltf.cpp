@@ -13,37 +13,16 @@
 #include "model/base/error.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/gltf_buffers.hpp"
+#include "sim/load/gltf_document.hpp"
 #include "sim/load/gltf_material.hpp"
 #include "sim/load/gltf_motion.hpp"
+#include "sim/load/json_motion.hpp"
 #include "sim/load/mesh_file.hpp"
 
 namespace rayclock {
 namespace {
 
 constexpr int max_depth = 500;   // the tree is walked by recursion
-
-/// Before anything else, because version 1 has objects where 2 has arrays, and need not say that it is
-/// version 1.
-void check_version(const JsonValue& document, const Place& at) {
-    const auto asset = document.find("asset");
-    const bool has_version = asset && asset->find("version");
-    if (!has_version && document.find("buffers") && document.at("buffers").raw().is_object())
-        at.refuse("this is glTF 1.0, which is not supported: it must be converted to 2.0");
-    const JsonValue version = document.at("asset").at("version");
-    if (version.string().starts_with("1."))
-        version.refuse("is \"1.0\": glTF 1.0 is not supported and must be converted to 2.0");
-    if (!version.string().starts_with("2.")) version.expected("\"2.0\"");
-    const auto required = document.find("extensionsRequired");
-    constexpr std::array<std::string_view, 5> harmless{"KHR_lights_punctual", "KHR_mesh_quantization",
-                                                       "KHR_texture_transform", "KHR_texture_basisu",
-                                                       "EXT_texture_webp"};
-    for (std::size_t i = 0; required && i < required->array().size(); ++i) {
-        const std::string name = (*required)[i].string();
-        if (!name.starts_with("KHR_materials_") &&
-            std::find(harmless.begin(), harmless.end(), name) == harmless.end())
-            at.refuse("needs the extension " + shown(name) + ", which is not supported");
-    }
-}
 
 /// What is met on the way and not drawn.
 struct Dropped {
@@ -100,11 +79,6 @@ private:
         const std::vector<glm::vec3>* normals;
         const std::vector<std::uint32_t>* indices;
         std::uint64_t mode, material, corners;
-    };
-    /// Where a node stands: in a node of ours that moves, or in the scene.
-    struct Where {
-        glm::dmat4 place{1};
-        std::optional<std::uint32_t> node{};
     };
     struct Copy {
         std::uint64_t mesh, from;   ///< from: the document's node
@@ -188,29 +162,9 @@ private:
     void tree() {
         const std::size_t count = count_of("nodes");
         visited_.resize(count);
-        for (const std::uint64_t root : roots(count)) visit(root, 0, {});
+        for (const std::uint64_t root : gltf_roots(in_, count)) visit(root, 0, {});
         if (triangles_ > max_triangles)
             at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
-    }
-
-    /// The nodes of the default scene; without any scene, the nodes that have no parent.
-    std::vector<std::uint64_t> roots(std::size_t count) {
-        std::vector<std::uint64_t> found;
-        if (const auto scenes = in_.find("scenes"); scenes && scenes->array().size() > 0) {
-            const JsonValue scene = (*scenes)[in_.whole_or("scene", scenes->size(), 0)];
-            if (const auto list = scene.find("nodes"))
-                for (std::size_t i = 0; i < list->array().size(); ++i)
-                    found.push_back((*list)[i].whole(count));
-            return found;
-        }
-        std::vector<bool> is_child(count);
-        for (std::size_t i = 0; i < count; ++i)
-            if (const auto children = in_.at("nodes")[i].find("children"))
-                for (std::size_t k = 0; k < children->array().size(); ++k)
-                    is_child[(*children)[k].whole(count)] = true;
-        for (std::size_t i = 0; i < count; ++i)
-            if (!is_child[i]) found.push_back(i);
-        return found;
     }
 
     /// Where a node stands whose parent stands there.
@@ -220,11 +174,7 @@ private:
         if (tracks == tracks_.end()) return {above.place * own, above.node};
         std::vector<MotionNode>& nodes = placed_.motion.nodes;
         MotionNode node = gltf_node(in, own, &tracks->second);
-        node.parent = above.node;
-        if (above.place != glm::dmat4(1)) {
-            nodes.push_back({.name = node.name, .parent = above.node, .matrix = above.place});
-            node.parent = static_cast<std::uint32_t>(nodes.size() - 1);
-        }
+        node.parent = anchor(above, placed_.motion);
         nodes.push_back(std::move(node));
         return {glm::dmat4(1), static_cast<std::uint32_t>(nodes.size() - 1)};
     }
@@ -422,7 +372,7 @@ PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string byte
         Place{file, 1}.refuse("this is not glTF: it begins with " + shown(text.substr(0, 8)));
     const Json parsed = parse_json(file, text);
     const JsonValue document(parsed, file);
-    check_version(document, Place{file});
+    check_gltf_version(document, Place{file});
     return GltfReader(document, path, container, loading).read();
 }
 

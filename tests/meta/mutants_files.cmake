@@ -58,7 +58,7 @@ mutant(files_memory_time_is_rounded FILE sim/memory/memory_file.cpp TEST unit "a
   NEW [[const double ps = std::round(ns * 100) * 10;]])
 
 # ---- Instances.
-mutant(load_instance_outside_of_its_object FILE sim/load/json_scene.cpp TEST load "json:*"
+mutant(load_instance_outside_of_its_object FILE sim/load/json_motion.cpp TEST load "json:*"
   OLD [[return {above.place * transform_of(in), above.node};]]
   NEW [[return {transform_of(in) * above.place, above.node};]])
 mutant(load_graph_forgets_a_level FILE sim/load/json_scene.cpp TEST load "json: a graph*"

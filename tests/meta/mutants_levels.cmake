@@ -63,10 +63,10 @@ mutant(rtl_direction_without_opposite FILE rtl/raygen/rc_direction.sv TEST unit 
   NEW [[s1_up = s1_moved[G-M-1] && s1_whole ==]])
 
 # ---- Its compiler: boxes hold what is rounded, rows keep within 1, classes keep apart.
-mutant(levels_boxes_without_what_is_rounded FILE model/accel/levels/maps.cpp TEST accel [levels]
+mutant(levels_boxes_without_what_is_rounded FILE model/accel/levels/fit.cpp TEST accel [levels]
   OLD [[map.is_whole ? 0 : 0.5 + 0.5 * last;]]
   NEW [[0 * last;]])
-mutant(levels_boxes_forget_the_direction FILE model/accel/levels/maps.cpp TEST accel [levels]
+mutant(levels_boxes_forget_the_direction FILE model/accel/levels/fit.cpp TEST accel [levels]
   OLD [[map.is_whole ? 0 : 0.5 + 0.5 * last;]]
   NEW [[map.is_whole ? 0 : 0.5 + 0 * last;]])
 mutant(levels_all_in_one_class FILE model/accel/levels/maps.cpp TEST accel [levels]

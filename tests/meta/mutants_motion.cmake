@@ -39,7 +39,7 @@ mutant(film_writes_one_line_less FILE model/accel/levels/moving.cpp TEST motion 
 mutant(film_lattice_of_the_first_frame FILE model/accel/levels/maps.cpp TEST motion [film]
   OLD [[for (std::size_t t = 0; t < (moves_[i] ? times_.size() : 1); ++t)]]
   NEW [[for (std::size_t t = 0; t < 1; ++t)]])
-mutant(film_boxes_are_too_small FILE model/accel/levels/maps.cpp TEST motion [film]
+mutant(film_boxes_are_too_small FILE model/accel/levels/fit.cpp TEST motion [film]
   OLD [=[size[k] * half[k] + disc[k]]=]
   NEW [=[size[k] * half[k] + 0.9 * disc[k]]=])
 mutant(film_forgets_that_images_are_mirrored FILE sim/engine/engine.cpp TEST motion [film]
