@@ -79,7 +79,8 @@ module rc_shade (
   // An instance or its material has come; an instance is taken, either; a surface has come.
   logic              placing, placed, taken, came;
   logic [rc_pkg::SurfaceW-1:0] surface_found;
-  rc_pkg::surface_t            surface_came;
+  rc_pkg::surface_t            surface_came;    // what comes, if it is a surface,
+  rc_pkg::placement_t          instance_came;   // or an instance
   logic [PlaceW-1:0] place_data, place;
   logic           arrived_valid, arrived_pop;
   logic [I-1:0]   arrived_ray;
@@ -99,18 +100,17 @@ module rc_shade (
     assign place_data = '0;
     assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
     logic unused;
-    assign unused = ^{surface_came, taken};
+    assign unused = ^{surface_came, instance_came, taken};
   end else begin : gen_fetch_twice
     logic [T-1:0]       placing_q, lends_q;   // an instance is waited for, or a material
     logic [A-1:0]       prim, surface_line, kept_line;
+    logic [T-1:0]       lent_q;               // the context's last instance has a material
     logic               lends;
     logic [I-1:0]       came_ray;
-    rc_pkg::placement_t instance_came;
     logic [A-1:0]       line;
     logic               place_valid, place_ready, fetch_valid, fetch_ready;
     logic [I+A-1:0]     place_next, fetch_next, fetch;
     assign came_ray      = surf_rsp_i.ray;
-    assign instance_came = rc_pkg::PlacementW'(surf_rsp);
     assign surface_line  = instance_came.surfaces + prim;
     assign lends         = lends_q[came_ray];
     assign line          = lends ? kept_line
@@ -132,8 +132,7 @@ module rc_shade (
       .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
       .read_addr_i(came_ray), .read_data_o(kept_line));
     // A material for all primitives of the instance takes the place of the surface's own.
-    logic [T-1:0]         lent_q;
-    logic [MaterialW:0]   material;
+    logic [MaterialW:0] material;
     rc_ram #(.Width(MaterialW + 1), .Depth(T)) u_material (
       .clk_i, .write_i(taken && lends), .write_addr_i(came_ray),
       .write_data_i({surface_came.schlick, surf_rsp[MaterialW-1:0]}), .read_addr_i(came_ray),
@@ -217,7 +216,8 @@ module rc_shade (
   logic [I-1:0]                      pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
   assign surf_rsp     = surf_rsp_i;
-  assign surface_came = rc_pkg::SurfaceW'(surf_rsp);
+  assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
+  assign instance_came = rc_pkg::PlacementW'(surf_rsp);
   if (Every == 1) begin : gen_at_once
     assign passes   = enters;
     assign pass_ray = ray;
