@@ -97,30 +97,31 @@ constexpr const char* octree_intro = R"(
 ## Octrees by published rules
 
 V. Havran published what octrees over these scenes consist of, and what rays do in them ("Comparison of
-Octree Traversal Algorithms", 1999, with Ray Tracing News 12(2)). The table has trees that are built by his
-rules over the scene as given, in double precision (`model/reference/octree.hpp`), and what the reference's
-rays do in them, shadow rays included: nothing of the machine is in it. Behind each figure is `=` if it is his,
-or how far it is from his in brackets. His scenes are spheres, cones and polygons. Cones and cylinders are cut
-into triangles here, so that rings and tree cannot be compared; he has no figures of tetra that are kept here.
+Octree Traversal Algorithms", 1999, with Ray Tracing News 12(2)). The table has trees that are built by
+his rules over the scene as given, in double precision (`model/reference/octree.hpp`), and what the
+reference's rays do in them, shadow rays included: nothing of the machine is in it. Behind each figure is
+`=` if it is his, or how far it is from his in brackets. His scenes are spheres, cones and polygons. Cones
+and cylinders are cut into triangles here, so that rings and tree cannot be compared; he has no figures of
+tetra that are kept here.
 
-- Trees: his text leaves two rules out, which his counts give away. The box of a polygon is widened by 0.02 on
-  both sides of an axis on which it is thinner than 0.02, and the root is 0.001 larger than the scene on all
-  sides. With them **all counts of balls and gears are his, 32 of 32, and 14 of the 32 of mount and teapot**. The
-  rest is off by 0.13 % at most in mount, at depth 7 by 36 references of 324,918; how coordinates are rounded (to
-  single precision, to six digits) makes no difference to it, and it is not understood. In teapot 0.93 % of
-  the references are too many at depth 4. There the plane in the middle of the root goes through the centres
-  of lid and bottom, where 96 triangles meet in a point that is exactly on it here. If they are
-  moved off it by however little, references are 0.6 % too few instead: in his data rounding has put them on
-  one side or the other.
-- Leaves a ray: teapot is within 1.05 %, balls and mount are within 4.2 %. His rays are not quite the same: he has
-  1,402,297, 1,334,642 and 895,744 rays in balls, mount and teapot, and here are 1,392,298, 1,385,563 and
-  893,466. Divided by his number of rays, the leaves that rays of mount visit here are his to 0.5 %.
-  Gears are 12 to 13 % off: his 2,845,519 rays are 6 % fewer than the 3,022,098 here, which are Haines' to 0.02 %, and
-  divided by them the leaves are 6 to 8 % off.
-- Tests a ray are not understood: with the same trees and the same leaves visited, his are 1.6 to 1.9 times these
-  for balls, gears and mount, 3.3 times for teapot, at all depths alike. No choice of rays to divide by
-  explains it: shadow rays are 45 % of the rays of teapot, and if they were left out of the divisor, his would
-  still be 1.8 times these. More than one test must be counted for an object.
+- Trees: his text leaves two rules out, which his counts give away. The box of a polygon is widened by
+  0.02 on both sides of an axis on which it is thinner than 0.02, and the root is 0.001 larger than the
+  scene on all sides. With them **all counts of balls and gears are his, 32 of 32, and 14 of the 32 of
+  mount and teapot**. The rest is off by 0.13 % at most in mount, at depth 7 by 36 references of 324,918;
+  how coordinates are rounded (to single precision, to six digits) makes no difference to it, and it is
+  not understood. In teapot 0.93 % of the references are too many at depth 4. There the plane in the
+  middle of the root goes through the centres of lid and bottom, where 96 triangles meet in a point that
+  is exactly on it here. If they are moved off it by however little, references are 0.6 % too few instead:
+  in his data rounding has put them on one side or the other.
+- Leaves a ray: teapot is within 1.05 %, balls and mount are within 4.2 %. His rays are not quite the
+  same: he has 1,402,297, 1,334,642 and 895,744 rays in balls, mount and teapot, and here are 1,392,298,
+  1,385,563 and 893,466. Divided by his number of rays, the leaves that rays of mount visit here are his
+  to 0.5 %. Gears are 12 to 13 % off: his 2,845,519 rays are 6 % fewer than the 3,022,098 here, which are
+  Haines' to 0.02 %, and divided by them the leaves are 6 to 8 % off.
+- Tests a ray are not understood: with the same trees and the same leaves visited, his are 1.6 to 1.9
+  times these for balls, gears and mount, 3.3 times for teapot, at all depths alike. No choice of rays to
+  divide by explains it: shadow rays are 45 % of the rays of teapot, and if they were left out of the
+  divisor, his would still be 1.8 times these. More than one test must be counted for an object.
 
 )";
 
