@@ -339,7 +339,7 @@ module rc_list (
     .clk_i, .write_i(closer), .write_addr_i(came.ray),
     .write_data_i(new_found),
     .read_addr_i(done_i.ray), .read_data_o(end_found));
-  if (rc_pkg::Homes == 1) begin : gen_place   // the instance; the ray's does not change before tri answers
+  if (rc_pkg::Homes == 1) begin : gen_place   // of the instance that the ray is in
     logic [A-1:0] here, end_place;
     rc_ram #(.Width(A), .Depth(T)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),

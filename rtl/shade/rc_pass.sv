@@ -235,7 +235,8 @@ module rc_pass #(
     .s0_o_i(state.o), .s0_far_i(state.is_far), .s0_weight_i(state.weight),
     .s0_state_i(state), .s5_to_o(s5_to),
     .s13_unit_i(s13_unit), .s15_cosine_i(s15_cosine), .s15_mirror_i(s15_mirror),
-    .s15_d_o(s15_light_d), .s15_near_o(s15_near), .s15_place_o(s15_place), .s28_place_o(light_place),
+    .s15_d_o(s15_light_d), .s15_near_o(s15_near), .s15_place_o(s15_place),
+    .s28_place_o(light_place),
     .s28_near_o(light_near), .s28_clear_o(light_clear), .s28_share_o(light_share));
   rc_bounce u_bounce (
     .clk_i, .rst_ni, .valid_i(bounce_at[14:0]), .turn_i(turn[14*Every-1:0]),
@@ -399,6 +400,7 @@ module rc_pass #(
   assign end_ray_o = end_ray;
 
   logic unused;
-  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, turn_at, face_at};
+  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, turn_at,
+                    face_at};
 endmodule
 `default_nettype wire

@@ -74,7 +74,8 @@ module rc_shade (
                                  + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
   localparam int unsigned PlaceW = A + MapW;
   localparam int unsigned MaterialW = 9 * (rc_pkg::ShareBits + 1)
-                                    + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits + 2 * rc_pkg::RatioBits;
+                                    + 3 * rc_pkg::ValueBits + rc_pkg::ShineBits
+                                    + 2 * rc_pkg::RatioBits;
   localparam int unsigned SchlickAt = rc_pkg::SurfaceW - 5;   // after kind, smooth, checkered
   // An instance or its material has come; an instance is taken, either; a surface has come.
   logic              placing, placed, taken, came;
@@ -240,7 +241,8 @@ module rc_shade (
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_ray),
     .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
-    .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place), .write_i(end_valid),
+    .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
+    .write_i(end_valid),
     .write_ray_i(end_ray), .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),

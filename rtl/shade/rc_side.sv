@@ -1,4 +1,5 @@
-// Sign of n . d, exactly, two stages later. Part of rc_pass, which has the valid bits of the first two.
+// Sign of n . d, exactly, two stages later. Part of rc_pass, which has the valid bits of the
+// first two.
 `default_nettype none
 module rc_side #(
   localparam int unsigned NB = rc_pkg::NormalBits,

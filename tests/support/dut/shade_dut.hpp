@@ -43,8 +43,8 @@ public:
             wants = in.hit.found && in.state.event == std::uint32_t(ShadeEvent::arrive);
         }
         if (surf_rsp.fires()) contexts_[surf_rsp.offer->ray].in.surface = surf_rsp.offer->surface;
-        shade_.clock(now_++, ray_of(closest.offer), wants, ray_of(surf_rsp), surf_req.fires(), spawn.fires(),
-                     pixel.fires(),
+        shade_.clock(now_++, ray_of(closest.offer), wants ? Shade::Wants::surface : Shade::Wants::nothing,
+                     ray_of(surf_rsp), {}, surf_req.fires(), spawn.fires(), pixel.fires(),
                      [this](std::uint32_t ray) { return contexts_[ray].pass(frame_, config_); });
         if (slot) {
             contexts_[slot->ray] = {};
