@@ -36,9 +36,6 @@ mutant(film_never_resets_the_chip FILE model/accel/levels/moving.cpp TEST motion
 mutant(film_writes_one_line_less FILE model/accel/levels/moving.cpp TEST motion [film]
   OLD [[for (std::uint32_t i = 0; i < levels_.upper_lines; ++i) {]]
   NEW [[for (std::uint32_t i = 1; i < levels_.upper_lines; ++i) {]])
-mutant(film_lattice_of_the_first_frame FILE model/accel/levels/maps.cpp TEST motion [film]
-  OLD [[for (std::size_t t = 0; t < (moves_[i] ? times_.size() : 1); ++t)]]
-  NEW [[for (std::size_t t = 0; t < 1; ++t)]])
 mutant(film_boxes_are_too_small FILE model/accel/levels/fit.cpp TEST motion [film]
   OLD [=[size[k] * half[k] + disc[k]]=]
   NEW [=[size[k] * half[k] + 0.9 * disc[k]]=])

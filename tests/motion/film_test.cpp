@@ -248,8 +248,8 @@ TEST_CASE("what is flattened too much to move as an instance is made anew, and s
     const std::string path = folder.write("flat.json", R"({
       "camera": {"eye": [0, 1, 9], "at": [0, 0, 0]}, "lights": [{"position": [3, 5, 9]}],
       "meshes": {"b": {"builtin": "icosphere:2"}},
-      "objects": [{"mesh": "b", "keyframes": [{"time": 0, "matrix": [1, 0, 0, -2,  1, 0.0005, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1]},
-                                              {"time": 1, "matrix": [1, 0, 0, 2,  1, 0.0005, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1]}]}]})");
+      "objects": [{"mesh": "b", "keyframes": [{"time": 0, "matrix": [1.01, -1, 0, -2,  -1, 1, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1]},
+                                              {"time": 1, "matrix": [1.01, -1, 0, 2,  -1, 1, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1]}]}]})");
     Film film = film_of(path, two("default", 2), {64, 48}, frames_of(3, 3));
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();

@@ -126,8 +126,8 @@ TEST_CASE("scenes that move have exactly the triangles that they say, and hundre
 }
 
 TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
-    // In the plane: no corner of a gear lies in another when a tooth or a gap is between them. (On the way
-    // there the corners of straight flanks may touch; Haines' gears do not turn.)
+    // In the plane, whenever a tooth or a gap is between them. The corners of two flanks touch, as in Haines'
+    // gears, which stand still.
     PlacedScene scene = make_placed("clockwork:2");
     const SharedMesh& gear = scene.meshes[0];
     for (int k = 0; k < 12; ++k) {
@@ -145,7 +145,15 @@ TEST_CASE("gears that turn each other stay in each other's gaps", "[motion]") {
         std::size_t met = 0;
         for (std::size_t i = 0; i < 144; ++i)
             met += crosses(glm::dvec3(back * scene.instances[0].place * glm::dvec4(gear.vertices[i], 1)));
-        CHECK(met == 0);
+        CHECK(met <= 2);
     }
     CHECK(gear.vertices.size() == 288);
+    pose(scene, 0.02);   // 90 degrees a second, one this way and its neighbours the other
+    const auto degrees = [&](std::size_t i) {
+        return std::atan2(scene.instances[i].place[0][1], scene.instances[i].place[0][0]) * 180 / M_PI;
+    };
+    CHECK(degrees(0) == Approx(1.8));
+    CHECK(degrees(1) == Approx(5 - 1.8));
+    CHECK(degrees(2) == Approx(5 - 1.8));
+    CHECK(degrees(3) == Approx(1.8));
 }
