@@ -50,9 +50,11 @@ struct CompileReport {
 struct MemoryImage {
     std::vector<std::uint32_t> words;   ///< 16 words a line, little-endian
     Lattice lattice;
-    std::uint32_t surfaces = 0;     ///< line of primitive 0's surface, if the chip shades
-    std::uint32_t primitives = 0;   ///< the numbers of all lie below
-    std::uint32_t listed = 0;       ///< primitives of a list; 0 if there is a tree
+    std::uint32_t surfaces = 0;                 ///< line of primitive 0's surface, if the chip shades
+    std::uint32_t primitives = 0;               ///< the numbers of all lie below
+    std::uint32_t listed = 0;                   ///< primitives of a list; 0 if there is a tree
+    std::vector<std::uint32_t> written_out{};   ///< of two levels: the first primitives of instances whose
+                                                ///< mesh was moved to its place beforehand, rising
     CompileReport report;
 
     /// Beyond the end memory holds zeros: a cache's long line may reach there, and faulty hardware asks for

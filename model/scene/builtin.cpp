@@ -63,11 +63,11 @@ constexpr std::array<Builtin, 17> all{{
      all_triangles<square_triangles>, one_form<make_square>},
     {"gearbox", 4, 25, "the gears again, placed: one gear and its instances", all_triangles<gears_triangles>,
      one_flat_form<make_gearbox>},
-    {"clockwork", 16, 64, "moving: a wall of gears that turn each other, once round in 4 s",
+    {"clockwork", 16, 132, "moving: a wall of gears that turn each other, once round in 4 s",
      all_triangles<clockwork_triangles>, one_flat_form<make_clockwork>},
-    {"crowd", 10, 64, "moving: walkers of five parts each, two steps in 2 s, and the camera with them",
+    {"crowd", 10, 267, "moving: walkers of five parts each, two steps in 2 s, and the camera with them",
      all_triangles<crowd_triangles>, one_flat_form<make_crowd>},
-    {"flight", 400, 4000, "moving: mirror balls thrown over a ground, and a light that goes round, 4 s",
+    {"flight", 400, 31249, "moving: mirror balls thrown over a ground, and a light that goes round, 4 s",
      all_triangles<flight_triangles>, one_flat_form<make_flight>},
 }};
 

@@ -25,8 +25,7 @@ module rc_divide #(
   output logic [QuoW-1:0]  quo_o,
   output logic             inexact_o
 );
-  if (Width < 1 || Stages < 1 || Bits < 1 || Bits > 2 || Every < 1 || Lows > QuoW)
-  begin : gen_refuse
+  if (Width * Stages * Bits * Every < 1 || Bits > 2 || Lows > QuoW) begin : gen_refuse
     $error("rc_divide: Width, Stages and Every must be at least 1, Bits 1 or 2, Lows few enough");
   end
   localparam int unsigned Last  =   // stage

@@ -21,8 +21,7 @@ module rc_sqrt #(
   output logic [RootW-1:0]   root_o,
   output logic               inexact_o
 );
-  if (Stages < 1 || Bits < 1 || Bits > 2 || Every < 1 || Held < 1 || (Every > 1 && Held > 1))
-  begin : gen_refuse
+  if (Stages * Bits * Every * Held < 1 || Bits > 2 || (Every > 1 && Held > 1)) begin : gen_refuse
     $error("rc_sqrt: Stages must be at least 1, Bits 1 or 2, and Every or Held 1");
   end
   localparam int unsigned Last  =   // stage

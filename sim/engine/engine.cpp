@@ -40,12 +40,14 @@ void check_capacity(const MemoryImage& image, const Config& config) {
             std::int64_t(image.report.bytes) <= capacity_bytes(dram_part("ddr3")) ? "ddr3" : "ideal"));
 }
 
-std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene) {
+std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene, const MemoryImage& image) {
     std::vector<MirrorRange> ranges;
     std::uint64_t first = scene.own.triangles.size();
     for (const Instance& instance : scene.instances) {
         const std::uint64_t end = first + scene.meshes[instance.mesh].triangles.size();
-        const bool is_mirrored = glm::determinant(glm::dmat3(instance.place)) < 0;
+        const bool is_mirrored =
+            glm::determinant(glm::dmat3(instance.place)) < 0 &&
+            !std::binary_search(image.written_out.begin(), image.written_out.end(), std::uint32_t(first));
         if (is_mirrored && !ranges.empty() && ranges.back().end == first)
             ranges.back().end = std::uint32_t(end);
         else if (is_mirrored)
@@ -70,7 +72,7 @@ Job make_job(const Scene& scene, const Camera& camera, FrameSize size, const Con
     check_frame_size(size);
     Job job{config, {}, compile_scene(scene, camera.eye, config, progress), size};
     check_capacity(job.image, config);
-    if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed);
+    if (config.has_instances() && scene.placed) job.mirrored = mirrored_primitives(*scene.placed, job.image);
     if (config.shading) job.frame.shade = make_shade_frame(scene, settings, job.image, config);
     job.frame = job_frame(job, camera);
     return job;

@@ -21,11 +21,11 @@ constexpr int default_khz = 66000;
 
 /// Primitives of instances that are mirror images. The chip knows a mesh's triangles by the order of their
 /// corners in the mesh; in the scene the second and the third have changed places, so that their outside
-/// stays outside.
+/// stays outside. What is written out is turned already.
 struct MirrorRange {
     std::uint32_t first = 0, end = 0;   ///< rising
 };
-std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene);
+std::vector<MirrorRange> mirrored_primitives(const PlacedScene& scene, const MemoryImage& image);
 
 /// A scene compiled for one configuration and one picture, and the chip's clock: all that a machine needs.
 struct Job {

@@ -134,7 +134,7 @@ void Film::next() {
     } else {
         apply(upload_, job_.image);
     }
-    job_.mirrored = mirrored_primitives(placed_);
+    job_.mirrored = mirrored_primitives(placed_, job_.image);
     job_.frame = job_frame(job_, camera());
     job_.frame.root = levels_->root();
 }

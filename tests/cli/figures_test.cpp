@@ -117,7 +117,7 @@ TEST_CASE("the page of structures has every structure on every scene, and the li
     CHECK(!bytes_of(folder.name("structures.svg")).empty());
     check_refused(run_program({"structures"}), {"--output"});
     check_refused(run_program({"structures", "-o", folder.name("."), "--set", "primitive_test=woop"}),
-                  {"structure=spheres", "primitive_test"});
+                  {"splits=on", "primitive_test"});
 }
 
 TEST_CASE("the page of gigahertz has every memory at every clock, says where the wall is, and answers") {

@@ -98,10 +98,10 @@ mutant(normal_is_turned_as_a_direction FILE model/shade/surf.cpp TEST accel [sec
 mutant(corner_normals_scaled_as_points FILE model/accel/levels/compile.cpp TEST accel [secondary]
   OLD [[unit_or_zero(normal * made.lattice.pitch);]]
   NEW [[unit_or_zero(normal / made.lattice.pitch);]])
-mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/maps.cpp TEST accel [secondary]
-  OLD [[if (config_.shading) map.off =]]
-  NEW [[if (config_.shading && made.longest < 0) map.off =]])
-mutant(levels_boxes_forget_where_bounces_begin FILE model/accel/levels/maps.cpp TEST accel [secondary]
+mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/fit.cpp TEST accel [secondary]
+  OLD [[if (config.shading) map.off =]]
+  NEW [[if (config.shading && made.longest < 0) map.off =]])
+mutant(levels_boxes_forget_where_bounces_begin FILE model/accel/levels/fit.cpp TEST accel [secondary]
   OLD [[off = begin + slope * reach(begin, bounce);]]
   NEW [[off = slope * reach(begin, bounce);]])
 

@@ -72,6 +72,8 @@ private:
         for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
             const InstanceMap& map = out_.maps.instances[i];
             const MemoryImage& lower = lowers_[map.mesh_class];
+            if (out_.maps.classes[map.mesh_class].before != glm::dmat4(1))
+                image_.written_out.push_back(std::uint32_t(number));
             if (!lower.words.empty()) {
                 out_.entries.push_back(
                     {&map, std::uint32_t(number), 0, 0, 0, lower.report.stack_need, lower.report.depth});
