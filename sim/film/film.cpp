@@ -135,6 +135,8 @@ void Film::next() {
         apply(upload_, job_.image);
     }
     job_.mirrored = mirrored_primitives(placed_, job_.image);
+    if (job_.config.shading)   // lights move, too
+        job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image, job_.config);
     job_.frame = job_frame(job_, camera());
     job_.frame.root = levels_->root();
 }

@@ -39,6 +39,9 @@ mutant(film_writes_one_line_less FILE model/accel/levels/moving.cpp TEST motion 
 mutant(film_boxes_are_too_small FILE model/accel/levels/fit.cpp TEST motion [film]
   OLD [=[size[k] * half[k] + disc[k]]=]
   NEW [=[size[k] * half[k] + 0.9 * disc[k]]=])
+mutant(film_lights_stand_still FILE sim/film/film.cpp TEST motion [film]
+  OLD [[if (job_.config.shading)]]
+  NEW [[if (job_.config.shading && f == 0)]])
 mutant(film_forgets_that_images_are_mirrored FILE sim/engine/engine.cpp TEST motion [film]
   OLD [[std::swap(picture.hits.back().u, picture.hits.back().v);]]
   NEW [[void();]])

@@ -307,6 +307,30 @@ TEST_CASE("a scene of one level that moves is made anew for every frame, shadows
     CHECK(made.traces[0].upload.lines.size() == made.traces[0].upload.image_lines);
 }
 
+TEST_CASE("a film of two levels has finished pictures, and its light moves", "[motion][film]") {
+    constexpr FrameSize size{64, 48};
+    Request request;
+    request.scene = load_scene("flight:20");
+    request.settings.depth = 2;
+    request.config =
+        fitted_config(request.scene, request.settings, with(named_config("default"), {{"levels", 2}}));
+    request.finished = true;
+    Film film(request, frames_of(3, 1.5), false, size);
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        const FrameTrace trace = film.record(1, {});
+        CHECK_FALSE(trace.upload.is_whole);
+        const WhittedFrame right =
+            Reference(film.request().scene).whitted(film.camera(), size, request.settings, 1);
+        CHECK(right.rays.shadow > 1000);
+        Picture own{size, {}}, other{size, {}};
+        for (const std::array<std::uint32_t, 3>& c : trace.trace.colours)
+            own.pixels.push_back(glm::vec3(c[0], c[1], c[2]) / 65536.0f);
+        for (const glm::dvec3& pixel : right.pixels) other.pixels.push_back(glm::vec3(pixel));
+        CHECK(compare(own, other).psnr_db >= 40);
+    }
+}
+
 TEST_CASE("the times of frames are those that were asked for", "[motion][film]") {
     FramesOptions o;
     CHECK(frame_times(o, true).times == std::vector<double>{0});
