@@ -173,10 +173,10 @@ TEST_CASE("bad instances of JSON scenes") {
     const std::string own =
         R"({"meshes":{"m":{"file":"own.json"}},"objects":[{"mesh":"m","instances":[{}]}]})";
     CHECK(complaint(folder.write("own.json", own)).find("contain itself") != std::string::npos);
-    // Five thousand balls of 20,480 triangles are not written out, and so nobody finds a camera for them.
+    // Five thousand balls of 20,480 triangles are not written out, and so nobody finds lights for them.
     std::string many = R"({"meshes":{"b":{"builtin":"icosphere:5"}},"objects":[{"mesh":"b","instances":[{})";
     for (int i = 1; i < 5000; ++i) many += ",{}";
     CHECK(complaint(folder.write("many.json", many + "]}]}"))
-              .find("many.json: 102400000 placed triangles are too many to find a camera for them") !=
+              .find("many.json: 102400000 placed triangles are too many to find lights for them") !=
           std::string::npos);
 }

@@ -14,6 +14,7 @@
 #include "model/scene/builtin.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/film/film.hpp"
 #include "sim/files/streams.hpp"
 #include "sim/report/builds.hpp"
 #include "sim/request/view.hpp"
@@ -109,7 +110,10 @@ int read_options(const Options& o) {
     read([&] { parse_percent("--max-other", o.max_other, true); });
     read([&] { check_psnr(o.min_psnr); });
     read([&] { traffic_of(o.traffic); });
-    read([&] { camera_path(o.frames, Camera{}); });
+    read([&] {
+        for (const double time : frame_times(o.frames, true).times)
+            fuzz::demand(time >= 0 && std::isfinite(time), "a frame has a time");
+    });
     read([&] {
         const Camera seen = chosen_camera(Camera{}, o.view, {512, 384});
         fuzz::demand(std::isfinite(glm::length(seen.at - seen.eye)), "an eye has a place");
