@@ -3,7 +3,8 @@
 //
 // A surface that was found in a mesh's space is turned into the scene's: its point is that of the
 // ray, o + t d, and its normal is made of A^T n'. A ray that leaves, or a shadow ray that ends,
-// goes the other way: in the mesh's space it begins or ends exactly at the point that was found there,
+// goes the other way: in the mesh's space it begins or ends exactly at the point that was
+// found there,
 // and its direction decides on which side of the triangle it is. A light is rounded to a lattice
 // point of the mesh. Models: turn_surface() in model/shade/surf.hpp, Home in
 // model/core/payloads.hpp.

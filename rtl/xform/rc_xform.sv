@@ -7,7 +7,8 @@
 // wider than o and d.
 //
 // If the chip shades, o and o' have OriginBits of fraction; a shadow ray's o' is rounded to a
-// lattice point. Of the instance that a ray leaves, or at which a shadow ray ends, o' and d' come with it.
+// lattice point. Of the instance that a ray leaves, or at which a shadow ray ends, o' and d'
+// come with it.
 //
 // Latency rc_pkg::XformLatency, a ray every XformInterval cycles: its 18 products share
 // multipliers, and its reciprocals dividers. Its answers are always taken. Model:
