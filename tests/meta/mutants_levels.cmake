@@ -115,9 +115,6 @@ mutant(rtl_xform_moves_lights_between_points FILE rtl/xform/rc_xform.sv TEST sys
 mutant(rtl_xform_takes_shadow_rays_for_short FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
   OLD [[assign is_short = valid[Moved] ? !moved_shadow : short_q;]]
   NEW [[assign is_short = !valid[Moved] || !moved_shadow || short_q;]])
-mutant(rtl_list_forgets_the_instance FILE rtl/list/rc_list.sv TEST system "model and RTL draw instances alike"
-  OLD [[.clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),]]
-  NEW [[.clk_i, .write_i(came_fires), .write_addr_i(came.ray), .write_data_i(here),]])
 mutant(rtl_tri_drops_a_camera_rays_fraction FILE rtl/isect/rc_tri.sv TEST system "model and RTL draw instances alike"
   OLD [[|| (rc_pkg::Levels == 2 && in.kind]]
   NEW [[|| (rc_pkg::Levels == 3 && in.kind]])
