@@ -17,13 +17,17 @@ using kd::CellPtr;
 
 namespace {
 
-/// Boxes in a cell, a third of them flat on an axis.
+/// Boxes in a cell, a third of them flat on an axis, and many of these in the cell's sides: that is where a
+/// cut leaves what lies in its plane.
 kd::Items items(test::Draw& draw, std::uint32_t count, const LatticeBox& cell) {
     kd::Items items(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         items[i].prim = i;
         for (std::size_t k = 0; k < 3; ++k) {
-            const int a = draw.between(cell.lo[k], cell.hi[k]),
+            const int side = draw.between(0, 2),
+                      a = side == 0   ? cell.lo[k]
+                          : side == 1 ? cell.hi[k]
+                                      : draw.between(cell.lo[k], cell.hi[k]),
                       b = draw.between(0, 2) == 0 ? a : draw.between(cell.lo[k], cell.hi[k]);
             items[i].box.lo[k] = std::min(a, b), items[i].box.hi[k] = std::max(a, b);
         }
@@ -61,7 +65,8 @@ void check_split(test::Draw& draw, std::uint32_t count, int extent, int step) {
         std::set<int> planes;
         for (int x = cell.lo[axis] + 1; x < cell.hi[axis]; x += step) planes.insert(x);
         for (const kd::Item& item : all)
-            for (const int x : {item.box.lo[axis], item.box.hi[axis]})
+            for (const int x :
+                 {item.box.lo[axis], item.box.hi[axis], item.box.lo[axis] - 1, item.box.hi[axis] + 1})
                 if (count < 100 && x > cell.lo[axis] && x < cell.hi[axis]) planes.insert(x);
         for (const int x : planes)
             for (const bool flat_above : {false, true})
@@ -191,7 +196,8 @@ TEST_CASE("a treelet begins where it was decided, and nowhere else but where pla
 
 TEST_CASE("no plane of a cell is cheaper than the one that is found", "[treelets]") {
     test::Draw draw{7};
-    for (int i = 0; i < 60; ++i) check_split(draw, std::uint32_t(draw.between(2, 40)), 30, 1);
+    for (int i = 0; i < 120; ++i)
+        check_split(draw, std::uint32_t(draw.between(1, i % 2 == 0 ? 40 : 4)), 30, 1);
     check_split(draw, 700, 60000, 997);
     check_split(draw, 5000, 60000, 9973);
 }

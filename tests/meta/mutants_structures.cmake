@@ -162,8 +162,11 @@ mutant(kd_sweep_ends_a_step_late FILE model/accel/kd/split.cpp TEST accel "no pl
   OLD [[hi_[ended] <= plane) ++ended;]]
   NEW [[hi_[ended] < plane) ++ended;]])
 mutant(kd_sweep_tries_the_lower_ends_alone FILE model/accel/kd/split.cpp TEST accel "no plane of a cell is cheaper*"
-  OLD [[std::min(lo_[lo], hi_[hi]) : hi_[hi];]]
-  NEW [[lo_[lo] : hi_[hi];]])
+  OLD [[{lo(plane), hi(plane), before(plane), after(plane)}]]
+  NEW [[{lo(plane), before(plane), after(plane)}]])
+mutant(kd_sweep_leaves_out_what_is_beside_the_flat FILE model/accel/kd/split.cpp TEST accel "no plane of a cell is cheaper*"
+  OLD [[{lo(plane), hi(plane), before(plane), after(plane)}]]
+  NEW [[{lo(plane), hi(plane)}]])
 mutant(kd_sorts_by_the_low_digit_alone FILE model/accel/kd/split.cpp TEST accel "no plane of a cell is cheaper*"
   OLD [[shift < 32 && extent >> shift > 0]]
   NEW [[shift < digit && extent >> shift > 0]])

@@ -52,6 +52,22 @@ void sort(Coordinates& all, Coordinates& room) {
     }
 }
 
+/// What comes next of a sorted list while a plane sweeps over it.
+class Next {
+public:
+    Next(const Coordinates& list, std::int32_t beside) : list_(list), beside_(beside) {}
+    /// The first that is not behind the plane any more.
+    std::int32_t operator()(std::int32_t behind) {
+        while (at_ < list_.size() && list_[at_] + beside_ <= behind) ++at_;
+        return at_ < list_.size() ? list_[at_] + beside_ : LatticeBox::far;
+    }
+
+private:
+    const Coordinates& list_;
+    std::int32_t beside_;
+    std::size_t at_ = 0;
+};
+
 /// Planes across one axis of a cell.
 class Sweep {
 public:
@@ -69,14 +85,12 @@ public:
         sort(lo_, room), sort(hi_, room), sort(flat_, room);
     }
 
-    /// Both ends of every item: between them a cost is a straight line.
+    /// Both ends of every item, and what is next to those without thickness.
     void run(Split& best) const {
-        std::size_t begun = 0, ended = 0, lie = 0, lo = 0, hi = 0;
+        Next lo(lo_, 0), hi(hi_, 0), before(flat_, -1), after(flat_, 1);
+        std::size_t begun = 0, ended = 0, lie = 0;
         for (std::int32_t plane = from_;;) {
-            while (lo < lo_.size() && lo_[lo] <= plane) ++lo;
-            while (hi < hi_.size() && hi_[hi] <= plane) ++hi;
-            if (hi == hi_.size()) return;
-            plane = lo < lo_.size() ? std::min(lo_[lo], hi_[hi]) : hi_[hi];
+            plane = std::min({lo(plane), hi(plane), before(plane), after(plane)});
             if (plane >= to_) return;
             while (begun < lo_.size() && lo_[begun] < plane) ++begun;
             while (ended < hi_.size() && hi_[ended] <= plane) ++ended;
