@@ -129,6 +129,8 @@ const std::vector<Parameter>& parameters() {
         {"splits", &Config::splits, 0, int(splits_names().size()) - 1, false,
          "on: boxes of bvh that would overlap may be cut, and a primitive be in several leaves",
          &splits_names()},
+        {"references", &Config::references, 1, 64, false,
+         "most references a primitive, in the mean, of kd, octree and bsp; fewer make a smaller image"},
         {"levels", &Config::levels, 1, 2, false,
          "2: instances are walked as such, by a tree over them and one for each mesh; 1: written out"},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},

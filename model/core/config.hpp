@@ -81,6 +81,7 @@ struct Config {
     int structure = 0;    ///< what holds the scene in memory, see structure_names()
     int straddlers = 0;   ///< of an octree and of bsp, see straddlers_names()
     int splits = 0;       ///< of bvh, see splits_names()
+    int references = 8;   ///< of kd, octree and bsp: the most that a primitive has in the mean, 1..64
     int levels = 1;       ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
 
     // Shape: counts, depths, latencies.
@@ -148,6 +149,7 @@ struct Config {
     bool is_bvh() const { return Structure(structure) == Structure::bvh; }
     bool is_list() const { return Structure(structure) == Structure::none; }
     bool has_treelets() const { return engine() == Structure::kd; }
+    bool has_planes() const { return has_treelets() || has_slants(); }
     bool has_globes() const { return Structure(structure) == Structure::spheres; }
     bool has_slants() const { return Structure(structure) == Structure::bsp; }
     bool has_instances() const { return levels == 2; }

@@ -4,6 +4,7 @@
 #include "model/base/quote.hpp"
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
+#include "sim/chip/clock.hpp"
 #include "sim/image/image.hpp"
 #include "sim/pages/yardstick.hpp"
 #include "sim/report/text.hpp"
@@ -28,7 +29,9 @@ int run(const Options& o) {
     check_writable(o.output);
     const Progress progress = stopping(terminal_progress());
     catch_interrupts();
-    write_file(o.output, yardstick_page(o.threads, progress));
+    const std::optional<chip::RoutedClock> routed = chip::routed_clock(named_config("ulx3s"));
+    const RoutedBoard board = routed ? RoutedBoard{routed->khz(), routed->device} : RoutedBoard{};
+    write_file(o.output, yardstick_page(board, o.threads, progress));
     fmt::print("{} written\n", printable(o.output));
     return 0;
 }

@@ -98,7 +98,7 @@ std::string camel(std::string_view name) {
 
 /// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
 bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits", "straddlers",    "splits",      "leaf_size",
+    constexpr std::array others{"origin_bits", "straddlers",    "splits",      "references",  "leaf_size",
                                 "dram",        "dram_channels", "mem_latency", "mem_interval"};
     return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
 }

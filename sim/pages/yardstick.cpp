@@ -46,8 +46,18 @@ FrameRun run_of(const Job& job, int khz, int threads, const Progress& progress) 
     return run;
 }
 
-std::string machine_table(const char* config_name, int khz, int threads, const Progress& progress) {
-    const Config config = load_config({config_name, {}});
+struct Machine {
+    const char* config;
+    std::vector<std::string> set;
+    int khz;
+    bool rpu = false;   ///< set beside the RPU, and not beside SaarCOR
+};
+/// Both chips walked kd-trees. With this bound the largest scene's tree still fits their memory of 64 MB.
+const std::vector<std::string> as_published{"structure=kd", "references=5"};
+
+std::string machine_table(const Machine& machine, int threads, const Progress& progress) {
+    const Config config = load_config({machine.config, machine.set});
+    const int khz = machine.khz;
     Table table({"scene", "triangles", "picture", "fps", "cycles/ray", "node hits", "triangle hits",
                  "bytes/ray", "memory MB/s (of peak)", "bound, reached", "published fps, 512x384"},
                 Table::words_only);
@@ -59,7 +69,7 @@ std::string machine_table(const char* config_name, int khz, int threads, const P
             const Bound bound = bound_of(config, khz, run);
             const double fps = per_second(run, khz), rays = double(run.pixels),
                          rate = fps * double(bytes_read(run));
-            const char* published = std::string_view(config_name) == "rpu" ? row.rpu : row.saarcor;
+            const char* published = machine.rpu ? row.rpu : row.saarcor;
             table.add({fmt::format("{} for {}", row.scene, row.stands_for), grouped(scene.triangles.size()),
                        size.name, fmt::format("{:.1f}", fps),
                        fmt::format("{:.1f}", double(run.cycles) / rays), hits_text(run, Unit::node_cache),
@@ -80,6 +90,7 @@ struct FinishedRow {
     int mhz;
     int pipelines;
     const char* published;
+    bool walks_kd() const { return std::string_view(config) == "rpu"; }
 };
 constexpr FinishedRow finished_rows[] = {
     {"balls:4", "SPD Balls, native spheres", "rpu", 66, 1, "RPU 1.2, shadows and refraction"},
@@ -102,7 +113,8 @@ std::string finished_table(int threads, const Progress& progress) {
                 Table::words_only);
     for (const FinishedRow& row : finished_rows) {
         const FrameSize size{512, 384};
-        const ConfigChoice choice{row.config, {fmt::format("pipelines={}", row.pipelines), "stack_depth=64"}};
+        ConfigChoice choice{row.config, {fmt::format("pipelines={}", row.pipelines), "stack_depth=64"}};
+        if (row.walks_kd()) choice.set.insert(choice.set.end(), as_published.begin(), as_published.end());
         Finish finish;
         finish.depth = 4;
         const Request request = request_of(row.scene, choice, finish, 1, size, progress);
@@ -135,10 +147,12 @@ Made by `rayclock yardstick -o docs/yardstick.md`; every figure of ours is simul
 the same number of triangles, from its own camera. The published figures include what the papers say
 beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
 chip**, except for the last table. So this page says in which range such a machine lies, not which is
-faster. The machines differ as well: both chips walked kd-trees in 24-bit floating point with packets of
-four rays; ours walks a bounding volume hierarchy of two children a node in fixed point, ray by ray.
-What is alike is the class: clock, rays in flight, one node and one triangle a cycle, size of the caches
-and speed of the memory ([configurations](configurations.md)).
+faster. The machines differ as well: both chips computed in 24-bit floating point with packets of four
+rays; ours does in fixed point, ray by ray. What is alike is the class: a kd-tree of one plane a node
+(`structure=kd` with `node_width=2`; `references=5`, so that its image of gears:8 fits 64 MB), clock, rays
+in flight, one node and one triangle a cycle, size of the caches and speed of the memory
+([configurations](configurations.md)). A second table has the same machine with a tree of boxes, two
+children a node, since the program's `saarcor` and `rpu` walk these if nothing else is set.
 )";
 
 constexpr const char* sources = R"(
@@ -158,21 +172,35 @@ constexpr const char* sources = R"(
 
 }   // namespace
 
-std::string yardstick_page(int threads, const Progress& progress) {
+std::string yardstick_page(const RoutedBoard& board, int threads, const Progress& progress) {
     std::string page = intro;
-    page += "\n## `saarcor` at 90 MHz\n\n" + machine_table("saarcor", 90000, threads, progress);
-    page += "\n## `rpu` at 66 MHz\n\n" + machine_table("rpu", 66000, threads, progress);
+    if (board.khz > 0)
+        page +=
+            fmt::format(
+                "\n## `ulx3s` at {:.1f} MHz, a clock that was shown\n\nThe only clock of this page that was "
+                "routed ({}, [silicon.md](silicon.md)); the others are the "
+                "published chips', or assumed. Four children a node, a test every second cycle, its "
+                "SDRAM; the published column is SaarCOR's.\n\n",
+                board.khz / 1e3, board.device) +
+            machine_table({"ulx3s", {}, board.khz}, threads, progress);
+    for (const bool rpu : {false, true}) {
+        const char* name = rpu ? "rpu" : "saarcor";
+        const int khz = rpu ? 66000 : 90000;
+        page += fmt::format("\n## `{}` at {} MHz\n\n", name, khz / 1000) +
+                machine_table({name, as_published, khz, rpu}, threads, progress) + "\nWith boxes:\n\n" +
+                machine_table({name, {}, khz, rpu}, threads, progress);
+    }
     page +=
         "\n## For comparison: `default` at 66 MHz\n\nEight children a node, 16 KB of each cache, DDR3; the "
         "published column is SaarCOR's "
         "at 90 MHz.\n\n";
-    page += machine_table("default", 66000, threads, progress);
+    page += machine_table({"default", {}, 66000}, threads, progress);
     page +=
         "\n## Finished pictures\n\nThe chip makes the colours: shadow rays to every light, reflection and "
         "refraction as the scene's "
         "materials have them, four bounces (Haines' depth 5), one sample a pixel, 512x384. Spheres are "
         "spheres, other round things "
-        "triangles.\n\n";
+        "triangles. `rpu` walks a kd-tree here as well.\n\n";
     page += finished_table(threads, progress);
     return page + sources;
 }

@@ -5,7 +5,12 @@
 
 namespace rayclock {
 
+/// The clock that `ulx3s` was routed at.
+struct RoutedBoard {
+    int khz = 0;   ///< 0: it was not
+    std::string device;
+};
 /// docs/yardstick.md: our figures beside published ones, as Markdown. Throws UserError if it is interrupted.
-std::string yardstick_page(int threads, const Progress& progress);
+std::string yardstick_page(const RoutedBoard& board, int threads, const Progress& progress);
 
 }   // namespace rayclock

@@ -21,6 +21,7 @@ const std::vector<Part>& parts() {
          [](const Config& c) { return !c.is_list(); },
          {"node_sets", "node_ways", "node_line", "node_mshrs", "box_queue", "stack_depth"}},
         {"structure", [](const Config& c) { return c.is_octree() || c.has_slants(); }, {"straddlers"}},
+        {"structure", [](const Config& c) { return c.has_planes(); }, {"references"}},
         {"structure", [](const Config& c) { return c.is_bvh(); }, {"box_bits", "box_lanes", "splits"}},
         {"structure",
          [](const Config& c) { return c.is_bvh() || c.has_globes() || c.is_octree(); },

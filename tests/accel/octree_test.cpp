@@ -88,7 +88,7 @@ TEST_CASE("an octree halves its cells in the middle, on three axes, while they h
     const Census census = census_of(prims, octree_of(leaf_size, Straddlers::leaves));
     CHECK(census.seen.size() == prims.size());
     CHECK(census.references > prims.size());
-    CHECK(census.references <= std::size_t(kd::most_references * double(prims.size())));
+    CHECK(census.references <= std::size_t(Config{}.references) * prims.size());
     CHECK(census.crowded < census.leaves / 100);   // the bound of references
     CHECK(census.beside == 0);
 }

@@ -61,6 +61,7 @@ TEST_CASE("of every parameter it is known where it cannot matter, or that it alw
         const char* because;
     };
     const std::vector<Row> rows{{"straddlers", {}, "structure=bvh"},
+                                {"references", {{"structure", "spheres"}}, "structure=spheres"},
                                 {"box_bits", {{"structure", "kd"}}, "structure=kd"},
                                 {"leaf_size", {{"structure", "kd"}}, "structure=kd"},
                                 {"stack_depth", {{"structure", "none"}}, "structure=none"},

@@ -89,7 +89,7 @@ CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
     const int depth = std::min(34, 8 + int(1.3 * std::log2(std::max(1.0, n))));
     CellPtr root = Builder(prims, pieces, config)
                        .cell(std::move(items), {pieces.space()}, pieces.has_endless() ? 1 : 0, depth,
-                             most_references * n);
+                             double(config.references) * n);
     Treelets(config).settle(*root, pieces.has_endless());
     return pieces.with_endless(std::move(root));
 }

@@ -13,7 +13,9 @@ namespace rayclock::kd {
 /// So the tree is deeper than it is good, and what of it is built is decided from the leaves up
 /// (treelets.hpp).
 ///
-/// References are bounded by most_references. No cell is cut below a depth of 8 + 1.3 log2 n, at most 34.
+/// References are bounded by Config::references: every primitive brings so many, which are given down to all
+/// parts of a cell in proportion to what lies there. A cell that has not enough for a cut remains a leaf. No
+/// cell is cut below a depth of 8 + 1.3 log2 n, at most 34.
 ///
 /// The cell of a treelet is the box that its line has, so that no plane is spent on the space around it.
 ///

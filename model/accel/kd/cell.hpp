@@ -81,8 +81,4 @@ private:
     LatticeBox space_;
 };
 
-/// References are bounded: every primitive brings so many, which are given down to all parts of a cell in
-/// proportion to what lies there. A cell that has not enough for a cut remains a leaf.
-constexpr double most_references = 8;
-
 }   // namespace rayclock::kd

@@ -131,7 +131,7 @@ private:
 CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
     const kd::Pieces pieces(prims, config);
     Items items = pieces.all();
-    const double most = kd::most_references * double(items.size());
+    const double most = double(config.references) * double(items.size());
     const LatticeBox box = kd::bounds_of(items);
     return pieces.with_endless(Builder(pieces, config).node({std::move(items), box}, most_depth, most));
 }

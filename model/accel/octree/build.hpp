@@ -9,7 +9,7 @@ namespace rayclock::octree {
 /// meet at a lattice plane; an axis on which a cell is thinner than two steps is left as it is.
 ///
 /// What straddles a plane is referenced from every leaf in which some of it lies, by exact clipping, and
-/// references are bounded (kd/cell.hpp), or it stays in the inner node (`straddlers`): then a node with
+/// references are bounded (kd/build.hpp), or it stays in the inner node (`straddlers`): then a node with
 /// primitives of its own is walked in two parts that no plane divides, they and its octants.
 kd::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
 constexpr int most_depth = 12;

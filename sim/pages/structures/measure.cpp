@@ -21,6 +21,7 @@ double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 Kind kind_of(const char* name, Config config, Structure structure, Straddlers straddlers) {
     config.structure = int(structure);
     config.straddlers = int(straddlers);
+    while (config.box_queue <= config.node_latency()) config.box_queue *= 2;   // for a node in every cycle
     return {name, config};
 }
 

@@ -139,7 +139,7 @@ Made by `{}`. Configuration `{}`, {:g} MHz, one frame with cold caches:
 pictures. All structures give the same picture, bit for bit ([boxes.md](boxes.md), [globes.md](globes.md),
 [planes.md](planes.md), [bsp.md](bsp.md)). An octree uses the engine of kd, to the gate
 ([configurations.md](configurations.md#structures)); "bvh, splits" is the bvh with primitives cut where that
-pays (`splits=on`).
+pays (`splits=on`). Each has a `box_queue` above the latency of its unit: a slant's is 32.
 
 - **build**: processor time of scene compilation, all threads together. It is the only figure that depends on
   the host.
@@ -176,8 +176,8 @@ across the root's planes is tested by every ray.
 }   // namespace
 
 const std::vector<std::string>& large_scenes() {
-    static const std::vector<std::string> scenes{"gears:8", "balls:3",   "mount:8", "rings:3",
-                                                 "tetra:8", "teapot:12", "tree:8"};
+    static const std::vector<std::string> scenes{"gears:8", "balls:3", "balls:4",   "mount:8",
+                                                 "rings:3", "tetra:8", "teapot:12", "tree:8"};
     return scenes;
 }
 const std::vector<std::string>& small_scenes() {
@@ -198,7 +198,9 @@ std::string page(const Figures& figures, const Study& study, const std::string& 
         text += fmt::format("\n![Speed against area and memory]({}.svg)\n", picture);
     }
     text += around_words + best_table(figures.large, study.base);
-    const bool is_usual = study.base.name == "default" && study.scenes == large_scenes();
+    const auto& usual = large_scenes();   // others may come after these
+    const bool is_usual = study.base.name == "default" && study.scenes.size() >= usual.size() &&
+                          std::equal(usual.begin(), usual.end(), study.scenes.begin());
     if (is_usual) text += fmt::format("\n{}\n", reason(""));
     for (const SceneCells& scene : figures.large) {
         text += fmt::format("\n## {}\n\n{} primitives{}.\n\n", printable(scene.name),
