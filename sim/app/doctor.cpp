@@ -10,9 +10,11 @@
 #include "sim/app/commands.hpp"
 #include "sim/app/options.hpp"
 #include "sim/chip/nextpnr.hpp"
+#include "sim/film/strip.hpp"
 #include "sim/report/json.hpp"
 #include "sim/report/text.hpp"
 #include "sim/rtl/builder.hpp"
+#include "sim/rtl/process.hpp"
 #include "sim/rtl/tools.hpp"
 #include "sim/synth/yosys.hpp"
 
@@ -119,11 +121,14 @@ int run(const Options& o) {
         missing[part.key] = part.problem;
         cures.push_back(part.cure);
     }
-    // Nobody needs it but one command, so it is never missing.
+    // Nobody needs these but a command each, so they are never missing.
     const chip::Nextpnr& router = chip::nextpnr();
     const bool routes = router.problem.empty();
     table.add(
         {"nextpnr-ecp5", routes ? fmt::format("{}, {}", router.version, router.program.string()) : "none"});
+    const fs::path film = find_program(film_program);
+    table.add({film_program, film.empty() ? "none: films are left as frames" : film.string()});
+    json["film"] = film.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(film.string());
     json["nextpnr"] = routes ? nlohmann::ordered_json(router.version) : nlohmann::ordered_json(nullptr);
     for (const char* name : {"RAYCLOCK_RTL", "RAYCLOCK_CACHE", "RAYCLOCK_CXXFLAGS", "RAYCLOCK_NEXTPNR"}) {
         const char* value = std::getenv(name);

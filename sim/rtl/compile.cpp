@@ -85,7 +85,7 @@ void run(const fs::path& folder, const std::vector<Job>& jobs, const std::string
          const std::function<void()>& meanwhile) {
     std::vector<std::unique_ptr<Process>> running;
     for (const Job& job : jobs)
-        running.push_back(std::make_unique<Process>(Command{job.words, folder, folder / job.log, folder}));
+        running.push_back(std::make_unique<Process>(Launch{job.words, folder, folder / job.log, folder}));
     for (std::size_t left = jobs.size(); left > 0;) {
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             if (!running[i] || !running[i]->ended()) continue;

@@ -35,13 +35,13 @@ struct Plan {
     pid_t parent = getpid();
     sigset_t signals;   ///< blocked before
 
-    explicit Plan(const Command& command)
-        : program(find_program(command.words.at(0)).string()),
-          folder(command.folder.string()),
-          output(command.output.empty() ? "/dev/null" : command.output.string()),
-          litter(command.litter.string()),
-          words(command.words) {
-        if (program.empty()) throw UserError(command.words[0] + " is not installed, or not in PATH");
+    explicit Plan(const Launch& launch)
+        : program(find_program(launch.words.at(0)).string()),
+          folder(launch.folder.string()),
+          output(launch.output.empty() ? "/dev/null" : launch.output.string()),
+          litter(launch.litter.string()),
+          words(launch.words) {
+        if (program.empty()) throw UserError(launch.words[0] + " is not installed, or not in PATH");
         for (char** v = environ; *v; ++v)
             if (folder.empty() || std::strncmp(*v, "TMPDIR=", 7) != 0) variables.emplace_back(*v);
         if (!folder.empty()) variables.push_back("TMPDIR=" + fs::absolute(folder).string());
@@ -117,8 +117,8 @@ void end_group(pid_t program) {
 
 }   // namespace
 
-Process::Process(const Command& command) {
-    Plan plan(command);
+Process::Process(const Launch& launch) {
+    Plan plan(launch);
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &plan.signals);   // no handler of this program runs in the guard
@@ -127,7 +127,7 @@ Process::Process(const Command& command) {
     pthread_sigmask(SIG_SETMASK, &plan.signals, nullptr);
     if (guard_ < 0)
         throw std::runtime_error(
-            fmt::format("{}: cannot be started ({})", command.words[0], std::strerror(errno)));
+            fmt::format("{}: cannot be started ({})", launch.words[0], std::strerror(errno)));
 }
 
 Process::~Process() {

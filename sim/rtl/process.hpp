@@ -9,7 +9,7 @@
 namespace rayclock {
 
 /// What to run, and where.
-struct Command {
+struct Launch {
     std::vector<std::string> words;   ///< the program, as a path or a name in PATH, and its arguments: no
                                       ///< shell sees them
     std::filesystem::path folder;     ///< to run in, and where it keeps its temporary files; empty: this
@@ -25,7 +25,7 @@ struct Command {
 class Process {
 public:
     /// Throws UserError if there is no such program, std::runtime_error if it cannot be started.
-    explicit Process(const Command& command);
+    explicit Process(const Launch& launch);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;

@@ -1,0 +1,104 @@
+// Films: numbered frames, one picture that plays them, and options of time that make no sense.
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.hpp"
+
+using namespace rayclock::test;
+using nlohmann::json;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words film_of(Words more, int frames = 3) {
+    Words all{"simulate",       "crowd:2", "--set",    "levels=2",
+              "--size",         "32x24",   "--frames", std::to_string(frames),
+              "--no-reference", "--clock", "66"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+/// How many pictures an animated PNG says that it has (its chunk acTL); 0 if it is none.
+std::uint32_t pictures_of(const std::string& png) {
+    const std::size_t at = png.find("acTL");
+    if (at == std::string::npos || at + 8 > png.size()) return 0;
+    std::uint32_t count = 0;
+    for (std::size_t i = 4; i < 8; ++i) count = count << 8 | std::uint8_t(png[at + i]);
+    return count;
+}
+
+json frames_of(const Words& words) {
+    const Outcome outcome = run_program(words);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return json::parse(outcome.out)["film"]["clocks"][0]["frames"];
+}
+
+}   // namespace
+
+TEST_CASE("a film is numbered frames that differ, and one picture that plays them all") {
+    const Folder folder;
+    const std::string out = folder.name("film");
+    const Outcome outcome = run_program(film_of({"--fps", "4", "-o", out}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const std::string first = bytes_of(out + "/frame_0000.png"), second = bytes_of(out + "/frame_0001.png");
+    CHECK(first.starts_with("\x89PNG"));
+    CHECK(first != second);
+    CHECK(second != bytes_of(out + "/frame_0002.png"));
+    CHECK(pictures_of(bytes_of(out + "/film.png")) == 3);
+    // A shorter one in the same folder leaves nothing of the longer one behind.
+    REQUIRE(run_program(film_of({"--fps", "4", "-o", out}, 2)).code == 0);
+    CHECK(pictures_of(bytes_of(out + "/film.png")) == 2);
+    CHECK(folder.contents().count("film/frame_0002.png") == 0);
+    CHECK(bytes_of(out + "/frame_0001.png") == second);
+}
+
+TEST_CASE("without the program that makes films there are frames, and a sentence") {
+    const Folder folder;
+    const std::string out = folder.name("film");
+    const Outcome outcome = run_program(film_of({"-o", out}), {"PATH=" + folder.name("nothing")});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK_THAT(outcome.out, Catch::Contains("no film: the program apngasm is not installed"));
+    const auto left = folder.contents();
+    CHECK(left.count("film/frame_0002.png") == 1);
+    CHECK(left.count("film/film.png") == 0);
+    CHECK_THAT(run_program({"doctor"}, {"PATH=" + folder.name("nothing")}).out,
+               Catch::Contains("films are left as frames"));
+}
+
+TEST_CASE("times of frames are what --fps and --time say, and a second buffer draws the same") {
+    const json between = frames_of(film_of({"--fps", "4", "--json", "-"}));
+    REQUIRE(between.size() == 3);
+    CHECK(between[2]["time"] == 0.5);
+    CHECK(between[1]["upload_cycles"].get<int>() > 0);
+    const json twice = frames_of(film_of({"--fps", "4", "--uploads", "double", "--json", "-"}));
+    for (std::size_t f = 0; f < 3; ++f) {
+        INFO("frame " << f);
+        CHECK(twice[f]["node_steps"] == between[f]["node_steps"]);
+        CHECK(twice[f]["triangle_tests"] == between[f]["triangle_tests"]);
+        if (f > 0) CHECK(twice[f]["upload_cycles"] == 0);
+    }
+    const json later = frames_of(film_of({"--time", "0.25:0.75", "--json", "-"}));
+    CHECK(later[0]["time"] == 0.25);
+    CHECK(later[1]["time"].get<double>() > 0.25);
+    CHECK(later[2]["time"].get<double>() <= 0.75);
+}
+
+TEST_CASE("options of a film that make no sense") {
+    const std::vector<std::pair<Words, Words>> bad{{{"--fps", "0"}, {"--fps", "0.001..10000", "0"}},
+                                                   {{"--fps", "nan"}, {"--fps", "nan"}},
+                                                   {{"--fps", "x"}, {"--fps", "x"}},
+                                                   {{"--time", "2:1"}, {"--time", "2:1"}},
+                                                   {{"--time", "1:1"}, {"--time", "1:1", "length 0"}},
+                                                   {{"--time", "1e99"}, {"--time", "1e99"}},
+                                                   {{"--uploads", "never"}, {"--uploads", "never"}}};
+    for (const auto& [options, words] : bad) check_refused(run_program(film_of(options)), words);
+    const Outcome still = run_program(
+        {"simulate", "teapot:3", "--size", "8x6", "--frames", "2", "--fps", "5", "--no-reference"});
+    CHECK(still.code == 0);
+    CHECK_THAT(still.err, Catch::Contains("nothing moves in this scene"));
+}
