@@ -55,11 +55,11 @@ PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, c
     sides.near = w_hi > 0;
     if (!sides.near) return sides;
     const int shift = c.t_frac_bits + c.ray_dir_bits() - int(ray.len[axis]) - c.recip_bits;
-    const double r = double(ray.recip[axis]);   // products are whole numbers below 2^53
-    const double from = std::floor(std::ldexp(r * w_lo, shift)),
-                 to = std::ceil(std::ldexp((r + 1) * w_hi, shift));
-    sides.far_from = std::uint32_t(std::min(from, double(beyond)));
-    sides.near_to = std::uint32_t(std::min(to, double(beyond)));
+    const double way = double(ray.recip[axis]) * w_lo;   // a whole number below 2^53
+    sides.far_from = std::uint32_t(std::min(std::floor(std::ldexp(way, shift)), double(beyond)));
+    const std::uint64_t step = std::uint64_t(between) << (shift + c.recip_bits),
+                        to = sides.far_from + (sides.far_from >> (c.recip_bits - 1)) + 2 + step;
+    sides.near_to = std::uint32_t(std::min<std::uint64_t>(to, beyond));
     return sides;
 }
 

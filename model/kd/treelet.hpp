@@ -49,11 +49,11 @@ std::uint32_t exits_met(const BoxRay& ray, const WideExits& treelet, const AllSi
 /// d with s > 0 is never left out, and its t_near is never beyond that point (docs/planes.md).
 ///
 /// With r and x as in the box test (box.hpp), the way w from the origin to a plane, along the ray and in
-/// lattice steps, is rounded down to w_lo and up to w_hi. The near side is left at ceil(2^x (r + 1) w_hi) at
-/// the latest, the far side entered at floor(2^x r w_lo) at the earliest. If w_hi <= 0, the ray is on the far
-/// side only, and from the start. Of a ray that does not move on the axis, only the side matters. An exit is
-/// met if the latest entry on its way is not beyond the earliest end. Mirror of rtl/kd/rc_treelet.sv, latency
-/// Config::treelet_latency() + 1, one treelet per cycle.
+/// lattice steps, is rounded down to w_lo and up to w_hi. The far side is entered at f = floor(2^x r w_lo) at
+/// the earliest, the near side left at f + floor(f / 2^(R-1)) + 2 + 2^(x+R) (w_hi - w_lo) at the latest. If
+/// w_hi <= 0, the ray is on the far side only, and from the start. Of a ray that does not move on the axis,
+/// only the side matters. An exit is met if the latest entry on its way is not beyond the earliest end.
+/// Mirror of rtl/kd/rc_treelet.sv, latency Config::treelet_latency() + 1, one treelet per cycle.
 ///
 /// Gives the children of `exits` that are met, bit by bit, and t_near by child.
 std::uint32_t treelet_exits(const BoxRay& ray, const WideTreelet& treelet, const Config& config,

@@ -25,33 +25,41 @@ module rc_bounds #(
   output logic            met_o
 );
   logic [3*T-1:0] box_from, box_to;
-  logic [2:0]     box_there;
+  logic [2:0]     box_there, unused_side;
   for (genvar k = 0; k < 3; k++) begin : gen_side
-    logic         turned_lo, turned_hi, near_lo, near_hi, far_lo, far_hi;
-    logic [T-1:0] to_lo, to_hi, from_lo, from_hi;
+    logic signed [N-1:0] lo, hi, first, last;
+    logic [T-1:0] unused_to, unused_from;
+    logic         turned, near_last, far_first;
+    logic         unused_turned, unused_turned_last, unused_near, unused_far;
     logic [1:0]   axis;
-    assign axis = s0_open_i ? 2'd3 : 2'(k);
-    rc_plane u_lo (
+    assign axis   = s0_open_i ? 2'd3 : 2'(k);
+    assign turned = s0_neg_i[k] && s0_len_i[E*k +: E] != '0;
+    assign lo     = $signed(s0_lo_i[N*k +: N]);
+    assign hi     = $signed(s0_hi_i[N*k +: N]);
+    assign first  = turned ? hi : lo;
+    assign last   = turned ? lo : hi;
+    // The plane that the ray meets first, and the other one.
+    rc_plane #(.HasTo(1'b0)) u_first (
       .clk_i, .valid_i(valid_i[P-1:0]),
       .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
-      .s0_axis_i(axis), .s0_at_i($signed(s0_lo_i[N*k +: N])),
-      .turned_o(turned_lo), .near_o(near_lo), .far_o(far_lo),
-      .near_to_o(to_lo), .far_from_o(from_lo));
-    rc_plane u_hi (
+      .s0_axis_i(axis), .s0_at_i(first),
+      .turned_o(unused_turned), .near_o(unused_near), .far_o(far_first),
+      .near_to_o(unused_to), .far_from_o(box_from[k*T +: T]));
+    rc_plane u_last (
       .clk_i, .valid_i(valid_i[P-1:0]),
       .s0_o_i, .s0_neg_i, .s0_recip_i, .s0_len_i,
-      .s0_axis_i(axis), .s0_at_i($signed(s0_hi_i[N*k +: N])),
-      .turned_o(turned_hi), .near_o(near_hi), .far_o(far_hi),
-      .near_to_o(to_hi), .far_from_o(from_hi));
-    assign box_from[k*T +: T] = turned_hi ? from_hi : from_lo;
-    assign box_to[k*T +: T]   = turned_lo ? to_lo : to_hi;
-    assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;
+      .s0_axis_i(axis), .s0_at_i(last),
+      .turned_o(unused_turned_last), .near_o(near_last), .far_o(unused_far),
+      .near_to_o(box_to[k*T +: T]), .far_from_o(unused_from));
+    assign box_there[k]   = far_first && near_last;
+    assign unused_side[k] = ^{unused_turned, unused_turned_last, unused_near, unused_far, unused_to,
+                              unused_from};
   end
   rc_span u_box (
     .clk_i, .valid_i(valid_i[L-1]), .from_i(box_from), .to_i(box_to), .there_i(box_there),
     .from_o(enter_o), .to_o(leave_o), .there_o(met_o));
 
   logic unused;
-  assign unused = ^valid_i;
+  assign unused = ^{valid_i, unused_side};
 endmodule
 `default_nettype wire

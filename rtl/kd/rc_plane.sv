@@ -3,12 +3,14 @@
 // down. Part of rc_treelet, which has the valid bits: operands come with valid_i[0], the answer
 // rc_pkg::PlaneStages later.
 //
-// The way to the plane is counted in lattice steps. If the origin lies between lattice points it is
-// w_hi, rounded up, or w_lo = w_hi - 1. near_to is 2^shift (r + 1) w_hi, far_from 2^shift r w_lo,
-// which is 2^shift (r w_hi - r): one product serves both.
+// The way to the plane is counted in lattice steps, rounded down: way. far_from is
+// floor(2^shift r way). One move serves both times: near_to is far_from, a 2^(R-1)th of it, what
+// rounding may lose, and, if the origin lies between lattice points, at least as much as a step
+// of the way takes, which is 2^(shift + R).
 // Model: plane_sides() in model/kd/treelet.hpp, which has the formulas.
 `default_nettype none
 module rc_plane #(
+  parameter  bit          HasTo = 1'b1,   // near_to_o is wanted, and not the latest time
   localparam int unsigned N  = rc_pkg::CoordBits,
   localparam int unsigned OW = rc_pkg::OriginWidth,
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
@@ -30,19 +32,20 @@ module rc_plane #(
   output logic [T-1:0]        near_to_o,
   output logic [T-1:0]        far_from_o
 );
-  localparam int unsigned D   = N + 2;        // the way to the plane, signed
-  localparam int unsigned P   = D + R1 + 1;   // its product with r, signed
-  localparam int unsigned V   = P + 1;        // and rounded up, signed
-  localparam int unsigned S   = 8;            // shift, signed: -24..62
-  localparam int unsigned A   = 6;            // shift to the right of 2^T times as much
+  localparam int unsigned D   = N + 1;        // the way to the plane, signed
+  localparam int unsigned V   = N + R1 - 1;   // its product with r <= 2^R, if it is not negative
   localparam int unsigned M   = rc_pkg::MulStages;
   localparam int unsigned Cut = rc_pkg::Cut;
-  // Stages: the way is there, then its product, then both ends, moved to their places.
+  // Stages: the way is there, then its product, moved to its place, then both ends.
   localparam int unsigned Way = 1 + Cut;
   localparam int unsigned End = Way + M + 1 + Cut;
-  // shift = F + M - len - R, M as wide as a ray's direction; the constant part:
-  localparam logic signed [S-1:0] ShiftBase = S'(rc_pkg::TFracBits) + S'(rc_pkg::RayDirBits)
-      - S'(rc_pkg::RecipBits);
+  // shift = F + M - R - len, M as wide as a ray's direction: 2^(F+M-R) times the product, if need be
+  // rounded down, is moved to the right by len.
+  localparam int unsigned Time  = rc_pkg::TFracBits + rc_pkg::RayDirBits;
+  localparam int unsigned Up    = Time > R1 - 1 ? Time - (R1 - 1) : 0;
+  localparam int unsigned Down  = Time > R1 - 1 ? 0 : R1 - 1 - Time;
+  localparam int unsigned B     = V + Up;
+  localparam int unsigned Parts = 1 << (E - 3);
 
   // s0: the plane's axis of the ray.
   logic [OW-1:0] s0_o;
@@ -82,18 +85,13 @@ module rc_plane #(
              s0_len}),
     .data_o({way_neg, way_zero, way_whole, way_between, way_point, way_at, way_r, way_len}));
 
-  // The way to the plane, rounded up, and what moves it to t's unit.
+  // The way to the plane.
   logic signed [D-1:0] way, way_q;
   logic                neg_q, zero_q, whole_q, between_q;
   logic [R1-1:0]       r_q;
-  logic signed [S-1:0] way_shift, way_right;
-  logic [A-1:0]        move_q;
+  logic [E-1:0]        len_q;
   assign way = way_neg ? D'(way_point) - D'(way_at)
-                         + $signed({{(D-1){1'b0}}, way_between})
-                       : D'(way_at) - D'(way_point);
-  // 2^T times as much is moved to the right; a move to the left by T, and all beyond it, saturates.
-  assign way_shift = ShiftBase - $signed({{(S-E){1'b0}}, way_len});
-  assign way_right = way_shift > $signed(S'(T)) ? '0 : $signed(S'(T)) - way_shift;
+                       : D'(way_at) - D'(way_point) - $signed({{(D-1){1'b0}}, way_between});
   always_ff @(posedge clk_i) begin
     if (valid_i[Way-1]) begin
       way_q     <= way;
@@ -102,92 +100,99 @@ module rc_plane #(
       whole_q   <= way_whole;
       between_q <= way_between;
       r_q       <= way_r;
-      move_q    <= way_right[A-1:0];
+      len_q     <= way_len;
     end
   end
 
   // Which sides there are. Of a ray that does not move on this axis the origin's side, or both.
-  logic ahead, at_or_ahead, sure_behind, s_near, s_far, s_timed;
-  assign ahead       = way_q > $signed(D'(0));
-  assign sure_behind = way_q < $signed({{(D-1){1'b0}}, between_q});   // w_lo < 0
-  assign at_or_ahead = !sure_behind;
+  logic ahead, at_or_ahead, s_near, s_far, s_timed;
+  assign at_or_ahead = !way_q[D-1];
+  assign ahead       = at_or_ahead && (between_q || way_q != '0);   // the way rounded up is
   assign s_near      = whole_q || (zero_q ? at_or_ahead : ahead);
   assign s_far       = whole_q || !zero_q || !ahead;
   assign s_timed     = !whole_q && !zero_q && ahead;
 
-  // r w_hi; then both ends.
   logic signed [D+R1:0] product;
   rc_mul #(.AW(D), .BW(R1 + 1)) u_product (
     .clk_i, .a_i(way_q), .b_i($signed({1'b0, r_q})), .p_o(product));
-  logic signed [D-1:0] product_way;
-  logic [R1-1:0]       product_r;
-  logic [A-1:0]        product_move;
-  logic                product_between, product_neg, product_near, product_far, product_timed;
-  rc_cut #(.Width(D + R1 + A + 5), .Stages(M)) u_beside (
+  logic [E-1:0] product_len;
+  logic         product_between, product_neg, product_near, product_far, product_timed;
+  rc_cut #(.Width(E + 5), .Stages(M)) u_beside (
     .clk_i,
-    .data_i({way_q, r_q, move_q, between_q, neg_q && !zero_q && !whole_q, s_near, s_far, s_timed}),
-    .data_o({product_way, product_r, product_move, product_between, product_neg, product_near,
-             product_far, product_timed}));
-  logic [A-1:0]        product_right;
-  logic [R1-1:0]       product_up;   // 2^right - 1, if it goes to the right by itself
-  logic signed [V-1:0] from_d, to_d, to_cut;
-  logic [V-1:0]        from_q, to_q;
-  logic [A-1:0]        move_late, move_end_q;
-  logic [R1-1:0]       up_late;
-  logic                neg_end_q, near_end_q, far_end_q, timed_end_q;
-  logic signed [V-1:0] from_late;
-  logic                neg_late, near_late, far_late, timed_late;
-  assign product_right = product_move > A'(T) ? product_move - A'(T) : '0;
-  assign product_up    = ~({R1{1'b1}} << product_right);
-  assign from_d = V'(product) - (product_between ? $signed({{(V-R1){1'b0}}, product_r}) : '0);
-  assign to_d   = V'(product) + V'(product_way);
-  rc_cut #(.Width(2 * V + A + R1 + 4)) u_ends (
+    .data_i({len_q, between_q, neg_q && !zero_q && !whole_q, s_near, s_far, s_timed}),
+    .data_o({product_len, product_between, product_neg, product_near, product_far, product_timed}));
+
+  // Moved by a multiple of eight first, then by what is left. What is moved off at the top
+  // saturates: part[i] says whether a move by 8 i leaves something above the rest.
+  logic [V-1:0]     low;
+  logic [B-1:0]     base, moved;
+  logic [Parts-1:0] part;
+  logic [T+6:0]     rest, fine;
+  logic [E-1:0]     rest_len, end_len_q;
+  logic [T-1:0]     from_q;
+  logic             rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed;
+  logic             between_end_q, neg_end_q, near_end_q, far_end_q, timed_end_q;
+  assign low   = product[V-1:0] >> Down;
+  assign base  = B'(low) << Up;
+  assign moved = base >> {product_len[E-1:3], 3'd0};
+  for (genvar i = 0; i < Parts; i++) begin : gen_part
+    if (T + 7 + 8 * i < B) begin : gen_above
+      assign part[i] = |base[B-1:T+7+8*i];
+    end else begin : gen_nothing
+      assign part[i] = 1'b0;
+    end
+  end
+  rc_cut #(.Width(T + 7 + E + 6)) u_coarse (
     .clk_i,
-    .data_i({from_d, to_d, product_move, product_up, product_neg, product_near, product_far,
-             product_timed}),
-    .data_o({from_late, to_cut, move_late, up_late, neg_late, near_late, far_late, timed_late}));
+    .data_i({(T + 7)'(moved), product_len, part[product_len[E-1:3]], product_between, product_neg,
+             product_near, product_far, product_timed}),
+    .data_o({rest, rest_len, rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed}));
+  assign fine = rest >> rest_len[2:0];
   always_ff @(posedge clk_i) begin
     if (valid_i[End-1]) begin
-      from_q      <= $unsigned(from_late);
-      to_q        <= $unsigned(to_cut + $signed({{(V-R1){1'b0}}, up_late}));
-      move_end_q  <= move_late;
-      neg_end_q   <= neg_late;
-      near_end_q  <= near_late;
-      far_end_q   <= far_late;
-      timed_end_q <= timed_late;
+      from_q        <= fine[T-1:0] | {T{rest_many || fine[T+6:T] != '0}};
+      end_len_q     <= rest_len;
+      between_end_q <= rest_between;
+      neg_end_q     <= rest_neg;
+      near_end_q    <= rest_near;
+      far_end_q     <= rest_far;
+      timed_end_q   <= rest_timed;
     end
   end
 
-  // What is moved off at the top saturates. By a multiple of eight first, then by what is left.
-  logic [V-1:0]   over;
-  logic [V+T-1:0] from_moved, to_moved;
-  logic [T+6:0]   from_rest, to_rest, from_fine, to_fine;
-  logic           from_over, to_over, from_many, to_many, out_timed, out_neg, out_near, out_far;
-  logic [2:0]     fine;
-  assign over       = {V{1'b1}} << move_end_q;
-  assign from_moved = {from_q, {T{1'b0}}} >> {move_end_q[A-1:3], 3'd0};
-  assign to_moved   = {to_q, {T{1'b0}}} >> {move_end_q[A-1:3], 3'd0};
-  assign from_over  = |(from_q & over);
-  assign to_over    = |(to_q & over);
-  rc_cut #(.Width(2 * (T + 7) + 9)) u_coarse (
+  // What the near side has more. A step's bit is F + M - len; beyond T it saturates.
+  logic [T-1:0] step, more, from_late, more_late;
+  logic [T:0]   to;
+  logic         step_many, many_late, out_timed, out_neg, out_near, out_far;
+  for (genvar i = 0; i < T; i++) begin : gen_step
+    if (i >= rc_pkg::TFracBits && i < Time) begin : gen_reached
+      assign step[i] = HasTo && between_end_q && end_len_q == E'(Time - i);
+    end else begin : gen_beyond
+      assign step[i] = 1'b0;
+    end
+  end
+  if (Time < T) begin : gen_few
+    assign step_many = 1'b0;
+  end else begin : gen_many
+    assign step_many = HasTo && between_end_q && end_len_q <= E'(Time - T);
+  end
+  assign more      = HasTo ? (from_q >> (R1 - 2)) + T'(2) + step : '0;
+  rc_cut #(.Width(2 * T + 5)) u_more (
     .clk_i,
-    .data_i({from_moved[T+6:0], to_moved[T+6:0], from_over, to_over, move_end_q[2:0], neg_end_q,
-             near_end_q, far_end_q, timed_end_q}),
-    .data_o({from_rest, to_rest, from_many, to_many, fine, out_neg, out_near, out_far, out_timed}));
-  assign from_fine = from_rest >> fine;
-  assign to_fine   = to_rest >> fine;
+    .data_i({from_q, more, step_many, neg_end_q, near_end_q, far_end_q, timed_end_q}),
+    .data_o({from_late, more_late, many_late, out_neg, out_near, out_far, out_timed}));
+  assign to = HasTo ? {1'b0, from_late} + {1'b0, more_late} : '1;
   always_ff @(posedge clk_i) begin
     if (valid_i[L-1]) begin
       turned_o   <= out_neg;
       near_o     <= out_near;
       far_o      <= out_far;
-      far_from_o <= out_timed ? from_fine[T-1:0] | {T{from_many}} : '0;
-      near_to_o  <= out_timed ? to_fine[T-1:0] | {T{to_many}} : '1;
+      far_from_o <= out_timed ? from_late : '0;
+      near_to_o  <= out_timed ? to[T-1:0] | {T{to[T] || many_late}} : '1;
     end
   end
 
   logic unused;
-  assign unused = ^{valid_i, way_right[S-1:A], from_moved[V+T-1:T+7], to_moved[V+T-1:T+7],
-                    from_fine[T+6:T], to_fine[T+6:T]};
+  assign unused = ^{valid_i, product[D+R1:V], moved};
 endmodule
 `default_nettype wire

@@ -46,14 +46,23 @@ mutant(model_globe_is_met_when_the_ray_leaves_it FILE model/globe/globe.cpp TEST
 
 # ---- kd: planes are rounded outward, exits keep their places.
 mutant(plane_far_side_from_rounded_up FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
-  OLD [[(product_between ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]]
-  NEW [[(product_between && product_neg ? $signed({{(V-R1){1'b0}}, product_r}) : '0)]])
+  OLD [[D'(way_at) - D'(way_point) - $signed({{(D-1){1'b0}}, way_between});]]
+  NEW [[D'(way_at) - D'(way_point);]])
 mutant(plane_near_side_to_rounded_down FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
-  OLD [[assign to_d   = V'(product) + V'(product_way);]]
-  NEW [[assign to_d   = V'(product) + (V'(product_way) >>> D);]])
+  OLD [[(from_q >> (R1 - 2)) + T'(2) + step]]
+  NEW [[(from_q >> R1) + T'(2) + step]])
+mutant(plane_near_side_without_the_origins_step FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
+  OLD [[HasTo && between_end_q && end_len_q == E'(Time - i);]]
+  NEW [[HasTo && between_end_q && end_len_q == E'(Time - i) && neg_end_q;]])
+mutant(plane_far_away_does_not_saturate FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
+  OLD [[{T{rest_many || fine[T+6:T] != '0}}]]
+  NEW [[{T{rest_many || fine[T+6:T] == '1}}]])
 mutant(plane_with_the_origin_on_it_is_ahead FILE rtl/kd/rc_plane.sv TEST unit [treelet][lockstep]
-  OLD [[assign ahead       = way_q > $signed(D'(0));]]
-  NEW [[assign ahead       = way_q >= $signed(D'(0));]])
+  OLD [[at_or_ahead && (between_q || way_q != '0);]]
+  NEW [[at_or_ahead;]])
+mutant(bounds_enter_by_the_last_plane FILE rtl/kd/rc_bounds.sv TEST unit [treelet][lockstep]
+  OLD [[assign first  = turned ? hi : lo;]]
+  NEW [[assign first  = lo;]])
 mutant(treelet_exits_in_another_order FILE rtl/kd/rc_exits.sv TEST unit [treelet][lockstep]
   OLD [[localparam int unsigned Upper = (i >> (Levels - 1 - l)) & 1;]]
   NEW [[localparam int unsigned Upper = (i >> l) & 1;]])
@@ -61,14 +70,20 @@ mutant(treelet_exit_ends_too_early FILE rtl/kd/rc_exits.sv TEST unit [treelet][l
   OLD [[= enter <= leave &&]]
   NEW [[= enter < leave &&]])
 mutant(treelet_box_forgets_an_axis FILE rtl/kd/rc_bounds.sv TEST unit [treelet][lockstep]
-  OLD [[assign box_there[k]       = turned_lo ? near_lo && far_hi : far_lo && near_hi;]]
-  NEW [[assign box_there[k]       = k == 1 || (turned_lo ? near_lo && far_hi : far_lo && near_hi);]])
+  OLD [[assign box_there[k]   = far_first && near_last;]]
+  NEW [[assign box_there[k]   = k == 2 || (far_first && near_last);]])
 mutant(rank_exit_off_by_one FILE rtl/bvh/rc_rank.sv TEST unit [treelet][lockstep]
   OLD [[Exits ? s0_lines : O'(2 * i)]]
   NEW [[Exits ? s0_lines + O'(2) : O'(2 * i)]])
 mutant(model_plane_from_rounded_up FILE model/kd/treelet.cpp TEST unit [treelet]
-  OLD [[std::floor(std::ldexp(r * w_lo, shift))]]
-  NEW [[std::ceil(std::ldexp(r * w_lo, shift))]])
+  OLD [[std::floor(std::ldexp(way, shift))]]
+  NEW [[std::ceil(std::ldexp(way, shift))]])
+mutant(model_plane_to_without_what_rounding_loses FILE model/kd/treelet.cpp TEST unit [treelet]
+  OLD [[(sides.far_from >> (c.recip_bits - 1)) + 2 + step;]]
+  NEW [[step;]])
+mutant(model_plane_to_without_the_origins_step FILE model/kd/treelet.cpp TEST unit [treelet]
+  OLD [[(sides.far_from >> (c.recip_bits - 1)) + 2 + step;]]
+  NEW [[(sides.far_from >> (c.recip_bits - 1)) + 2;]])
 mutant(model_treelet_children_in_wrong_order FILE model/kd/treelet.cpp TEST unit [treelet]
   OLD [[const bool upper = treelet.exit[child] & half;]]
   NEW [[const bool upper = !(treelet.exit[child] & half);]])

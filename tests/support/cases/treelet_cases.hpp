@@ -64,6 +64,7 @@ inline TreeletCase random_treelet_case(Draw& draw, const Config& config) {
             d[k] = std::int32_t(std::clamp(way * factor, -most - 1, most));
         }
     }
+    if (draw.below(4) == 0) d[std::size_t(draw.below(3))] >>= draw.below(bits);   // of any length
     if (draw.below(3) == 0) d[std::size_t(draw.below(3))] = 0;
     c.d = d;
     set_reciprocals(c, config);
@@ -114,11 +115,12 @@ ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&
             Rational(oracle::Int(at)) - Rational(oracle::Int(c.req.o[k]), oracle::Int(1) << frac);
         const oracle::Int d = c.d[k];
         const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
-        // A step more or less of the way, and 1 of a reciprocal of R bits; and rounding to whole units.
+        // A step more or less of the way, which may be counted as up to two, and 1 of a reciprocal of R bits;
+        // and rounding to whole units, twice.
         times.cut(way, d, upper, unit, [&](const Rational& time) {
             const Rational step = unit / abs(d);
             return Rational((abs(time) + step) * oracle::power_of_two(1 - config.recip_bits) +
-                            (frac > 0 ? step : Rational(0)) + 1);
+                            (frac > 0 ? 2 * step : Rational(0)) + 2);
         });
     };
     for (std::uint32_t k = 0; k < 3 && !t.open; ++k) side(k, t.lo[k], true), side(k, t.hi[k], false);
