@@ -20,9 +20,10 @@ struct OctreeSize {
 
 /// What rays did in it.
 struct OctreeWork {
-    std::uint64_t rays = 0, tests = 0, leaves = 0, empty = 0;   ///< leaves that were visited, empty ones
+    std::uint64_t rays = 0, hits = 0;                 ///< rays, and those that hit something
+    std::uint64_t tests = 0, leaves = 0, empty = 0;   ///< leaves that were visited, empty ones
     OctreeWork& operator+=(const OctreeWork& o) {
-        rays += o.rays, tests += o.tests, leaves += o.leaves, empty += o.empty;
+        rays += o.rays, hits += o.hits, tests += o.tests, leaves += o.leaves, empty += o.empty;
         return *this;
     }
 };

@@ -20,7 +20,8 @@ struct WhittedFrame {
 /// Sees every ray of a picture: where it begins, its unit direction, and how far it goes, in terms of the
 /// scene. A ray that meets nothing has no end, HUGE_VAL; a shadow ray ends at the light, or at the nearest
 /// thing before it. Several threads call it at once.
-using RayWatch = std::function<void(const glm::dvec3& from, const glm::dvec3& direction, double reach)>;
+using RayWatch =
+    std::function<void(const glm::dvec3& from, const glm::dvec3& direction, double reach, bool hits)>;
 
 /// The double-precision software tracer: the scene as given, its own BVHs, a watertight triangle test.
 /// It shares nothing with the fixed-point model but the scene and the camera's definition.

@@ -52,7 +52,7 @@ public:
 
 private:
     RefClosest closest(const RefPath& path);
-    void tell(const RefPath& path, double reach) const;
+    void tell(const RefPath& path, double reach, bool hits) const;
     glm::dvec3 sample(const RefPath& path, RefClosest& hit);
     void follow(const RefPath& path, double weight, int depth);
     void shade(const RefPath& path, const RefClosest& hit, double weight, int depth);
@@ -159,7 +159,7 @@ glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Ligh
     }
     shadow.direction = (position - shadow.from) / distance;
     const bool is_blocked = geometry_.is_blocked(shadow, distance);
-    if (watch_) tell(shadow, is_blocked ? geometry_.closest(shadow).depth : distance);
+    if (watch_) tell(shadow, is_blocked ? geometry_.closest(shadow).depth : distance, is_blocked);
     signature_.asked(is_blocked);
     if (is_blocked) return glm::dvec3(0);
 
@@ -228,14 +228,15 @@ void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, in
         reflect_and_refract(path, surface, weight, depth);
 }
 
-void Tracer::tell(const RefPath& path, double reach) const {
+void Tracer::tell(const RefPath& path, double reach, bool hits) const {
     const RefUnitSpace& space = geometry_.space();
-    watch_(space.centre + path.from / space.scale, path.direction, reach / space.scale);
+    watch_(space.centre + path.from / space.scale, path.direction, reach / space.scale, hits);
 }
 
 RefClosest Tracer::closest(const RefPath& path) {
     const RefClosest hit = geometry_.closest(path);
-    if (watch_) tell(path, hit.primitive == no_primitive ? HUGE_VAL : hit.depth);
+    const bool hits = hit.primitive != no_primitive;
+    if (watch_) tell(path, hits ? hit.depth : HUGE_VAL, hits);
     return hit;
 }
 

@@ -10,10 +10,11 @@ namespace rayclock::spd {
 
 namespace {
 
-/// Inner nodes, leaves, empty ones, references; tests, leaves and empty leaves a ray.
+/// Inner nodes, leaves, empty ones, references; tests for each ray that hits something, leaves and empty
+/// leaves a ray.
 using Figures = std::array<double, 7>;
 constexpr std::array<const char*, 7> figure_names{"inner_nodes",         "leaves",        "empty_leaves",
-                                                  "references",          "tests_per_ray", "leaves_per_ray",
+                                                  "references",          "tests_per_hit", "leaves_per_ray",
                                                   "empty_leaves_per_ray"};
 constexpr std::size_t of_tree = 4;   // the first of them do not depend on rays
 
@@ -51,16 +52,17 @@ const Figures* published(const std::string& scene, int depth) {
 Figures figures_of(const Octree& tree) {
     const OctreeSize& s = tree.size;
     const OctreeWork& w = tree.work;
-    const double rays = double(std::max<std::uint64_t>(1, w.rays));
+    const auto at_least_one = [](std::uint64_t n) { return double(std::max<std::uint64_t>(1, n)); };
+    const double rays = at_least_one(w.rays), hits = at_least_one(w.hits);
     return {double(s.inner),        double(s.leaves),        double(s.empty),       double(s.references),
-            double(w.tests) / rays, double(w.leaves) / rays, double(w.empty) / rays};
+            double(w.tests) / hits, double(w.leaves) / rays, double(w.empty) / rays};
 }
 
 }   // namespace
 
 Table octree_table(const std::vector<Counted>& all) {
     Table table({"scene", "objects", "depth", "inner nodes", "leaves", "empty leaves", "references",
-                 "tests a ray", "leaves a ray", "empty leaves a ray"});
+                 "tests a hit", "leaves a ray", "empty leaves a ray"});
     for (const Counted& c : all)
         for (const Octree& tree : c.octrees) {
             std::vector<std::string> row{c.scene, grouped(c.objects), std::to_string(tree.depth)};
@@ -91,6 +93,8 @@ nlohmann::ordered_json octree_json(const Counted& c) {
         const Figures* his = published(c.scene, tree.depth);
         list.push_back({{"depth", tree.depth}, {"objects", c.objects}});
         list.back().update(named(figures_of(tree)));
+        list.back()["tests_per_ray"] =
+            double(tree.work.tests) / double(std::max<std::uint64_t>(1, tree.work.rays));
         list.back()["published"] = his ? named(*his) : nlohmann::ordered_json(nullptr);
     }
     return list;
