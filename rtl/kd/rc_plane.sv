@@ -144,7 +144,7 @@ module rc_plane #(
   end
   rc_cut #(.Width(T + 7 + E + 6)) u_coarse (
     .clk_i,
-    .data_i({(T + 7)'(moved), product_len, part[product_len[E-1:3]], product_between, product_neg,
+    .data_i({moved[T+6:0], product_len, part[product_len[E-1:3]], product_between, product_neg,
              product_near, product_far, product_timed}),
     .data_o({rest, rest_len, rest_many, rest_between, rest_neg, rest_near, rest_far, rest_timed}));
   assign fine = rest >> rest_len[2:0];
