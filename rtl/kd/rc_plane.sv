@@ -39,8 +39,8 @@ module rc_plane #(
   // Stages: the way is there, then its product, moved to its place, then both ends.
   localparam int unsigned Way = 1 + Cut;
   localparam int unsigned End = Way + M + 1 + Cut;
-  // shift = F + M - R - len, M as wide as a ray's direction: 2^(F+M-R) times the product, if need be
-  // rounded down, is moved to the right by len.
+  // shift = F + M - R - len, M as wide as a ray's direction: 2^(F+M-R) times the product, if need
+  // be rounded down, is moved to the right by len.
   localparam int unsigned Time  = rc_pkg::TFracBits + rc_pkg::RayDirBits;
   localparam int unsigned Up    = Time > R1 - 1 ? Time - (R1 - 1) : 0;
   localparam int unsigned Down  = Time > R1 - 1 ? 0 : R1 - 1 - Time;

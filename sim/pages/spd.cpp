@@ -121,8 +121,9 @@ tetra that are kept here.
 - Tests: his "intersection tests" seem to be for each ray *that hits something*, blocked shadow rays among
   them. Later work of his gives tests in proportion to those that cannot be avoided, one for each hit
   (remembered, not read again). So divided gears are within 2.6 % and teapot within 3.5 % at all
-  depths, balls 6 to 13 % above and mount 15 to 18 % below; divided by all rays his are 1.6 to 3.3 times these. Which
-  rays of balls and mount hit is where programs differ most: shadow rays that meet glass, and where paths end.
+  depths, balls 6 to 13 % above and mount 15 to 18 % below; divided by all rays his are 1.6 to 3.3 times
+  these. Which rays of balls and mount hit is where programs differ most: shadow rays that meet glass, and
+  where paths end.
 
 )";
 

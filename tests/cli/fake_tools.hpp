@@ -37,7 +37,7 @@ public:
     /// it must make.
     static std::string compiler(const std::string& script = "echo built > \"$out\"",
                                 const std::string& version = "12.2.0");
-    /// What it makes has so many bytes. One source is enough for a few; of many there are three.
+    /// What it makes has so many bytes. One source is enough for a few; of many there are two.
     static std::string verilator(const std::string& version = "5.006", int bytes = 1);
     static constexpr int many = 200'000;
 

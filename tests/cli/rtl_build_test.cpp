@@ -55,7 +55,7 @@ TEST_CASE("a build that is stopped takes its compilers with it, and leaves no fo
     if (command == "verify") arguments.insert(arguments.end(), {"tetra:1", "--size", "8x8"});
     const std::string pids = tools.path("pids");
     const Outcome outcome =
-        run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == (own ? 2 : 6); });
+        run_and_stop(arguments, tools.environment(), signal, [&] { return living(pids) == (own ? 2 : 4); });
     INFO(command << " stopped by signal " << signal << ": " << outcome.err);
     CHECK(comes_true([&] { return living(pids) == 0; }));
     CHECK(comes_true([&] { return tools.names().empty(); }));

@@ -20,11 +20,11 @@ chip draws 0.90 times as many frames.
 
 **For each LUT and each multiplier kd is ahead of boxes, by a fifth and by a sixth.** A visit of a
 treelet decides at most eight exits with 13 small products (7 planes and its box), one of boxes eight
-children with 48: treelet takes 13,540 LUTs, box 28,842. The goal of 1.4 times as many frames for each
-LUT is not reached, since most of a pipeline is the same with both: 27,999 LUTs walk a mere list. With
-kd's frames, all that walks the tree would have to take 11,900 LUTs beside that; it takes 18,700, and
-34,400 with boxes. Boxes that may cut primitives (`splits=on`) are only 4 % behind kd for each LUT: on
-rings, which kd wins, they are as fast.
+children with 48: treelet takes some 13,500 LUTs, box 28,600. The goal of 1.4 times as many frames for
+each LUT is not reached, since most of a pipeline is the same with both: 27,930 LUTs walk a mere list.
+With kd's frames, all that walks the tree would have to take 11,700 LUTs beside that; it takes 18,800,
+and 34,100 with boxes. Boxes that may cut primitives (`splits=on`) are only 3 % behind kd for each LUT:
+on rings, which kd wins, they are as fast.
 
 **Planes in any direction** save up to a quarter of a kd-tree's tests, and no visits. Their unit has to
 divide, takes more of everything, and is behind kd for each LUT.
@@ -42,8 +42,8 @@ primitive cache, which is busy in 94 % of gears' cycles. With 128 contexts and c
 reaches 80 % there.
 
 **Caches and memories.** Caches of 2 KB or of 128 KB each do not change which structure is first with
-DDR3. A slow memory does: with `sdr` tetra goes to kd, whose image is the smallest, and with small
-caches tree goes to bsp, which is level with boxes there.)"},
+DDR3. A slow memory does: with `sdr` tetra goes to kd, whose image is the smallest, and on
+tree with small caches bsp is level with boxes.)"},
     {"gears:8",
      R"(Why: the teeth are long, thin triangles that stand side by side. Boxes around them overlap,
 which costs boxes 3.6 tests a ray; planes cut them apart and leave 3.1. But trav is the bound of both
