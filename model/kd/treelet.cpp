@@ -36,6 +36,13 @@ WideTreelet widen(const Treelet& treelet, int node_width) {
     return wide;
 }
 
+namespace {
+
+/// 2^x as a double, without a call: it is made for every plane of every node.
+double power_of_two(int x) { return std::bit_cast<double>(std::uint64_t(1023 + x) << 52); }
+
+}   // namespace
+
 PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, const Config& c) {
     const std::uint32_t beyond = (1u << c.t_bits()) - 1;
     PlaneSides sides;
@@ -55,8 +62,10 @@ PlaneSides plane_sides(const BoxRay& ray, std::uint32_t axis, std::int32_t at, c
     sides.near = w_hi > 0;
     if (!sides.near) return sides;
     const int shift = c.t_frac_bits + c.ray_dir_bits() - int(ray.len[axis]) - c.recip_bits;
-    const double way = double(ray.recip[axis]) * w_lo;   // a whole number below 2^53
-    sides.far_from = std::uint32_t(std::min(std::floor(std::ldexp(way, shift)), double(beyond)));
+    // A whole number below 2^53, times a power of two: exact. Cut off first, so that it is rounded down by
+    // becoming a whole number.
+    const double way = double(ray.recip[axis]) * w_lo * power_of_two(shift);
+    sides.far_from = std::uint32_t(std::min(way, double(beyond)));
     const std::uint64_t step = std::uint64_t(between) << (shift + c.recip_bits),
                         to = sides.far_from + (sides.far_from >> (c.recip_bits - 1)) + 2 + step;
     sides.near_to = std::uint32_t(std::min<std::uint64_t>(to, beyond));

@@ -76,8 +76,8 @@ mutant(rank_exit_off_by_one FILE rtl/bvh/rc_rank.sv TEST unit [treelet][lockstep
   OLD [[Exits ? s0_lines : O'(2 * i)]]
   NEW [[Exits ? s0_lines + O'(2) : O'(2 * i)]])
 mutant(model_plane_from_rounded_up FILE model/kd/treelet.cpp TEST unit [treelet]
-  OLD [[std::floor(std::ldexp(way, shift))]]
-  NEW [[std::ceil(std::ldexp(way, shift))]])
+  OLD [[std::uint32_t(std::min(way, double(beyond)))]]
+  NEW [[std::uint32_t(std::ceil(std::min(way, double(beyond))))]])
 mutant(model_plane_to_without_what_rounding_loses FILE model/kd/treelet.cpp TEST unit [treelet]
   OLD [[(sides.far_from >> (c.recip_bits - 1)) + 2 + step;]]
   NEW [[step;]])
