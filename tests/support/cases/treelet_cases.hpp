@@ -115,12 +115,13 @@ ExitTimes exit_times(const Case& c, const Line& t, const Config& config, Planes&
             Rational(oracle::Int(at)) - Rational(oracle::Int(c.req.o[k]), oracle::Int(1) << frac);
         const oracle::Int d = c.d[k];
         const Rational unit = oracle::power_of_two(bits - 1 + config.t_frac_bits);
-        // A step more or less of the way, which may be counted as up to two, and 1 of a reciprocal of R bits;
-        // and rounding to whole units, twice.
+        // A step more or less of the way, and 1 of a reciprocal of R bits; and rounding to whole units. The
+        // end of the side that is left counts a step as up to two, and is rounded twice (docs/planes.md).
+        const int most = upper == (d < 0) ? 2 : 1;
         times.cut(way, d, upper, unit, [&](const Rational& time) {
             const Rational step = unit / abs(d);
             return Rational((abs(time) + step) * oracle::power_of_two(1 - config.recip_bits) +
-                            (frac > 0 ? 2 * step : Rational(0)) + 2);
+                            (frac > 0 ? most * step : Rational(0)) + most);
         });
     };
     for (std::uint32_t k = 0; k < 3 && !t.open; ++k) side(k, t.lo[k], true), side(k, t.hi[k], false);
