@@ -130,6 +130,17 @@ RefGeometry::RefGeometry(const Scene& scene) : space_(scene) {
 
 namespace {
 
+/// One triangle of a block, in all lanes.
+RefBlock only(const RefBlock& block, int lane) {
+    RefBlock one = block;
+    for (int other = 0; other < ref_block_size; ++other) {
+        one.primitive[other] = block.primitive[lane];
+        for (int v = 0; v < 3; ++v)
+            for (int k = 0; k < 3; ++k) one.vertex[v][k][other] = block.vertex[v][k][lane];
+    }
+    return one;
+}
+
 /// Takes the place of a RefEffort where nothing is counted.
 struct NotCounted {
     struct Count {
@@ -183,6 +194,42 @@ bool RefGeometry::is_blocked(const RefPath& path, double distance) const {
     if (effort_) return watched(path, limit, distance).depth < distance;
     const RefRay ray(path.from, path.direction);
     return closest_of_all(path, ray, limit, distance, NotCounted{}).depth < distance;
+}
+
+std::vector<std::uint32_t> RefGeometry::blockers(const RefPath& path, double distance) const {
+    const RefClosest limit{.depth = distance, .primitive = 0};
+    const RefRay ray(path.from, path.direction);
+    std::vector<std::uint32_t> found;
+    const auto keep = [&](const RefClosest& one) {
+        if (one.depth < distance && std::find(found.begin(), found.end(), one.primitive) == found.end())
+            found.push_back(one.primitive);
+    };
+    search(
+        nodes_, ray, limit, 0,
+        [&](std::uint32_t block, const RefClosest&) {
+            for (int lane = 0; lane < ref_block_size; ++lane) {
+                RefClosest one = limit;
+                test_block(only(blocks_[block], lane), ray, one, path.left);
+                keep(one);
+            }
+        },
+        [] {});
+    for (const RefPlane& plane : planes_) {
+        RefClosest one = limit;
+        test_plane(plane, path, one);
+        keep(one);
+    }
+    search(
+        sphere_nodes_, ray, limit, 0,
+        [&](std::uint32_t block, const RefClosest&) {
+            for (int lane = 0; lane < ref_block_size; ++lane) {
+                RefClosest one = limit;
+                test_sphere(spheres_[block * ref_block_size + lane], path, one);
+                keep(one);
+            }
+        },
+        [] {});
+    return found;
 }
 
 RefClosest RefGeometry::watched(const RefPath& path, const RefClosest& limit, double enough) const {

@@ -45,6 +45,9 @@ public:
     /// Is there anything nearer than `distance`? Looks no further than the first thing that it finds.
     bool is_blocked(const RefPath& path, double distance) const;
 
+    /// All primitives that are nearer than `distance`, in no order.
+    std::vector<std::uint32_t> blockers(const RefPath& path, double distance) const;
+
 private:
     RefClosest closest(const RefPath& path, const RefRay& ray) const;
     template <class Effort> RefClosest closest_of_all(const RefPath& path, const RefRay& ray,

@@ -81,7 +81,8 @@ private:
 
 }   // namespace
 
-RefOctree::RefOctree(const Scene& scene, int depth) : boxes_(objects_of(scene)) {
+RefOctree::RefOctree(const Scene& scene, int depth) {
+    add_objects(scene);
     root_ = boxes_.at(0);
     std::vector<std::uint32_t> all(boxes_.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) {
@@ -93,31 +94,32 @@ RefOctree::RefOctree(const Scene& scene, int depth) : boxes_(objects_of(scene)) 
     build(0, root_, all, depth);
 }
 
-std::vector<RefOctree::Box> RefOctree::objects_of(const Scene& scene) {
-    std::vector<Box> boxes = scene.normals.empty() ? flat_objects(scene) : smooth_objects(scene);
-    for (Box& box : boxes)
+void RefOctree::add_objects(const Scene& scene) {
+    if (scene.normals.empty())
+        add_flat_objects(scene);
+    else
+        add_smooth_objects(scene);
+    for (Box& box : boxes_)
         for (int k = 0; k < 3; ++k)
             if (box.hi[k] - box.lo[k] < thin) box.lo[k] -= thin, box.hi[k] += thin;
-    for (const Sphere& s : scene.spheres) boxes.push_back({s.centre - s.radius, s.centre + s.radius});
-    return boxes;
+    for (const Sphere& s : scene.spheres) {
+        object_of_.push_back(std::uint32_t(boxes_.size()));
+        boxes_.push_back({s.centre - s.radius, s.centre + s.radius});
+    }
 }
 
-std::vector<RefOctree::Box> RefOctree::flat_objects(const Scene& scene) {
+void RefOctree::add_flat_objects(const Scene& scene) {
     const FlatPolygons polygons(scene);
-    std::vector<Box> boxes;
-    std::vector<std::size_t> place(scene.triangles.size());   // of the box of a polygon, by its first
-                                                              // triangle
-    for (std::uint32_t i = 0; i < place.size(); ++i) {
+    for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
         const std::uint32_t first = polygons.of(i);
         const Corners corners = corners_of(scene, scene.triangles[i]);
-        if (first == i) place[i] = boxes.size(), boxes.push_back({corners[0], corners[0]});
-        boxes[place[first]].add(corners);
+        object_of_.push_back(first == i ? std::uint32_t(boxes_.size()) : object_of_[first]);
+        if (first == i) boxes_.push_back({corners[0], corners[0]});
+        boxes_[object_of_[i]].add(corners);
     }
-    return boxes;
 }
 
-std::vector<RefOctree::Box> RefOctree::smooth_objects(const Scene& scene) {
-    std::vector<Box> boxes;
+void RefOctree::add_smooth_objects(const Scene& scene) {
     bool is_whole = true;   // the triangle before is no half of a parallelogram that has just begun
     Corners before{};
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
@@ -125,18 +127,20 @@ std::vector<RefOctree::Box> RefOctree::smooth_objects(const Scene& scene) {
         const bool goes_on = i > 0 && !is_whole &&
                              scene.triangles[i].material == scene.triangles[i - 1].material &&
                              are_halves(before, corners);
-        if (!goes_on) boxes.push_back({corners[0], corners[0]});
-        boxes.back().add(corners);
+        if (!goes_on) boxes_.push_back({corners[0], corners[0]});
+        boxes_.back().add(corners);
+        object_of_.push_back(std::uint32_t(boxes_.size() - 1));
         is_whole = goes_on;
         before = corners;
     }
-    return boxes;
 }
 
 void RefOctree::build(std::uint32_t node, const Box& box, const std::vector<std::uint32_t>& objects,
                       int depth) {
     if (objects.size() <= 1 || depth == 0) {
         nodes_[node].objects = std::uint32_t(objects.size());
+        nodes_[node].list = lists_.size();
+        lists_.insert(lists_.end(), objects.begin(), objects.end());
         ++size_.leaves;
         size_.empty += objects.empty();
         size_.references += objects.size();
@@ -159,8 +163,8 @@ void RefOctree::build(std::uint32_t node, const Box& box, const std::vector<std:
     }
 }
 
-void RefOctree::walk(const glm::dvec3& from, const glm::dvec3& direction, double reach,
-                     OctreeWork& work) const {
+void RefOctree::walk(const glm::dvec3& from, const glm::dvec3& direction, double reach, OctreeWork& work,
+                     const std::vector<std::uint32_t>& blockers) const {
     ++work.rays;
     double begin = 0, end = reach;
     for (int k = 0; k < 3; ++k) {
@@ -172,18 +176,31 @@ void RefOctree::walk(const glm::dvec3& from, const glm::dvec3& direction, double
         begin = std::max(begin, std::min(a, b));
         end = std::min(end, std::max(a, b));
     }
-    if (begin <= end) visit({from, direction, work}, 0, root_, begin, end);
+    std::vector<std::uint32_t> objects;
+    for (const std::uint32_t primitive : blockers) objects.push_back(object_of_.at(primitive));
+    if (begin <= end) visit({from, direction, objects, work}, 0, root_, begin, end);
 }
 
-void RefOctree::visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const {
+/// Whether the ray ends here.
+bool RefOctree::visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const {
     if (nodes_[node].first > 0) return halve(way, nodes_[node].first, box, 0, begin, end);
+    const std::uint32_t objects = nodes_[node].objects;
+    const std::uint32_t* list = lists_.data() + nodes_[node].list;
+    std::uint32_t last = objects;   // in the list, of what is tested; none ends the ray
+    for (const std::uint32_t blocker : way.blockers) {
+        const std::uint32_t* at = std::lower_bound(list, list + objects, blocker);
+        if (at != list + objects && *at == blocker) last = std::min(last, std::uint32_t(at - list));
+    }
+    const bool ends = last < objects;
     ++way.work.leaves;
-    way.work.empty += nodes_[node].objects == 0;
-    way.work.tests += nodes_[node].objects;
+    way.work.empty += objects == 0;
+    way.work.tests += ends ? last + 1 : objects;
+    return ends;
 }
 
-/// The stretch begin..end of a ray in a box that is still to be halved on `axis` and those after it.
-void RefOctree::halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
+/// The stretch begin..end of a ray in a box that is still to be halved on `axis` and those after it. Whether
+/// the ray ends in it.
+bool RefOctree::halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
                       double end) const {
     if (axis == 3) return visit(way, octant, box, begin, end);
     const double middle = 0.5 * (box.lo[axis] + box.hi[axis]);
@@ -192,16 +209,12 @@ void RefOctree::halve(const Way& way, std::uint32_t octant, const Box& box, int 
     const double d = way.direction[axis], ahead = middle - way.from[axis];
     const double at = d == 0 ? HUGE_VAL : ahead / d;
     const auto go = [&](int side, double from, double to) {
-        halve(way, octant + (std::uint32_t(side) << axis), half[side], axis + 1, from, to);
+        return halve(way, octant + (std::uint32_t(side) << axis), half[side], axis + 1, from, to);
     };
     // The side on which the stretch begins, and the other.
     const int first = d == 0 || at > begin ? (d == 0 ? ahead <= 0 : d < 0) : d > 0;
-    if (d == 0 || at <= begin || at >= end) {
-        go(first, begin, end);
-        return;
-    }
-    go(first, begin, at);
-    go(1 - first, at, end);
+    if (d == 0 || at <= begin || at >= end) return go(first, begin, end);
+    return go(first, begin, at) || go(1 - first, at, end);
 }
 
 }   // namespace rayclock

@@ -43,14 +43,17 @@ struct OctreeWork {
 /// each other are one polygon if they are halves of a parallelogram.
 ///
 /// A ray visits the leaves on its way from its origin, or from where it enters the root, to its end, and
-/// tests all that each of them holds; an object in several leaves is tested several times.
+/// tests all that each of them holds, in the scene's order; an object in several leaves is tested several
+/// times. A shadow ray ends at the first test of what is in its way.
 class RefOctree {
 public:
     RefOctree(const Scene& scene, int depth);
     const OctreeSize& size() const { return size_; }
     std::size_t objects() const { return boxes_.size(); }
-    /// One ray from `from` to from + `reach` * `direction`.
-    void walk(const glm::dvec3& from, const glm::dvec3& direction, double reach, OctreeWork& work) const;
+    /// One ray from `from` to from + `reach` * `direction`, or to the first test of one of `blockers`, which
+    /// are primitives of the scene.
+    void walk(const glm::dvec3& from, const glm::dvec3& direction, double reach, OctreeWork& work,
+              const std::vector<std::uint32_t>& blockers = {}) const;
 
 private:
     struct Box {
@@ -63,20 +66,24 @@ private:
     struct Node {
         std::uint32_t first = 0;     ///< of its eight children, or 0: a leaf
         std::uint32_t objects = 0;   ///< of a leaf
+        std::size_t list = 0;        ///< where they begin in lists_
     };
     struct Way {
         const glm::dvec3 from, direction;
+        const std::vector<std::uint32_t> blockers;   ///< objects
         OctreeWork& work;
     };
-    static std::vector<Box> objects_of(const Scene& scene);
-    static std::vector<Box> flat_objects(const Scene& scene);
-    static std::vector<Box> smooth_objects(const Scene& scene);
+    void add_objects(const Scene& scene);
+    void add_flat_objects(const Scene& scene);
+    void add_smooth_objects(const Scene& scene);
     void build(std::uint32_t node, const Box& box, const std::vector<std::uint32_t>& objects, int depth);
-    void visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const;
-    void halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
+    bool visit(const Way& way, std::uint32_t node, const Box& box, double begin, double end) const;
+    bool halve(const Way& way, std::uint32_t octant, const Box& box, int axis, double begin,
                double end) const;
 
-    std::vector<Box> boxes_;   ///< of all objects
+    std::vector<Box> boxes_;                 ///< of all objects
+    std::vector<std::uint32_t> object_of_;   ///< of each primitive
+    std::vector<std::uint32_t> lists_;       ///< objects of all leaves, in ascending order in each
     std::vector<Node> nodes_;
     Box root_;
     OctreeSize size_;

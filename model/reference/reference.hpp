@@ -17,11 +17,22 @@ struct WhittedFrame {
     std::vector<std::uint64_t> signatures;   ///< of each pixel (PathSignature)
 };
 
-/// Sees every ray of a picture: where it begins, its unit direction, and how far it goes, in terms of the
-/// scene. A ray that meets nothing has no end, HUGE_VAL; a shadow ray ends at the light, or at the nearest
-/// thing before it. Several threads call it at once.
-using RayWatch =
-    std::function<void(const glm::dvec3& from, const glm::dvec3& direction, double reach, bool hits)>;
+/// A ray as a watcher sees it, in terms of the scene. `direction` is a unit vector. A ray that meets nothing
+/// has no end, HUGE_VAL; a shadow ray ends at the light.
+struct WatchedRay {
+    glm::dvec3 from, direction;
+    double reach = 0;
+    bool hits = false;                     ///< a shadow ray: it is blocked
+    std::vector<std::uint32_t> blockers;   ///< of a shadow ray: all primitives before the light, in no order
+};
+
+/// Sees every ray of a picture.
+struct RayWatch {
+    std::function<void(const WatchedRay&)> see;   ///< several threads call it at once; empty: nobody watches
+    /// Other than in our pictures, what transmits is lit from its outside only, also where a ray meets it
+    /// from the inside (Haines' rule 7 with the normal not turned to the side that the ray came from).
+    bool lights_outside_of_glass = false;
+};
 
 /// The double-precision software tracer: the scene as given, its own BVHs, a watertight triangle test.
 /// It shares nothing with the fixed-point model but the scene and the camera's definition.

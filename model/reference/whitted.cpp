@@ -52,7 +52,7 @@ public:
 
 private:
     RefClosest closest(const RefPath& path);
-    void tell(const RefPath& path, double reach, bool hits) const;
+    void tell(const RefPath& path, double reach, bool hits, std::vector<std::uint32_t> blockers = {}) const;
     glm::dvec3 sample(const RefPath& path, RefClosest& hit);
     void follow(const RefPath& path, double weight, int depth);
     void shade(const RefPath& path, const RefClosest& hit, double weight, int depth);
@@ -144,14 +144,16 @@ RefPath Tracer::leave(const Surface& surface, const glm::dvec3& direction, bool 
 /// What one light adds, unless something is in between.
 glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Light& light) {
     const Material& m = *surface.material;
+    const bool is_turned = watch_.lights_outside_of_glass && m.transmit > 0 && surface.is_inside;
+    const double side = is_turned ? -1 : 1;
     const glm::dvec3 position = geometry_.space()(light.position), to_light = position - surface.position;
-    if (!(glm::dot(surface.flat, to_light) > 0)) return glm::dvec3(0);
+    if (!(glm::dot(side * surface.flat, to_light) > 0)) return glm::dvec3(0);
     const glm::dvec3 l = glm::normalize(to_light);
-    const double lambert = glm::dot(surface.normal, l);
+    const double lambert = side * glm::dot(surface.normal, l);
     if (!(lambert > 0)) return glm::dvec3(0);
 
     ++counts_.shadow;
-    RefPath shadow = leave(surface, l, false);
+    RefPath shadow = leave(surface, l, is_turned);
     const double distance = glm::length(position - shadow.from);
     if (!(distance > 0)) {   // a light on the surface
         signature_.asked(true);
@@ -159,11 +161,11 @@ glm::dvec3 Tracer::light(const RefPath& path, const Surface& surface, const Ligh
     }
     shadow.direction = (position - shadow.from) / distance;
     const bool is_blocked = geometry_.is_blocked(shadow, distance);
-    if (watch_) tell(shadow, is_blocked ? geometry_.closest(shadow).depth : distance, is_blocked);
+    if (watch_.see) tell(shadow, distance, is_blocked, geometry_.blockers(shadow, distance));
     signature_.asked(is_blocked);
     if (is_blocked) return glm::dvec3(0);
 
-    const glm::dvec3 mirrored = 2 * lambert * surface.normal - l;
+    const glm::dvec3 mirrored = 2 * lambert * side * surface.normal - l;
     const double phong = std::pow(std::max(0.0, -glm::dot(mirrored, path.direction)), m.shine);
     return light.colour * (m.diffuse * lambert * surface.colour + m.highlight * phong);
 }
@@ -228,15 +230,16 @@ void Tracer::shade(const RefPath& path, const RefClosest& hit, double weight, in
         reflect_and_refract(path, surface, weight, depth);
 }
 
-void Tracer::tell(const RefPath& path, double reach, bool hits) const {
+void Tracer::tell(const RefPath& path, double reach, bool hits, std::vector<std::uint32_t> blockers) const {
     const RefUnitSpace& space = geometry_.space();
-    watch_(space.centre + path.from / space.scale, path.direction, reach / space.scale, hits);
+    watch_.see({space.centre + path.from / space.scale, path.direction, reach / space.scale, hits,
+                std::move(blockers)});
 }
 
 RefClosest Tracer::closest(const RefPath& path) {
     const RefClosest hit = geometry_.closest(path);
     const bool hits = hit.primitive != no_primitive;
-    if (watch_) tell(path, hits ? hit.depth : HUGE_VAL, hits);
+    if (watch_.see) tell(path, hits ? hit.depth : HUGE_VAL, hits);
     return hit;
 }
 

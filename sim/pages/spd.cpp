@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -43,14 +42,14 @@ constexpr Published table[] = {
 
 Kinds kinds_of(const RayCounts& c) { return {c.primary_hits, c.reflection, c.refraction, c.shadow}; }
 
-/// One ray through each corner of 512 x 512 pixels: 512 spacings instead of the 511 between the centres that
-/// span the scene's angle, and half a spacing more on each side is this picture's edge. Smaller pictures show
-/// the same.
-Camera corner_rays(Camera camera) {
-    const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / 511;
+/// One ray through each corner of 512 x 512 pixels, of which so many spacings span the scene's angle; half a
+/// spacing more than the 512 on each side is this picture's edge. Smaller pictures show the same.
+Camera corner_rays(Camera camera, int spacings) {
+    const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * 513 / spacings;
     camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
     return camera;
 }
+constexpr int between_centres = 511, between_corners = 512;   // Haines', Havran's
 
 /// |a / b - 1|; a count where none should be is infinitely far off.
 double deviation(std::uint64_t a, std::uint64_t b) {
@@ -88,44 +87,6 @@ Table table_of(const std::vector<Counted>& all) {
         for (std::size_t k = 0; k < kind_names.size(); ++k) table.add(row_of(c, k));
     return table;
 }
-
-/// Of the octrees.
-constexpr struct { int first, last; } octree_depths{4, 7};
-
-constexpr const char* octree_intro = R"(
-
-## Octrees by published rules
-
-V. Havran published what octrees over these scenes consist of, and what rays do in them ("Comparison of
-Octree Traversal Algorithms", 1999, with Ray Tracing News 12(2)). The table has trees that are built by
-his rules over the scene as given, in double precision (`model/reference/octree.hpp`), and what the
-reference's rays do in them, shadow rays included: nothing of the machine is in it. Behind each figure is
-`=` if it is his, or how far it is from his in brackets. His scenes are spheres, cones and polygons. Cones
-and cylinders are cut into triangles here, so that rings and tree cannot be compared; he has no figures of
-tetra that are kept here.
-
-- Trees: his text leaves two rules out, which his counts give away. The box of a polygon is widened by
-  0.02 on both sides of an axis on which it is thinner than 0.02, and the root is 0.001 larger than the
-  scene on all sides. With them **all counts of balls and gears are his, 32 of 32, and 14 of the 32 of
-  mount and teapot**. The rest is off by 0.13 % at most in mount, at depth 7 by 36 references of 324,918;
-  how coordinates are rounded (to single precision, to six digits) makes no difference to it, and it is
-  not understood. In teapot 0.93 % of the references are too many at depth 4. There the plane in the
-  middle of the root goes through the centres of lid and bottom, where 96 triangles meet in a point that
-  is exactly on it here. If they are moved off it by however little, references are 0.6 % too few instead:
-  in his data rounding has put them on one side or the other.
-- Leaves a ray: teapot is within 1.05 %, balls and mount are within 4.2 %. His rays are not quite the
-  same: he has 1,402,297, 1,334,642 and 895,744 rays in balls, mount and teapot, and here are 1,392,298,
-  1,385,563 and 893,466. Divided by his number of rays, the leaves that rays of mount visit here are his
-  to 0.5 %. Gears are 12 to 13 % off: his 2,845,519 rays are 6 % fewer than the 3,022,098 here, which are
-  Haines' to 0.02 %, and divided by them the leaves are 6 to 8 % off.
-- Tests: his "intersection tests" seem to be for each ray *that hits something*, blocked shadow rays among
-  them. Later work of his gives tests in proportion to those that cannot be avoided, one for each hit
-  (remembered, not read again). So divided gears are within 2.6 % and teapot within 3.5 % at all
-  depths, balls 6 to 13 % above and mount 15 to 18 % below; divided by all rays his are 1.6 to 3.3 times
-  these. Which rays of balls and mount hit is where programs differ most: shadow rays that meet glass, and
-  where paths end.
-
-)";
 
 constexpr const char* intro = R"(# Rays of the Standard Procedural Databases
 
@@ -185,28 +146,13 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
         if (name == p.scene && size == published_size) c.published = p.rays;
     if (!is_builtin(name)) throw UserError(shown(name) + " is not a built-in scene; only those are counted");
     const Scene scene = make_builtin(name, Primitives::native);
-    const Camera camera =
-        corner_rays(scene.camera ? *scene.camera : fit_camera(scene, double(size.width) / size.height));
+    const Camera given = scene.camera ? *scene.camera : fit_camera(scene, double(size.width) / size.height);
+    const Camera camera = corner_rays(given, between_centres);
     const Whitted settings{.depth = depth};
-    std::vector<RefOctree> trees;
-    for (int d = octree_depths.first; d <= octree_depths.last; ++d) trees.emplace_back(scene, d);
-    std::vector<OctreeWork> work(trees.size());
-    std::mutex adding;
-    const RayWatch into_trees = [&](const glm::dvec3& from, const glm::dvec3& direction, double reach,
-                                    bool hits) {
-        std::array<OctreeWork, octree_depths.last - octree_depths.first + 1> own;
-        for (std::size_t i = 0; i < trees.size(); ++i)
-            trees[i].walk(from, direction, reach, own[i]), own[i].hits = hits;
-        const std::lock_guard lock(adding);
-        for (std::size_t i = 0; i < trees.size(); ++i) work[i] += own[i];
-    };
     const Stopwatch watch;
-    const Reference reference(scene);
-    c.reference = kinds_of(reference.whitted(camera, size, settings, threads, progress, into_trees).rays);
+    c.reference = kinds_of(Reference(scene).whitted(camera, size, settings, threads, progress).rays);
     c.reference_seconds = watch.seconds();
-    for (std::size_t i = 0; i < trees.size(); ++i)
-        c.octrees.push_back({octree_depths.first + int(i), trees[i].size(), work[i]});
-    c.objects = trees[0].objects();
+    count_octrees(c, scene, corner_rays(given, between_corners), size, settings, threads, progress);
     const Job job = make_job(scene, camera, size, fitted_config(scene, settings, named_config("default")),
                              progress, settings);
     const FrameTrace frame = record_frame(job, job.frame, threads, progress);
@@ -217,7 +163,8 @@ Counted count(const std::string& name, FrameSize size, int threads, const Progre
 }
 
 std::string text(const std::vector<Counted>& all) {
-    std::string lines = table_of(all).text() + "\n" + octree_table(all).text();
+    std::string lines =
+        table_of(all).text() + "\n" + havran_table(all).text() + "\n" + octree_table(all).text();
     for (const Counted& c : all)
         lines +=
             fmt::format("  {}: {} rays; reference {:.1f} s, model recorded in {:.1f} s, {:.2f} M rays/s{}\n",
@@ -243,7 +190,7 @@ std::string page(const std::vector<Counted>& all, FrameSize size, const std::str
     if (has_published)
         text += fmt::format(" Largest of either from the published counts: {:.3f} % (allowed: {:.0f} %).",
                             100 * from_table, 100 * most_from_table);
-    return text + octree_intro + octree_table(all).markdown();
+    return text + octree_page(all);
 }
 
 nlohmann::ordered_json json(const std::vector<Counted>& all, FrameSize size) {

@@ -11,6 +11,8 @@
 #include "model/base/progress.hpp"
 #include "model/reference/octree.hpp"
 #include "model/scene/camera.hpp"
+#include "model/scene/scene.hpp"
+#include "model/scene/whitted.hpp"
 #include "sim/files/table.hpp"
 
 namespace rayclock::spd {
@@ -26,12 +28,18 @@ struct Octree {
     OctreeWork work;
 };
 
+/// The reference's rays by Havran's rules, those that walk the octrees.
+struct HavranRays {
+    std::uint64_t primary_hits = 0, all = 0;
+};
+
 struct Counted {
     std::string scene;
     std::size_t objects = 0;   ///< in the sense of the octrees
     std::vector<Octree> octrees;
     std::optional<Kinds> published;
     Kinds reference{}, model{};
+    HavranRays havran;
     std::uint64_t rays = 0;   ///< of the model
     double reference_seconds = 0, model_seconds = 0;
 };
@@ -40,9 +48,15 @@ struct Counted {
 std::vector<std::string> published_scenes();
 
 Counted count(const std::string& scene, FrameSize size, int threads, const Progress& progress);
-/// Counts of octrees beside Havran's: table for people and for the page, and as JSON. His figures are of
-/// scenes at their default sizes and of pictures of 513x513.
+
+/// Builds the octrees of `scene` and sends the rays of a picture through them, by Havran's rules.
+void count_octrees(Counted& counted, const Scene& scene, const Camera& camera, FrameSize size,
+                   const Whitted& settings, int threads, const Progress& progress);
+/// Counts of octrees and of their rays beside Havran's: tables for people, the part of the page, and as JSON.
+/// His figures are of scenes at their default sizes and of pictures of 513x513.
 Table octree_table(const std::vector<Counted>& all);
+Table havran_table(const std::vector<Counted>& all);
+std::string octree_page(const std::vector<Counted>& all);
 nlohmann::ordered_json octree_json(const Counted& counted);
 
 /// Whether both engines are close to the published counts, and the model to the reference.

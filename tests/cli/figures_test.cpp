@@ -93,6 +93,24 @@ TEST_CASE("reference and model count the same rays of Haines' scenes, within 1 %
     check_refused(run_program({"counts", "nothing"}), {"nothing"});
 }
 
+// V. Havran, "Comparison of Octree Traversal Algorithms", 1999. Means change little with the picture's size.
+TEST_CASE("rays do in octrees what was published, within 3 %") {
+    const Outcome outcome =
+        run_program({"counts", "balls:4", "mount:6", "teapot:12", "--size", "129x129", "--json", "-"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    for (const json& scene : report["scenes"]) {
+        REQUIRE(scene["octrees"].size() == 4);
+        for (const json& tree : scene["octrees"])
+            for (const char* figure : {"tests_per_hit", "leaves_per_ray", "empty_leaves_per_ray"}) {
+                INFO(scene["scene"] << ", depth " << tree["depth"] << ": " << figure);
+                const double mine = tree[figure], his = tree["published"][figure];
+                CHECK(std::abs(mine / his - 1) < 0.03);
+            }
+    }
+}
+
 TEST_CASE("rays of tetra are the published ones", "[slow]") {
     const Outcome outcome = run_program({"counts", "tetra:6", "--json", "-"});
     INFO(outcome.err);

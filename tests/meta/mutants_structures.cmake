@@ -245,6 +245,18 @@ mutant(published_octree_without_room_around FILE model/reference/octree.hpp TEST
 mutant(published_octree_forgets_thin_boxes FILE model/reference/octree.cpp TEST reference "octrees of Haines' scenes are those that were published"
   OLD [[if (box.hi[k] - box.lo[k] < thin)]]
   NEW [[if (box.hi[k] - box.lo[k] < 0.9 * thin)]])
+mutant(published_rays_meet_glass FILE sim/pages/spd_octree.cpp TEST cli "rays do in octrees what was published, within 3 %"
+  OLD [[return scene.materials[material].transmit > 0;]]
+  NEW [[return scene.materials[material].transmit > 1;]])
+mutant(published_rays_find_the_last_in_the_way FILE model/reference/octree.cpp TEST reference "a shadow ray ends at the first test of what is in its way"
+  OLD [[last = std::min(last, std::uint32_t(at - list));]]
+  NEW [[last = std::uint32_t(at - list);]])
+mutant(published_rays_of_another_camera FILE sim/pages/spd.cpp TEST cli "rays do in octrees what was published, within 3 %"
+  OLD [[between_corners = 512;]]
+  NEW [[between_corners = 450;]])
+mutant(published_lights_inside_of_glass FILE sim/pages/spd_octree.cpp TEST cli "rays do in octrees what was published, within 3 %"
+  OLD [[.lights_outside_of_glass = true]]
+  NEW [[.lights_outside_of_glass = false]])
 mutant(published_octree_joins_what_is_not_connected FILE model/reference/octree.cpp TEST reference "what was one polygon is one object of an octree"
   OLD [[connect(first, end);]]
   NEW [[for (std::uint32_t i = first; i < end; ++i) of_[i] = first;]])

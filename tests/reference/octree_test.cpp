@@ -45,6 +45,22 @@ TEST_CASE("a ray visits the octants on its way, as far as it goes") {
     CHECK(walked({-9, -3, -3}, {1, 0, 0}, 4) == nothing);
 }
 
+TEST_CASE("a shadow ray ends at the first test of what is in its way") {
+    Scene scene = two_spheres();
+    scene.spheres.push_back({{2.5, 3, 3}, 1, 0});
+    const RefOctree tree(scene, 1);
+    const auto tests = [&](const std::vector<std::uint32_t>& blockers) {
+        OctreeWork work;
+        tree.walk({-3, -3, -3}, {1, 1.1, 1.3}, HUGE_VAL, work, blockers);
+        return std::pair{work.leaves, work.tests};
+    };
+    using Two = std::pair<std::uint64_t, std::uint64_t>;
+    CHECK(tests({}) == Two{4, 3});
+    CHECK(tests({0}) == Two{1, 1});
+    CHECK(tests({2}) == Two{4, 3});
+    CHECK(tests({2, 1}) == Two{4, 2});
+}
+
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999: inner nodes, leaves, empty ones, references.
 // What is off, and why: docs/spd.md.
 TEST_CASE("octrees of Haines' scenes are those that were published") {
