@@ -34,8 +34,8 @@ mutant(film_never_resets_the_chip FILE model/accel/levels/moving.cpp TEST motion
   OLD [[upload.resets = !upload.lines.empty() && is_read_[buffer];]]
   NEW [[upload.resets = false;]])
 mutant(film_writes_one_line_less FILE model/accel/levels/moving.cpp TEST motion [film]
-  OLD [[part(root_, levels_.upper_lines);]]
-  NEW [[part(root_ + 1, levels_.upper_lines - 1);]])
+  OLD [[part(root_, levels_.upper_lines, nullptr);]]
+  NEW [[part(root_ + 1, levels_.upper_lines - 1, nullptr);]])
 mutant(film_boxes_are_too_small FILE model/accel/levels/fit.cpp TEST motion [film]
   OLD [=[size[k] * half[k] + disc[k]]=]
   NEW [=[size[k] * half[k] + 0.9 * disc[k]]=])
