@@ -184,11 +184,18 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
     }
     const bool is_whole =
         std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) { return t.upload.is_whole; });
+    const bool deforms = std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) {
+        return t.upload.refitted + t.upload.rebuilt > 0;
+    });
     return fmt::format(
         "\n  frames of the moving scene at {:g} MHz; fps includes the host's writes and resets, and not the "
         "time that "
-        "it takes the host\n  to make {} anew\n{}",
-        runs[0].khz / 1e3, is_whole ? "everything" : "the scene's tree", table.text());
+        "it takes the host\n  to make {}\n{}",
+        runs[0].khz / 1e3,
+        is_whole  ? "everything anew"
+        : deforms ? "its trees anew, or to refit them"
+                  : "the scene's tree anew",
+        table.text());
 }
 
 ordered_json film_json(const Config&, const std::vector<ClockRun>& runs, const FilmStrip& strip,

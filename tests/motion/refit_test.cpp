@@ -135,7 +135,9 @@ TEST_CASE("a refitted tree holds all its triangles, and gives the hits of a rebu
 }
 
 TEST_CASE("a triangle that has no area in one frame is hit in the next", "[motion][refit]") {
-    const Config config = quick_config("default");
+    const int test = GENERATE(range(0, int(primitive_test_names().size())));
+    INFO("primitive_test=" << primitive_test_names()[std::size_t(test)]);
+    const Config config = with(quick_config("default"), {{"primitive_test", test}});
     Film film(soup(50, 0, 3), config);   // points, all of them
     Refit tree(config, "points");
     tree.follow(film.prims(), 1e9);
