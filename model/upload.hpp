@@ -25,9 +25,34 @@ struct Upload {
     bool resets = false;   ///< the caches may hold lines that were written since the last reset: the chip is
                            ///< reset
     bool is_whole = false;   ///< the host has made everything anew, and not the upper structure alone
-    std::uint64_t nodes = 0, instances = 0;   ///< that the host has made anew
-    double seconds = 0;                       ///< that it took the host
+    std::uint64_t nodes = 0, instances = 0;    ///< that the host has made anew
+    std::uint64_t refitted = 0, rebuilt = 0;   ///< trees of meshes that deform
+    double cost = 0;      ///< of the worst of them: its surface-area cost over that of when it was built
+    double seconds = 0;   ///< that it took the host
 };
+
+/// What an upload says of an image beside its lines.
+inline MemoryImage without_words(const MemoryImage& image) {
+    MemoryImage shape;
+    shape.lattice = image.lattice;
+    shape.surfaces = image.surfaces;
+    shape.primitives = image.primitives;
+    shape.listed = image.listed;
+    shape.report = image.report;
+    return shape;
+}
+
+/// All lines of the image from `first` on that are not in `held`, which are so many words of before.
+inline void take_differences(const MemoryImage& image, std::uint32_t first, std::uint32_t count,
+                             const std::vector<std::uint32_t>& held, Upload& upload) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t* const line = image.line(first + i);
+        const std::size_t at = 16 * std::size_t(i);
+        if (at + 16 <= held.size() && std::equal(line, line + 16, &held[at])) continue;
+        upload.lines.push_back(first + i);
+        upload.words.insert(upload.words.end(), line, line + 16);
+    }
+}
 
 /// Writes what an upload holds into an image.
 inline void apply(const Upload& upload, MemoryImage& image) {

@@ -46,6 +46,8 @@ LatticeBox box_of(const PrimData& prim, int coord_bits) {
     return box;
 }
 
+}   // namespace
+
 /// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger.
 /// Lattice::snap leaves out the least coordinate, so their lower corners still fit N bits; upper planes are
 /// relative to those.
@@ -82,8 +84,6 @@ void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Con
                         std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits) +
                         ": --set prim_bits=" + std::to_string(need));
 }
-
-}   // namespace
 
 void check_stack(int need, const Config& config, const std::string& name) {
     if (need <= config.stack_depth) return;

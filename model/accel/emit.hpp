@@ -25,6 +25,13 @@ void emit_cells(const std::vector<PrimData>& prims, const Config& config, const 
 void emit_list(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                MemoryImage& image);
 
+/// Of primitives, in their order, as a tree of boxes holds them.
+std::vector<LatticeBox> boxes_of(const std::vector<PrimData>& prims, const Config& config);
+
+/// Throws UserError if nothing of the scene is left on the lattice in `kept`, or if it is too much.
+void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Config& config,
+                const std::string& name);
+
 /// Throws UserError if the configuration's stack cannot hold so many groups of siblings.
 void check_stack(int need, const Config& config, const std::string& name);
 

@@ -73,6 +73,8 @@ double Motion::length() const {
         if (!track.empty()) last = std::max(last, track.times.back());
     };
     see(camera.eye), see(camera.at), see(camera.up), see(camera.fov);
+    for (const Deforming& mesh : deforming)
+        for (const MorphTarget& target : mesh.targets) see(target.weights);
     for (const LightMotion& light : lights) see(light.position), see(light.colour);
     return last;
 }
@@ -98,6 +100,8 @@ void pose(PlacedScene& scene, double time) {
             throw UserError(motion.nodes[hung.node].name + " at " + text_of(time) +
                             " s flattens its mesh, or blows it up");
     }
+    for (const Deforming& deforming : motion.deforming)
+        deform(deforming, time, places, scene.meshes[deforming.mesh]);
     const CameraMotion& moves = motion.camera;
     if (!moves.empty()) {
         Camera camera = moves.node ? moves.seen : scene.own.camera.value_or(Camera{});

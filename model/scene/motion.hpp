@@ -10,25 +10,11 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "model/scene/deform.hpp"
 #include "model/scene/scene.hpp"
+#include "model/scene/track.hpp"
 
 namespace rayclock {
-
-/// What a value does between two keys. `cubic` is glTF's CUBICSPLINE: each key has three values, the tangent
-/// that comes in, the value, and the tangent that goes out.
-enum class Between { linear, step, cubic };
-
-/// A value over time: keys in rising order of their times, seconds. Before the first and after the last it
-/// stays as it is there. Rotations that are linear are slerped, the shorter way. An empty track says nothing.
-template <class Value> struct Track {
-    std::vector<double> times;
-    std::vector<Value> values;   ///< one for each time; of a cubic one three
-    Between between = Between::linear;
-
-    bool empty() const { return times.empty(); }
-    /// The value at a time; `otherwise` if the track is empty.
-    Value at(double time, const Value& otherwise) const;
-};
 
 /// A space that moves in another one, which is a node before it or the scene. It is scaled first, then
 /// turned, then moved, as objects are; or it has one matrix.
@@ -74,8 +60,9 @@ struct Motion {
     std::vector<Hung> hung;          ///< instances that move
     CameraMotion camera;
     std::vector<LightMotion> lights;
+    std::vector<Deforming> deforming;   ///< meshes whose corners move; each mesh once at most
 
-    bool empty() const { return hung.empty() && camera.empty() && lights.empty(); }
+    bool empty() const { return hung.empty() && camera.empty() && lights.empty() && deforming.empty(); }
     /// Time of the last key of all tracks, seconds; 0 without any.
     double length() const;
 };
@@ -85,8 +72,9 @@ std::vector<glm::dmat4> node_places(const Motion& motion, double time);
 
 struct PlacedScene;
 
-/// Sets the places of instances that move, the camera and the lights to where they are at a time. Throws
-/// UserError with the node's name and the time if a place has become singular, or a number infinite.
+/// Sets the places of instances that move, the corners of meshes that deform, the camera and the lights to
+/// where they are at a time. Throws UserError with the node's name and the time if a place has become
+/// singular, or a number infinite.
 void pose(PlacedScene& scene, double time);
 
 /// A map that makes solids flat, or has lengths that are beyond any use, or is not finite.

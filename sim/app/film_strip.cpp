@@ -74,7 +74,7 @@ namespace {
 /// What is told of every frame, as numbers.
 struct FrameFigures {
     double cycles = 0, upload = 0, reset = 0, fps = 0, read = 0, written = 0, nodes = 0, prims = 0,
-           visits = 0, tests = 0, rebuilt = 0, instances = 0, seconds = 0;
+           visits = 0, tests = 0, made = 0, instances = 0, refitted = 0, rebuilt = 0, cost = 0, seconds = 0;
 };
 
 struct Figure {
@@ -93,8 +93,11 @@ constexpr Figure figures[] = {
     {"prim_hit_rate", "tri hits", &FrameFigures::prims, "{:.4f}"},
     {"node_steps", "visits", &FrameFigures::visits, "{:.0f}"},
     {"triangle_tests", "tests", &FrameFigures::tests, "{:.0f}"},
-    {"host_nodes", "nodes made", &FrameFigures::rebuilt, "{:.0f}"},
+    {"host_nodes", "nodes made", &FrameFigures::made, "{:.0f}"},
     {"host_instances", "instances", &FrameFigures::instances, "{:.0f}"},
+    {"host_refitted", "refitted", &FrameFigures::refitted, "{:.0f}"},
+    {"host_rebuilt", "rebuilt", &FrameFigures::rebuilt, "{:.0f}"},
+    {"host_cost", "cost", &FrameFigures::cost, "{:.3f}"},
     {"host_seconds", "host ms", &FrameFigures::seconds, "{:.3f}"},
 };
 
@@ -111,6 +114,9 @@ FrameFigures figures_of(const FrameRun& run, int khz, const Upload& upload) {
             double(run.triangle_tests),
             double(upload.nodes),
             double(upload.instances),
+            double(upload.refitted),
+            double(upload.rebuilt),
+            upload.cost,
             upload.seconds};
 }
 
@@ -178,11 +184,18 @@ std::string film_table(const Config&, const std::vector<ClockRun>& runs, const F
     }
     const bool is_whole =
         std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) { return t.upload.is_whole; });
+    const bool deforms = std::any_of(traces.begin(), traces.end(), [](const FrameTrace& t) {
+        return t.upload.refitted + t.upload.rebuilt > 0;
+    });
     return fmt::format(
         "\n  frames of the moving scene at {:g} MHz; fps includes the host's writes and resets, and not the "
         "time that "
-        "it takes the host\n  to make {} anew\n{}",
-        runs[0].khz / 1e3, is_whole ? "everything" : "the scene's tree", table.text());
+        "it takes the host\n  to make {}\n{}",
+        runs[0].khz / 1e3,
+        is_whole  ? "everything anew"
+        : deforms ? "its trees anew, or to refit them"
+                  : "the scene's tree anew",
+        table.text());
 }
 
 ordered_json film_json(const Config&, const std::vector<ClockRun>& runs, const FilmStrip& strip,

@@ -104,6 +104,12 @@ void frames_options(Parser& parser, FramesOptions& o) {
                 "before into "
                 "a second buffer")
         .with_default();
+    parser
+        .option(
+            "--rebuild", o.rebuild,
+            "the tree of a mesh that deforms is refitted, and built anew once its surface-area cost is more "
+            "than this many times what it was when it was built; 0: for every frame")
+        .with_default();
 }
 
 void traffic_options(Parser& parser, TrafficOptions& o) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "model/base/error.hpp"
@@ -14,26 +16,26 @@
 namespace rayclock {
 namespace {
 
-/// The image, as the words that differ from those that the memory holds.
-void take_differences(const MemoryImage& image, const std::vector<std::uint32_t>& held, Upload& upload) {
-    upload.image_lines = image.lines();
-    for (std::uint32_t i = 0; i < image.lines(); ++i) {
-        const std::uint32_t* const line = image.line(i);
-        const bool is_there = std::size_t(i + 1) * 16 <= held.size();
-        if (is_there && std::equal(line, line + 16, &held[std::size_t(i) * 16])) continue;
-        upload.lines.push_back(i);
-        upload.words.insert(upload.words.end(), line, line + 16);
+/// Of all corners of triangles that it is given.
+struct Growing {
+    Bounds box{glm::dvec3(std::numeric_limits<double>::infinity()),
+               glm::dvec3(-std::numeric_limits<double>::infinity())};
+    /// `part` has vertices and triangles.
+    template <class Part> void add(const Part& part, const glm::dmat4& place = glm::dmat4(1)) {
+        for (const Triangle& t : part.triangles)
+            for (const std::uint32_t v : t.vertex) {
+                const auto point = glm::dvec3(place * glm::dvec4(part.vertices[v], 1));
+                box = {glm::min(box.lo, point), glm::max(box.hi, point)};
+            }
     }
-}
+};
 
-MemoryImage without_words(const MemoryImage& image) {
-    MemoryImage shape;
-    shape.lattice = image.lattice;
-    shape.surfaces = image.surfaces;
-    shape.primitives = image.primitives;
-    shape.listed = image.listed;
-    shape.report = image.report;
-    return shape;
+/// With a mesh as it is now.
+void grow(std::optional<Bounds>& all, const SharedMesh& mesh) {
+    Growing growing;
+    if (all) growing.box = *all;
+    growing.add(mesh);
+    all = growing.box;
 }
 
 }   // namespace
@@ -55,12 +57,15 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_asked, Fr
       size_(size),
       progress_(progress),
       for_chip_(for_chip),
+      rebuild_(options.rebuild),
       first_camera_(*request_.scene.camera) {
     Scene& scene = request_.scene;
     moves_ = scene.placed && !scene.placed->motion.empty();
     times_ = frame_times(options, moves_);
     if (options.uploads != "between" && options.uploads != "double")
         throw UserError(fmt::format("--uploads must be between or double, not '{}'", options.uploads));
+    if (!(options.rebuild >= 0))
+        throw UserError(fmt::format("--rebuild must be 0 or more, not {}", options.rebuild));
     is_double_ = moves_ && options.uploads == "double";
     if (!moves_) return;
     placed_ = *scene.placed;
@@ -70,6 +75,9 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_asked, Fr
     camera_moves_ = !placed_.motion.camera.empty() && !view_is_asked;
     if (!for_chip) return;
     if (request_.config.has_instances()) prepare_levels();
+    if (!request_.config.has_instances() && !placed_.motion.deforming.empty() &&
+        Refit::serves(request_.config))
+        prepare_flat();
     if (is_double_ && !levels_)
         throw UserError(
             "--uploads double needs a scene's tree apart from what does not move: levels=2, and instances "
@@ -84,13 +92,31 @@ Camera Film::camera_of(std::size_t f, const std::optional<Camera>& moving) const
 /// Goes through all times once, because the lattice must cover them all.
 void Film::prepare_levels() {
     std::vector<Places> times;
+    ShapeBounds shapes(placed_.motion.deforming.empty() ? 0 : placed_.meshes.size());
     std::vector<glm::dvec3> eyes;
     for (std::size_t f = 0; f < frames(); ++f) {
         pose(placed_, times_.times[f]);
         times.push_back(places_of(placed_));
         eyes.push_back(camera_of(f, placed_.own.camera).eye);
+        for (const Deforming& deforming : placed_.motion.deforming)
+            grow(shapes[deforming.mesh], placed_.meshes[deforming.mesh]);
     }
-    levels_ = MovingLevels::make(placed_, times, eyes, is_double_ ? 2 : 1, request_.config);
+    if (!placed_.motion.deforming.empty() && !Refit::serves(request_.config)) return;
+    levels_ = MovingLevels::make(placed_, times, eyes, is_double_ ? 2 : 1, request_.config, shapes);
+}
+
+/// The same for one level.
+void Film::prepare_flat() {
+    Growing bounds;
+    std::vector<glm::dvec3> eyes;
+    for (std::size_t f = 0; f < frames(); ++f) {
+        pose(placed_, times_.times[f]);
+        bounds.add(placed_.own);
+        for (const Instance& instance : placed_.instances)
+            bounds.add(placed_.meshes[instance.mesh], instance.place);
+        eyes.push_back(camera_of(f, placed_.own.camera).eye);
+    }
+    flat_ = std::make_unique<RefittedScene>(request_.scene, bounds.box, eyes, rebuild_, request_.config);
 }
 
 void Film::pose_at(std::size_t f) {
@@ -123,8 +149,9 @@ void Film::next() {
     }
     pose_at(f);
     if (!for_chip_) return;
+    if (flat_) return next_flat();
     if (!levels_) return next_whole();
-    upload_ = levels_->next(places_of(placed_));
+    upload_ = levels_->next(placed_, rebuild_);
     if (f == 0) {
         check_frame_size(size_);
         job_.config = request_.config;
@@ -135,10 +162,28 @@ void Film::next() {
         apply(upload_, job_.image);
     }
     job_.mirrored = mirrored_primitives(placed_, job_.image);
+    set_registers();
+    job_.frame.root = levels_->root();
+}
+
+void Film::set_registers() {
     if (job_.config.shading)   // lights move, too
         job_.frame.shade = make_shade_frame(request_.scene, request_.settings, job_.image, job_.config);
     job_.frame = job_frame(job_, camera());
-    job_.frame.root = levels_->root();
+}
+
+/// The tree follows what has moved.
+void Film::next_flat() {
+    upload_ = flat_->next(request().scene);
+    upload_.instances = placed_.instances.size();
+    if (frame_ == 1) {
+        check_frame_size(size_);
+        job_.config = request_.config;
+        job_.size = size_;
+        check_capacity(flat_->image(), job_.config);
+    }
+    job_.image = flat_->image();
+    set_registers();
 }
 
 /// Compiles the scene as if there had been no frame before.
@@ -150,8 +195,11 @@ void Film::next_whole() {
     job_ = make_job(request_.scene, camera(), size_, request_.config, progress_, request_.settings);
     request_.scene.placed.reset();
     upload_.image = without_words(job_.image);
-    take_differences(job_.image, held, upload_);
+    upload_.image_lines = job_.image.lines();
+    take_differences(job_.image, 0, job_.image.lines(), held, upload_);
     upload_.is_whole = true;
+    upload_.rebuilt = !placed_.motion.deforming.empty();
+    upload_.cost = upload_.rebuilt ? 1 : 0;
     upload_.nodes = job_.image.report.nodes;
     upload_.instances = placed_.instances.size();
     upload_.resets = frame_ > 1 && !upload_.lines.empty();

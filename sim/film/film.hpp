@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model/accel/levels/moving.hpp"
+#include "model/accel/refit/flat.hpp"
 #include "sim/engine/engine.hpp"
 #include "sim/request/request.hpp"
 
@@ -19,6 +20,9 @@ struct FramesOptions {
     std::optional<double> fps;   ///< frames in a second of the scene's time
     std::string time;            ///< "1.5" or "0:4": seconds of the scene
     std::string uploads = "between";
+    /// The tree of a mesh that deforms is built anew above so many times the cost that it had when it was
+    /// built; until then it is refitted.
+    double rebuild = usual_rebuild;
 };
 
 /// The times of the frames, seconds of the scene, and how long each is to be seen. Throws UserError.
@@ -59,7 +63,10 @@ public:
 private:
     void pose_at(std::size_t f);
     void prepare_levels();
+    void prepare_flat();
+    void next_flat();
     void next_whole();
+    void set_registers();
     Camera camera_of(std::size_t f, const std::optional<Camera>& moving) const;
 
     Request request_;
@@ -68,10 +75,12 @@ private:
     FrameSize size_;
     Progress progress_;
     bool for_chip_;
+    double rebuild_;
     bool moves_ = false, is_double_ = false, camera_moves_ = false, is_stale_ = false;
     PlacedScene placed_;   ///< at the time of the frame at hand, if anything moves
     Camera first_camera_;
     std::unique_ptr<MovingLevels> levels_;
+    std::unique_ptr<RefittedScene> flat_;
     Job job_;
     Upload upload_;
     std::size_t frame_ = 0;   ///< the next

@@ -58,11 +58,7 @@ std::string decode_percent(std::string_view uri) {
     return name;
 }
 
-struct Component {
-    std::uint64_t bytes;
-    double scale;   ///< of a normalised integer
-    double (*get)(const char*);
-};
+using Component = GltfComponent;
 
 template <class T> double get_as(const char* raw) {
     T value;
@@ -195,18 +191,30 @@ std::string_view GltfBuffers::slice(const JsonValue& accessor, std::uint64_t cou
 std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) {
     const JsonValue accessor = document_.at("accessors")[index];
     const JsonValue type = accessor.at("type");
-    const char* const wanted = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4";
+    const char* const wanted = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : width == 4 ? "VEC4" : "MAT4";
     if (type.string() != wanted) type.expected(fmt::format("\"{}\"", wanted));
     const Component component = component_of(accessor.at("componentType"));
     const std::uint64_t count = accessor.at("count").whole(std::uint64_t{1} << 32);
     if (count == 0) accessor.refuse("has a count of 0");
-    if (accessor.find("sparse")) accessor.refuse("is sparse, which is not supported");
     const auto normalised = accessor.find("normalized");
     const bool is_scaled = normalised && normalised->raw() == Json(true);
 
-    std::uint64_t stride = 0;
-    const std::string_view bytes = slice(accessor, count, component.bytes * width, stride);
     if (!loading_.may_make(count * width * sizeof(double))) accessor.refuse(loading_.too_much());
+    const auto sparse = accessor.find("sparse");
+    if (sparse && !accessor.find("bufferView")) {
+        std::vector<double> numbers(count * width, 0.0);
+        put(*sparse, component, width, is_scaled, numbers);
+        return numbers;
+    }
+    std::vector<double> numbers = take(accessor, count, component, width, is_scaled);
+    if (sparse) put(*sparse, component, width, is_scaled, numbers);
+    return numbers;
+}
+
+std::vector<double> GltfBuffers::take(const JsonValue& from, std::uint64_t count, const Component& component,
+                                      std::uint64_t width, bool is_scaled) {
+    std::uint64_t stride = 0;
+    const std::string_view bytes = slice(from, count, component.bytes * width, stride);
     std::vector<double> numbers;
     numbers.reserve(count * width);
     for (std::uint64_t i = 0; i < count; ++i)
@@ -215,6 +223,25 @@ std::vector<double> GltfBuffers::read(std::uint64_t index, std::uint64_t width) 
             numbers.push_back(is_scaled ? std::max(value * component.scale, -1.0) : value);
         }
     return numbers;
+}
+
+/// A sparse accessor says which elements are not as they were, and what they are.
+void GltfBuffers::put(const JsonValue& sparse, const Component& component, std::uint64_t width,
+                      bool is_scaled, std::vector<double>& numbers) {
+    const std::uint64_t count = sparse.at("count").whole(numbers.size() / width + 1);
+    if (count == 0) sparse.refuse("has a count of 0");
+    if (!loading_.may_make(count * (width + 1) * sizeof(double))) sparse.refuse(loading_.too_much());
+    const JsonValue indices = sparse.at("indices"), type = indices.at("componentType");
+    if (type.raw() != 5121 && type.raw() != 5123 && type.raw() != 5125)
+        type.expected("5121, 5123 or 5125 for indices");
+    const std::vector<double> at = take(indices, count, component_of(type), 1, false),
+                              values = take(sparse.at("values"), count, component, width, is_scaled);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!(at[i] < double(numbers.size() / width)) || (i > 0 && !(at[i] > at[i - 1])))
+            indices.refuse(fmt::format("names element {} at {}; indices rise, and there are {} elements",
+                                       at[i], i, numbers.size() / width));
+        std::copy_n(&values[i * width], width, &numbers[std::size_t(at[i]) * width]);
+    }
 }
 
 }   // namespace rayclock

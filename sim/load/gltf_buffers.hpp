@@ -19,19 +19,30 @@ struct GltfContainer {
 };
 GltfContainer open_gltf(const std::string& file, std::string_view bytes);
 
+/// How one number lies in a buffer.
+struct GltfComponent {
+    std::uint64_t bytes;
+    double scale;   ///< of a normalised integer
+    double (*get)(const char*);
+};
+
 /// Reads accessors of the document. The bytes and the document must outlive it.
 class GltfBuffers {
 public:
     GltfBuffers(const JsonValue& document, const std::filesystem::path& path, const GltfContainer& container,
                 Loading& loading);
 
-    /// All components one after the other, integers as they are or scaled if normalised. `width` is 1, 3
-    /// or 4.
+    /// All components one after the other, integers as they are or scaled if normalised. `width` is 1, 3,
+    /// 4 or 16.
     std::vector<double> read(std::uint64_t accessor, std::uint64_t width);
     /// The bytes of a picture of the document's list `images`.
     std::string image(std::uint64_t index);
 
 private:
+    std::vector<double> take(const JsonValue& from, std::uint64_t count, const GltfComponent& component,
+                             std::uint64_t width, bool is_scaled);
+    void put(const JsonValue& sparse, const GltfComponent& component, std::uint64_t width, bool is_scaled,
+             std::vector<double>& numbers);
     std::string_view buffer(std::uint64_t index);
     std::string_view view(const JsonValue& entry);   ///< all bytes of a buffer's view
     std::string_view file(const JsonValue& uri, const std::string& name);

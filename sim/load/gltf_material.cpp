@@ -112,4 +112,15 @@ PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place) {
             glm::dvec3(place[2])};
 }
 
+void GltfDropped::say(Loading& loading, const std::string& file) const {
+    const auto tell = [&](std::uint64_t count, const char* what, const char* sentence) {
+        if (count > 0) loading.note(file, counted(count, what) + sentence);
+    };
+    tell(odd, "material", " with values out of range, taken as the nearest within");
+    tell(averaged, "material", " with a texture of its colour, drawn in the mean of the texture");
+    tell(textures, "material", " with other textures, which are not drawn");
+    tell(colours, "primitive", " with vertex colours, which are not drawn");
+    tell(lines, "primitive", " of points or lines left out");
+}
+
 }   // namespace rayclock

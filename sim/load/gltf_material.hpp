@@ -4,6 +4,7 @@
 
 #include "model/scene/scene.hpp"
 #include "sim/files/json_value.hpp"
+#include "sim/load/loading.hpp"
 #include "sim/load/surface.hpp"
 
 namespace rayclock {
@@ -24,5 +25,11 @@ glm::dmat4 gltf_transform(const JsonValue& node);
 std::optional<Camera> gltf_camera(const JsonValue& in, const glm::dmat4& place);
 
 PlacedLight gltf_light(const JsonValue& in, const glm::dmat4& place);
+
+/// How much of a document is not drawn as it stands there.
+struct GltfDropped {
+    std::uint64_t averaged = 0, textures = 0, colours = 0, lines = 0, odd = 0;
+    void say(Loading& loading, const std::string& file) const;
+};
 
 }   // namespace rayclock

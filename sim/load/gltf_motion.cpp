@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "sim/load/gltf_deform.hpp"
 #include "sim/load/json_motion.hpp"
 
 namespace rayclock {
@@ -21,19 +22,18 @@ public:
         for (std::size_t i = 0; i < channels.size(); ++i) channel(channels[i]);
         return std::move(tracks_);
     }
-    std::uint64_t weights() const { return weights_; }
 
 private:
     void channel(const JsonValue& in) {
         const JsonValue target = in.at("target");
         const std::string path = target.at("path").string();
-        if (path == "weights") return void(++weights_);
         const auto node = target.find("node");
         if (!node) return;   // of an extension
         const JsonValue samplers = in_.at("samplers").array();
         const JsonValue sampler = samplers[in.at("sampler").whole(samplers.size())];
         const std::uint64_t nodes = document_.find("nodes") ? document_.at("nodes").array().size() : 0;
         GltfTracks& own = tracks_[node->whole(nodes)];
+        if (path == "weights") return weights(target, sampler, node->whole(nodes), own);
         if (path == "translation")
             fill(target, sampler, own.translates, 3,
                  [](const double* v) { return glm::dvec3(v[0], v[1], v[2]); });
@@ -48,6 +48,37 @@ private:
         check_values(sampler, own);
     }
 
+    /// One track for each morph target; at a key their values stand one after the other.
+    void weights(const JsonValue& target, const JsonValue& sampler, std::uint64_t node, GltfTracks& own) {
+        if (!own.weights.empty()) target.refuse("is moved by a channel before this one as well");
+        const auto mesh = document_.at("nodes")[node].find("mesh");
+        const std::size_t targets = mesh ? gltf_target_count(document_.at(
+                                               "meshes")[mesh->whole(document_.at("meshes").array().size())])
+                                         : 0;
+        if (targets == 0)
+            target.refuse(fmt::format("moves the weights of nodes[{}], which has no morph targets", node));
+        const std::vector<double> times = times_of(sampler);
+        const Between between = between_of(sampler);
+        const std::uint64_t accessor = number_of(sampler, "output");
+        const std::vector<double> numbers = buffers_.read(accessor, 1);
+        const std::size_t each = between == Between::cubic ? 3 : 1;
+        if (numbers.size() != times.size() * each * targets)
+            sampler.refuse(fmt::format("has {} values for {} times and {} morph targets", numbers.size(),
+                                       times.size(), targets));
+        check_finite(numbers, 1, accessor, "which is no weight of a morph target");
+        own.weights.assign(targets, {times, {}, between});
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            own.weights[i % targets].values.push_back(numbers[i]);
+    }
+
+    void check_finite(const std::vector<double>& numbers, std::size_t width, std::uint64_t accessor,
+                      const char* what) const {
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (!std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e30)
+                document_.at("accessors")[accessor].refuse(
+                    fmt::format("has {} at element {}, {}", numbers[i], i / width, what));
+    }
+
     template <class Value, class Read> void fill(const JsonValue& target, const JsonValue& sampler,
                                                  Track<Value>& track, std::uint64_t width, const Read& read) {
         if (!track.empty()) target.refuse("is moved by a channel before this one as well");
@@ -59,10 +90,7 @@ private:
         if (numbers.size() != track.times.size() * each * width)
             sampler.refuse(
                 fmt::format("has {} values for {} times", numbers.size() / width, track.times.size()));
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            if (!std::isfinite(numbers[i]) || std::abs(numbers[i]) > 1e30)
-                document_.at("accessors")[accessor].refuse(
-                    fmt::format("has {} at element {}, which moves a node too far", numbers[i], i / width));
+        check_finite(numbers, width, accessor, "which moves a node too far");
         for (std::size_t i = 0; i < numbers.size(); i += width) track.values.push_back(read(&numbers[i]));
     }
 
@@ -112,7 +140,6 @@ private:
     JsonValue in_;
     GltfBuffers& buffers_;
     std::map<std::uint64_t, GltfTracks> tracks_;
-    std::uint64_t weights_ = 0;
 };
 
 }   // namespace
@@ -124,10 +151,7 @@ std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfB
     if (list->size() > 1)
         loading.note(file, counted(list->size() - 1, "animation") + " beside the first left out");
     AnimationReader reader(document, (*list)[0], buffers);
-    std::map<std::uint64_t, GltfTracks> tracks = reader.read();
-    if (reader.weights() > 0)
-        loading.note(file, counted(reader.weights(), "channel") + " that moves morph targets left out");
-    return tracks;
+    return reader.read();
 }
 
 MotionNode gltf_node(const JsonValue& in, const glm::dmat4& matrix, const GltfTracks* tracks) {

@@ -1,6 +1,7 @@
 // Nodes of a glTF document that an animation moves.
 #pragma once
 #include <map>
+#include <vector>
 
 #include "model/scene/motion.hpp"
 #include "sim/files/json_value.hpp"
@@ -13,10 +14,14 @@ namespace rayclock {
 struct GltfTracks {
     Track<glm::dvec3> translates, scales;
     Track<glm::dquat> turns;
+    std::vector<Track<double>> weights;   ///< of all morph targets of the node's mesh, or of none
+
+    /// It moves the node, and not its mesh alone.
+    bool move_node() const { return !translates.empty() || !scales.empty() || !turns.empty(); }
 };
 
-/// The tracks of the document's first animation, by node. What is left out is noted: other animations, and
-/// weights of morph targets. Throws UserError.
+/// The tracks of the document's first animation, by node. What is left out is noted: other animations. Throws
+/// UserError.
 std::map<std::uint64_t, GltfTracks> gltf_tracks(const JsonValue& document, GltfBuffers& buffers,
                                                 Loading& loading, const std::string& file);
 

@@ -1,5 +1,6 @@
 #include "sim/load/json_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,26 +11,6 @@
 
 namespace rayclock {
 namespace {
-
-/// Times of all keys: they rise, and there are two or more, so no motion has the length 0.
-std::vector<double> times_of(const JsonValue& keyframes) {
-    if (keyframes.array().size() < 2)
-        keyframes.refuse(fmt::format("has {} key{}; a motion needs two or more, or its length is 0",
-                                     keyframes.size(), keyframes.size() == 1 ? "" : "s"));
-    std::vector<double> times;
-    for (std::size_t i = 0; i < keyframes.size(); ++i) {
-        const JsonValue time = keyframes[i].object().at("time");
-        const double t = time.number();
-        if (!(t >= 0 && t <= latest_time))
-            time.expected(fmt::format("a time within 0 and {:.0f} s", latest_time));
-        if (!times.empty() && !(t > times.back()))
-            time.refuse(
-                fmt::format("is {}, but keys stand in the order of their times, and the one before is at {}",
-                            t, times.back()));
-        times.push_back(t);
-    }
-    return times;
-}
 
 /// What is said of one key must be said of all.
 void check_alike(const JsonValue& keyframes, std::initializer_list<std::string_view> keys) {
@@ -83,6 +64,25 @@ Track<glm::dquat> turns_of(const JsonValue& keyframes, const std::vector<double>
 
 }   // namespace
 
+std::vector<double> key_times_of(const JsonValue& keyframes) {
+    if (keyframes.array().size() < 2)
+        keyframes.refuse(fmt::format("has {} key{}; a motion needs two or more, or its length is 0",
+                                     keyframes.size(), keyframes.size() == 1 ? "" : "s"));
+    std::vector<double> times;
+    for (std::size_t i = 0; i < keyframes.size(); ++i) {
+        const JsonValue time = keyframes[i].object().at("time");
+        const double t = time.number();
+        if (!(t >= 0 && t <= latest_time))
+            time.expected(fmt::format("a time within 0 and {:.0f} s", latest_time));
+        if (!times.empty() && !(t > times.back()))
+            time.refuse(
+                fmt::format("is {}, but keys stand in the order of their times, and the one before is at {}",
+                            t, times.back()));
+        times.push_back(t);
+    }
+    return times;
+}
+
 std::optional<std::uint32_t> anchor(const Where& where, Motion& motion) {
     if (where.place == glm::dmat4(1)) return where.node;
     motion.nodes.push_back({.name = "", .parent = where.node, .matrix = where.place});
@@ -111,6 +111,22 @@ std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion) 
     return base;
 }
 
+void add_deforming(const Motion& part, std::uint32_t first_mesh, Motion& motion) {
+    const auto base = static_cast<std::uint32_t>(motion.nodes.size());
+    const bool has_joints = std::any_of(part.deforming.begin(), part.deforming.end(),
+                                        [](const Deforming& d) { return !d.joints.empty(); });
+    for (std::size_t i = 0; has_joints && i < part.nodes.size(); ++i) {
+        motion.nodes.push_back(part.nodes[i]);
+        if (motion.nodes.back().parent) *motion.nodes.back().parent += base;
+    }
+    for (Deforming deforming : part.deforming) {
+        deforming.mesh += first_mesh;
+        for (Joint& joint : deforming.joints)
+            if (joint.node) *joint.node += base;
+        motion.deforming.push_back(std::move(deforming));
+    }
+}
+
 std::vector<const Hung*> hung_of(const PlacedScene& part) {
     std::vector<const Hung*> of(part.instances.size());
     for (const Hung& hung : part.motion.hung) of[hung.instance] = &hung;
@@ -120,7 +136,7 @@ std::vector<const Hung*> hung_of(const PlacedScene& part) {
 MotionNode node_of(const JsonValue& keyframes) {
     MotionNode node;
     node.name = keyframes.where();
-    const std::vector<double> times = times_of(keyframes);
+    const std::vector<double> times = key_times_of(keyframes);
     check_alike(keyframes, {"time", "translate", "rotate", "scale", "matrix"});
     const auto has = [&](std::string_view key) { return keyframes[0].find(key).has_value(); };
     node.is_parts = !has("matrix");
@@ -135,7 +151,7 @@ MotionNode node_of(const JsonValue& keyframes) {
 
 CameraMotion camera_motion_of(const JsonValue& keyframes, Camera& first) {
     CameraMotion motion;
-    const std::vector<double> times = times_of(keyframes);
+    const std::vector<double> times = key_times_of(keyframes);
     check_alike(keyframes, {"time", "eye", "at", "up", "fov_degrees"});
     std::vector<Camera> cameras;
     for (std::size_t i = 0; i < keyframes.size(); ++i) {
@@ -153,7 +169,7 @@ CameraMotion camera_motion_of(const JsonValue& keyframes, Camera& first) {
 LightMotion light_motion_of(const JsonValue& keyframes, std::uint32_t number, Light& first) {
     LightMotion motion;
     motion.light = number;
-    const std::vector<double> times = times_of(keyframes);
+    const std::vector<double> times = key_times_of(keyframes);
     check_alike(keyframes, {"time", "position", "colour"});
     motion.position.times = times;
     for (std::size_t i = 0; i < keyframes.size(); ++i) {

@@ -21,8 +21,14 @@ std::optional<std::uint32_t> anchor(const Where& where, Motion& motion);
 Where where_of(const JsonValue& in, const Where& above, Motion& motion);
 /// A part's nodes once more, in another space; the number of the first.
 std::uint32_t add_nodes(const Motion& part, const Where& where, Motion& motion);
+/// A part's meshes that deform, once more: they are the meshes from `first_mesh` on. Their joints move in the
+/// mesh's space, wherever it is placed.
+void add_deforming(const Motion& part, std::uint32_t first_mesh, Motion& motion);
 /// By instance: how it hangs at a node, or null.
 std::vector<const Hung*> hung_of(const PlacedScene& part);
+
+/// Times of all keys: they rise, and there are two or more, so no motion has the length 0.
+std::vector<double> key_times_of(const JsonValue& keyframes);
 
 /// A node from the keyframes of an object or an instance, in no parent.
 MotionNode node_of(const JsonValue& keyframes);

@@ -15,6 +15,7 @@
 #include "sim/files/input.hpp"
 #include "sim/load/json_motion.hpp"
 #include "sim/load/json_parts.hpp"
+#include "sim/load/json_shapes.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "sim/load/place.hpp"
 #include "sim/files/text.hpp"
@@ -138,10 +139,12 @@ private:
     }
 
     Part mesh(const JsonValue& in) {
-        in.only_keys({"file", "builtin", "native", "vertices", "triangles"});
+        in.only_keys({"file", "builtin", "native", "shapes", "vertices", "triangles"});
         const bool is_inline = in.find("vertices") || in.find("triangles");
-        if (is_inline + in.find("file").has_value() + in.find("builtin").has_value() != 1)
-            in.refuse("needs one of 'file', 'builtin', or 'vertices' with 'triangles'");
+        const auto shapes = in.find("shapes");
+        if (is_inline + in.find("file").has_value() + in.find("builtin").has_value() + shapes.has_value() !=
+            1)
+            in.refuse("needs one of 'file', 'builtin', 'shapes', or 'vertices' with 'triangles'");
         if (const auto native = in.find("native"); native && !in.find("builtin"))
             native->refuse("belongs to a 'builtin' only");
         if (const auto file = in.find("file"))
@@ -150,7 +153,9 @@ private:
             return library_.builtin(builtin->string(),
                                     flag_or(in, "native", false) ? Primitives::native : Primitives::triangles,
                                     *builtin);
-        const auto part = std::make_shared<PlacedScene>(PlacedScene{inline_mesh(in), {}, {}});
+        const auto part =
+            std::make_shared<PlacedScene>(shapes ? shapes_of(*shapes, path_.parent_path(), library_.loading())
+                                                 : PlacedScene{inline_mesh(in), {}, {}});
         make_room(in, bytes_of(*part));
         return part;
     }
@@ -278,6 +283,8 @@ private:
         if (!mesh.mesh_base) {
             mesh.mesh_base = static_cast<std::uint32_t>(placed_.meshes.size());
             for (const SharedMesh& shared : part.meshes) add_mesh(from, shared, materials);
+            make_room(from, bytes_of(part.motion));
+            add_deforming(part.motion, *mesh.mesh_base, placed_.motion);
         }
         const std::vector<const Hung*> hung = hung_of(part);
         make_room(from, part.motion.nodes.size() * sizeof(MotionNode));

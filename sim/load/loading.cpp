@@ -71,6 +71,17 @@ std::uint64_t bytes_of(const SharedMesh& mesh) {
 std::uint64_t bytes_of(const PlacedScene& scene) {
     std::uint64_t bytes = bytes_of(scene.own);
     for (const SharedMesh& mesh : scene.meshes) bytes += bytes_of(mesh);
+    return bytes + bytes_of(scene.motion);
+}
+
+std::uint64_t bytes_of(const Motion& motion) {
+    std::uint64_t bytes = 0;
+    for (const Deforming& d : motion.deforming) {
+        bytes += sizeof(glm::dvec3) * (d.rest.size() + d.normals.size()) + sizeof(Joint) * d.joints.size() +
+                 sizeof(Pull) * d.pulls.size() + sizeof(std::uint32_t) * d.first_pull.size();
+        for (const MorphTarget& target : d.targets)
+            bytes += sizeof(MorphTarget) + sizeof(glm::dvec3) * (target.moves.size() + target.turns.size());
+    }
     return bytes;
 }
 

@@ -81,6 +81,7 @@ bool leaves_folder(const std::filesystem::path& name);
 /// Bytes that a scene's primitives, vertices and materials take.
 std::uint64_t bytes_of(const Scene& scene);
 std::uint64_t bytes_of(const SharedMesh& mesh);
+std::uint64_t bytes_of(const Motion& motion);       ///< of what deforms
 std::uint64_t bytes_of(const PlacedScene& scene);   ///< of its own and its meshes', each once
 
 }   // namespace rayclock

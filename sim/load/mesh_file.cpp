@@ -69,11 +69,16 @@ void Assembly::put(Scene& into, std::size_t number, const glm::dmat4& place, std
                    const std::function<Material()>& make) {
     const Scene& part = parts_[number];
     if (part.triangles.empty()) return;
+    const std::uint32_t number_of_material = this->material(material, make);
+    if (!loading_.may_make(part)) Place{file_}.refuse(loading_.too_much());
+    append(into, part, place, number_of_material, 0);
+}
+
+std::uint32_t Assembly::material(std::uint64_t material, const std::function<Material()>& make) {
     const auto [found, is_new] =
         materials_.try_emplace(material, static_cast<std::uint32_t>(scene_.materials.size()));
     if (is_new) scene_.materials.push_back(make());
-    if (!loading_.may_make(part)) Place{file_}.refuse(loading_.too_much());
-    append(into, part, place, found->second, 0);
+    return found->second;
 }
 
 Scene Assembly::take(bool may_be_empty) {

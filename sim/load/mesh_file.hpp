@@ -39,6 +39,19 @@ Scene read_dae(const std::filesystem::path& path, std::string bytes, Loading& lo
 Scene read_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);   ///< flattened
 PlacedScene read_placed_gltf(const std::filesystem::path& path, std::string bytes, Loading& loading);
 
+/// An OBJ file as it is written, for who has to compare several of them.
+struct ObjShape {
+    struct Corner {
+        std::uint32_t position = 0, normal = 0;   ///< counted from 1; normal 0: none
+    };
+    std::vector<glm::vec3> positions, normals;
+    std::vector<Corner> corners;            ///< of all faces
+    std::vector<std::size_t> ends;          ///< of each face, in `corners`
+    std::vector<std::uint32_t> materials;   ///< of each face, in `known`
+    std::vector<Material> known;
+};
+ObjShape read_obj_shape(const std::filesystem::path& path, std::string text, Loading& loading);
+
 /// One `newmtl` block.
 struct MtlBlock {
     std::string name;
@@ -65,6 +78,9 @@ public:
                const std::function<Material()>& make);
     /// The same into triangles that others will place: materials are those of the scene.
     void gather(Scene& into, std::size_t part, std::uint64_t material, const std::function<Material()>& make);
+
+    /// The scene's number of a material, which is made when it is met first.
+    std::uint32_t material(std::uint64_t material, const std::function<Material()>& make);
 
     Scene& scene() { return scene_; }
     /// Says what was left out; refuses a scene without triangles, unless `may_be_empty`.

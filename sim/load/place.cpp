@@ -95,7 +95,12 @@ void make_smooth(Scene& part) {
 
 void make_smooth(PlacedScene& part) {
     make_smooth(part.own);
+    // What deforms turns its facets' normals in every frame.
+    for (Deforming& deforming : part.motion.deforming)
+        if (SharedMesh& mesh = part.meshes[deforming.mesh]; mesh.normals.empty())
+            make_faceted(deforming, mesh);
     for (SharedMesh& mesh : part.meshes) {
+        if (!mesh.normals.empty()) continue;
         Scene alone;
         alone.vertices.swap(mesh.vertices), alone.normals.swap(mesh.normals);
         alone.triangles.swap(mesh.triangles);

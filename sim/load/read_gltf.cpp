@@ -1,7 +1,7 @@
 // glTF 2.0: the document is checked part by part; the tree of nodes, meshes, colours, cameras and lights are
-// taken, and the first animation of nodes. A mesh that stands in several places, or moves, becomes instances.
-// A texture of the base colour is drawn as its mean. Skins, morph targets, other textures and vertex colours
-// are left out. Both is said.
+// taken, and the first animation. A mesh that stands in several places, or moves, becomes instances. A
+// texture of the base colour is drawn as its mean. Other textures and vertex colours are left out. Both is
+// said.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,9 +13,11 @@
 #include "model/base/error.hpp"
 #include "sim/files/text.hpp"
 #include "sim/load/gltf_buffers.hpp"
+#include "sim/load/gltf_deform.hpp"
 #include "sim/load/gltf_document.hpp"
 #include "sim/load/gltf_material.hpp"
 #include "sim/load/gltf_motion.hpp"
+#include "sim/load/gltf_textures.hpp"
 #include "sim/load/json_motion.hpp"
 #include "sim/load/mesh_file.hpp"
 
@@ -23,11 +25,6 @@ namespace rayclock {
 namespace {
 
 constexpr int max_depth = 500;   // the tree is walked by recursion
-
-/// What is met on the way and not drawn.
-struct Dropped {
-    std::uint64_t averaged = 0, textures = 0, colours = 0, targets = 0, skins = 0, lines = 0, odd = 0;
-};
 
 class GltfReader {
 public:
@@ -37,6 +34,8 @@ public:
           at_{path.string()},
           loading_(loading),
           buffers_(document, path, container, loading),
+          deformer_(in_, buffers_, loading, [this](std::uint64_t node) { return wheres_[node]; }),
+          textures_(in_, buffers_, loading, at_.file),
           assembly_(at_.file, loading) {}
 
     PlacedScene read() {
@@ -52,16 +51,18 @@ public:
         tree();
         if (triangles_ == 0) at_.refuse("the file has no triangles");
         for (const Copy& copy : copies_)
-            if (parts_[copy.mesh].empty()) build(copy.mesh);
+            if (!copy.deforms && parts_[copy.mesh].empty()) build(copy.mesh);
         assembly_.make_alike(has_normals_);
         std::vector<std::uint64_t> times(parts_.size());
         for (const Copy& copy : copies_) ++times[copy.mesh];
         for (const Copy& copy : copies_)
-            if (copy.where.node || times[copy.mesh] > 1)
+            if (copy.deforms)
+                deform(copy);
+            else if (copy.where.node || times[copy.mesh] > 1)
                 share(copy);
             else
                 place(copy);
-        say_dropped();
+        dropped_.say(loading_, at_.file);
         placed_.own = assembly_.take(!placed_.instances.empty());
         placed_.own.camera = camera_;
         pose(placed_, 0);
@@ -83,6 +84,7 @@ private:
     struct Copy {
         std::uint64_t mesh, from;   ///< from: the document's node
         Where where;
+        bool deforms;
     };
 
     const std::vector<glm::vec3>& vectors(const JsonValue& attribute, bool must_be_finite) {
@@ -154,14 +156,13 @@ private:
         if (made.corners < 3 || (mode == 4 && made.corners % 3 != 0))
             in.refuse(fmt::format("has {} corners, which do not make triangles", made.corners));
         if (const auto material = in.find("material")) made.material = material->whole(count_of("materials"));
-        dropped_.targets += in.find("targets").has_value();
         dropped_.colours += attributes.find("COLOR_0").has_value();
         return made;
     }
 
     void tree() {
         const std::size_t count = count_of("nodes");
-        visited_.resize(count);
+        visited_.resize(count), wheres_.resize(count);
         for (const std::uint64_t root : gltf_roots(in_, count)) visit(root, 0, {});
         if (triangles_ > max_triangles)
             at_.refuse(fmt::format("{} placed triangles; the most is {}", triangles_, max_triangles));
@@ -171,12 +172,17 @@ private:
     Where where_of(const JsonValue& in, std::uint64_t index, const Where& above) {
         const glm::dmat4 own = gltf_transform(in);
         const auto tracks = tracks_.find(index);
-        if (tracks == tracks_.end()) return {above.place * own, above.node};
+        if (tracks == tracks_.end() || !tracks->second.move_node()) return {above.place * own, above.node};
         std::vector<MotionNode>& nodes = placed_.motion.nodes;
         MotionNode node = gltf_node(in, own, &tracks->second);
         node.parent = anchor(above, placed_.motion);
         nodes.push_back(std::move(node));
         return {glm::dmat4(1), static_cast<std::uint32_t>(nodes.size() - 1)};
+    }
+
+    const GltfTracks* tracks_of(std::uint64_t node) const {
+        const auto found = tracks_.find(node);
+        return found == tracks_.end() ? nullptr : &found->second;
     }
 
     void visit(std::uint64_t index, int depth, const Where& above) {
@@ -185,13 +191,15 @@ private:
         if (depth > max_depth) in.refuse(fmt::format("lies deeper than {} nodes", max_depth));
         visited_[index] = true;
         const Where where = where_of(in, index, above);
+        wheres_[index] = where;
         const glm::dmat4& place = where.place;
         if (const auto mesh = in.find("mesh")) {
             const std::uint64_t number = mesh->whole(mesh_triangles_.size());
-            if (mesh_triangles_[number] > 0) copies_.push_back({number, index, where});
+            if (mesh_triangles_[number] > 0)
+                copies_.push_back({number, index, where,
+                                   GltfDeformer::deforms(in, in_.at("meshes")[number], tracks_of(index))});
             triangles_ += mesh_triangles_[number];
         }
-        dropped_.skins += in.find("skin").has_value();
         if (const auto camera = in.find("camera")) {
             const auto made = gltf_camera(in_.at("cameras")[camera->whole(count_of("cameras"))], place);
             if (!camera_ && made && where.node) {
@@ -220,6 +228,22 @@ private:
             visit((*children)[i].whole(visited_.size()), depth + 1, where);
     }
 
+    /// By the numbers of its vertices.
+    template <class Use> static void each_triangle(const Primitive& primitive, const Use& use) {
+        const auto vertex = [&](std::uint64_t k) {
+            return primitive.indices ? (*primitive.indices)[k] : static_cast<std::uint32_t>(k);
+        };
+        if (primitive.mode == 4)
+            for (std::uint64_t k = 0; k < primitive.corners; k += 3)
+                use(vertex(k), vertex(k + 1), vertex(k + 2));
+        else if (primitive.mode == 5)   // a strip: every second triangle is turned over
+            for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
+                use(vertex(k + k % 2), vertex(k + 1 - k % 2), vertex(k + 2));
+        else   // a fan
+            for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
+                use(vertex(0), vertex(k + 1), vertex(k + 2));
+    }
+
     /// Makes the parts of a mesh, when it is placed first.
     void build(std::uint64_t mesh) {
         for (const Primitive& primitive : meshes_[mesh]) {
@@ -227,20 +251,13 @@ private:
                 at_.refuse(loading_.too_much());
             PartBuilder builder(primitive.mode == 4 ? primitive.corners / 3 : primitive.corners - 2,
                                 primitive.normals != nullptr);
-            const auto corner = [&](std::uint64_t k) {
-                const std::size_t i = primitive.indices ? (*primitive.indices)[k] : k;
+            const auto corner = [&](std::uint32_t i) {
                 return Corner{glm::dvec3((*primitive.positions)[i]),
                               primitive.normals ? glm::dvec3((*primitive.normals)[i]) : glm::dvec3(0)};
             };
-            if (primitive.mode == 4)
-                for (std::uint64_t k = 0; k < primitive.corners; k += 3)
-                    builder.add(corner(k), corner(k + 1), corner(k + 2), 0);
-            else if (primitive.mode == 5)   // a strip: every second triangle is turned over
-                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
-                    builder.add(corner(k + k % 2), corner(k + 1 - k % 2), corner(k + 2), 0);
-            else   // a fan
-                for (std::uint64_t k = 0; k + 2 < primitive.corners; ++k)
-                    builder.add(corner(0), corner(k + 1), corner(k + 2), 0);
+            each_triangle(primitive, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+                builder.add(corner(a), corner(b), corner(c), 0);
+            });
             parts_[mesh].push_back(assembly_.add(std::move(builder)));
         }
     }
@@ -265,65 +282,54 @@ private:
             placed_.meshes.push_back({fmt::format("meshes[{}]", copy.mesh), std::move(mesh.vertices),
                                       std::move(mesh.normals), std::move(mesh.triangles)});
         }
-        const std::string name = fmt::format("nodes[{}]", copy.from);
-        if (copy.where.node)
+        add_instance(copy.from, found->second, copy.where);
+    }
+
+    /// A mesh of its own, all of whose triangles stay, because they may get an area later. Joints say where a
+    /// skin is, and not the node that has it.
+    void deform(const Copy& copy) {
+        const JsonValue node = in_.at("nodes")[copy.from];
+        const std::vector<Primitive>& primitives = meshes_[copy.mesh];
+        const bool is_smooth = std::all_of(primitives.begin(), primitives.end(),
+                                           [](const Primitive& primitive) { return primitive.normals; });
+        Deforming made = deformer_.make(node, in_.at("meshes")[copy.mesh], tracks_of(copy.from), is_smooth);
+        SharedMesh mesh{fmt::format("meshes[{}]", copy.mesh), made.rest, made.normals, {}};
+        if (!loading_.may_make(mesh_triangles_[copy.mesh] * sizeof(Triangle)))
+            at_.refuse(loading_.too_much());
+        std::uint32_t base = 0;
+        for (const Primitive& primitive : primitives) {
+            const std::uint32_t own =
+                assembly_.material(primitive.material, [&] { return material(primitive.material); });
+            each_triangle(primitive, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+                mesh.triangles.push_back({{base + a, base + b, base + c}, own});
+            });
+            base += static_cast<std::uint32_t>(primitive.positions->size());
+        }
+        if (has_normals_ && mesh.normals.empty()) make_faceted(made, mesh);
+        made.mesh = static_cast<std::uint32_t>(placed_.meshes.size());
+        const Where where = made.joints.empty() ? copy.where : Where{};
+        if (made.is_still())
+            rayclock::deform(made, 0, {}, mesh);
+        else
+            placed_.motion.deforming.push_back(std::move(made));
+        placed_.meshes.push_back(std::move(mesh));
+        add_instance(copy.from, static_cast<std::uint32_t>(placed_.meshes.size() - 1), where);
+    }
+
+    void add_instance(std::uint64_t node, std::uint32_t mesh, const Where& where) {
+        if (where.node)
             placed_.motion.hung.push_back(
-                {static_cast<std::uint32_t>(placed_.instances.size()), *copy.where.node, copy.where.place});
-        placed_.instances.push_back({name, found->second, copy.where.place, {}});
+                {static_cast<std::uint32_t>(placed_.instances.size()), *where.node, where.place});
+        placed_.instances.push_back({fmt::format("nodes[{}]", node), mesh, where.place, {}});
     }
 
     Material material(std::uint64_t number) {
         if (number == none) return Material{.name = "default"};
         GltfMaterial material = materials_[number];
-        if (material.base_texture) tint(material);
+        if (material.base_texture) dropped_.averaged += textures_.tint(material);
         dropped_.textures += material.has_textures;
         dropped_.odd += is_out_of_range(material.surface);
         return material_of(material.surface, material.name);
-    }
-
-    /// The base colour is multiplied by the mean of its texture. A mesh often travels without its pictures:
-    /// one that cannot be read is told, and leaves the colour as it is.
-    void tint(GltfMaterial& material) {
-        const JsonValue& reference = *material.base_texture;
-        const JsonValue texture = list("textures")[reference.at("index").whole(count_of("textures"))];
-        const auto source = texture.find("source");
-        if (!source) return void(material.has_textures = true);   // of an extension
-        const std::uint64_t image = source->whole(count_of("images"));
-        const auto [found, is_new] = averages_.try_emplace(image);
-        if (is_new) found->second = average(image);
-        if (!found->second) return;
-        ++dropped_.averaged;
-        material.surface.colour *= *found->second;
-        if (!material.blends) material.surface.colour.a = 1;
-    }
-
-    std::optional<glm::vec4> average(std::uint64_t image) {
-        std::string why;
-        std::optional<glm::vec4> made;
-        const JsonValue entry = in_.at("images")[image];
-        try {
-            made = loading_.average(buffers_.image(image), why);
-        } catch (const UserError& error) {
-            if (!entry.find("uri") || leaves_folder(entry.at("uri").string())) throw;
-            why = error.what();
-        }
-        if (!made)
-            loading_.note(at_.file,
-                          fmt::format("the texture images[{}] is not drawn: {}", image, printable(why, 300)));
-        return made;
-    }
-
-    void say_dropped() {
-        const auto say = [&](std::uint64_t count, const char* what, const char* sentence) {
-            if (count > 0) loading_.note(at_.file, counted(count, what) + sentence);
-        };
-        say(dropped_.odd, "material", " with values out of range, taken as the nearest within");
-        say(dropped_.averaged, "material", " with a texture of its colour, drawn in the mean of the texture");
-        say(dropped_.textures, "material", " with other textures, which are not drawn");
-        say(dropped_.colours, "primitive", " with vertex colours, which are not drawn");
-        say(dropped_.targets, "primitive", " with morph targets, drawn in the shape without them");
-        say(dropped_.skins, "node", " with a skin, drawn in the pose without it");
-        say(dropped_.lines, "primitive", " of points or lines left out");
     }
 
     JsonValue list(std::string_view key) const {
@@ -335,6 +341,8 @@ private:
     Place at_;
     Loading& loading_;
     GltfBuffers buffers_;
+    GltfDeformer deformer_;
+    GltfTextures textures_;
     Assembly assembly_;
     const Json empty_ = Json::array();
     std::map<std::uint64_t, std::vector<glm::vec3>> vectors_;   // by accessor
@@ -344,8 +352,8 @@ private:
     std::vector<std::vector<std::size_t>> parts_;   // of meshes that are placed
     std::vector<std::uint64_t> mesh_triangles_;
     std::vector<GltfMaterial> materials_;
-    std::map<std::uint64_t, std::optional<glm::vec4>> averages_;   // of images
     std::vector<bool> visited_;
+    std::vector<std::optional<Where>> wheres_;        // of nodes that stand in the scene
     std::map<std::uint64_t, GltfTracks> tracks_;      // by node
     std::map<std::uint64_t, std::uint32_t> shared_;   // meshes as meshes of ours
     PlacedScene placed_;
@@ -354,7 +362,7 @@ private:
     std::optional<Camera> camera_;
     bool has_normals_ = false;
     std::uint64_t triangles_ = 0;
-    Dropped dropped_;
+    GltfDropped dropped_;
 };
 
 }   // namespace

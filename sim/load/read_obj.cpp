@@ -86,11 +86,20 @@ public:
             check_text(line, at_, "OBJ");
     }
 
+    ObjShape finish_shape() {
+        check_end();
+        ObjShape shape{{}, {}, {}, {}, {}, read_materials()};
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            const std::size_t end = i + 1 < runs_.size() ? runs_[i + 1].first_face : ends_.size();
+            shape.materials.resize(end, static_cast<std::uint32_t>(runs_[i].material));
+        }
+        shape.positions = std::move(positions_), shape.normals = std::move(directions_);
+        shape.corners = std::move(corners_), shape.ends = std::move(ends_);
+        return shape;
+    }
+
     Scene finish() {
-        at_.line = 0;
-        vertices_.finish(at_.file);
-        normals_.finish(at_.file);
-        if (ends_.empty()) at_.refuse("the file has no triangles");
+        check_end();
         const std::vector<Material> materials = read_materials();
         Assembly assembly(at_.file, loading_);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
@@ -109,9 +118,14 @@ private:
         std::size_t first_face, material;
         bool is_smooth = false;
     };
-    struct Index {
-        std::uint32_t position, normal;   ///< counted from 1; normal 0: none
-    };
+    using Index = ObjShape::Corner;
+
+    void check_end() {
+        at_.line = 0;
+        vertices_.finish(at_.file);
+        normals_.finish(at_.file);
+        if (ends_.empty()) at_.refuse("the file has no triangles");
+    }
 
     void numbers(std::string_view key, std::string_view rest, Counted& counted,
                  std::vector<glm::vec3>& list) {
@@ -288,12 +302,9 @@ void join_lines(std::string& text) {
     }
 }
 
-}   // namespace
-
-Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loading) {
+void read_statements(ObjReader& reader, std::string text, Loading& loading) {
     std::replace(text.begin(), text.end(), joined_break, ' ');
     join_lines(text);
-    ObjReader reader(path, loading);
     std::string_view rest = without_mark(text);
     for (std::uint64_t line = 1, breaks = 0; !rest.empty(); line += 1 + breaks) {
         if (line % 65'536 == 1) loading.tell("checking", text.size() - rest.size(), text.size());
@@ -301,7 +312,20 @@ Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loa
         breaks = static_cast<std::uint64_t>(std::count(statement.begin(), statement.end(), joined_break));
         reader.statement(statement, line);
     }
+}
+
+}   // namespace
+
+Scene read_obj(const std::filesystem::path& path, std::string text, Loading& loading) {
+    ObjReader reader(path, loading);
+    read_statements(reader, std::move(text), loading);
     return reader.finish();
+}
+
+ObjShape read_obj_shape(const std::filesystem::path& path, std::string text, Loading& loading) {
+    ObjReader reader(path, loading);
+    read_statements(reader, std::move(text), loading);
+    return reader.finish_shape();
 }
 
 }   // namespace rayclock

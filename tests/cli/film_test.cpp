@@ -1,6 +1,8 @@
 // Films: numbered frames, one picture that plays them, and options of time that make no sense.
 #include <catch2/catch.hpp>
 
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
@@ -88,6 +90,50 @@ TEST_CASE("times of frames are what --fps and --time say, and a second buffer dr
     CHECK(later[2]["time"].get<double>() <= 0.75);
 }
 
+TEST_CASE("the report tells of every frame which trees were refitted and which were built anew") {
+    const Folder folder;
+    // Strips that lie side by side and then cross each other.
+    std::ostringstream a, b, faces;
+    for (int i = 0; i < 40; ++i) {
+        a << "v " << i << " 0 0\nv " << i << " 1 0\nv " << i << " 0 1\n";
+        b << "v " << i * 7 % 40 << " 0 0\nv " << i * 11 % 40 << " 1 0\nv " << i * 13 % 40 << " 0 1\n";
+        faces << "f " << 3 * i + 1 << ' ' << 3 * i + 2 << ' ' << 3 * i + 3 << '\n';
+    }
+    folder.write("a.obj", a.str() + faces.str());
+    folder.write("b.obj", b.str() + faces.str());
+    const std::string scene = folder.write("s.json", R"({"meshes": {"m": {"shapes": [
+        {"time": 0, "file": "a.obj"}, {"time": 1, "file": "b.obj"}]}}, "objects": [{"mesh": "m"}]})");
+    for (const char* levels : {"levels=1", "levels=2"}) {
+        INFO(levels);
+        const auto film = [&](Words more) {
+            Words all{"simulate", scene, "--set",  levels, "--size",         "32x24",   "--time", "0:1.2",
+                      "--fps",    "5",   "--json", "-",    "--no-reference", "--clock", "66"};
+            all.insert(all.end(), more.begin(), more.end());
+            return frames_of(all);
+        };
+        const json usual = film({}), never = film({"--rebuild", "1e9"}), always = film({"--rebuild", "0"});
+        REQUIRE(usual.size() == 6);
+        int refitted = 0, rebuilt = 0;
+        for (std::size_t f = 1; f < usual.size(); ++f) {
+            refitted += usual[f]["host_refitted"].get<int>();
+            rebuilt += usual[f]["host_rebuilt"].get<int>();
+            CHECK(usual[f]["host_cost"].get<double>() <= 1.5);
+            CHECK(never[f]["host_refitted"] == 1);
+            CHECK(never[f]["host_rebuilt"] == 0);
+            CHECK(always[f]["host_rebuilt"] == 1);
+            CHECK(usual[f]["bytes_written"].get<int>() > 0);
+            CHECK(usual[f]["host_whole"] == false);
+        }
+        CHECK(refitted > 0);
+        CHECK(rebuilt > 0);
+        CHECK(never[5]["host_cost"].get<double>() > 1.5);
+        CHECK(never[5]["node_steps"].get<int>() > always[5]["node_steps"].get<int>());
+    }
+    const Outcome said = run_program({"simulate", scene, "--frames", "2", "--fps", "2", "--size", "8x6",
+                                      "--no-reference", "--clock", "66"});
+    CHECK_THAT(said.out, Catch::Contains("refitted") && Catch::Contains("its trees anew, or to refit them"));
+}
+
 TEST_CASE("options of a film that make no sense") {
     const std::vector<std::pair<Words, Words>> bad{{{"--fps", "0"}, {"--fps", "0.001..10000", "0"}},
                                                    {{"--fps", "nan"}, {"--fps", "nan"}},
@@ -95,7 +141,10 @@ TEST_CASE("options of a film that make no sense") {
                                                    {{"--time", "2:1"}, {"--time", "2:1"}},
                                                    {{"--time", "1:1"}, {"--time", "1:1", "length 0"}},
                                                    {{"--time", "1e99"}, {"--time", "1e99"}},
-                                                   {{"--uploads", "never"}, {"--uploads", "never"}}};
+                                                   {{"--uploads", "never"}, {"--uploads", "never"}},
+                                                   {{"--rebuild", "-1"}, {"--rebuild", "-1"}},
+                                                   {{"--rebuild", "nan"}, {"--rebuild", "nan"}},
+                                                   {{"--rebuild", "x"}, {"--rebuild", "x"}}};
     for (const auto& [options, words] : bad) check_refused(run_program(film_of(options)), words);
     const Outcome still = run_program(
         {"simulate", "teapot:3", "--size", "8x6", "--frames", "2", "--fps", "5", "--no-reference"});

@@ -34,14 +34,14 @@ mutant(film_never_resets_the_chip FILE model/accel/levels/moving.cpp TEST motion
   OLD [[upload.resets = !upload.lines.empty() && is_read_[buffer];]]
   NEW [[upload.resets = false;]])
 mutant(film_writes_one_line_less FILE model/accel/levels/moving.cpp TEST motion [film]
-  OLD [[for (std::uint32_t i = 0; i < levels_.upper_lines; ++i) {]]
-  NEW [[for (std::uint32_t i = 1; i < levels_.upper_lines; ++i) {]])
+  OLD [[part(root_, levels_.upper_lines, nullptr);]]
+  NEW [[part(root_ + 1, levels_.upper_lines - 1, nullptr);]])
 mutant(film_boxes_are_too_small FILE model/accel/levels/fit.cpp TEST motion [film]
   OLD [=[size[k] * half[k] + disc[k]]=]
   NEW [=[size[k] * half[k] + 0.9 * disc[k]]=])
 mutant(film_lights_stand_still FILE sim/film/film.cpp TEST motion [film]
   OLD [[if (job_.config.shading)]]
-  NEW [[if (job_.config.shading && f == 0)]])
+  NEW [[if (job_.config.shading && frame_ == 1)]])
 mutant(film_forgets_that_images_are_mirrored FILE sim/engine/engine.cpp TEST motion [film]
   OLD [[std::swap(picture.hits.back().u, picture.hits.back().v);]]
   NEW [[void();]])

@@ -10,6 +10,7 @@
 #include "sim/load/json_scene.hpp"
 #include "sim/load/mesh_file.hpp"
 #include "tests/load/files.hpp"
+#include "tests/motion/animated.hpp"
 
 using namespace rayclock;
 using namespace rayclock::test;
@@ -129,54 +130,6 @@ TEST_CASE("bad motion is refused by a sentence that names the key and the value"
     balls["meshes"]["b"] = {{"builtin", "balls:1"}, {"native", true}};
     check_refused_scene(balls, {"moves true spheres"});
 }
-
-namespace {
-
-/// One octahedron, and three numbers a key behind its bytes: times, then values.
-struct Animated {
-    Json json = Json::parse(Octahedron().gltf(""));
-    std::string bytes = Octahedron().bin();
-
-    std::size_t accessor(const std::vector<float>& numbers, const std::string& type, std::size_t width) {
-        const std::size_t begin = bytes.size();
-        bytes.append(reinterpret_cast<const char*>(numbers.data()), 4 * numbers.size());
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", 4 * numbers.size()}});
-        json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
-                                     {"componentType", 5126},
-                                     {"type", type},
-                                     {"count", numbers.size() / width}});
-        json["buffers"][0]["byteLength"] = bytes.size();
-        return json["accessors"].size() - 1;
-    }
-    void channel(std::size_t node, const std::string& path, const std::vector<float>& times,
-                 const std::vector<float>& values, const char* between = nullptr) {
-        const bool is_turn = path == "rotation";
-        Json sampler{{"input", accessor(times, "SCALAR", 1)},
-                     {"output", accessor(values, is_turn ? "VEC4" : "VEC3", is_turn ? 4 : 3)}};
-        if (between) sampler["interpolation"] = between;
-        Json& animation = json["animations"][0];
-        animation["samplers"].push_back(sampler);
-        animation["channels"].push_back(
-            {{"sampler", animation["samplers"].size() - 1}, {"target", {{"node", node}, {"path", path}}}});
-    }
-    PlacedScene load() const {
-        const Folder folder;
-        const Progress silent;
-        Loading loading(silent);
-        return load_mesh_file(folder.write("a.glb", glb_of(json.dump(), bytes)), loading);
-    }
-    std::string says() const {
-        try {
-            load();
-        } catch (const UserError& error) {
-            return error.what();
-        }
-        return {};
-    }
-};
-
-}   // namespace
 
 TEST_CASE("glTF: animations move nodes, and meshes in several places are instances", "[motion]") {
     Animated file;

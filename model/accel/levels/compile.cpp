@@ -7,6 +7,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/levels/levels.hpp"
+#include "model/accel/refit/refit.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
@@ -16,21 +17,6 @@ namespace {
 
 constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
 
-/// The triangles of a mesh that count on a class's lattice, numbered within the mesh.
-std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
-    std::vector<PrimData> all;
-    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // turned inside out again
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto corner = [&](std::size_t k) {
-            return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
-        };
-        const PrimData prim{corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2), std::uint32_t(i),
-                            0};
-        if (counts(prim, config)) all.push_back(prim);
-    }
-    return all;
-}
-
 class LevelsCompiler {
 public:
     LevelsCompiler(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
@@ -38,7 +24,9 @@ public:
         : parts_(parts), materials_(materials), config_(config), name_(name), out_(out), image_(out.image) {}
 
     void run(int buffers) {
+        buffers_ = std::max(buffers, 1);
         lowers_.resize(out_.maps.classes.size());
+        out_.rooms.assign(lowers_.size(), 0), out_.surfaces.assign(lowers_.size(), 0);
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
         if (buffers > 0) {   // room for as many trees, whatever they look like
@@ -97,7 +85,10 @@ private:
 
     void compile_class(std::size_t c) {
         const MeshClass& made = out_.maps.classes[c];
-        const std::vector<PrimData> prims = snapped(*parts_.meshes[made.mesh], made, config_);
+        const std::vector<PrimData> prims = snapped_triangles(*parts_.meshes[made.mesh], made, config_);
+        if (made.deforms)
+            out_.rooms[c] = aligned(std::uint32_t(
+                std::min<std::uint64_t>(Refit::most_lines(prims.size()), std::uint64_t(1) << max_addr_bits)));
         if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_, name_);
     }
 
@@ -111,7 +102,16 @@ private:
             image_.words.insert(image_.words.end(), lowers_[c].words.begin(), lowers_[c].words.end());
             image_.report.nodes += lowers_[c].report.nodes;
             move_nodes(root);
+            make_room(c, root);
         }
+    }
+
+    /// For any tree over what deforms, in each buffer.
+    void make_room(std::size_t c, std::uint32_t root) {
+        if (out_.rooms[c] == 0) return;
+        const std::uint64_t lines = root + std::uint64_t(out_.rooms[c]) * std::uint64_t(buffers_);
+        check_lines(lines, config_, name_);
+        image_.words.resize(std::size_t(lines) * words_per_line, 0);
     }
 
     /// What an entry can say once the lower structures lie in memory.
@@ -136,26 +136,20 @@ private:
         Scene scene;
         scene.vertices.emplace_back();
         scene.triangles = {{{0, 0, 0}, material}};
+        scene.materials = materials_;
         write(scene);
         return found->second;
     }
 
-    /// On the class's lattice, whose steps are the unit here: normals of corners are turned as planes are.
     void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
-        const SharedMesh& mesh = *parts_.meshes[made.mesh];
-        Scene part, scene;
-        part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
-        append(scene, part, made.before, {}, 0);
-        if (!made.corners.empty()) scene.vertices = made.corners;
-        for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
-        for (glm::dvec3& normal : scene.normals) normal = unit_or_zero(normal * made.lattice.pitch);
-        write(scene);
+        out_.surfaces[number] = image_.lines();
+        const Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
+        for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b) write(scene);
     }
 
     /// Surfaces of a scene whose unit is a step.
-    void write(Scene& scene) {
-        scene.materials = materials_;
+    void write(const Scene& scene) {
         MemoryImage surfaces;
         surfaces.lattice.coord_bits = config_.coord_bits;
         check_lines(std::uint64_t(image_.lines()) + scene.triangles.size(), config_, name_);
@@ -187,6 +181,7 @@ private:
     const std::string& name_;
     LevelsImage& out_;
     MemoryImage& image_;
+    int buffers_ = 1;
     std::vector<MemoryImage> lowers_;                                  // by class
     std::uint64_t triangles_ = 0;                                      // placed
     std::map<std::uint32_t, std::uint32_t> surfaces_, materials_of_;   // lines, by class and by material
@@ -194,6 +189,32 @@ private:
 };
 
 }   // namespace
+
+std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
+    std::vector<PrimData> all;
+    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // turned inside out again
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto corner = [&](std::size_t k) {
+            return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
+        };
+        const PrimData prim{corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2), std::uint32_t(i),
+                            0};
+        if (made.deforms || counts(prim, config)) all.push_back(prim);
+    }
+    return all;
+}
+
+// Normals of corners are turned as planes are.
+Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials) {
+    Scene part, scene;
+    part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
+    append(scene, part, made.before, {}, 0);
+    if (!made.corners.empty()) scene.vertices = made.corners;
+    for (glm::dvec3& at : scene.vertices) at = (at - made.lattice.centre) / made.lattice.pitch;
+    for (glm::dvec3& normal : scene.normals) normal = unit_or_zero(normal * made.lattice.pitch);
+    scene.materials = materials;
+    return scene;
+}
 
 void check_need(int need, const Config& config, const std::string& name) {
     check_stack(need, config, name);

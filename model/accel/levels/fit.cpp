@@ -152,7 +152,8 @@ Fitted fit(const Seen& seen, const MeshClass& made, const Config& config, bool b
         moved[int(i)] = std::ldexp(double(map.b[i]), -frac);
         map.is_whole = map.is_whole && map.b[i] % one == 0;
     }
-    place_box(made, linear, moved, config, by_reach && made.points.size() > most_exact, fitted);
+    place_box(made, linear, moved, config, by_reach && (made.deforms || made.points.size() > most_exact),
+              fitted);
     return fitted;
 }
 

@@ -11,6 +11,10 @@ struct LevelsImage {
     std::vector<UpperEntry> entries;       ///< of the scene's tree: their maps are of `maps`
     std::vector<std::uint32_t> of_entry;   ///< by entry: its instance, in the order of `maps`
     std::uint32_t upper_lines = 0;   ///< of a scene that moves: how many lines each of its trees may take
+    /// By class, of a mesh that deforms: how many lines each of its trees may take, one tree for each buffer;
+    /// of others 0.
+    std::vector<std::uint32_t> rooms;
+    std::vector<std::uint32_t> surfaces;   ///< by class: line of its first surface, if the chip shades
 };
 
 /// The configuration with levels=2. Throws UserError if no machine can be both.
@@ -33,6 +37,11 @@ Places places_of(const PlacedScene& scene);
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name);
 /// Throws UserError if the machine cannot keep so many groups of siblings.
 void check_need(int need, const Config& config, const std::string& name);
+/// The triangles of a mesh on a class's lattice, numbered within the mesh: those that count, or all of a mesh
+/// that deforms, because one that has no area now may have some in another frame.
+std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass& made, const Config& config);
+/// Their surfaces, as a scene whose unit is a step of the lattice.
+Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials);
 /// The image of `out.maps`: `buffers` trees of the scene's level, of which the first is written, then the
 /// lower structures. 0 buffers: one tree, and no line too many.
 void compile_parts(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,

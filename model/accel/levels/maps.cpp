@@ -76,7 +76,7 @@ private:
         Growing box;
         for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
             const SharedMesh& mesh = *parts_.meshes[parts_.instances[i].mesh];
-            if (moves_[i] || is_large_) {
+            if (moves_[i] || is_large_ || parts_.deforms(parts_.instances[i].mesh)) {
                 const std::array<glm::dvec3, 8>& corners = corners_of(parts_.instances[i].mesh);
                 for (std::size_t t = 0; t < (moves_[i] ? times_.size() : 1); ++t)
                     for (const glm::dvec3& corner : corners) box.add(times_[t][i], corner);
@@ -105,6 +105,8 @@ private:
         Growing box;
         for (const Triangle& triangle : mesh.triangles)
             for (const std::uint32_t index : triangle.vertex) box.add(glm::dmat4(1), mesh.vertices[index]);
+        if (const Bounds* all = parts_.deforms(number))
+            box.add(glm::dmat4(1), all->lo), box.add(glm::dmat4(1), all->hi);
         std::array<glm::dvec3, 8>& corners = found->second;
         for (int c = 0; c < 8; ++c)
             for (int k = 0; k < 3; ++k) corners[std::size_t(c)][k] = c >> k & 1 ? box.hi[k] : box.lo[k];
@@ -138,7 +140,7 @@ private:
     double map_one(std::size_t i, std::size_t t) {
         InstanceMap& map = maps_.instances[i];
         const MeshClass& made = maps_.classes[map.mesh_class];
-        const Fitted fitted = fit(seen_at(i, t), made, config_, moves_[i] || is_large_);
+        const Fitted fitted = fit(seen_at(i, t), made, config_, moves_[i] || is_large_ || made.deforms);
         map = fitted.map;
         map.mesh_class = class_[i];
         if (fitted.stretched && !is_out_[i]) is_out_[i] = written_out_ = true;
@@ -170,7 +172,7 @@ private:
                 if (!is_out_[i]) known.push_back(at);
                 needs_.push_back(own);
                 maps_.classes.push_back(
-                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}, 0, {}});
+                    {instance.mesh, is_out_[i] ? times_[0][i] : glm::dmat4(1), {}, {}, {}, 0, {}, false});
             }
             add(needs_[at], own);
             class_.push_back(at);
@@ -212,33 +214,28 @@ private:
                             config_.coord_bits};
             if (needs.is_one) made.lattice.centre = needs.seen.middle, made.lattice.pitch = needs.seen.step;
             const SharedMesh& mesh = *parts_.meshes[made.mesh];
-            if (config_.shading) align(made, mesh);
-            for (const Triangle& triangle : mesh.triangles)
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const Vec3i from = snapped_corner(made, mesh, triangle.vertex[k]),
-                                to = snapped_corner(made, mesh, triangle.vertex[(k + 1) % 3]);
-                    for (std::size_t i = 0; i < 3; ++i)
-                        made.longest = std::max(made.longest, std::abs(to[i] - from[i]));
-                }
-            std::vector<bool> is_used(mesh.vertices.size());
-            for (const Triangle& triangle : mesh.triangles)
-                for (const std::uint32_t index : triangle.vertex) is_used[index] = true;
-            for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-                if (is_used[i]) made.points.push_back(snapped_corner(made, mesh, std::uint32_t(i)));
-            std::sort(made.points.begin(), made.points.end());
-            made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());
-            made.reach = reach_of(made);
+            made.deforms = parts_.deforms(made.mesh) != nullptr;
+            if (made.deforms)
+                take_room(made);
+            else
+                take_shape(made, mesh, config_);
         }
     }
 
-    /// As in a flat scene; see there.
-    static void align(MeshClass& made, const SharedMesh& mesh) {
-        Scene scene;
-        for (const glm::dvec3& at : mesh.vertices)
-            scene.vertices.push_back(glm::dvec3(made.before * glm::dvec4(at, 1)));
-        scene.triangles = mesh.triangles;
-        if (std::optional<Scene> moved = aligned(scene, made.lattice))
-            made.corners = std::move(moved->vertices);
+    /// Of a mesh that deforms: the corners of its bounds at all times, and what they may be off on the
+    /// lattice.
+    void take_room(MeshClass& made) {
+        const std::int32_t off = config_.shading ? 1 << most_fine : 1;
+        LatticeBox box;
+        for (const glm::dvec3& corner : corners_of(made.mesh))
+            box.add(made.lattice.snap(glm::dvec3(made.before * glm::dvec4(corner, 1))));
+        for (int c = 0; c < 8; ++c) {
+            Vec3i& point = made.points.emplace_back();
+            for (std::size_t k = 0; k < 3; ++k) point[k] = c >> k & 1 ? box.hi[k] + off : box.lo[k] - off;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            made.longest = std::max(made.longest, box.hi[k] - box.lo[k] + 2 * off);
+        made.reach = reach_of(made);
     }
 
     const LevelParts& parts_;
@@ -258,7 +255,37 @@ private:
     std::vector<Needs> needs_;
 };
 
+/// As in a flat scene; see there.
+void align(MeshClass& made, const SharedMesh& mesh) {
+    Scene scene;
+    for (const glm::dvec3& at : mesh.vertices)
+        scene.vertices.push_back(glm::dvec3(made.before * glm::dvec4(at, 1)));
+    scene.triangles = mesh.triangles;
+    if (std::optional<Scene> moved = aligned(scene, made.lattice)) made.corners = std::move(moved->vertices);
+}
+
 }   // namespace
+
+void take_shape(MeshClass& made, const SharedMesh& mesh, const Config& config) {
+    made.corners.clear(), made.points.clear();
+    made.longest = 0;
+    if (config.shading) align(made, mesh);
+    std::vector<Vec3i> at(mesh.vertices.size());
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = snapped_corner(made, mesh, std::uint32_t(i));
+    std::vector<bool> is_used(at.size());
+    for (const Triangle& triangle : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3i &from = at[triangle.vertex[k]], &to = at[triangle.vertex[(k + 1) % 3]];
+            for (std::size_t i = 0; i < 3; ++i)
+                made.longest = std::max(made.longest, std::abs(to[i] - from[i]));
+            is_used[triangle.vertex[k]] = true;
+        }
+    for (std::size_t i = 0; i < at.size(); ++i)
+        if (is_used[i]) made.points.push_back(at[i]);
+    std::sort(made.points.begin(), made.points.end());
+    made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());
+    made.reach = reach_of(made);
+}
 
 Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_t index) {
     if (!made.corners.empty()) return made.lattice.snap(made.corners[index]);

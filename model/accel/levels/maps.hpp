@@ -14,6 +14,12 @@ namespace rayclock {
 struct LevelParts {
     std::vector<const SharedMesh*> meshes;
     std::vector<Instance> instances;   ///< in the order of their primitives' numbers; `mesh` is of `meshes`
+    /// By mesh: its bounds at all times, if it deforms. Empty if none does.
+    std::vector<std::optional<Bounds>> deforming{};
+
+    const Bounds* deforms(std::uint32_t mesh) const {
+        return mesh < deforming.size() && deforming[mesh] ? &*deforming[mesh] : nullptr;
+    }
 };
 
 /// Solids that hold all corners of a class, whose extent along any direction is soon told: a box, a ball, and
@@ -37,6 +43,7 @@ struct MeshClass {
     std::vector<Vec3i> points;         ///< its corners on the lattice, each once
     std::int32_t longest = 0;          ///< component of an edge, in steps
     CornerReach reach;                 ///< of points
+    bool deforms = false;              ///< what depends on the mesh's corners is of one frame
 };
 
 struct InstanceMap {
@@ -53,6 +60,9 @@ struct LevelMaps {
     std::vector<MeshClass> classes;
     std::vector<InstanceMap> instances;
 };
+
+/// Gives a class what depends on its mesh's corners, as they are now.
+void take_shape(MeshClass& made, const SharedMesh& mesh, const Config& config);
 
 /// Of the mesh's corner `index`, in the class.
 Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_t index);
