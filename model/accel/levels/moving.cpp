@@ -13,6 +13,7 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
     const std::string name = scene.own.name.empty() ? "the scene" : scene.own.name;
     const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
+    if (config.has_planes()) return nullptr;
     const SharedMesh own = own_mesh(scene);
     std::optional<LevelMaps> maps = map_moving(parts_of(scene, own), times, eyes, config);
     if (!maps) return nullptr;
@@ -49,8 +50,7 @@ Upload MovingLevels::next(const Places& places) {
     held_.assign(words.begin() + std::ptrdiff_t(begin),
                  words.begin() + std::ptrdiff_t(begin + std::size_t(levels_.upper_lines) * words_per_line));
     const UpperReport report = write_upper(levels_.entries, root_, false, config_, name_, words, placed_);
-    for (std::size_t e = 0; e < placed_.size(); ++e)
-        write_entry(levels_.entries[e], placed_[e], config_, words);
+    write_entries(levels_.entries, placed_, config_, words);
     check_need(report.stack_need, config_, name_);
     upload.nodes = report.nodes;
     take_changes(root_, upload);

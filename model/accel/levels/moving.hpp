@@ -14,7 +14,8 @@ public:
     /// For frames at these times, in this order: where instances stand (places_of()) and the eye. With two
     /// buffers the scene's tree of a frame lies elsewhere than that of the frame before, which can be drawn
     /// while it is written. Null if an instance that moves is sheared or flattened so much that its mesh
-    /// would have to be written out. Throws UserError as compile_levels() does.
+    /// would have to be written out, and if planes cut the scene: then no bound of the tree's lines is known.
+    /// Throws UserError as compile_levels() does.
     static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const Places> times,
                                               std::span<const glm::dvec3> eyes, int buffers,
                                               const Config& config);
@@ -39,8 +40,9 @@ private:
     std::size_t frame_ = 0;
     int buffers_;
     std::uint32_t root_ = 0;
-    std::vector<std::uint32_t> held_, placed_;   // the tree's lines before; lines of entries
-    std::array<bool, 2> is_read_{};              // since the last reset, by buffer
+    std::vector<std::uint32_t> held_;   // the tree's lines before
+    std::vector<PlacedEntry> placed_;
+    std::array<bool, 2> is_read_{};   // since the last reset, by buffer
 };
 
 }   // namespace rayclock
