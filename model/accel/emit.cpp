@@ -149,7 +149,9 @@ void emit_boxes(const BinaryTree& tree, const std::vector<PrimData>& triangles, 
 void emit_globes(const BinaryTree& tree, const std::vector<PrimData>& prims, const Config& config,
                  const std::string& name, MemoryImage& image) {
     const Collapse collapse(tree, config);
-    const GlobesAround around(tree, collapse, prims, config);
+    const GlobesAround around(tree, collapse, [&](std::uint32_t i, std::vector<Bead>& beads) {
+        add_beads(prims[i], config, beads);
+    });
     Emitter(collapse, tree.root, Globes(around, config), prims, config, name, image).run();
 }
 

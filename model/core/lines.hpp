@@ -6,6 +6,7 @@
 
 #include "model/core/config.hpp"
 #include "model/core/frame.hpp"
+#include "model/core/layout.hpp"
 
 namespace rayclock {
 
@@ -100,6 +101,17 @@ struct GlobeNode {
         v("radius", radius, globe_bits, c.node_width);
     }
 };
+
+/// Calls `work` with an empty node of the kind that a configuration's structure is made of.
+template <class Work> decltype(auto) with_node(const Config& c, Work&& work) {
+    if (c.has_treelets()) return work(Treelet{});
+    if (c.has_globes()) return work(GlobeNode{});
+    if (c.has_slants()) return work(Slant{});
+    return work(Node{});
+}
+inline int node_bits(const Config& c) {
+    return with_node(c, [&]<class N>(const N&) { return bits_of<N>(c); });
+}
 
 /// An instance as it lies in a memory line of 64 bytes (right-aligned): x' = A x + b takes a point of the
 /// scene's lattice to the mesh's. Rows of A sum to 1 at most, in size, so that no operand grows.

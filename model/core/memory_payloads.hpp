@@ -38,18 +38,19 @@ struct NodeRsp {
     Slant slant;        ///< likewise in a tree of planes in any direction
     template <class V> void fields(V& v, const Config& c) {
         v("ray", ray, c.ray_bits());
+        if (c.has_instances()) {
+            v("what", what, line_kind_bits);
+            const int more = bits_of<Placement>(c) - node_bits(c);
+            if (more > 0) v("beyond", beyond, 1, more);
+        }
         if (c.has_treelets())
             treelet.fields(v, c);
         else if (c.has_globes())
             globes.fields(v, c);
         else if (c.has_slants())
             slant.fields(v, c);
-        else {
-            if (c.has_instances()) v("what", what, line_kind_bits);
-            const int more = c.has_instances() ? bits_of<Placement>(c) - bits_of<Node>(c) : 0;
-            if (more > 0) v("beyond", beyond, 1, more);
+        else
             node.fields(v, c);
-        }
     }
 };
 

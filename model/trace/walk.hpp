@@ -36,31 +36,34 @@ struct UnitWay {
             hits = page.children_mask;
             return page;
         }
+        inside.enters = config.has_instances() && decoder.kind(line) == LineKind::placement;
+        if (inside.enters) return inside.enter(ray, decoder.placement(line), config, t_near, hits);
         if (config.has_treelets()) {
             const WideTreelet& treelet = decoder.treelet(line);
-            hits = treelet_exits(from, treelet, config, t_near);
+            hits = treelet_exits(from_at(line), treelet, config, t_near);
             return treelet.exits;
         }
         if (config.has_globes()) {
             const WideGlobes& globes = decoder.globes(line);
-            hits = globe_children(toward, globes, config, t_near);
+            hits = globe_children(toward_at(line), globes, config, t_near);
             return globes.children;
         }
         if (config.has_slants()) {
             const WideSlant& slant = decoder.slant(line);
-            hits = slant_exits(from, along, slant, config, t_near);
+            hits = slant_exits(from_at(line), along_at(line), slant, config, t_near);
             return slant.exits;
         }
-        inside.enters = config.has_instances() && decoder.kind(line) == LineKind::placement;
-        if (inside.enters) return inside.enter(ray, decoder.placement(line), config, t_near, hits);
         const WideNode& node = decoder.node(line);
         hits = box_children(from_at(line), node, config, t_near);
         return node;
     }
     bool enters() const { return inside.enters; }
-    /// The ray as box wants it, in the space of the node in a line.
-    const BoxRay& from_at(std::uint32_t line) const {
-        return config.has_instances() && decoder.kind(line) == LineKind::mesh_node ? inside.from : from;
+    /// The ray as the units that decide nodes want it, in the space of the node in a line.
+    const BoxRay& from_at(std::uint32_t line) const { return in_mesh(line) ? inside.from : from; }
+    const GlobeRay& toward_at(std::uint32_t line) const { return in_mesh(line) ? inside.toward : toward; }
+    const Vec3i& along_at(std::uint32_t line) const { return in_mesh(line) ? inside.along : along; }
+    bool in_mesh(std::uint32_t line) const {
+        return config.has_instances() && decoder.kind(line) == LineKind::mesh_node;
     }
     /// A primitive, numbered as the scene does it.
     PrimData primitive(std::uint32_t half_line) const {
@@ -131,14 +134,14 @@ public:
     int stack_height() const { return stack_.height(); }
 
     const Ray& ray() const { return way_.ray; }
-    const Vec3i& along() const { return way_.along; }
+    const Vec3i& along() const { return way_.along_at(node()); }     ///< for the next node
     const BoxRay& box_ray() const { return way_.from_at(node()); }   ///< for the next node
     bool enters() const { return way_.enters(); }                    ///< what was visited last is an instance
     const Change& change() const { return way_.inside.change; }      ///< xform's answer there
     const Vec3i& o() const { return way_.o(); }                      ///< of the ray as tri sees it
     const Vec3i& d() const { return way_.d(); }
-    PrimData primitive() const { return way_.primitive(prim()); }   ///< the next, or that under way
-    const GlobeRay& globe_ray() const { return way_.toward; }
+    PrimData primitive() const { return way_.primitive(prim()); }          ///< the next, or that under way
+    const GlobeRay& globe_ray() const { return way_.toward_at(node()); }   ///< for the next node
     const Best& best() const { return way_.hit.best(); }
     const TriRsp& tri() const { return way_.tri; }
     Closest closest() const { return way_.hit.closest(); }

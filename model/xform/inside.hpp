@@ -1,5 +1,6 @@
 #pragma once
-#include "model/bvh/box.hpp"
+#include "model/bsp/slant.hpp"
+#include "model/globe/globe.hpp"
 #include "model/xform/xform.hpp"
 
 namespace rayclock {
@@ -11,7 +12,9 @@ namespace rayclock {
 struct InsideRay {
     Change change;
     BoxRay from;
-    Ray moved{};   ///< as any_test() wants it
+    GlobeRay toward;   ///< if there are globes
+    Vec3i along{};     ///< if there are slants
+    Ray moved{};       ///< as any_test() wants it
     WideNode entry;
     bool enters = false;   ///< the line that was read last is an instance
 
@@ -21,6 +24,8 @@ struct InsideRay {
         change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
         from = box_ray(change);
         moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
+        if (config.has_globes()) toward = globe_ray(moved, config);
+        if (config.has_slants()) along = aligned(moved, config);
         entry.base = change.root;
         entry.children = entry.children_mask = entry.inner_mask = 1;
         t_near[0] = 0;

@@ -73,8 +73,7 @@ module rc_trav (
   localparam int unsigned O = rc_pkg::OffsetBits;
   localparam int unsigned C = rc_pkg::CountBits;
 
-  // Rays: what the unit that decides nodes wants of them waits here for their nodes. Of boxes and
-  // treelets these are origin, signs and reciprocals.
+  // Rays: what the unit that decides nodes wants of them waits here for their nodes.
   localparam int unsigned BoxRayW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits;
   logic ray_fires, keep;
   logic [3*M-1:0]     ray_d;
@@ -89,23 +88,10 @@ module rc_trav (
   end else begin : gen_camera
     assign is_short = 1'b1;
   end
-  if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_toward
-    rc_toward u_toward (
-      .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
-      .short_i(is_short), .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
-  end else if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_along
-    logic [3*M-1:0] along;
-    for (genvar k = 0; k < 3; k++) begin : gen_axis
-      assign along[k*M +: M] = ray_d[k*M +: M] << (is_short ? M - rc_pkg::DirBits : 0);
-    end
-    assign keep      = ray_fires;
-    assign keep_ray  = ray_i.ray;
-    assign keep_data = {ray_i.o, ray_i.recip, ray_i.len, along};
-  end else begin : gen_signs
-    assign keep      = ray_fires;
-    assign keep_ray  = ray_i.ray;
-    assign keep_data = {ray_i.o, ray_d[3*M-1], ray_d[2*M-1], ray_d[M-1], ray_i.recip, ray_i.len};
-  end
+  rc_wanted u_wanted (
+    .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
+    .recip_i(ray_i.recip), .len_i(ray_i.len), .short_i(is_short),
+    .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
   rc_ram #(.Width(BoxRayW), .Depth(T)) u_ray (
     .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
     .read_addr_i(node_rsp_i.ray), .read_data_o(kept_ray));
@@ -125,22 +111,26 @@ module rc_trav (
     localparam int unsigned KeptW = rc_pkg::XformReqW - I - rc_pkg::PlacementW
                                   - 3 * rc_pkg::OriginWidth;
     localparam int unsigned Home  = KeptW - 3 * M;
-    logic [3*M-1:0]     change_d;
     logic [KeptW-1:0]   keep_way, kept_way;
-    logic [BoxRayW-1:0] changed_ray;
-    assign change_d = change_i.d;
+    logic               changed, changed_short;
+    logic [I-1:0]       changed_at;
+    logic [BoxRayW-1:0] change_data, changed_ray;
     if (rc_pkg::Homes == 1) begin : gen_homes
-      assign keep_way = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
+      assign keep_way      = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
+      assign changed_short = change_i.kind != rc_pkg::RayShadow;
     end else begin : gen_no_homes
-      assign keep_way = ray_d;
+      assign keep_way      = ray_d;
+      assign changed_short = 1'b1;
     end
+    rc_wanted u_change (
+      .clk_i, .rst_ni, .valid_i(change_fires_i), .ray_i(change_i.ray), .o_i(change_i.o),
+      .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
+      .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
     rc_ram #(.Width(KeptW), .Depth(T)) u_direction (
       .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
       .read_addr_i(node_rsp_i.ray), .read_data_o(kept_way));
     rc_ram #(.Width(BoxRayW), .Depth(T)) u_changed (
-      .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray),
-      .write_data_i({change_i.o, change_d[3*M-1], change_d[2*M-1], change_d[M-1], change_i.recip,
-                     change_i.len}),
+      .clk_i, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
       .read_addr_i(node_rsp_i.ray), .read_data_o(changed_ray));
     assign box_ray           = node_rsp_i.what == rc_pkg::LineMeshNode ? changed_ray : kept_ray;
     assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
@@ -157,8 +147,7 @@ module rc_trav (
     end
 `ifndef SYNTHESIS
     a_changed: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                change_fires_i && node_rsp_valid_i
-                                    |-> change_i.ray != node_rsp_i.ray)
+                                changed && node_rsp_valid_i |-> changed_at != node_rsp_i.ray)
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end

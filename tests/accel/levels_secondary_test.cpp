@@ -27,8 +27,8 @@ struct Format {
 };
 constexpr Format formats[] = {{12, 12, 10}, {12, 24, 12}, {14, 18, 12}, {18, 20, 12}, {20, 18, 10}};
 
-Config shaded(const Format& f) {
-    Config config = format(f.coord_bits, f.dir_bits);
+Config shaded(const Format& f, Structure structure = Structure::bvh) {
+    Config config = of_structure(format(f.coord_bits, f.dir_bits), structure);
     config.shading = 1, config.levels = 2, config.origin_bits = f.origin_bits;
     check_config(config, "the test");
     return config;
@@ -44,7 +44,8 @@ public:
           walk_(frame_, decoder_, config) {
         for (std::uint32_t line = 0; line < levels_.image.surfaces; ++line)
             if (line_kind(levels_.image.line(line)) == LineKind::placement)
-                placements_.push_back(unpack<Placement>(levels_.image.line(line), config));
+                if (const auto p = unpack<Placement>(levels_.image.line(line), config); p.here == line)
+                    placements_.push_back(p);           // not where it stands once more
         std::map<std::uint32_t, std::size_t> numbers;   // of instances, by their first primitive
         std::uint32_t first = 0;
         for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -55,6 +56,12 @@ public:
             instances_.push_back(numbers.at(p.first));
             meshes_.emplace_back();
             gather(p.root, meshes_.back());
+            const auto by_number = [](const PrimData& a, const PrimData& b) { return a.prim < b.prim; };
+            std::vector<PrimData>& mesh = meshes_.back();
+            std::stable_sort(mesh.begin(), mesh.end(), by_number);   // cells may share a triangle
+            mesh.erase(std::unique(mesh.begin(), mesh.end(),
+                                   [](const PrimData& a, const PrimData& b) { return a.prim == b.prim; }),
+                       mesh.end());
         }
     }
 
@@ -109,7 +116,7 @@ private:
     }
 
     void gather(std::uint32_t line, std::vector<PrimData>& prims) const {
-        const WideNode& node = decoder_.node(line);
+        const WideNode& node = decoder_.below(line);
         for (std::uint32_t i = 0; i < node.children; ++i) {
             if (node.inner_mask >> i & 1) {
                 gather(node.base + i, prims);
@@ -315,9 +322,10 @@ TEST_CASE("no instance shadows itself, and none leaks, through random maps", "[l
 TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[levels][secondary]") {
     const auto [least, most, shear] =
         GENERATE(values<std::tuple<double, double, double>>({{0.5, 0.5, 0}, {0.1, 3, 0}, {0.3, 2, 3}}));
+    const Structure structure = GENERATE(from_range(tree_structures));
     std::uint64_t rays = 0, hits = 0, wrong = 0, shadows = 0, outside = 0;
     for (const Format& f : formats) {
-        const Config config = shaded(f);
+        const Config config = shaded(f, structure);
         const PlacedScene scene = solids(12, 7, least, most, shear);
         const glm::dvec3 eye{9, 7, 8};
         World world(scene, eye, config);

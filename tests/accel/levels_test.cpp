@@ -1,6 +1,7 @@
 // Two levels in the model: maps, memory, walk. The judge transforms rays in whole numbers of its own and asks
 // the oracle about every triangle of every instance.
 #include <cmath>
+#include <deque>
 
 #include <catch2/catch.hpp>
 
@@ -161,37 +162,53 @@ struct Tally {
     std::uint64_t rays = 0, hits = 0, wrong = 0, unbalanced = 0, crossings = 0, outside = 0, entered = 0;
 };
 
-Tally judge(const PlacedScene& scene, const Config& given, const glm::dvec3& eye, int rays,
+/// A compiled scene of one structure, and what walks it.
+struct Machine {
+    const Config config;
+    const LevelsImage levels;
+    const Decoder decoder;
+    const Frame frame{};
+    LevelWalk walk;
+    Machine(const PlacedScene& scene, const glm::dvec3& eye, const Config& config_)
+        : config(with_two_levels(config_, "the test")),
+          levels(compile_levels(scene, eye, config)),
+          decoder(levels.image, config),
+          walk(frame, decoder, config) {}
+};
+
+/// Maps do not depend on the structure, and so the truth is the same for all.
+Tally judge(const PlacedScene& scene, const Config& config, const glm::dvec3& eye, int rays,
             std::uint32_t seed) {
-    const Config config = with_two_levels(given, "the test");
-    const LevelsImage levels = compile_levels(scene, eye, config);
+    std::deque<Machine> machines;
+    for (const Structure structure : tree_structures)
+        machines.emplace_back(scene, eye, of_structure(config, structure));
+    const LevelsImage& levels = machines[0].levels;
     const Truth truth(scene, levels, config);
-    const Decoder decoder(levels.image, config);
-    Frame frame;
-    LevelWalk walk(frame, decoder, config);
     Tally tally;
     const Vec3i o = levels.image.lattice.snap(eye);
     Aim aim(scene, levels, o, config, seed);
     for (int i = 0; i < rays; ++i) {
         const Ray ray = make_ray(o, aim(), config);
-        const Closest got = walk.trace(ray);
         const oracle::ExactHit want = truth.closest(ray);
         ++tally.rays;
-        tally.hits += got.found;
-        const Best& best = walk.best();
-        tally.wrong += (got.found != 0) != (want.primitive != no_primitive) ||
-                       (got.found &&
-                        (got.prim != want.primitive || Int(best.num) * want.den != Int(want.num) * best.det));
+        tally.hits += want.primitive != no_primitive;
+        for (Machine& machine : machines) {
+            const Closest got = machine.walk.trace(ray);
+            const Best& best = machine.walk.best();
+            tally.wrong += (got.found != 0) != (want.primitive != no_primitive) ||
+                           (got.found && (got.prim != want.primitive ||
+                                          Int(best.num) * want.den != Int(want.num) * best.det));
+        }
         for (std::size_t k = 0; k < levels.maps.instances.size(); ++k)
             tally.unbalanced += truth.balance(ray, k, tally.crossings, tally.outside) != 0;
     }
-    tally.entered = walk.counts().changes;
+    for (Machine& machine : machines) tally.entered += machine.walk.counts().changes;
     return tally;
 }
 
 }   // namespace
 
-TEST_CASE("rays through random maps find what the oracle finds, in every format", "[levels]") {
+TEST_CASE("rays through random maps find what the oracle finds, in every format and structure", "[levels]") {
     struct Family {
         const char* name;
         double least, most, shear;

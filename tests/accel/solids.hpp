@@ -21,6 +21,16 @@ inline Config format(int coord_bits, int dir_bits) {
     return config;
 }
 
+/// Structures that two levels can have.
+inline constexpr std::array tree_structures{Structure::bvh, Structure::kd, Structure::octree,
+                                            Structure::spheres, Structure::bsp};
+/// A node of planes in any direction must leave two bits of its line free.
+inline Config of_structure(Config config, Structure structure) {
+    config.structure = int(structure);
+    if (config.has_slants()) config.addr_bits = 22;
+    return config;
+}
+
 inline glm::dmat4 random_map(Draw& draw, double least_scale, double most_scale, double shear) {
     glm::dmat4 m = glm::translate(glm::dmat4(1), 4.0 * draw.point());
     m = glm::rotate(m, 3.2 * draw(), glm::normalize(draw.point() + glm::dvec3(0, 0, 1e-3)));

@@ -28,6 +28,32 @@ mutant(walk_starts_where_it_changes FILE model/trace/walk.hpp WITH tests/accel/l
   NEW [[if (inside.enters) hit = BestHit({ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config));
         if (inside.enters) return inside.enter(]])
 
+mutant(walk_keeps_the_scenes_direction_for_globes FILE model/xform/inside.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
+  TEST accel [levels]
+  OLD [[toward = globe_ray(moved, config);]]
+  NEW [[toward = globe_ray(ray, config);]])
+mutant(walk_keeps_the_scenes_direction_for_planes FILE model/xform/inside.hpp WITH tests/accel/levels_test.cpp tests/accel/levels_frame_test.cpp
+  TEST accel [levels]
+  OLD [[along = aligned(moved, config);]]
+  NEW [[along = aligned(ray, config);]])
+mutant(levels_moves_no_node_behind_a_leaf FILE model/accel/levels/compile.cpp TEST accel [levels]
+  OLD [[if (kind == 1) pending.push_back(next++);]]
+  NEW [[if (kind == 1 && next - node.base < 2) pending.push_back(next++);]])
+
+# ---- The scene's tree of the other structures.
+mutant(upper_cells_forget_what_reaches_over FILE model/accel/kd/cell.cpp TEST accel [levels]
+  OLD [[if (reach.hi > cut.plane || (flat]]
+  NEW [[if ((reach.hi > cut.plane && reach.lo >= cut.plane) || (flat]])
+mutant(upper_globes_hold_no_upper_corner FILE model/accel/levels/upper.cpp TEST accel [levels]
+  OLD [[box.hi[2] : box.lo[2]},]]
+  NEW [[box.lo[2] : box.lo[2]},]])
+mutant(upper_calls_an_instance_by_every_line FILE model/accel/levels/upper.cpp TEST accel [secondary]
+  OLD [[if (here[at.entry] == none) here]]
+  NEW [[here]])
+mutant(upper_boxes_reach_out_of_space FILE model/accel/levels/fit.cpp TEST accel [levels]
+  OLD [[std::max({fitted.beyond, -largest - least, most - largest});]]
+  NEW [[std::max({fitted.beyond, -2 * largest - least, most - 2 * largest});]])
+
 # ---- The same in RTL, and what its neighbours keep of a ray.
 mutant(rtl_xform_rounds_down FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[Half = SW'(1) << (K - 1);]]
@@ -45,8 +71,11 @@ mutant(rtl_xform_rests_too_little FILE rtl/xform/rc_xform.sv TEST unit [xform]
   OLD [[RestW'(rc_pkg::XformInterval - 1)]]
   NEW [[RestW'(rc_pkg::XformInterval - 2)]])
 mutant(rtl_trav_keeps_the_scenes_reciprocals FILE rtl/bvh/rc_trav.sv TEST system "model and RTL walk instances alike"
-  OLD [[change_d[M-1], change_i.recip,]]
-  NEW [[change_d[M-1], ray_i.recip,]])
+  OLD [[.recip_i(change_i.recip)]]
+  NEW [[.recip_i(ray_i.recip)]])
+mutant(rtl_trav_takes_shadow_rays_for_short FILE rtl/bvh/rc_trav.sv TEST system "model and RTL draw instances alike"
+  OLD [[changed_short = change_i.kind != rc_pkg::RayShadow;]]
+  NEW [[changed_short = change_i.kind != rc_pkg::RayShadow || 1'b1;]])
 mutant(rtl_trav_does_not_restore_the_ray FILE rtl/bvh/rc_trav.sv TEST system "model and RTL walk instances alike"
   OLD [[node_rsp_i.what == rc_pkg::LineMeshNode ?]]
   NEW [[node_rsp_i.what != rc_pkg::LinePlacement ?]])

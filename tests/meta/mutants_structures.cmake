@@ -94,10 +94,10 @@ mutant(model_treelet_early_end_too_early FILE model/kd/treelet.cpp TEST system "
 mutant(model_leaf_of_an_exit_off_by_one FILE model/kd/treelet.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[place(i, half_lines, kind[i] - 1);]]
   NEW [[place(i, half_lines + 1, kind[i] - 1);]])
-mutant(cells_change_sides FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
-  OLD [[fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, treelet);
+mutant(cells_change_sides FILE model/accel/kd/exits.hpp WITH model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
+  OLD [[fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, line);
         fill(cut ? place.upper() : Place(), 2 * plane + 2,]]
-  NEW [[fill(cut ? place.upper() : place, 2 * plane + 1, exit, exits / 2, treelet);
+  NEW [[fill(cut ? place.upper() : place, 2 * plane + 1, exit, exits / 2, line);
         fill(cut ? place.lower() : Place(), 2 * plane + 2,]])
 mutant(cells_one_line_too_far FILE model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[std::uint32_t(--line)]]
@@ -122,9 +122,9 @@ mutant(crossing_divisor_one_bit_too_far FILE rtl/bsp/rc_crossing.sv TEST unit [s
 mutant(slant_box_comes_too_early FILE rtl/bsp/rc_slant.sv TEST unit [slant][lockstep]
   OLD [[.valid_i(valid[Meet+In:Box]), .data_i({enter, leave, there}),]]
   NEW [[.valid_i(valid[Meet+In:Box]), .data_i({leave, enter, there}),]])
-mutant(trav_keeps_a_shadow_rays_direction_moved_up FILE rtl/bvh/rc_trav.sv TEST system "model and RTL agree on finished pictures of planes in any direction"
-  OLD [[<< (is_short ? M - rc_pkg::DirBits : 0);]]
-  NEW [[<< (is_short ? 0 : M - rc_pkg::DirBits);]])
+mutant(trav_keeps_a_shadow_rays_direction_moved_up FILE rtl/bvh/rc_wanted.sv TEST system "model and RTL agree on finished pictures of planes in any direction"
+  OLD [[<< (short_i ? M - rc_pkg::DirBits : 0);]]
+  NEW [[<< (short_i ? 0 : M - rc_pkg::DirBits);]])
 mutant(model_crossing_from_too_late FILE model/bsp/slant.cpp TEST unit [slant]
   OLD [[moved(q - 2, x, beyond)]]
   NEW [[moved(q + 2, x, beyond)]])
@@ -142,7 +142,7 @@ mutant(model_crossing_never_ends_the_near_side FILE model/bsp/slant.cpp TEST sys
   NEW [[beyond]])
 
 # ---- The compiler of bsp: nothing is lost.
-mutant(bsp_normal_on_other_axes FILE model/accel/kd/emit.cpp TEST system "lines meet as many cells of planes in any direction*"
+mutant(bsp_normal_on_other_axes FILE model/accel/kd/exits.hpp WITH model/accel/kd/emit.cpp TEST system "lines meet as many cells of planes in any direction*"
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
 mutant(bsp_clips_inward FILE model/accel/kd/clip.cpp TEST accel [slant]
@@ -197,7 +197,7 @@ mutant(treelets_lose_half_of_a_leaf FILE model/accel/kd/treelets.cpp TEST accel 
 mutant(treelets_have_a_primitive_twice FILE model/accel/kd/treelets.cpp TEST accel "no choice of treelets costs less*"
   OLD [[cell.prims.erase(std::unique(cell.prims.begin(), cell.prims.end()), cell.prims.end());]]
   NEW [[]])
-mutant(cells_ignore_where_a_treelet_begins FILE model/accel/kd/emit.cpp TEST accel "a treelet begins where it was decided*"
+mutant(cells_ignore_where_a_treelet_begins FILE model/accel/kd/exits.hpp WITH model/accel/kd/emit.cpp TEST accel "a treelet begins where it was decided*"
   OLD [[(plane == 0 || !place.cell->begins)]]
   NEW [[(plane == 0 || plane > 0)]])
 

@@ -31,7 +31,15 @@ const std::vector<Config>& chips() {
               {"tri_queue", 64}}),
         chip("narrow", true,
              {{"bary_bits", 12}, {"t_frac_bits", 2}, {"xform_interval", 4}, {"shade_interval", 8}}),
-        chip("broad", false, {{"dir_bits", 20}})};
+        chip("broad", false, {{"dir_bits", 20}}),
+        chip("small", false, {{"structure", int(Structure::kd)}}),
+        chip("small", true, {{"structure", int(Structure::spheres)}}),
+        chip("small", false,
+             {{"structure", int(Structure::bsp)},
+              {"timing", 1},
+              {"raygen_queue", 32},
+              {"box_queue", 32},
+              {"tri_queue", 64}})};
     return all;
 }
 
@@ -50,7 +58,8 @@ TEST_CASE("the RTL of two levels that shades builds", "[.build]") {
 
 TEST_CASE("model and RTL draw instances alike", "[levels]") {
     const Config config = GENERATE(from_range(chips()));
-    INFO(config.name << ", a pass every " << config.shade_interval);
+    INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << ", a pass every "
+                     << config.shade_interval);
     const Scene scene = flattened(mixed(config.smooth));
     Whitted settings;
     settings.depth = 4, settings.aa = config.supersampling ? 2 : 1;

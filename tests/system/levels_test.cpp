@@ -17,12 +17,24 @@ Config two(const std::string& name, int interval, const Values& more = {}) {
     return with(quick_config(name), values);
 }
 
-/// Formats, intervals and paths: each its own RTL.
+Config of(const std::string& name, Structure structure, int interval, Values more = {}) {
+    more.insert(more.begin(), {"structure", int(structure)});
+    return two(name, interval, more);
+}
+
+/// Formats, structures, intervals and paths: each its own RTL.
 const std::vector<Config>& chips() {
     static const std::vector<Config> all{
-        two("default", 2), two("small", 4),
+        two("default", 2),
+        two("small", 4),
         two("small", 1, {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
-        two("narrow", 4), two("broad", 2)};
+        two("narrow", 4),
+        two("broad", 2),
+        of("small", Structure::kd, 2),
+        of("default", Structure::spheres, 1),
+        of("small", Structure::spheres, 4,
+           {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
+        of("small", Structure::bsp, 2)};
     return all;
 }
 
@@ -36,12 +48,31 @@ TEST_CASE("the RTL of two levels builds", "[.build]") {
 
 TEST_CASE("model and RTL walk instances alike", "[levels]") {
     const Config config = GENERATE(from_range(chips()));
-    INFO(config.name << " every " << config.xform_interval);
+    INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << ", every "
+                     << config.xform_interval);
     const Shot shot = make_deep_shot("gearbox:1", {32, 24}, config);
     check_lockstep(shot.job);
     const FrameSize small{12, 9};
     check_lockstep(make_deep_shot("gearbox:2", small, config).job, {9, 30, 77}, 77);
     check_lockstep(make_deep_shot("teapot:3", small, config).job);   // one instance, the scene itself
+}
+
+TEST_CASE("two levels of any structure hit the same, bit for bit", "[levels]") {
+    const auto answers = [](Structure structure) {
+        return run_model(make_shot("gearbox:4", {40, 30}, of("default", structure, 2)).job).answers;
+    };
+    const std::vector<Closest> right = answers(Structure::bvh);
+    for (const Structure structure : {Structure::kd, Structure::octree, Structure::spheres, Structure::bsp}) {
+        const std::vector<Closest> got = answers(structure);
+        REQUIRE(got.size() == right.size());
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < got.size(); ++i) {
+            const Closest &a = got[i], &b = right[i];
+            wrong += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v;
+        }
+        INFO(structure_names()[std::size_t(structure)]);
+        CHECK(wrong == 0);
+    }
 }
 
 TEST_CASE("a machine of two levels hits what its rays hit alone, whatever the memory", "[levels]") {

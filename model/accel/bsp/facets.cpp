@@ -110,7 +110,7 @@ void Facets::best_split(const kd::Items& items, const kd::Region& region, kd::Sp
     const std::size_t asked = std::min(items.size(), offering);
     for (std::size_t i = 0; i < asked; ++i) {
         const std::uint32_t prim = items[i * items.size() / asked].prim;
-        for (const Vec3i& normal : normals_[prim]) {
+        for (const Vec3i& normal : normals_.empty() ? Normals{} : normals_[prim]) {
             if ((normal[0] != 0) + (normal[1] != 0) + (normal[2] != 0) < 2) continue;
             consider(items, solid, prim, normal, best);
         }

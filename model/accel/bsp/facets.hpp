@@ -34,7 +34,7 @@ private:
                      std::int64_t at, kd::Split& best) const;
 
     const kd::Pieces& pieces_;
-    std::vector<Normals> normals_;   ///< that a primitive offers; zeros are none
+    std::vector<Normals> normals_;   ///< that a primitive offers; zeros are none, and boxes have none
     bool stops_;                     // no plane cuts a primitive
 };
 

@@ -46,8 +46,7 @@ std::vector<std::uint32_t> children_of(const BinaryTree& tree, const Collapse& c
 
 }   // namespace
 
-GlobesAround::GlobesAround(const BinaryTree& tree, const Collapse& collapse,
-                           const std::vector<PrimData>& prims, const Config& config)
+GlobesAround::GlobesAround(const BinaryTree& tree, const Collapse& collapse, const AddBeads& add)
     : globes_(tree.nodes.size()) {
     const Order order(tree);
     const std::vector<std::uint32_t> children = children_of(tree, collapse);
@@ -55,8 +54,7 @@ GlobesAround::GlobesAround(const BinaryTree& tree, const Collapse& collapse,
         const std::uint32_t node = children[i];
         std::vector<Bead> beads;
         beads.reserve(3 * std::size_t(order.count[node]));
-        for (std::uint32_t n = 0; n < order.count[node]; ++n)
-            add_beads(prims[order.prims[order.first[node] + n]], config, beads);
+        for (std::uint32_t n = 0; n < order.count[node]; ++n) add(order.prims[order.first[node] + n], beads);
         globes_[node] = enclose(beads);
     });
 }

@@ -1,14 +1,17 @@
 #pragma once
+#include <functional>
+
 #include "model/accel/collapse.hpp"
 #include "model/accel/globe/enclose.hpp"
 
 namespace rayclock {
 
-/// The globe around all primitives below each child of each node that the collapse makes of a tree.
+/// The globe around all that is below each child of each node that the collapse makes of a tree.
 class GlobesAround {
 public:
-    GlobesAround(const BinaryTree& tree, const Collapse& collapse, const std::vector<PrimData>& prims,
-                 const Config& config);
+    /// `add` appends the beads of one of the boxes that the tree was built over; called by any thread.
+    using AddBeads = std::function<void(std::uint32_t box, std::vector<Bead>& out)>;
+    GlobesAround(const BinaryTree& tree, const Collapse& collapse, const AddBeads& add);
     /// Of a child, by its node in the tree.
     const Globe& operator[](std::uint32_t node) const { return globes_[node]; }
 

@@ -83,7 +83,10 @@ private:
 }   // namespace
 
 CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
-    const Pieces pieces(prims, config);
+    return build(Pieces(prims, config), prims, config);
+}
+
+CellPtr build(const Pieces& pieces, const std::vector<PrimData>& prims, const Config& config) {
     Items items = pieces.all();
     const double n = double(items.size());
     const int depth = std::min(34, 8 + int(1.3 * std::log2(std::max(1.0, n))));

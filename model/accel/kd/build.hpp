@@ -21,5 +21,8 @@ namespace rayclock::kd {
 ///
 /// Planes without end are in all of space: they are walked beside the tree, in a part of their own.
 CellPtr build(const std::vector<PrimData>& prims, const Config& config);
+/// Of any pieces. Planes in any direction are offered by `prims`, in the same order, or by nothing if there
+/// are none.
+CellPtr build(const Pieces& pieces, const std::vector<PrimData>& prims, const Config& config);
 
 }   // namespace rayclock::kd

@@ -21,9 +21,17 @@ Region Region::part(const Cut& cut, bool upper) const {
     return half;
 }
 
-Pieces::Pieces(const std::vector<PrimData>& prims, const Config& config) {
+namespace {
+LatticeBox space_of(const Config& config) {
     const std::int32_t far = (1 << (config.coord_bits - 1)) - 1;
-    space_ = {{-far, -far, -far}, {far, far, far}};
+    return {{-far, -far, -far}, {far, far, far}};
+}
+}   // namespace
+
+Pieces::Pieces(const std::vector<LatticeBox>& boxes, const Config& config)
+    : clippers_(boxes.begin(), boxes.end()), space_(space_of(config)) {}
+
+Pieces::Pieces(const std::vector<PrimData>& prims, const Config& config) : space_(space_of(config)) {
     clippers_.reserve(prims.size());
     for (std::uint32_t i = 0; i < prims.size(); ++i) {
         clippers_.emplace_back(prims[i], config.coord_bits, config.is_sheared() ? 1 : 0);

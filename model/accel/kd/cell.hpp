@@ -55,10 +55,13 @@ struct Region {
     Region part(const Cut& cut, bool upper) const;
 };
 
-/// The primitives of a scene, as far as they have an end.
+/// The primitives of a scene, as far as they have an end; or boxes.
 class Pieces {
 public:
     Pieces(const std::vector<PrimData>& prims, const Config& config);
+    /// Of full boxes, which must lie in the lattice.
+    Pieces(const std::vector<LatticeBox>& boxes, const Config& config);
+    std::size_t size() const { return clippers_.size(); }
     /// All of them, in all of space.
     Items all() const;
     const LatticeBox& space() const { return space_; }

@@ -81,6 +81,16 @@ Clipper::Reach Clipper::reach(const Vec3i& n) const {
         for (std::size_t k = 0; k < 3; ++k) sum += std::int64_t(n[k]) * p[k];
         return sum;
     };
+    if (is_full_) {
+        Reach reach;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int64_t lo = std::int64_t(n[k]) * bounds_.lo[k],
+                               hi = std::int64_t(n[k]) * bounds_.hi[k];
+            reach.lo += std::min(lo, hi);
+            reach.hi += std::max(lo, hi);
+        }
+        return reach;
+    }
     if (PrimKind(prim_.kind) == PrimKind::sphere) {
         const auto most = std::int64_t(double(radius_ + 1) * std::sqrt(double(across(n))) + 1);
         return {across(prim_.a) - most, across(prim_.a) + most};   // a step more than the radius
@@ -99,6 +109,7 @@ std::optional<LatticeBox> Clipper::operator()(const LatticeBox& cell, Walls wall
         if (common.lo[k] > common.hi[k]) return {};
         whole = whole && common.lo[k] == bounds_.lo[k] && common.hi[k] == bounds_.hi[k];
     }
+    if (is_full_) return common;
     if (PrimKind(prim_.kind) == PrimKind::sphere)
         return meets_sphere(cell) ? std::optional(common) : std::nullopt;
     return whole && walls.empty() ? std::optional(common) : triangle(cell, walls);

@@ -25,11 +25,14 @@ constexpr std::size_t most_walls = 40;
 /// bit, and so is the quotient. So a point of the triangle in the cell is within 6 * 2^-29 of the polygon at
 /// the end, and no clip by a plane that is `slack` away takes it off. The bounds are rounded outward by more
 /// than that. A sphere's surface is there unless the cell lies a step outside its radius, or two inside it.
+/// A full box has what both boxes have in common; walls, which it is never cut by, take nothing off.
 /// Of walls, which lie in any direction: docs/bsp.md.
 class Clipper {
 public:
     /// `margin`: steps by which a hit may lie beside its primitive.
     Clipper(const PrimData& prim, int coord_bits, int margin);
+    /// Of a box, which is full: what an instance is in the scene's tree (levels/upper.hpp).
+    explicit Clipper(const LatticeBox& solid) : bounds_(solid), is_full_(true) {}
     std::optional<LatticeBox> operator()(const LatticeBox& cell, Walls walls = {}) const;
     /// How far n . x of all that may be hit reaches, in whole numbers rounded outward; exact of a triangle.
     struct Reach {
@@ -43,9 +46,10 @@ private:
 
     PrimData prim_;
     LatticeBox bounds_;   ///< of all of it
-    double margin_;
+    double margin_ = 0;
     std::int64_t radius_ = 0;   ///< of a sphere, rounded up
     bool hollow_ = true;        ///< all of the sphere lies in the lattice: no hit is in it
+    bool is_full_ = false;      ///< it is a box
 };
 
 }   // namespace rayclock::kd

@@ -2,6 +2,7 @@
 #include "model/accel/emit.hpp"
 #include "model/accel/encode.hpp"
 #include "model/accel/kd/build.hpp"
+#include "model/accel/kd/exits.hpp"
 #include "model/accel/octree/build.hpp"
 #include "model/accel/written.hpp"
 
@@ -9,39 +10,14 @@ namespace rayclock {
 
 namespace {
 
-using kd::Cell;
+using kd::Place;
 
 constexpr std::size_t leaf_most = (1u << count_bits) - 2;   // primitives of an exit
-
-/// A cell, or some of a leaf's primitives: a leaf that is too large for an exit is walked in parts.
-struct Place {
-    const Cell* cell = nullptr;
-    std::size_t first = 0, count = 0;   ///< of a leaf
-    explicit Place(const Cell* c = nullptr) : cell(c), count(c ? c->prims.size() : 0) {}
-    Place(const Cell* c, std::size_t f, std::size_t n) : cell(c), first(f), count(n) {}
-    bool is_empty() const { return !cell || (cell->is_leaf() && count == 0); }
-    bool is_leaf() const { return is_empty() || (cell->is_leaf() && count <= leaf_most); }
-    Place lower() const { return cell->is_leaf() ? Place(cell, first, count / 2) : Place(cell->lower.get()); }
-    Place upper() const {
-        return cell->is_leaf() ? Place(cell, first + count / 2, count - count / 2) : Place(cell->upper.get());
-    }
-};
-
-void put(const Cell& cell, std::size_t plane, Treelet& treelet) {
-    treelet.axis[plane] = cell.axis;
-    if (cell.axis != no_axis) treelet.at[plane] = cell.at;
-}
-void put(const Cell& cell, std::size_t plane, Slant& slant) {
-    for (std::size_t k = 0; k < 3; ++k) slant.normal[3 * plane + k] = cell.normal[k];
-    slant.at[plane] = cell.at;
-}
-void put_none(std::size_t plane, Treelet& treelet) { treelet.axis[plane] = no_axis; }
-void put_none(std::size_t, Slant&) {}
 
 /// `Line` is what a node is: a treelet or a slant.
 template <class Line> class Emitter {
 public:
-    Emitter(const Cell& root, const std::vector<PrimData>& prims, const Config& config,
+    Emitter(const kd::Cell& root, const std::vector<PrimData>& prims, const Config& config,
             const std::string& name, MemoryImage& image)
         : root_(root), prims_(prims), config_(config), name_(name), image_(image) {}
 
@@ -62,33 +38,14 @@ private:
         std::uint32_t line = 0, parent = 0;
     };
 
-    /// The part of a treelet under plane `plane`, which has the exits from `exit` on.
-    void fill(const Place& place, std::size_t plane, std::size_t exit, std::size_t exits, Line& treelet) {
-        if (exits == 1 || plane >= treelet.at.size()) {   // the second says it to GCC 14
-            exits_[exit] = place;
-            return;
-        }
-        const bool cut = !place.is_leaf() && (plane == 0 || !place.cell->begins);
-        if (cut && !place.cell->is_leaf())
-            put(*place.cell, plane, treelet);
-        else
-            put_none(plane, treelet);
-        fill(cut ? place.lower() : place, 2 * plane + 1, exit, exits / 2, treelet);
-        fill(cut ? place.upper() : Place(), 2 * plane + 2, exit + exits / 2, exits / 2, treelet);
-    }
-
     void emit(const Pending& at) {
         const auto width = std::size_t(config_.node_width);
         Line treelet;
-        const LatticeBox& bounds = at.place.cell->bounds;
-        treelet.open = bounds.lo[0] > bounds.hi[0];
-        if (!treelet.open) treelet.lo = bounds.lo, treelet.hi = bounds.hi;
-        fill(at.place, 0, 0, width, treelet);
-        const std::array<Place, max_width> exits = exits_;
+        const std::array<Place, max_width> exits = exits_.of(at.place, config_.node_width, treelet);
         std::uint32_t inner = 0;
         std::size_t primitives = 0;
         for (std::size_t i = 0; i < width; ++i) {
-            const bool leaf = exits[i].is_leaf();
+            const bool leaf = exits[i].is_leaf(leaf_most);
             treelet.kind[i] = exits[i].is_empty() ? 0 : leaf ? 1 + std::uint32_t(exits[i].count) : 1;
             inner += !leaf;
             if (leaf && !exits[i].is_empty()) primitives += exits[i].count, ++image_.report.leaves;
@@ -102,20 +59,20 @@ private:
         std::size_t half_line = 2 * (base + inner);
         for (std::size_t i = 0; i < width; ++i)
             for (std::size_t p = 0; treelet.kind[i] > 1 && p < exits[i].count; ++p)
-                write_payload(prims_[exits[i].cell->prims[exits[i].first + p]], config_,
-                              &image_.words[half_line++ * words_per_half], scratch_);
+                write_payload(prims_[exits[i].prim(p)], config_, &image_.words[half_line++ * words_per_half],
+                              scratch_);
         image_.report.references += primitives;
         const std::uint32_t id = written_.add(at.parent, inner);
         for (std::size_t i = width, line = base + inner; i-- > 0;)
             if (treelet.kind[i] == 1) pending_.push_back({exits[i], std::uint32_t(--line), id});
     }
 
-    const Cell& root_;
+    const kd::Cell& root_;
     const std::vector<PrimData>& prims_;
     const Config& config_;
     const std::string& name_;
     MemoryImage& image_;
-    std::array<Place, max_width> exits_;   // of the treelet under way
+    kd::Exits<Line> exits_{leaf_most};
     std::vector<Pending> pending_;
     WrittenNodes written_;
     Words scratch_;
@@ -125,7 +82,7 @@ private:
 
 void emit_cells(const std::vector<PrimData>& prims, const Config& config, const std::string& name,
                 MemoryImage& image) {
-    const kd::CellPtr root = (config.is_octree() ? octree::build : kd::build)(prims, config);
+    const kd::CellPtr root = config.is_octree() ? octree::build(prims, config) : kd::build(prims, config);
     if (config.has_slants())
         Emitter<Slant>{*root, prims, config, name, image}.run();
     else

@@ -33,14 +33,12 @@ public:
             out_.upper_lines = aligned(most_upper_lines(out_.entries.size()));
             image_.words.resize(std::size_t(out_.upper_lines) * std::size_t(buffers) * words_per_line, 0);
         }
-        std::vector<std::uint32_t> placed;
+        std::vector<PlacedEntry> placed;
         const UpperReport report = write_upper(out_.entries, 0, true, config_, name_, image_.words, placed);
         append_lowers();
         image_.surfaces = image_.lines();
-        for (std::size_t e = 0; e < placed.size(); ++e) {
-            complete(out_.entries[e], out_.of_entry[e]);
-            write_entry(out_.entries[e], placed[e], config_, image_.words);
-        }
+        for (std::size_t e = 0; e < out_.entries.size(); ++e) complete(out_.entries[e], out_.of_entry[e]);
+        write_entries(out_.entries, placed, config_, image_.words);
         image_.report.nodes += report.nodes;
         image_.report.leaves = report.leaves;
         image_.report.depth = report.depth;
@@ -101,7 +99,7 @@ private:
             check_lines(std::uint64_t(root) + lowers_[c].lines(), config_, name_);
             image_.words.insert(image_.words.end(), lowers_[c].words.begin(), lowers_[c].words.end());
             image_.report.nodes += lowers_[c].report.nodes;
-            move_nodes(root);
+            with_node(config_, [&]<class Line>(const Line&) { move_nodes<Line>(root); });
             make_room(c, root);
         }
     }
@@ -157,19 +155,21 @@ private:
         image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
 
-    /// Nodes of a lower structure that was compiled from line 0 on and now begins at `root`.
-    void move_nodes(std::uint32_t root) {
+    /// Nodes of a lower structure that was compiled from line 0 on and now begins at `root`; `Line` is what
+    /// they are.
+    template <class Line> void move_nodes(std::uint32_t root) {
         std::vector<std::uint32_t> pending{root};
         while (!pending.empty()) {
             const std::uint32_t line = pending.back();
             pending.pop_back();
-            Node node = unpack<Node>(at(line), config_);
+            Line node = unpack<Line>(at(line), config_);
             node.base += root;
             std::fill_n(at(line), words_per_line, 0u);
             write_payload(node, config_, at(line), scratch_);
             set_line_kind(at(line), LineKind::mesh_node);
-            for (std::uint32_t i = 0; i < max_width && node.kind[i] == 1; ++i)
-                pending.push_back(node.base + i);
+            std::uint32_t next = node.base;
+            for (const std::uint32_t kind : node.kind)
+                if (kind == 1) pending.push_back(next++);
         }
     }
 

@@ -77,7 +77,7 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
         const Extent extent = by_reach ? extent_of(made, row, moved) : exact_extent(made, row, moved);
         const double least = std::floor(extent.lo - reach[i] * map.off - slack),
                      most = std::ceil(extent.hi + reach[i] * map.off + slack);
-        fitted.beyond = std::max({fitted.beyond, -(largest + 1) - least, most - (largest + 1)});
+        fitted.beyond = std::max({fitted.beyond, -largest - least, most - largest});
         map.box.lo[std::size_t(i)] = std::int32_t(least);
         map.box.hi[std::size_t(i)] = std::int32_t(most);
     }

@@ -31,6 +31,7 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
     const std::string name = name_of(scene);
     const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
+    if (config.has_planes() || (!shapes.empty() && !Refit::serves(config))) return nullptr;
     const SharedMesh own = own_mesh(scene);
     std::optional<LevelMaps> maps = map_moving(parts_of(scene, own, shapes), times, eyes, config);
     if (!maps) return nullptr;
@@ -83,8 +84,7 @@ Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double
     last_ = places;
     std::vector<std::uint32_t>& words = levels_.image.words;
     const UpperReport report = write_upper(levels_.entries, root_, false, config_, name_, words, placed_);
-    for (std::size_t e = 0; e < placed_.size(); ++e)
-        write_entry(levels_.entries[e], placed_[e], config_, words);
+    write_entries(levels_.entries, placed_, config_, words);
     check_need(report.stack_need, config_, name_);
     upload.nodes += report.nodes;
     upload.image = without_words(levels_.image);

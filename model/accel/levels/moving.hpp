@@ -18,7 +18,8 @@ public:
     /// For frames at these times, in this order: where instances stand (places_of()) and the eye. With two
     /// buffers the scene's tree of a frame lies elsewhere than that of the frame before, which can be drawn
     /// while it is written. Null if an instance that moves is sheared or flattened so much that its mesh
-    /// would have to be written out. Throws UserError as compile_levels() does.
+    /// would have to be written out, if planes cut the scene, for which no bound of the tree's lines is known,
+    /// and if meshes deform in globes, which are not refitted. Throws UserError as compile_levels() does.
     /// `shapes`: by mesh of the scene, the bounds at these times if it deforms.
     static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const Places> times,
                                               std::span<const glm::dvec3> eyes, int buffers,
@@ -67,9 +68,9 @@ private:
     int buffers_;
     std::uint32_t root_ = 0;
     std::vector<Follower> followers_;
-    std::vector<Region> regions_;         // of the frame, rising
-    std::vector<std::uint32_t> placed_;   // lines of entries
-    std::array<bool, 2> is_read_{};       // since the last reset, by buffer
+    std::vector<Region> regions_;   // of the frame, rising
+    std::vector<PlacedEntry> placed_;
+    std::array<bool, 2> is_read_{};   // since the last reset, by buffer
 };
 
 }   // namespace rayclock

@@ -3,110 +3,136 @@
 #include <algorithm>
 
 #include "model/accel/collapse.hpp"
-#include "model/accel/emit.hpp"
-#include "model/accel/encode.hpp"
+#include "model/accel/globe/around.hpp"
+#include "model/accel/globe/encode.hpp"
+#include "model/accel/levels/upper_lines.hpp"
 
 namespace rayclock {
 namespace {
 
-class UpperWriter {
-public:
-    UpperWriter(const std::vector<UpperEntry>& entries, BinaryTree tree, const Config& config,
-                const std::string& name, std::vector<std::uint32_t>& words,
-                std::vector<std::uint32_t>& placed)
-        : entries_(entries),
-          tree_(std::move(tree)),
-          collapse_(tree_, single(config)),
-          config_(config),
-          name_(name),
-          words_(words),
-          placed_(placed) {}
+/// The tree with an entry for each leaf.
+Config single(Config config) {
+    config.leaf_size = 1;
+    return config;
+}
 
-    UpperReport run(std::uint32_t line) {
-        next_ = line + 1;
-        make_room();
-        report_.stack_need = write_node(tree_.root, line, 1);
-        return report_;
+/// How a node over subtrees is written: as boxes,
+class Boxes {
+public:
+    Boxes(const std::vector<UpperEntry>&, const BinaryTree& tree, const Collapse&, const Config& config)
+        : tree_(tree), config_(config) {}
+    Node node(const std::vector<WideChild>& found, std::uint32_t base) const {
+        std::array<NodeChild, max_width> children;
+        for (std::size_t i = 0; i < found.size(); ++i) children[i] = {tree_.nodes[found[i].node].box, 0};
+        return encode_node(std::span(children).first(found.size()), base, config_);
     }
 
 private:
-    static Config single(Config config) {
-        config.leaf_size = 1;
-        return config;
+    const BinaryTree& tree_;
+    const Config& config_;
+};
+
+/// or as globes, which hold the corners of boxes, and so all of them.
+class Globes {
+public:
+    Globes(const std::vector<UpperEntry>& entries, const BinaryTree& tree, const Collapse& collapse,
+           const Config& config)
+        : config_(config), around_(tree, collapse, [&](std::uint32_t i, std::vector<Bead>& beads) {
+              const LatticeBox& box = entries[i].map->box;
+              for (int corner = 0; corner < 8; ++corner)
+                  beads.push_back({{corner & 1 ? box.hi[0] : box.lo[0], corner & 2 ? box.hi[1] : box.lo[1],
+                                    corner & 4 ? box.hi[2] : box.lo[2]},
+                                   0});
+          }) {}
+    GlobeNode node(const std::vector<WideChild>& found, std::uint32_t base) const {
+        std::array<GlobeChild, max_width> children;
+        for (std::size_t i = 0; i < found.size(); ++i) children[i] = {around_[found[i].node], 0};
+        return encode_globes(std::span(children).first(found.size()), base, config_);
     }
 
-    void make_room() {
-        check_lines(next_, config_, name_);
-        if (words_.size() < std::size_t(next_) * words_per_line)
-            words_.resize(std::size_t(next_) * words_per_line, 0);
-    }
+private:
+    const Config& config_;
+    GlobesAround around_;
+};
+
+/// `As` is Boxes or Globes.
+template <class As> class TreeWriter {
+public:
+    TreeWriter(const BinaryTree& tree, UpperLines& lines, UpperTotals& totals, const As& as,
+               const Collapse& collapse)
+        : tree_(tree), lines_(lines), totals_(totals), as_(as), collapse_(collapse) {}
 
     /// Returns how many groups of siblings a ray may have to keep below the node.
-    int write_node(std::uint32_t node, std::uint32_t line, int depth) {
+    int write(std::uint32_t node, std::uint32_t line, int depth) {
         std::vector<WideChild> found;
         collapse_.children(node, found);
-        std::array<NodeChild, max_width> children;
-        for (std::size_t i = 0; i < found.size(); ++i) children[i] = {tree_.nodes[found[i].node].box, 0};
-        const std::uint32_t base = next_;
-        next_ += std::uint32_t(found.size());
-        make_room();
-        std::uint32_t* const at = &words_[std::size_t(line) * words_per_line];
-        std::fill_n(at, words_per_line, 0u);
-        write_payload(encode_node(std::span(children).first(found.size()), base, config_), config_, at,
-                      scratch_);
-        ++report_.nodes;
+        const std::uint32_t base = lines_.take(found.size());
+        lines_.write(as_.node(found, base), line);
+        ++totals_.report.nodes;
         int need = 0;
         for (std::uint32_t i = 0; i < found.size(); ++i)
-            need = std::max(need, found[i].leaf ? place(found[i].node, base + i, depth)
-                                                : write_node(found[i].node, base + i, depth + 1));
+            need = std::max(need, found[i].leaf ? totals_.place(entry_of(found[i].node), base + i, depth)
+                                                : write(found[i].node, base + i, depth + 1));
         return need + (found.size() >= 2);
     }
 
-    int place(std::uint32_t node, std::uint32_t line, int depth) {
+private:
+    std::uint32_t entry_of(std::uint32_t node) const {
         std::vector<std::uint32_t> one;
         collapse_.boxes(node, one);
-        placed_[one[0]] = line;
-        report_.depth = std::max(report_.depth, depth + 1 + entries_[one[0]].depth);
-        ++report_.leaves;
-        return entries_[one[0]].stack_need;
+        return one[0];
     }
 
-    const std::vector<UpperEntry>& entries_;
-    BinaryTree tree_;
-    Collapse collapse_;
-    const Config& config_;
-    const std::string& name_;
-    std::vector<std::uint32_t>& words_;
-    std::vector<std::uint32_t>& placed_;
-    std::uint32_t next_ = 0;
-    UpperReport report_;
-    Words scratch_;
+    const BinaryTree& tree_;
+    UpperLines& lines_;
+    UpperTotals& totals_;
+    const As& as_;
+    const Collapse& collapse_;
 };
+
+template <class As> UpperReport write_tree(const std::vector<UpperEntry>& entries, const BinaryTree& tree,
+                                           UpperLines& lines, std::uint32_t root,
+                                           std::vector<PlacedEntry>& placed) {
+    const Collapse collapse(tree, single(lines.config()));
+    const As as(entries, tree, collapse, lines.config());
+    UpperTotals totals{entries, placed};
+    totals.report.stack_need = TreeWriter(tree, lines, totals, as, collapse).write(tree.root, root, 1);
+    return totals.report;
+}
 
 }   // namespace
 
 UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t line, bool thorough,
                         const Config& config, const std::string& name, std::vector<std::uint32_t>& words,
-                        std::vector<std::uint32_t>& placed) {
+                        std::vector<PlacedEntry>& placed) {
     std::vector<LatticeBox> boxes;
     boxes.reserve(entries.size());
     for (const UpperEntry& entry : entries) boxes.push_back(entry.map->box);
+    placed.clear();
+    UpperLines lines(line, config, name, words);
+    if (config.has_planes()) return write_upper_cells(entries, boxes, lines, line, placed);
     BinaryTree tree = build_tree(boxes);
     if (thorough) optimise_tree(tree);
-    placed.assign(entries.size(), 0);
-    return UpperWriter(entries, std::move(tree), config, name, words, placed).run(line);
+    return config.has_globes() ? write_tree<Globes>(entries, tree, lines, line, placed)
+                               : write_tree<Boxes>(entries, tree, lines, line, placed);
 }
 
-void write_entry(const UpperEntry& entry, std::uint32_t line, const Config& config,
-                 std::vector<std::uint32_t>& words) {
+void write_entries(const std::vector<UpperEntry>& entries, const std::vector<PlacedEntry>& placed,
+                   const Config& config, std::vector<std::uint32_t>& words) {
+    constexpr std::uint32_t none = ~0u;
+    std::vector<std::uint32_t> here(entries.size(), none);
     Words scratch;
-    std::uint32_t* const at = &words[std::size_t(line) * words_per_line];
-    std::fill_n(at, words_per_line, 0u);
-    const std::uint32_t surfaces = entry.surfaces & ((1u << config.addr_bits) - 1);
-    write_payload(
-        Placement{entry.first, entry.root, line, surfaces, entry.material, entry.map->a, entry.map->b},
-        config, at, scratch);
-    set_line_kind(at, LineKind::placement);
+    for (const PlacedEntry& at : placed) {
+        const UpperEntry& entry = entries[at.entry];
+        if (here[at.entry] == none) here[at.entry] = at.line;
+        std::uint32_t* const line = &words[std::size_t(at.line) * words_per_line];
+        std::fill_n(line, words_per_line, 0u);
+        const std::uint32_t surfaces = entry.surfaces & ((1u << config.addr_bits) - 1);
+        write_payload(Placement{entry.first, entry.root, here[at.entry], surfaces, entry.material,
+                                entry.map->a, entry.map->b},
+                      config, line, scratch);
+        set_line_kind(line, LineKind::placement);
+    }
 }
 
 }   // namespace rayclock

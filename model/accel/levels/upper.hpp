@@ -1,5 +1,7 @@
 #pragma once
-// The scene's tree of two levels: nodes over boxes of instances, with an instance where a leaf would be.
+// The scene's tree of two levels: nodes of any structure over boxes of instances, with an instance where a
+// leaf would be. Cells of a structure of planes have each instance that reaches into them: it may stand in
+// several places then, and all its lines are alike.
 #include <vector>
 
 #include "model/accel/levels/maps.hpp"
@@ -20,19 +22,26 @@ struct UpperReport {
     int depth = 0, stack_need = 0;   ///< with what is below
 };
 
+/// Where an entry stands.
+struct PlacedEntry {
+    std::uint32_t entry = 0, line = 0;
+};
+
 /// Writes the tree over all entries as lines from `line` on, the root first, behind whatever `words` holds
-/// there; `words` grows as it must. `placed` gets the line of each entry. `thorough`: the tree is improved by
-/// reinsertion, which takes several times as long. Throws UserError if the lines cannot be addressed.
+/// there; `words` grows as it must. `placed` gets the lines of entries, each at least once. `thorough`: a
+/// tree of boxes or globes is improved by reinsertion, which takes several times as long. Throws UserError if
+/// the lines cannot be addressed.
 UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t line, bool thorough,
                         const Config& config, const std::string& name, std::vector<std::uint32_t>& words,
-                        std::vector<std::uint32_t>& placed);
+                        std::vector<PlacedEntry>& placed);
 
-/// The line of an entry, once its root is known.
-void write_entry(const UpperEntry& entry, std::uint32_t line, const Config& config,
-                 std::vector<std::uint32_t>& words);
+/// The lines of entries, once their roots are known. An instance is called by its first line, wherever a ray
+/// has met it.
+void write_entries(const std::vector<UpperEntry>& entries, const std::vector<PlacedEntry>& placed,
+                   const Config& config, std::vector<std::uint32_t>& words);
 
-/// The most lines that a tree over so many entries takes: each node but the root has two children or more,
-/// and each child a line.
+/// The most lines that a tree of boxes or globes over so many entries takes: each node but the root has two
+/// children or more, and each child a line.
 constexpr std::uint32_t most_upper_lines(std::size_t entries) {
     return std::uint32_t(2 * std::max<std::size_t>(entries, 1));
 }

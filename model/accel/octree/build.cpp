@@ -129,7 +129,10 @@ private:
 }   // namespace
 
 CellPtr build(const std::vector<PrimData>& prims, const Config& config) {
-    const kd::Pieces pieces(prims, config);
+    return build(kd::Pieces(prims, config), config);
+}
+
+CellPtr build(const kd::Pieces& pieces, const Config& config) {
     Items items = pieces.all();
     const double most = double(config.references) * double(items.size());
     const LatticeBox box = kd::bounds_of(items);

@@ -12,6 +12,7 @@ namespace rayclock::octree {
 /// references are bounded (kd/build.hpp), or it stays in the inner node (`straddlers`): then a node with
 /// primitives of its own is walked in two parts that no plane divides, they and its octants.
 kd::CellPtr build(const std::vector<PrimData>& prims, const Config& config);
+kd::CellPtr build(const kd::Pieces& pieces, const Config& config);
 constexpr int most_depth = 12;
 
 }   // namespace rayclock::octree

@@ -62,7 +62,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
             config.bounces = std::max(config.bounces, 5);
         else
             config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
-        if (!config.is_bvh() || config.is_sheared() || config.shading) config.levels = 1;
+        if (config.is_list() || config.is_sheared() || config.shading) config.levels = 1;
         try {
             check_config(config, config.name);
             return config;
