@@ -32,6 +32,7 @@ MemoryImage without_words(const MemoryImage& image) {
     shape.surfaces = image.surfaces;
     shape.primitives = image.primitives;
     shape.listed = image.listed;
+    shape.levels = image.levels;
     shape.report = image.report;
     return shape;
 }
@@ -105,6 +106,7 @@ const Request& Film::request() {
     const Camera camera = *request_.scene.camera;
     Scene flat = flat_copy(placed_);
     flat.camera = camera;
+    if (request_.config.has_instances()) flat.placed = std::make_shared<const PlacedScene>(placed_);
     request_.scene = std::move(flat);
     is_stale_ = false;
     return request_;
@@ -148,7 +150,7 @@ void Film::next_whole() {
     const Stopwatch watch;
     request_.scene.placed = std::make_shared<const PlacedScene>(placed_);
     job_ = make_job(request_.scene, camera(), size_, request_.config, progress_, request_.settings);
-    request_.scene.placed.reset();
+    if (!request_.config.has_instances()) request_.scene.placed.reset();
     upload_.image = without_words(job_.image);
     take_differences(job_.image, held, upload_);
     upload_.is_whole = true;

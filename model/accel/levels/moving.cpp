@@ -70,6 +70,7 @@ void MovingLevels::take_changes(std::uint32_t first, Upload& upload) {
     upload.image.surfaces = image.surfaces;
     upload.image.primitives = image.primitives;
     upload.image.listed = image.listed;
+    upload.image.levels = image.levels;
     upload.image.report = image.report;
     upload.image_lines = image.lines();
     for (std::uint32_t i = 0; i < levels_.upper_lines; ++i) {
