@@ -38,6 +38,7 @@ inline MemoryImage without_words(const MemoryImage& image) {
     shape.surfaces = image.surfaces;
     shape.primitives = image.primitives;
     shape.listed = image.listed;
+    shape.levels = image.levels;
     shape.report = image.report;
     return shape;
 }

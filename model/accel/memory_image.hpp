@@ -3,8 +3,10 @@
 // hold.
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include "model/core/config.hpp"
@@ -46,6 +48,17 @@ struct CompileReport {
     double seconds = 0;
 };
 
+/// Of two levels: the lattices that the host has chosen for meshes. Which instance uses which is told in the
+/// order of their primitives' numbers, those of the scene's own triangles first; empty meshes are left out.
+struct LevelLattices {
+    struct Class {
+        Lattice lattice;
+        glm::dmat4 before{1};   ///< the identity, or the place to which the mesh was moved beforehand
+    };
+    std::vector<Class> classes;
+    std::vector<std::uint32_t> of_instance;   ///< class
+};
+
 /// Memory of the chip: 64-byte lines, the root node in line 0. Layout in core/payloads.hpp (Node, PrimData).
 struct MemoryImage {
     std::vector<std::uint32_t> words;   ///< 16 words a line, little-endian
@@ -55,6 +68,7 @@ struct MemoryImage {
     std::uint32_t listed = 0;                   ///< primitives of a list; 0 if there is a tree
     std::vector<std::uint32_t> written_out{};   ///< of two levels: the first primitives of instances whose
                                                 ///< mesh was moved to its place beforehand, rising
+    std::shared_ptr<const LevelLattices> levels{};   ///< of two levels
     CompileReport report;
 
     /// Beyond the end memory holds zeros: a cache's long line may reach there, and faulty hardware asks for

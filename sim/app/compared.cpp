@@ -15,7 +15,7 @@ Compared compare(const Request& request, const Job& job, const MachineFrame& mad
         c.reference = picture_of(reference);
         c.error = frame_error(c.hits, c.picture, reference.hits, c.reference);
         const Given given{made.answers, made.colours, made.signatures};
-        if (judged && can_judge(request.config))
+        if (judged)
             c.judgement = judge_finished(asked, job.image, request.settings, {reference, c.picture, given},
                                          c.hits, threads, progress);
         c.reference_hits = std::move(reference.hits);
@@ -25,9 +25,8 @@ Compared compare(const Request& request, const Job& job, const MachineFrame& mad
         c.reference = shade(scene, c.reference_hits);
         c.error = frame_error(c.hits, c.picture, c.reference_hits, c.reference);
         const Answered answered{c.reference_hits, made.answers, c.picture};
-        if (!can_judge(request.config)) return c;
-        if (judged) c.judgement = judge(asked, answered, threads, progress);
-        if (pixel) c.stages = stages_of(asked, answered, *pixel);
+        if (judged) c.judgement = judge(asked, job.image, answered, threads, progress);
+        if (pixel) c.stages = stages_of(asked, job.image, answered, *pixel);
     }
     return c;
 }

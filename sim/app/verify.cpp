@@ -230,9 +230,10 @@ void compare(Verified& v, const Options& o, const Work& work, const Progress& pr
     const FrameRun& judged = v.judged();
     const Asked asked{scene, work.film.camera(), v.traces.back().frame, v.job.image.lattice,
                       work.request().config};
-    const bool judges = !v.partial() && !o.no_judge && can_judge(work.request().config);
+    const bool judges = !v.partial() && !o.no_judge;
     if (judges && !work.request().finished)
-        v.judgement = judge(asked, {p.hits, judged.answers, shade(scene, judged.hits)}, o.threads, progress);
+        v.judgement = judge(asked, v.job.image, {p.hits, judged.answers, shade(scene, judged.hits)},
+                            o.threads, progress);
     const Given given{judged.answers, judged.colours, v.traces.back().trace.signatures};
     if (judges && work.request().finished)
         v.judgement =

@@ -11,13 +11,16 @@
 #include "model/hits.hpp"
 #include "model/reference/reference.hpp"
 #include "model/reference/tiles.hpp"
+#include "model/scene/folded.hpp"
+#include "sim/cause/seam.hpp"
+#include "sim/cause/truth.hpp"
 #include "sim/image/srgb.hpp"
 
 namespace rayclock {
 
 namespace {
 
-constexpr int stages = 6;
+constexpr int stages = 7;
 constexpr int packed_width = 256;
 
 /// The scene as the machine has it, in lattice steps, for the reference.
@@ -40,8 +43,8 @@ float largest(const glm::vec3& v) { return std::max({std::abs(v.r), std::abs(v.g
 
 class Judge {
 public:
-    Judge(const Asked& asked, const Answered& answered)
-        : asked_(asked), answered_(answered), size_(answered.reference.size) {}
+    Judge(const Asked& asked, const MemoryImage& image, const Answered& answered)
+        : asked_(asked), image_(image), answered_(answered), size_(answered.reference.size) {}
 
     Judgement operator()(const Progress& progress) {
         const Stopwatch watch;
@@ -58,9 +61,12 @@ public:
         open_ = {pixel};
         const auto [hits, pictures] = staged();
         std::vector<PixelStage> all;
-        for (std::size_t k = 0; k < hits.size(); ++k)
+        for (std::size_t k = 0; k < hits.size(); ++k) {
+            if (!world_ && k > 0 && PixelCause(k - 1) == PixelCause::seam)
+                continue;   // no stage of one level
             all.push_back({k == 0 ? "reference" : cause_info(PixelCause(k - 1)).key, hits[k].hits[0],
                            pictures[k].pixels[0]});
+        }
         const PixelStage& last = all.back();
         all.push_back({cause_info(PixelCause::shading).key, last.hit, answered_.picture.pixels[pixel]});
         return all;
@@ -68,9 +74,28 @@ public:
 
 private:
     void prepare() {
-        tbb::parallel_invoke([&] { truth_.emplace(asked_.scene, asked_.lattice, asked_.config); },
-                             [&] { snapped_.emplace(on_lattice(asked_.scene, asked_.lattice)); },
-                             [&] { expected_ = shade(asked_.scene, answered_.reference); });
+        if (asked_.config.has_instances()) prepare_levels();
+        tbb::parallel_invoke(
+            [&] {
+                if (!world_) truth_.emplace(asked_.scene, asked_.lattice, asked_.config);
+            },
+            [&] { snapped_.emplace(world_ ? placed_scene_ : on_lattice(asked_.scene, asked_.lattice)); },
+            [&] { expected_ = shade(asked_.scene, answered_.reference); });
+    }
+    void prepare_levels() {
+        world_.emplace(asked_, image_);
+        truth_.emplace(*world_, asked_.config);
+        seams_.emplace(*world_, asked_.config);
+        placed_scene_ = is_folded(asked_.scene) ? folded(world_->snapped()) : flat_copy(world_->snapped());
+        for (const std::string& sentence : world_->faults()) judgement_.faults.push_back({0, 0, 0, sentence});
+        judgement_.wrong = judgement_.faults.size();
+    }
+    /// As the flat scene has its corners: of a mirrored instance the second and the third change places.
+    Hit as_flat(Hit hit) const {
+        if (!world_ || hit.primitive == no_primitive) return hit;
+        const std::uint32_t place = world_->place_of(hit.primitive);
+        if (place != oracle::PlacedRay::nowhere && world_->is_mirrored(place)) std::swap(hit.u, hit.v);
+        return hit;
     }
     int x(std::size_t pixel) const { return int(pixel % std::size_t(size_.width)); }
     int y(std::size_t pixel) const { return int(pixel / std::size_t(size_.width)); }
@@ -136,13 +161,19 @@ private:
         tbb::parallel_for(std::size_t(0), open_.size(), [&](std::size_t i) {
             const int px = x(open_[i]), py = y(open_[i]);
             const ExactPixel exact = truth_->pixel(asked_.frame, px, py);
+            const auto at = [&](const Closest& hit) {
+                return as_flat(scale({std::uint32_t(px), std::uint32_t(py), hit}));
+            };
+            const glm::dvec3 from(eye[0], eye[1], eye[2]);
             hits[0].hits[i] = answered_.reference.hits[open_[i]];
-            hits[1].hits[i] =
-                snapped_->trace({eye[0], eye[1], eye[2]}, asked_.lattice.direction(rays.direction(px, py)));
-            hits[2].hits[i] = {exact.primitive, 0, float(double(exact.u) / double(exact.den)),
-                               float(double(exact.v) / double(exact.den))};
-            hits[3].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), truth_->answer(exact)});
-            hits[4].hits[i] = scale({std::uint32_t(px), std::uint32_t(py), answered_.answers[open_[i]]});
+            hits[1].hits[i] = snapped_->trace(from, asked_.lattice.direction(rays.direction(px, py)));
+            hits[3].hits[i] = as_flat({exact.primitive, 0, float(double(exact.u) / double(exact.den)),
+                                       float(double(exact.v) / double(exact.den))});
+            const Vec3i whole = exact_direction(asked_.frame, asked_.config, {}, px, py, 0);
+            hits[2].hits[i] =
+                world_ ? snapped_->trace(from, {whole[0], whole[1], whole[2]}) : hits[3].hits[i];
+            hits[4].hits[i] = at(truth_->answer(exact));
+            hits[5].hits[i] = at(answered_.answers[open_[i]]);
         });
         for (std::size_t k = 0; k < hits.size(); ++k) s.pictures[k] = shade(asked_.scene, hits[k]);
         return s;
@@ -160,8 +191,24 @@ private:
             }
             primitive[stages - 1] = answered_primitive(open_[i]);
             colour[stages - 1] = answered_.picture.pixels[open_[i]];
-            judgement_.pixels[open_[i]] = cause(primitive, colour);
+            const PixelCause found = cause(primitive, colour);
+            judgement_.pixels[open_[i]] = found == PixelCause::seam ? seam_or(open_[i]) : found;
         }
+    }
+
+    /// What the rounding of rays in instances has changed.
+    PixelCause seam_or(std::size_t pixel) {
+        const Vec3i direction = exact_direction(asked_.frame, asked_.config, {}, x(pixel), y(pixel), 0);
+        switch (seams_->look(camera_ray(asked_.frame.eye, direction), answered_.answers[pixel],
+                             &judgement_.seams_apart)) {
+            case RayFinding::one_line: return PixelCause::ray_quantisation;
+            case RayFinding::seam: return PixelCause::seam;
+            case RayFinding::none: break;
+        }
+        ++judgement_.wrong;
+        if (judgement_.faults.size() < 20)
+            judgement_.faults.push_back({std::uint32_t(x(pixel)), std::uint32_t(y(pixel)), 0, no_finding});
+        return PixelCause::bug;
     }
 
     static PixelCause cause(const std::array<std::uint32_t, stages>& primitive,
@@ -186,8 +233,12 @@ private:
     }
 
     const Asked& asked_;
+    const MemoryImage& image_;
     const Answered& answered_;
     FrameSize size_;
+    std::optional<PlacedWorld> world_;   // of two levels
+    std::optional<Seams> seams_;
+    Scene placed_scene_;
     std::optional<Truth> truth_;
     std::optional<Reference> snapped_;
     Picture expected_;
@@ -201,6 +252,7 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
     // Colours of Okabe and Ito 2008, "Color universal design"; white for what must not be there.
     static constexpr std::array<PixelCauseInfo, pixel_causes + 1> infos{{{"snapping", {230, 159, 0}},
                                                                          {"ray_quantisation", {86, 180, 233}},
+                                                                         {"seam", {213, 94, 0}},
                                                                          {"t_rounding", {0, 158, 115}},
                                                                          {"primitive_test", {204, 121, 167}},
                                                                          {"shading", {240, 228, 66}},
@@ -209,12 +261,14 @@ const PixelCauseInfo& cause_info(PixelCause cause) {
     return infos[std::size_t(cause)];
 }
 
-Judgement judge(const Asked& asked, const Answered& answered, int threads, const Progress& progress) {
-    return arena_of(threads).execute([&] { return Judge(asked, answered)(progress); });
+Judgement judge(const Asked& asked, const MemoryImage& image, const Answered& answered, int threads,
+                const Progress& progress) {
+    return arena_of(threads).execute([&] { return Judge(asked, image, answered)(progress); });
 }
 
-std::vector<PixelStage> stages_of(const Asked& asked, const Answered& answered, std::size_t pixel) {
-    return Judge(asked, answered).stages_of(pixel);
+std::vector<PixelStage> stages_of(const Asked& asked, const MemoryImage& image, const Answered& answered,
+                                  std::size_t pixel) {
+    return Judge(asked, image, answered).stages_of(pixel);
 }
 
 Picture cause_picture(const Picture& reference, const Judgement& judgement) {

@@ -5,19 +5,22 @@
 // From the reference to the machine a pixel goes through these stages, each of which changes one thing:
 //   0  reference: double precision, scene as given, the camera's ray
 //   1  double precision, vertices on the lattice          snapping
-//   2  exact, with the integer direction                  ray_quantisation
-//   3  t, u and v rounded as promised                     t_rounding
-//   4  the machine's answer                               primitive_test
-//   5  the colours that its hits were given               shading
-// If the primitive differs in the end, the cause is the first stage that changed it; otherwise the one that
-// changed the colour most. With the exact primitive test stage 4 is stage 3 to the bit, or the pixel is a
-// bug, whether or not it shows.
+//   2  the integer direction                              ray_quantisation
+//   3  exact, as every instance sees that direction       seam, or ray_quantisation
+//   4  t, u and v rounded as promised                     t_rounding
+//   5  the machine's answer                               primitive_test
+//   6  the colours that its hits were given               shading
+// Of one level stages 2 and 3 are the same, and exact. Of two levels stages 1 and 2 are in double precision,
+// on the corners where lattices and maps in memory put them; what stage 3 changes is a seam if seam.hpp
+// finds one, and is ray_quantisation if a single line gives the answer, for that is the direction rounded
+// once more. If it finds neither, the pixel is a bug. If the primitive differs in the end, the cause is the
+// first stage that changed it; otherwise the one that changed the colour most. With the exact primitive test
+// stage 4 is stage 3 to the bit, or the pixel is a bug, whether or not it shows.
 #include <array>
 #include <span>
 
 #include "model/base/progress.hpp"
 #include "model/shade/shade.hpp"
-#include "sim/cause/truth.hpp"
 #include "sim/judge/picture.hpp"
 
 namespace rayclock {
@@ -25,13 +28,14 @@ namespace rayclock {
 enum class PixelCause : std::uint8_t {
     snapping,
     ray_quantisation,
+    seam,
     t_rounding,
     primitive_test,
     shading,
     bug,
     none
 };
-constexpr std::size_t pixel_causes = 6;   ///< without `none`
+constexpr std::size_t pixel_causes = 7;   ///< without `none`
 
 /// A cause's key in reports and its colour in the difference picture, sRGB.
 struct PixelCauseInfo {
@@ -55,7 +59,8 @@ struct Judgement {
     /// Pixels with another primitive whose ray in the reference meets an edge, to 2^-22 of the triangle: no
     /// precision decides there.
     std::uint64_t on_edge = 0;
-    double seconds = 0;   ///< of the host
+    double seams_apart = 0;   ///< of lines that make a seam: how far, at most, as a part of the bound
+    double seconds = 0;       ///< of the host
     /// What must not be there: of another primitive test than the exact one wrong answers are a cause of
     /// their own.
     std::uint64_t wrong_for(const Config& config) const {
@@ -70,10 +75,9 @@ struct Answered {
     const std::vector<Closest>& answers;
     const Picture& picture;   ///< of the machine's answers
 };
-/// Whether there is a judge: it knows flat scenes on one lattice, and no instances.
-inline bool can_judge(const Config& config) { return !config.has_instances(); }
-/// Judges every pixel on all cores, or as many as `threads` says.
-Judgement judge(const Asked& asked, const Answered& answered, int threads = 0, const Progress& progress = {});
+/// Judges every pixel on all cores, or as many as `threads` says. `image`: the memory that the machine had.
+Judgement judge(const Asked& asked, const MemoryImage& image, const Answered& answered, int threads = 0,
+                const Progress& progress = {});
 
 /// One pixel on its way from the reference to the machine, in the order of the stages above: what it hits,
 /// and its colour, after the step that is named.
@@ -82,7 +86,8 @@ struct PixelStage {
     Hit hit;
     glm::vec3 colour{0};
 };
-std::vector<PixelStage> stages_of(const Asked& asked, const Answered& answered, std::size_t pixel);
+std::vector<PixelStage> stages_of(const Asked& asked, const MemoryImage& image, const Answered& answered,
+                                  std::size_t pixel);
 
 /// Grey copy of the reference's picture, dimmed, with every pixel that has a cause in the cause's colour: in
 /// full if it holds another primitive or is a bug, at a third of the light if only its colour differs.

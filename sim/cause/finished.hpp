@@ -8,6 +8,8 @@
 //   as the machine has it, vertices, spheres, planes and lights on the lattice: `snapping`; they met what
 //   neither does, each ray having been found to meet what it must, and to begin and to lead where it must but
 //   for a rounding that is named and bounded: `ray_quantisation`.
+// With two levels such a pixel is a `seam` if one of its rays is: if no single line gives what it met
+// (seam.hpp), because each instance rounds the ray for itself.
 // What is not found right in every step is a `bug`, whether or not it shows.
 #include "model/reference/reference.hpp"
 #include "sim/cause/cause.hpp"

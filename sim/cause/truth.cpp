@@ -21,6 +21,7 @@ Int128 size(Int128 a) { return a < 0 ? -a : a; }
 // three sum to den. Widths: num < 2^(3N+1) <= 2^61, u, v and den < 2^(2N+M+1) <= 2^63, see oracle/cross.hpp.
 ExactPixel Truth::pixel(const Frame& frame, int x, int y) const {
     const Vec3i direction = exact_direction(frame, config_, {}, x, y, 0);
+    if (placed_) return placed_pixel(camera_ray(frame.eye, direction));
     const oracle::ExactHit hit = surface_.closest(frame.eye, direction);
     if (hit.primitive == no_primitive) return {};
     const oracle::Corners& t = surface_.triangles()[hit.primitive];
@@ -30,6 +31,19 @@ ExactPixel Truth::pixel(const Frame& frame, int x, int y) const {
                c = oracle::way(o, oracle::triple<Short>(t.c));
     return {hit.primitive, hit.num, hit.den, size(oracle::volume<Int128>(d, oracle::area(c, a))),
             size(oracle::volume<Int128>(d, oracle::area(a, b)))};
+}
+
+Ray camera_ray(const Vec3i& eye, const Vec3i& direction) {
+    Ray ray;
+    ray.o = eye, ray.d = direction;
+    return ray;
+}
+
+ExactPixel Truth::placed_pixel(const Ray& ray) const {
+    const oracle::PlacedHit found = placed_->solids().nearest(placed_->ray(ray));
+    if (found.place == oracle::PlacedRay::nowhere) return {};
+    const oracle::FlatHit& hit = found.hit;   // of a ray without fraction bits total is den
+    return {hit.primitive + placed_->solids().places()[found.place].first, hit.num, hit.den, hit.u, hit.v};
 }
 
 // t has at most 2^31 units a step of num / den, and a weight 2^24: nothing here reaches 2^93.

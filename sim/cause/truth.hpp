@@ -7,6 +7,7 @@
 #include "model/core/payloads.hpp"
 #include "model/oracle/surface.hpp"
 #include "sim/judge/camera.hpp"
+#include "sim/judge/placed.hpp"
 
 namespace rayclock {
 
@@ -17,10 +18,16 @@ struct ExactPixel {
     oracle::Int128 num = 0, den = 1, u = 0, v = 0;
 };
 
+/// From the eye, of a chip that does not shade.
+Ray camera_ray(const Vec3i& eye, const Vec3i& direction);
+
 class Truth {
 public:
     Truth(const Scene& scene, const Lattice& lattice, const Config& config)
         : surface_(oracle::snapped(scene, lattice)), config_(config) {}
+    /// Of two levels, where every instance sees the direction as it is rounded for it.
+    Truth(const PlacedWorld& placed, const Config& config)
+        : surface_(std::vector<oracle::Corners>{}), placed_(&placed), config_(config) {}
 
     ExactPixel pixel(const Frame& frame, int x, int y) const;
 
@@ -29,7 +36,10 @@ public:
     Closest answer(const ExactPixel& pixel) const;
 
 private:
+    ExactPixel placed_pixel(const Ray& ray) const;
+
     oracle::Surface surface_;
+    const PlacedWorld* placed_ = nullptr;
     Config config_;
 };
 

@@ -113,6 +113,10 @@ std::string cause_sentence(const ColourFinding& c) {
         case PixelCause::ray_quantisation:
             return "the ray's direction, or where a secondary ray begins, is rounded to whole numbers "
                    "(ray_quantisation)";
+        case PixelCause::seam:
+            return "two instances meet here, and each rounds the ray for itself: no single line gives what "
+                   "was "
+                   "hit (seam)";
         case PixelCause::t_rounding: return "t, u and v are rounded to the machine's formats (t_rounding)";
         case PixelCause::primitive_test:
             return "the cheaper primitive test gave another answer than the exact one (primitive_test)";

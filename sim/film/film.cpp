@@ -131,6 +131,7 @@ const Request& Film::request() {
     const Camera camera = *request_.scene.camera;
     Scene flat = flat_copy(placed_);
     flat.camera = camera;
+    if (request_.config.has_instances()) flat.placed = std::make_shared<const PlacedScene>(placed_);
     request_.scene = std::move(flat);
     is_stale_ = false;
     return request_;
@@ -193,7 +194,7 @@ void Film::next_whole() {
     const Stopwatch watch;
     request_.scene.placed = std::make_shared<const PlacedScene>(placed_);
     job_ = make_job(request_.scene, camera(), size_, request_.config, progress_, request_.settings);
-    request_.scene.placed.reset();
+    if (!request_.config.has_instances()) request_.scene.placed.reset();
     upload_.image = without_words(job_.image);
     upload_.image_lines = job_.image.lines();
     take_differences(job_.image, 0, job_.image.lines(), held, upload_);

@@ -1,5 +1,6 @@
 #include "sim/judge/answer.hpp"
 
+#include "sim/judge/placed.hpp"
 #include "sim/judge/steps.hpp"
 
 namespace rayclock {
@@ -46,13 +47,8 @@ bool sphere_is_sooner(const Nearest& nearest, const Solids& solids, const SolidR
            ticks * (1 - Range::slack);
 }
 
-const char* judge_flat(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
-                       const Closest& answer) {
-    const FlatHit& hit = nearest.flat;
-    if (hit.primitive != answer.prim)
-        return solids.flat_hit(ray, answer.prim) ? "another primitive is closer" : "it misses that primitive";
-    const double ticks = std::ldexp(double(hit.num) / double(hit.den), tick_bits(c));
-    if (sphere_is_sooner(nearest, solids, ray, c, ticks)) return "a sphere is closer";
+/// t, u, v and the side of a triangle or plane that is rightly said to be met.
+const char* judge_values(const FlatHit& hit, const Config& c, const Closest& answer) {
     const Int128 most = most_ticks(c);
     // num has up to 3N + B + 4 bits; where it would overflow t saturates for certain.
     const Int128 t = hit.num > (Int128(1) << 90)
@@ -63,6 +59,16 @@ const char* judge_flat(const Nearest& nearest, const Solids& solids, const Solid
         return "u or v is not the exact one, rounded down";
     if (c.shading && (answer.back != 0) != hit.back) return "it meets the other side";
     return nullptr;
+}
+
+const char* judge_flat(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
+                       const Closest& answer) {
+    const FlatHit& hit = nearest.flat;
+    if (hit.primitive != answer.prim)
+        return solids.flat_hit(ray, answer.prim) ? "another primitive is closer" : "it misses that primitive";
+    const double ticks = std::ldexp(double(hit.num) / double(hit.den), tick_bits(c));
+    if (sphere_is_sooner(nearest, solids, ray, c, ticks)) return "a sphere is closer";
+    return judge_values(hit, c, answer);
 }
 
 const char* judge_sphere(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
@@ -94,6 +100,16 @@ bool says_more(const Closest& answer) {
     return answer.prim || answer.t || answer.u || answer.v || answer.back;
 }
 
+/// Of a shadow ray.
+const char* judge_way(bool is_blocked, const Closest& answer) {
+    if (is_blocked != (answer.found != 0)) return is_blocked ? "its way is blocked" : "its way is free";
+    return says_more(answer) ? "more is said of a shadow ray than yes or no" : nullptr;
+}
+
+const char* no_place(const Closest& answer) {
+    return answer.place ? "an instance is told where nothing is met" : nullptr;
+}
+
 }   // namespace
 
 SolidRay solid_ray(const Ray& ray, const Config& c) {
@@ -112,8 +128,7 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
     if (ends_at_any(ray.kind)) {
         const bool met =
             RayKind(ray.kind) == RayKind::shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r);
-        if (met != (answer.found != 0)) return met ? "its way is blocked" : "its way is free";
-        return says_more(answer) ? "more is said of a shadow ray than yes or no" : nullptr;
+        return judge_way(met, answer);
     }
     const Nearest nearest = solids.nearest(r);
     if (!answer.found) {
@@ -124,6 +139,37 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
     if (answer.prim >= solids.all().size()) return "there is no such primitive";
     return solids.all()[answer.prim].kind == Solid::Kind::sphere ? judge_sphere(nearest, solids, r, c, answer)
                                                                  : judge_flat(nearest, solids, r, c, answer);
+}
+
+const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& ray, const Closest& answer) {
+    constexpr std::uint32_t nowhere = oracle::PlacedRay::nowhere;
+    const oracle::PlacedRay r = world.ray(ray);
+    const oracle::PlacedSolids& solids = world.solids();
+    if (ends_at_any(ray.kind)) {
+        const bool is_shadow = RayKind(ray.kind) == RayKind::shadow;
+        const bool is_blocked =
+            (is_shadow ? solids.blocks(r, c.origin_frac()) : solids.meets_any(r)) != nowhere;
+        const char* const wrong = judge_way(is_blocked, answer);
+        if (wrong || !is_blocked) return wrong ? wrong : no_place(answer);
+        const std::uint32_t place = world.place_at(answer.place);
+        return place != nowhere && solids.is_met(place, r, is_shadow, c.origin_frac())
+                   ? nullptr
+                   : "another instance blocks its way";
+    }
+    const oracle::PlacedHit nearest = solids.nearest(r);
+    if (!answer.found) {
+        if (nearest.place != nowhere) return "it meets something";
+        return says_more(answer) ? "more is said of a miss than that it is one" : no_place(answer);
+    }
+    const std::uint32_t place = world.place_of(answer.prim);
+    if (place == nowhere) return "there is no such primitive";
+    const std::uint32_t number = answer.prim - solids.places()[place].first;
+    if (nearest.place != place || nearest.hit.primitive != number)
+        return solids.mesh_of(place).flat_hit(solids.seen_by(place, r), number)
+                   ? "another primitive is closer"
+                   : "it misses that primitive";
+    if (c.has_homes() && answer.place != world.line(place)) return "it meets another instance";
+    return judge_values(nearest.hit, c, answer);
 }
 
 }   // namespace rayclock

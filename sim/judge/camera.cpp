@@ -23,8 +23,9 @@ Vec3i exact_direction(const Frame& frame, const Config& config, const Whitted& s
     const auto fits_twice = [&](Int128 v) { return -end <= 2 * v && 2 * v < end; };
     for (int doubled = 0; doubled < most_shift && std::all_of(sum.begin(), sum.end(), fits_twice); ++doubled)
         for (Int128& v : sum) v *= 2;
+    const Int128 most = end / unit - 1, least = config.has_instances() ? -most : -most - 1;
     return by_axis([&](std::size_t k) {
-        return std::int32_t(std::min<Int128>(nearest_of(sum[k], unit), end / unit - 1));
+        return std::int32_t(std::clamp<Int128>(nearest_of(sum[k], unit), least, most));
     });
 }
 

@@ -53,6 +53,7 @@ void PathJudge::sent(const Ray& ray) {
                "the ray asks planes where it must not, or the other way round");
         demand(!config_.spheres || (ray.self == expected_.self && ray.inside == expected_.inside),
                "the ray leaves another surface than was asked for");
+        demand(ray.home == expected_.home, "the ray leaves its instance elsewhere than was asked for");
         if (ends_at_any(ray.kind))
             ++rays_.shadow;
         else
@@ -63,8 +64,15 @@ void PathJudge::sent(const Ray& ray) {
 }
 
 void PathJudge::answered(const Closest& hit) {
-    if (const char* wrong = judge_answer(rules_.solids, config_, ray_, hit)) fail(wrong);
+    const char* wrong = rules_.placed ? judge_answer(*rules_.placed, config_, ray_, hit)
+                                      : judge_answer(rules_.solids, config_, ray_, hit);
+    if (wrong) fail(wrong);
     answer_ = hit;
+    if (rules_.placed && !ends_at_any(ray_.kind)) {
+        visit_ = {hit.found ? rules_.placed->place_of(hit.prim) : oracle::PlacedRay::nowhere, {}};
+        if (visit_.place != oracle::PlacedRay::nowhere)
+            visit_.ray = rules_.placed->solids().seen_by(visit_.place, rules_.placed->ray(ray_));
+    }
     ++ray_number_;
 }
 
@@ -93,7 +101,7 @@ void PathJudge::passed(const PassIn& in, const PassOut& out) {
         case ShadeEvent::refract: refract(in, out); break;
         case ShadeEvent::reflect: reflect(in, out); break;
         case ShadeEvent::pop: pop(in, out); break;
-        case ShadeEvent::turn: fail("instances have no judge"); break;
+        case ShadeEvent::turn: turn(in, out); break;
     }
     demand(out.leave == PassOut::Leave::pixel || out.state.colour == colour_,
            "what was added is not what the surface, light or background gives");
@@ -136,7 +144,7 @@ void PathJudge::pop(const PassIn& in, const PassOut& out) {
     waiting_.pop_back();
     const Expected& ray = branch_.ray;
     demand(in.top.o == ray.o && in.top.d == ray.d && in.top.weight == branch_.weight &&
-               in.top.depth == branch_.depth,
+               in.top.depth == branch_.depth && in.top.home == ray.home,
            "another ray waited");
     demand(!config_.spheres || (in.top.self == ray.self && in.top.inside == ray.inside),
            "another ray waited");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/shade/shader.hpp"
+#include "sim/judge/placed.hpp"
 #include "sim/judge/steps.hpp"
 #include "sim/judge/world.hpp"
 
@@ -23,6 +24,7 @@ struct PathRules {
     const Whitted& settings;
     const std::vector<oracle::Solid>& primitives;
     const oracle::Solids& solids;
+    const PlacedWorld* placed = nullptr;   ///< of two levels, in place of the last two
 };
 
 /// What was wrong first, and where.
@@ -61,6 +63,7 @@ private:
         Vec3i o{}, d{};
         std::uint32_t self = 0, inside = 0;
         bool is_finite = false, is_refracted = false;
+        Home home{};
     };
     /// The bounce under way, or one that waits: what its colour counts, and how deep it is.
     struct Branch {
@@ -74,7 +77,17 @@ private:
         Surface surface;
         glm::dvec3 normal{0}, view{0};   ///< unit vectors
         bool is_far = false, is_lost = false;
-        double ratio = 1;   ///< of the refractive indices, on the ray's side over the other
+        double ratio = 1;                     ///< of the refractive indices, on the ray's side over the other
+        double normal_error = vector_error;   ///< of the chip's unit normal
+        /// Of a product of the normal with another unit vector.
+        double cosine_error() const {
+            return normal_error + vector_error + normal_error * vector_error + 0.5 * unit_step;
+        }
+    };
+    /// With two levels: the instance that was hit last, and the ray as it sees it.
+    struct Visit {
+        std::uint32_t place = oracle::PlacedRay::nowhere;
+        oracle::SolidRay ray;
     };
 
     void demand(bool holds, const char* what) {
@@ -90,6 +103,12 @@ private:
     void judge_vectors(const PassIn& in, const ShadeState& s, const Vec3l& toward);
     Colour expected_albedo(const Surface& surface) const;
     std::optional<Vec3i> start_of(const ShadeState& s, const Vec3i& d) const;
+    void demand_lights(const ShadeState& s);
+    void turn(const PassIn& in, const PassOut& out);
+    Vec3i point_at(const PassIn& in) const;
+    Home home_of(const ShadeState& s, const Vec3i& d) const;
+    Home home_from(const ShadeState& s, const Vec3i& light) const;
+    const Vec3i& way_of(const Expected& ray) const { return rules_.placed ? ray.home.d : ray.d; }
     void ambient(const ShadeState& s);
     void background(std::uint32_t weight, const Range& exact);
 
@@ -146,6 +165,7 @@ private:
     Expected expected_;
     Branch branch_;
     Place place_;
+    Visit visit_;
     std::vector<Branch> waiting_;
     bool lit_if_free_ = false,
          lit_ = false;   ///< the last light's share is added if its ray is free, or for certain

@@ -34,7 +34,8 @@ Bend promised_bend(const ShadeState& s) {
 
 PathJudge::Branch PathJudge::bounce(const ShadeState& s, const Weight& weight, const Vec3i& start,
                                     const Vec3i& d, bool through) const {
-    return {{RayKind::bounce, start, d, s.self, s.inside ^ std::uint32_t(through), false, through},
+    return {{RayKind::bounce, start, d, s.self, s.inside ^ std::uint32_t(through), false, through,
+             rules_.placed ? home_of(s, d) : Home{}},
             weight.promised,
             branch_.depth + 1,
             weight.exact};
@@ -45,7 +46,8 @@ PathJudge::Share PathJudge::schlick(const ShadeState& s) const {
     const Int128 q = one - s.cosine, q2 = nearest_of_power(q * q, unit_bits),
                  q4 = nearest_of_power(q2 * q2, unit_bits), q5 = nearest_of_power(q4 * q, unit_bits);
     const double r0 = s.r0 * unit_step;
-    const Range cosine = Range::around(glm::dot(place_.normal, place_.view), cosine_error).clamped(0, 1);
+    const Range cosine =
+        Range::around(glm::dot(place_.normal, place_.view), place_.cosine_error()).clamped(0, 1);
     const auto fifth = [](double x) { return x * x * x * x * x; };
     const Range powered = Range{fifth(1 - cosine.hi), fifth(1 - cosine.lo)}.wider(3 * unit_step);
     return {s.r0 + nearest_of_power((one - s.r0) * q5, unit_bits),
@@ -88,7 +90,8 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
             -one, one));
     });
     judge_refracted(d);
-    if (dot(s.n, d) >= 0) return demand(!out.push, "a refracted ray leaves on the side from which it came");
+    if (dot(s.n, rules_.placed ? home_of(s, d).d : d) >= 0)
+        return demand(!out.push, "a refracted ray leaves on the side from which it came");
     const std::optional<Vec3i> start = start_of(s, d);
     if (!start) {
         background(weight.promised, weight.exact);
@@ -97,7 +100,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     demand(out.push, "a refracted ray is missing");
     waiting_.push_back(bounce(s, weight, *start, d, true));
     const Expected& ray = waiting_.back().ray;
-    const Waiting expected{ray.o, ray.d, weight.promised, branch_.depth + 1, ray.self, ray.inside, {}};
+    const Waiting expected{ray.o, ray.d, weight.promised, branch_.depth + 1, ray.self, ray.inside, ray.home};
     demand(out.pushed.weight == expected.weight, "a bounce's weight is not the product of what makes it");
     demand(out.pushed == expected, "a refracted ray does not go where Snell's law sends it");
 }
@@ -119,7 +122,7 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
             nearest_of_power(2 * Int128(s.cosine) * s.normal[k], unit_bits) - s.view[k], -one, one));
     });
     judge_reflected(d);
-    const bool due = follows(weight) && dot(s.n, d) > 0;
+    const bool due = follows(weight) && dot(s.n, rules_.placed ? home_of(s, d).d : d) > 0;
     const std::optional<Vec3i> start = start_of(s, d);
     if (!due || !start) {
         if (due) background(weight.promised, weight.exact);
@@ -147,11 +150,12 @@ bool PathJudge::follows(const Weight& weight) {
     return due;
 }
 
-// The bounds. N and V are off by vector_error each. R = 2 (N . V) N - V is linear in V and keeps lengths, so
-// that V's error counts once; N's counts at most four times; the cosine's rounding is doubled, the product's
-// comes on top.
+// The bounds. V is off by vector_error, N by n, which is as much but in two levels. R = 2 (N . V) N - V is
+// linear in V and keeps lengths, so that V's error counts once; N's counts at most four times; the cosine's
+// rounding is doubled, the product's comes on top.
 void PathJudge::judge_reflected(const Vec3i& d) {
-    constexpr double error = 5 * vector_error + 4 * vector_error * vector_error + 1.5 * unit_step;
+    const double n = place_.normal_error, turned = 4 * n + 2 * n * n,
+                 error = turned + vector_error * (1 + turned) + 1.5 * unit_step;
     const double full = std::exp2(config_.dir_bits - 2);
     const double cosine = std::max(0.0, glm::dot(place_.normal, place_.view));
     const glm::dvec3 mirrored = 2 * cosine * place_.normal - place_.view;
@@ -171,7 +175,8 @@ void PathJudge::judge_total(bool total) {
 
 PathJudge::ExactBend PathJudge::exact_bend() const {
     const Range ratio = Range::around(place_.ratio, 0.5 * std::exp2(-index_frac));
-    const Range cosine = Range::around(glm::dot(place_.normal, place_.view), cosine_error).clamped(0, 1);
+    const Range cosine =
+        Range::around(glm::dot(place_.normal, place_.view), place_.cosine_error()).clamped(0, 1);
     const Range cosine_squared = Range{1, 1} - ratio * ratio * (Range{1, 1} - cosine * cosine);
     const Range root{std::sqrt(std::max(0.0, cosine_squared.lo - unit_step * unit_step)),
                      std::sqrt(std::max(0.0, cosine_squared.hi + unit_step * unit_step))};
@@ -182,7 +187,8 @@ void PathJudge::judge_refracted(const Vec3i& d) {
     const ExactBend bend = exact_bend();
     const double full = std::exp2(config_.dir_bits - 2);
     for (int k = 0; k < 3; ++k) {
-        const Range normal = Range::around(place_.normal[k], component_error),
+        const Range normal = Range::around(place_.normal[k],
+                                           rules_.placed ? place_.normal_error : component_error),
                     view = Range::around(place_.view[k], component_error);
         const Range bent = (bend.along * normal - bend.ratio * view).wider(0.5 * unit_step).clamped(-1, 1);
         demand(bent.wider(0.5 / full).holds(d[std::size_t(k)] / full), "a refracted ray goes elsewhere");

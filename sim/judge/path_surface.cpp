@@ -51,8 +51,13 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
         return;
     }
     place_ = {};
-    place_.ratio = ratio_of(material_of(rules_.asked.scene, answer_.prim), answer_.back != 0);
-    place_.surface = expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
+    if (rules_.placed && visit_.place == oracle::PlacedRay::nowhere) return;   // no such primitive: told
+    place_.ratio = ratio_of(
+        rules_.placed ? rules_.placed->material(answer_.prim) : material_of(rules_.asked.scene, answer_.prim),
+        answer_.back != 0);
+    place_.surface = rules_.placed
+                         ? rules_.placed->surface(answer_.prim)
+                         : expected_surface(rules_.asked.scene, rules_.primitives, config_, answer_.prim);
     if (PrimKind(place_.surface.kind) == PrimKind::plane)   // how it tells its squares is judged by their
                                                             // colours
         place_.surface.colour = in.surface.colour, place_.surface.other = in.surface.other,
@@ -60,6 +65,15 @@ void PathJudge::arrive(const PassIn& in, const PassOut& out) {
     demand(in.surface == place_.surface, "memory does not hold the surface that was hit");
     judge_place(in, s);
     ambient(s);
+    if (rules_.placed) {
+        demand(rules_.placed->is_map_of(visit_.place, in.placement),
+               "memory does not hold the instance that was hit");
+        return demand(ShadeEvent(s.event) == ShadeEvent::turn, "after an instance's surface comes its turn");
+    }
+    demand_lights(s);
+}
+
+void PathJudge::demand_lights(const ShadeState& s) {
     const bool lights = !rules_.asked.scene.lights.empty();
     demand(s.light == 0 && ShadeEvent(s.event) == (lights ? ShadeEvent::light : after_lights(s)),
            "after a surface come its lights");
@@ -139,7 +153,8 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
             (whole - u - v) * surface.normal[k] + u * surface.normal[3 + k] + v * surface.normal[6 + k];
         toward[k] = surface.smooth ? std::int64_t(smooth) * (answer_.back ? -1 : 1) : s.n[k];
     }
-    demand(dot(s.n, in.d) < 0, "the normal points away from the side that is seen");
+    demand(dot(s.n, rules_.placed ? visit_.ray.direction : in.d) < 0,
+           "the normal points away from the side that is seen");
 
     demand(s.albedo == expected_albedo(surface), "the colour is another square's");
 }
@@ -180,14 +195,21 @@ PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
     return odd ? second : first;
 }
 
-/// The point is the ray's at t, each coordinate rounded to nearest; the normal leads from the centre to it.
-void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
+/// The ray at t, each coordinate rounded to nearest and kept within its bits.
+Vec3i PathJudge::point_at(const PassIn& in) const {
     const int drop = config_.dir_bits - 1 + config_.t_frac_bits - config_.origin_bits;
     const Int128 most = (Int128(1) << (config_.origin_width() - 1)) - 1;
-    for (std::size_t k = 0; k < 3; ++k) {
+    return by_axis([&](std::size_t k) {
         const Int128 at = in.o[k] + nearest_of_power(Int128(in.d[k]) * answer_.t, drop);
-        demand(s.o[k] == std::clamp(at, -most, most),
-               "a secondary ray's origin is not the point that was hit");
+        return std::int32_t(std::clamp(at, -most, most));
+    });
+}
+
+/// The point is the ray's at t; the normal leads from the centre to it.
+void PathJudge::judge_sphere_place(const PassIn& in, const ShadeState& s) {
+    const Vec3i point = point_at(in);
+    for (std::size_t k = 0; k < 3; ++k) {
+        demand(s.o[k] == point[k], "a secondary ray's origin is not the point that was hit");
         const Int128 normal = s.o[k] - (Int128(place_.surface.a[k]) << config_.origin_bits);
         demand(s.n[k] == (answer_.back ? -normal : normal),
                "the normal is not the sphere's, turned to the side that is seen");
@@ -242,7 +264,12 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     for (std::size_t k = 0; k < 3; ++k)
         ray.d[k] =
             to_the_point ? std::int32_t(-way[k]) : (near ? -1 : 1) * direction_component(out.light.unit[k]);
-    const Int128 side = dot(s.n, ray.d) * (near ? -1 : 1);
+    // Not looked at if the light lies beyond the lattice.
+    const Vec3i from = by_axis([&](std::size_t k) {
+        return near ? frame_.shade.place[3 * number + k] * (1 << config_.origin_bits) : 0;
+    });
+    if (rules_.placed) ray.home = near ? home_from(s, from) : home_of(s, ray.d);
+    const Int128 side = dot(s.n, way_of(ray)) * (near ? -1 : 1);
     const bool clear = frame_.shade.clear[number] != 0;
     if (side <= 0 || out.light.cosine == 0 || (place_.is_far && !clear)) {
         // A cosine that is rounded to nothing may have been a little more.
@@ -261,10 +288,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
         demand(out.leave == PassOut::Leave::again, "a ray is sent that passes by the lattice");
         return;
     }
-    ray.o = *start;
-    if (near)
-        for (std::size_t k = 0; k < 3; ++k)
-            ray.o[k] = frame_.shade.place[3 * number + k] * (1 << config_.origin_bits);
+    ray.o = near ? from : *start;
     ray.is_finite = config_.planes && !to_the_point && clear;
     lit_if_free_ = true;
     expect_spawn(out, ray);
@@ -327,8 +351,9 @@ Range PathJudge::power_range(const Range& base, std::uint32_t shine) {
 void PathJudge::judge_share(const ShadeState& s, const LightParts& parts, const glm::dvec3& way) {
     const std::uint32_t number = s.light - 1;
     const double full = std::exp2(-share_bits);
-    const Range to_light = Range::around(glm::dot(place_.normal, way), cosine_error).clamped(0, 1);
-    const Range to_view = Range::around(glm::dot(place_.normal, place_.view), cosine_error).clamped(0, 1);
+    const double error = place_.cosine_error();
+    const Range to_light = Range::around(glm::dot(place_.normal, way), error).clamped(0, 1);
+    const Range to_view = Range::around(glm::dot(place_.normal, place_.view), error).clamped(0, 1);
     const Range along = Range::around(glm::dot(way, place_.view), cosine_error);
     const Range phong =
         power_range((2 * (to_light * to_view) - along).wider(unit_step).clamped(0, 1), s.shine).clamped(0, 1);

@@ -48,13 +48,18 @@ void judge_pixel(Bench& bench, std::uint32_t x, std::uint32_t y, std::size_t at,
 PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& image, const Whitted& settings,
                                const Given& given, int threads, const Progress& progress) {
     const Stopwatch watch;
-    const std::optional<Scene> moved = aligned(given_asked.scene, given_asked.lattice);
+    const bool is_placed = given_asked.config.has_instances();
+    const std::optional<Scene> moved =
+        is_placed ? std::nullopt : aligned(given_asked.scene, given_asked.lattice);
     const Asked asked{moved ? *moved : given_asked.scene, given_asked.camera, given_asked.frame,
                       given_asked.lattice, given_asked.config};
     const std::vector<oracle::Solid> primitives =
-        solids_of(asked.scene, asked.lattice, asked.config.coord_bits);
+        is_placed ? std::vector<oracle::Solid>{}
+                  : solids_of(asked.scene, asked.lattice, asked.config.coord_bits);
     const oracle::Solids solids(primitives);
-    const PathRules rules{asked, settings, primitives, solids};
+    std::optional<PlacedWorld> placed;
+    if (is_placed) placed.emplace(asked, image);
+    const PathRules rules{asked, settings, primitives, solids, placed ? &*placed : nullptr};
     const Decoder decoder(image, asked.config);
     const std::uint32_t width = asked.frame.width, height = asked.frame.height;
 
@@ -62,7 +67,15 @@ PictureJudgement judge_picture(const Asked& given_asked, const MemoryImage& imag
     std::vector<std::uint8_t> wrong(std::size_t(width) * height);
     for (const std::string& sentence : judge_registers(asked, settings))
         j.faults.push_back({0, 0, 0, sentence});
+    if (placed)
+        for (const std::string& sentence : placed->faults()) j.faults.push_back({0, 0, 0, sentence});
     j.wrong = j.faults.size();
+    if (placed && !placed->faults().empty()) {   // rays cannot be followed in memory that is wrong
+        j.pixels.assign(wrong.size(), true);
+        j.faults.resize(std::min(j.faults.size(), most_faults));
+        j.seconds = watch.seconds();
+        return j;
+    }
     tbb::enumerable_thread_specific<Bench> benches([&] { return Bench(image, asked, decoder, rules); });
     const FrameSize size{int(width), int(height)}, row{size.width, 1};
     const auto judge_row = [&](const PixelTile& tile) {

@@ -154,6 +154,11 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
 
 Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, const Config& config,
                          std::size_t i) {
+    return expected_surface(scene, solids, config, i, material_of(scene, i));
+}
+
+Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, const Config& config,
+                         std::size_t i, const Material& material) {
     const Solid& solid = solids[i];
     Surface s;
     s.a = solid.corners.a, s.b = solid.corners.b, s.c = solid.corners.c;
@@ -171,7 +176,7 @@ Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, c
             break;
         case Solid::Kind::plane: s.kind = std::uint32_t(PrimKind::plane); break;
     }
-    put_material(material_of(scene, i), s);
+    put_material(material, s);
     return s;
 }
 

@@ -27,6 +27,9 @@ const Material& material_of(const Scene& scene, std::size_t primitive);
 /// Primitive i's surface: corners and material, each number the nearest that its format has.
 Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
                          std::size_t i);
+/// The same of another material.
+Surface expected_surface(const Scene& scene, const std::vector<oracle::Solid>& solids, const Config& config,
+                         std::size_t i, const Material& material);
 
 /// What is wrong with the frame's registers, a sentence each: eye, depth, samples, background, lights.
 std::vector<std::string> judge_registers(const Asked& asked, const Whitted& settings);

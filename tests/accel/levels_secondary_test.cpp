@@ -365,3 +365,39 @@ TEST_CASE("no box of the scene's tree hides what a secondary ray meets", "[level
     CHECK(hits > 300);
     CHECK(shadows > 50);
 }
+
+TEST_CASE(
+    "how far a ray is off where it leaves an instance grows with the edges, and its box allows for that",
+    "[levels][secondary]") {
+    Config config = shaded({18, 24, 12});
+    config.bary_bits = 12, config.bounces = 1;   // u and v are coarse, and nothing else is
+    check_config(config, "the test");
+    PlacedScene scene;
+    scene.own.name = "floor";
+    scene.own.materials.emplace_back();
+    scene.meshes.push_back({"floor", {{-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}}, {}, {}});
+    scene.meshes[0].triangles = {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}};
+    const glm::dmat4 place = glm::rotate(glm::dmat4(1), 0.4, glm::normalize(glm::dvec3(1, 2, 3)));
+    scene.instances.push_back({"floor", 0, place, {}});
+    const glm::dvec3 eye{3, 9, 4};
+    World world(scene, eye, config);
+    const InstanceMap& map = world.levels().maps.instances[0];
+    Aim aim(scene, world.levels().image.lattice, config, 5);
+    double most = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Ray ray = aim.camera_ray(world.levels().image.lattice.snap(eye));
+        const Closest hit = world.trace(ray);
+        if (!hit.found) continue;
+        PassIn in;
+        const ShadeState state = world.surface_of(ray, hit, in);
+        for (std::size_t row = 0; row < 3; ++row) {
+            double at = std::ldexp(double(map.b[row]), config.origin_bits);
+            for (std::size_t k = 0; k < 3; ++k) at += double(map.a[3 * row + k]) * double(state.o[k]);
+            const double off = std::ldexp(at, -config.map_frac()) - double(state.inner[row]);
+            most = std::max(most, std::abs(std::ldexp(off, -config.origin_bits)));
+        }
+    }
+    CAPTURE(most, map.off);
+    CHECK(most > 20);
+    CHECK(most <= map.off);
+}

@@ -85,7 +85,7 @@ void check_shared(const json& report) {
 void check_causes(const json& error) {
     std::uint64_t sum = 0;
     for (const char* cause :
-         {"snapping", "ray_quantisation", "t_rounding", "shading", "primitive_test", "bug"}) {
+         {"snapping", "ray_quantisation", "seam", "t_rounding", "shading", "primitive_test", "bug"}) {
         INFO(cause);
         const std::uint64_t all = error["causes"].at(cause),
                             other = error["causes_other_primitive"].at(cause);

@@ -133,8 +133,14 @@ mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/fit.cpp TEST acc
 mutant(levels_boxes_forget_where_bounces_begin FILE model/accel/levels/fit.cpp TEST accel [secondary]
   OLD [[off = begin + slope * reach(begin, bounce);]]
   NEW [[off = slope * reach(begin, bounce);]])
+mutant(levels_boxes_forget_the_longest_edge FILE model/accel/levels/fit.cpp TEST accel [secondary]
+  OLD [[+ 2.5 * frac * made.longest;]]
+  NEW [[+ 0 * made.longest;]])
 
 # ---- The same in RTL.
+mutant(rtl_list_forgets_the_instance_that_was_hit FILE rtl/list/rc_list.sv TEST system "model and RTL draw instances alike"
+  OLD [[.clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),]]
+  NEW [[.clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),]])
 mutant(rtl_xform_forgets_home FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
   OLD [[in.kind != rc_pkg::RayCamera && in.home == in.here;]]
   NEW [[1'b0 && in.home == in.here;]])
@@ -156,3 +162,66 @@ mutant(rtl_homes_mix_rows_and_columns FILE rtl/shade/rc_homes.sv TEST system "mo
 mutant(rtl_homes_round_lights_down FILE rtl/shade/rc_homes.sv TEST system "model and RTL draw instances alike"
   OLD [[SW'($signed(s15_b[k*(N+K) +: N+K])) + Half : Half;]]
   NEW [[SW'($signed(s15_b[k*(N+K) +: N+K])) : Half;]])
+
+# ---- What the judge of two levels must call a bug, without RTL and without a golden picture.
+set(gears_levels "gearbox:2 --depth 3 --set levels=2")
+mutant(none_in_simulate_of_levels FILE model/xform/xform.cpp TEST simulate "${gears_levels} | gearbox:2 --set levels=2")
+mutant(judge_levels_ray_rounded_down FILE model/xform/xform.cpp TEST simulate "gearbox:2 --set levels=2"
+  OLD [[(std::int64_t(1) << config.origin_frac()) + (std::int64_t(1) << (frac - 1));]]
+  NEW [[(std::int64_t(1) << config.origin_frac());]])
+mutant(judge_levels_home_is_forgotten FILE model/xform/xform.cpp TEST simulate "${gears_levels}"
+  OLD [[req.home.line == p.here;]]
+  NEW [[req.home.line == p.here + 1;]])
+mutant(judge_levels_shadow_ray_ends_beside_its_point FILE model/shade/light.cpp TEST simulate "${gears_levels}"
+  OLD [[state.inner[k] - home.o[k]);]]
+  NEW [[state.inner[k] - home.o[k] + 1);]])
+mutant(judge_levels_side_of_the_scenes_direction FILE model/shade/light.cpp TEST simulate "${gears_levels}"
+  OLD [[c.has_homes() ? out.home.d : out.d;]]
+  NEW [[out.d;]])
+mutant(judge_levels_normal_turned_as_a_direction FILE model/shade/surf.cpp TEST simulate "${gears_levels}"
+  OLD [[in.placement.a[3 * i + k]) * state.normal[i];]]
+  NEW [[in.placement.a[3 * k + i]) * state.normal[i];]])
+mutant(judge_levels_point_is_not_kept FILE model/shade/surf.cpp TEST simulate "${gears_levels}"
+  OLD [[    state.inner = state.o;
+    ray_at(in, c, state.o);]]
+  NEW [[    ray_at(in, c, state.o);
+    state.inner = state.o;]])
+mutant(judge_levels_map_is_cut FILE model/accel/levels/fit.cpp TEST simulate "gearbox:2 --set levels=2"
+  OLD [[sum > one ? std::trunc(exact[k]) : std::round(exact[k]);]]
+  NEW [[std::trunc(exact[k]);]])
+mutant(judge_levels_rows_sum_to_more FILE model/accel/levels/fit.cpp TEST simulate "gearbox:6 --set levels=2"
+  OLD [[sum > one ? std::trunc(exact[k]) : std::round(exact[k]);]]
+  NEW [[sum > one ? std::ceil(exact[k]) : std::round(exact[k]);]])
+mutant(judge_levels_place_of_another_time FILE model/accel/levels/moving.cpp TEST simulate "crowd:2 --set levels=2 --frames 3 --fps 8"
+  OLD [[        map = map_at(places[i], map.mesh_class, levels_.maps, config_);]]
+  NEW [[        if (frame_ < 2) map = map_at(places[i], map.mesh_class, levels_.maps, config_);]])
+mutant(judge_levels_material_of_the_mesh FILE model/accel/levels/compile.cpp TEST simulate "flight:8 --depth 2 --set levels=2"
+  OLD [[entry.material = material_of(*own);]]
+  NEW [[entry.material = 0 * material_of(*own);]])
+
+# ---- The judge itself, its oracle and its causes.
+mutant(oracle_of_levels_rounds_down FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
+  OLD [[2 * n + (Int128(1) << bits)]]
+  NEW [[2 * n]])
+mutant(oracle_of_levels_has_no_margin FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
+  OLD [[    for (std::size_t k = 0; k < 3; ++k)
+        box.lo[k] -= std::int32_t(margin), box.hi[k] += std::int32_t(margin);]]
+  NEW [[]])
+mutant(oracle_of_levels_takes_the_last_of_equals FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
+  OLD [[(order == 0 && place > best.place)]]
+  NEW [[(order == 0 && place < best.place)]])
+mutant(judge_of_levels_takes_any_map FILE sim/judge/placed.cpp TEST system "the judge sees memory*"
+  OLD [[if (!good) faults_]]
+  NEW [[if (false) faults_]])
+mutant(judge_of_levels_misses_an_instance FILE sim/judge/placed.cpp TEST system "the judge sees memory*"
+  OLD [[if (placed.found.size() != (is_there ? 1u : 0u))]]
+  NEW [[if (placed.found.size() > 1)]])
+mutant(seams_are_everywhere FILE sim/cause/seam.cpp TEST system [cause][levels]
+  OLD [[if (first.place == question.answer.place) return RayFinding::one_line;]]
+  NEW [[if (first.place == question.answer.place) continue;]])
+mutant(seams_are_nowhere FILE sim/cause/seam.cpp TEST system [cause][levels]
+  OLD [[return is_bounded ? RayFinding::seam : RayFinding::none;]]
+  NEW [[return is_bounded ? RayFinding::one_line : RayFinding::none;]])
+mutant(seams_may_be_a_tenth_apart FILE sim/cause/seam.cpp TEST system [cause][levels]
+  OLD [[return share <= 1 + 1e-6;]]
+  NEW [[return share <= 0.1;]])

@@ -9,6 +9,7 @@
 
 #include "model/reference/reference.hpp"
 #include "sim/cause/cause.hpp"
+#include "sim/cause/truth.hpp"
 #include "sim/image/srgb.hpp"
 #include "tests/system/frames.hpp"
 
@@ -34,7 +35,7 @@ struct Case {
     }
     void shade_again() { picture = shade(scene, scaled(job, job.frame, answers)); }
     Judgement judged() const {
-        return judge({scene, *scene.camera, job.frame, job.image.lattice, job.config},
+        return judge({scene, *scene.camera, job.frame, job.image.lattice, job.config}, job.image,
                      {reference, answers, picture});
     }
 };

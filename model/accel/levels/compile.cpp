@@ -265,6 +265,10 @@ void check_levels(const PlacedScene& scene, const Config& config, const std::str
 void compile_parts(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
                    const std::string& name, int buffers, LevelsImage& out) {
     out.image.lattice = out.maps.lattice;
+    auto lattices = std::make_shared<LevelLattices>();
+    for (const MeshClass& made : out.maps.classes) lattices->classes.push_back({made.lattice, made.before});
+    for (const InstanceMap& map : out.maps.instances) lattices->of_instance.push_back(map.mesh_class);
+    out.image.levels = std::move(lattices);
     LevelsCompiler(parts, materials, config, name, out).run(buffers);
     out.image.report.pitch = out.maps.lattice.pitch;
 }
