@@ -12,6 +12,8 @@ namespace rayclock {
 
 namespace {
 
+constexpr double thin = 0.02, around_root = 0.001;   // in the scene's units
+
 using Corners = std::array<glm::dvec3, 3>;
 
 Corners corners_of(const Scene& scene, const Triangle& t) {

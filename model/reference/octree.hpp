@@ -62,7 +62,6 @@ private:
             for (const glm::dvec3& p : corners) lo = glm::min(lo, p), hi = glm::max(hi, p);
         }
     };
-    static constexpr double thin = 0.02, around_root = 0.001;
     struct Node {
         std::uint32_t first = 0;     ///< of its eight children, or 0: a leaf
         std::uint32_t objects = 0;   ///< of a leaf

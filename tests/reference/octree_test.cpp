@@ -59,6 +59,7 @@ TEST_CASE("a shadow ray ends at the first test of what is in its way") {
     CHECK(tests({0}) == Two{1, 1});
     CHECK(tests({2}) == Two{4, 3});
     CHECK(tests({2, 1}) == Two{4, 2});
+    CHECK(tests({1, 2}) == Two{4, 2});
 }
 
 // V. Havran, "Comparison of Octree Traversal Algorithms", 1999: inner nodes, leaves, empty ones, references.
