@@ -52,6 +52,12 @@ mutant(gltf_weights_need_not_sum_to_one FILE sim/load/gltf_deform.cpp TEST motio
 mutant(gltf_joints_may_be_out_of_range FILE sim/load/gltf_deform.cpp TEST motion [deform]
   OLD [[if (!(joint < double(to.joints.size())))]]
   NEW [[if (!(joint <= double(to.joints.size())))]])
+mutant(gltf_sparse_values_are_left_out FILE sim/load/gltf_buffers.cpp TEST motion [deform]
+  OLD [[    if (sparse) put(*sparse, component, width, is_scaled, numbers);]]
+  NEW [[    if (false) put(*sparse, component, width, is_scaled, numbers);]])
+mutant(gltf_sparse_indices_may_fall FILE sim/load/gltf_buffers.cpp TEST motion [deform]
+  OLD [[(i > 0 && !(at[i] > at[i - 1]))]]
+  NEW [[false]])
 mutant(placed_skins_have_joints_of_another_file FILE sim/load/json_motion.cpp TEST motion [deform]
   OLD [[if (joint.node) *joint.node += base;]]
   NEW [[if (joint.node) *joint.node += 0;]])
