@@ -155,9 +155,12 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
         if (seen > image.lines()) return faults_.push_back("the scene's tree in memory does not end");
         const std::uint32_t* const words = image.line(at);
         if (line_kind(words) == LineKind::scene_node) {
-            const Node node = unpack<Node>(words, config_);
-            for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i)
-                if (node.kind[i] == 1) lines.push_back(node.base + std::uint32_t(i));
+            with_node(config_, [&]<class Line>(const Line&) {
+                const Line node = unpack<Line>(words, config_);
+                std::uint32_t next = node.base;
+                for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i)
+                    if (node.kind[i] == 1) lines.push_back(next++);
+            });
             continue;
         }
         const Placement map = unpack<Placement>(words, config_);
@@ -167,12 +170,15 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
             faults_.push_back("line " + std::to_string(at) + " of memory places no instance of the scene");
             continue;
         }
-        if (config_.shading && map.here != at)
-            faults_.push_back(placed->name + " is told that it lies in another line of memory");
-        placed->line = at;
         of_line_[at] = std::uint32_t(placed - instances_.begin());
+        // Cells of planes have each instance that reaches into them, and all its lines are alike.
+        if (config_.has_planes() && !placed->found.empty() && placed->found[0] == map) continue;
+        placed->line = map.here;
         placed->found.push_back(map);
     }
+    for (std::uint32_t i = 0; i < instances_.size(); ++i)
+        if (config_.shading && !instances_[i].found.empty() && place_at(instances_[i].line) != i)
+            faults_.push_back(instances_[i].name + " is told that it lies in another line of memory");
 }
 
 /// Each number is the nearest one to what the place gives, or in a row that would sum to more than 1 the next
@@ -274,7 +280,8 @@ PlacedScene PlacedWorld::snapped() const {
                 there[int(k)][int(row)] = std::ldexp(double(map.a[3 * row + k]), -config_.map_frac());
             there[3][int(row)] = std::ldexp(double(map.b[row]), -config_.map_frac());
         }
-        const bool is_placed = !instances_[i].found.empty();
+        const bool is_placed =
+            !instances_[i].found.empty() && std::abs(glm::determinant(glm::dmat3(there))) > 0;
         scene.instances.push_back({instances_[i].name, map.mesh,
                                    is_placed ? glm::inverse(there) : glm::dmat4(1), instances_[i].material});
     }

@@ -4,6 +4,7 @@
 
 #include "model/base/error.hpp"
 #include "sim/engine/engine.hpp"
+#include "sim/film/film.hpp"
 #include "sim/report/accounts.hpp"
 #include "sim/report/text.hpp"
 #include "sim/request/request.hpp"
@@ -146,7 +147,7 @@ Made by `rayclock yardstick -o docs/yardstick.md`; every figure of ours is simul
 **The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about
 the same number of triangles, from its own camera. The published figures include what the papers say
 beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
-chip**, except for the last table. So this page says in which range such a machine lies, not which is
+chip**, except for the table of finished pictures. So this page says in which range such a machine lies, not which is
 faster. The machines differ as well: both chips computed in 24-bit floating point with packets of four
 rays; ours does in fixed point, ray by ray. What is alike is the class: a kd-tree of one plane a node
 (`structure=kd` with `node_width=2`; `references=5`, so that its image of gears:8 fits 64 MB), clock, rays
@@ -166,6 +167,9 @@ constexpr const char* sources = R"(
   Tracing*, SIGGRAPH 2005: 66 MHz on one FPGA, 512x384, up to 20 frames per second; Conference without
   shadows 5.5, UT2003 with precomputed light 7.5, SPD Balls with shadows and refraction 1.2 (read in a
   scholarly archive's copy).
+- D-RPU prototype: Woop, Marmitt, Slusallek, *B-KD Trees for Hardware Accelerated Ray Tracing of Dynamic
+  Scenes*, Graphics Hardware 2006: up to 35 frames per second at 66 MHz on one FPGA, dynamic scenes
+  included (abstract, read).
 - A pipeline of the SaarCOR class at 20 to 60 frames per second spends 22.9 to 7.6 cycles on a pixel;
   the RPU's 5.5 on Conference are 61 cycles a pixel (arithmetic).
 )";
@@ -202,6 +206,14 @@ std::string yardstick_page(const RoutedBoard& board, int threads, const Progress
         "spheres, other round things "
         "triangles. `rpu` walks a kd-tree here as well.\n\n";
     page += finished_table(threads, progress);
+    page += fmt::format(
+        "\n## Scenes that move\n\nTwo levels ([motion.md](motion.md)), boxes above and below, camera rays, "
+        "512x384; means of {} frames after the first, {:g} in a second of the scene's time. The host makes "
+        "the scene's tree anew for every frame and writes it into the chip's memory; fps includes these "
+        "writes. SaarCOR's scenes were moved by the unit that moves a ray into an object's space, as ours "
+        "are; the D-RPU refitted trees of vertices that moved. Neither publishes a scene of ours.\n\n",
+        moving_frames, usual_fps);
+    page += moving_table(threads, progress);
     return page + sources;
 }
 
