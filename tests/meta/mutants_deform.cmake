@@ -107,6 +107,3 @@ mutant(refit_of_levels_draws_into_one_buffer FILE model/accel/levels/moving.cpp 
 mutant(refit_of_levels_keeps_surfaces FILE model/accel/levels/moving.cpp TEST motion [deform]
   OLD [[        std::copy(part.words.begin(), part.words.end(),]]
   NEW [[        if (frame_ < 2) std::copy(part.words.begin(), part.words.end(),]])
-mutant(refit_of_a_film_keeps_one_frames_bounds FILE sim/film/film.cpp TEST motion [deform]
-  OLD [[    if (all) growing.box = *all;]]
-  NEW [[    if (all) return;]])

@@ -40,6 +40,7 @@ TEST_CASE("uploads of a mesh that deforms give every frame the memory that it re
     const Recorded made = recorded(film);
     // Frames may find anything where their trees will lie: that of the last frame, or nonsense.
     MemoryImage image = made.job.image;
+    if (way.levels == 1) std::fill(image.words.begin(), image.words.end(), 0x5a5a5a5au);
     for (const FrameTrace& trace : made.traces)
         for (const std::uint32_t line : trace.upload.lines)
             std::fill_n(&image.words[std::size_t(line) * 16], 16, 0x5a5a5a5au);
@@ -51,6 +52,8 @@ TEST_CASE("uploads of a mesh that deforms give every frame the memory that it re
         CHECK(upload.rebuilt == (f == 0 ? std::size_t(way.levels) : 0));   // two levels: in two classes
         CHECK(upload.refitted == (f == 0 ? 0 : std::size_t(way.levels)));
         CHECK(upload.resets == (std::string(way.uploads) == "double" ? f > 0 && f % 2 == 0 : f > 0));
+        // In two levels both instances of the sheet have other boxes, also the one that stands still.
+        CHECK(upload.instances == 2);
         apply(upload, image);
         CHECK(same(record_trace(image, made.traces[f].frame, made.job.config, 1).hits,
                    made.traces[f].trace.hits));
@@ -85,6 +88,29 @@ TEST_CASE("a film has the same hits whether trees are refitted or rebuilt", "[mo
     CHECK(refitted > 0);                                                              // while it waves
     CHECK(rebuilt > 0);                                                               // when it crumples
     CHECK(made[1].traces.back().trace.visits > made[0].traces.back().trace.visits);   // a spoilt tree
+}
+
+TEST_CASE("a sheet that is a line at first is drawn when it has opened", "[motion][deform]") {
+    constexpr FrameSize size{64, 48};
+    const Way way = any_way();
+    INFO("levels " << way.levels << ", " << way.uploads);
+    const Folder folder;
+    const std::string path = sheet_film(folder, 8);
+    folder.write("a.obj", sheet_obj(8, [](double, double z) { return glm::dvec3(0, 0, z); }));
+    Film film = film_of(path, config_of(way), size, options(way.uploads, 1e9, 3));
+    std::ptrdiff_t first = 0;
+    for (std::size_t f = 0; f < film.frames(); ++f) {
+        film.next();
+        const FrameTrace trace = film.record(1, {});
+        const Scene& scene = film.request().scene;
+        CHECK(compare(shade(scene, hits_of(film.job(), trace)),
+                      shade(scene, Reference(scene).frame(film.camera(), size, 1)))
+                  .psnr_db >= 40);
+        const auto seen = std::count_if(trace.trace.hits.begin(), trace.trace.hits.end(),
+                                        [](const Closest& c) { return c.found; });
+        if (f == 0) first = seen;   // the ball alone
+        if (f > 0) CHECK(seen > first + 100);
+    }
 }
 
 TEST_CASE("every frame of a mesh that deforms looks as the reference says that its scene looks",

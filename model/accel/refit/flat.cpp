@@ -74,12 +74,23 @@ Upload RefittedScene::next(const Scene& given) {
     upload.nodes = image_.report.nodes;
     upload.image = without_words(image_);
     upload.image_lines = image_.lines();
-    take_differences(image_, 0, image_.lines(), held, upload);
+    take_changes(held, upload);
     upload.resets = frame_ > 0 && !upload.lines.empty();
     ++frame_;
     upload.seconds = watch.seconds();
     image_.report.seconds = upload.seconds;
     return upload;
+}
+
+/// What is not as it was. The first frame writes the tree and the surfaces, and leaves out the room behind
+/// the tree: nobody reads there.
+void RefittedScene::take_changes(const std::vector<std::uint32_t>& held, Upload& upload) const {
+    const auto room = std::ptrdiff_t(std::size_t(tree_lines_) * words_per_line);
+    const bool is_first = held.empty();
+    const auto tree = is_first ? std::uint32_t(tree_.report().bytes / line_bytes) : tree_lines_;
+    take_differences(image_, 0, tree, held, upload);
+    const std::vector<std::uint32_t> surfaces(is_first ? held.end() : held.begin() + room, held.end());
+    take_differences(image_, tree_lines_, image_.lines() - tree_lines_, surfaces, upload);
 }
 
 }   // namespace rayclock

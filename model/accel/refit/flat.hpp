@@ -24,6 +24,7 @@ public:
 
 private:
     std::vector<PrimData> snapped(const Scene& scene) const;
+    void take_changes(const std::vector<std::uint32_t>& held, Upload& upload) const;
 
     Config config_;
     std::string name_;
