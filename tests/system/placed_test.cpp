@@ -22,7 +22,8 @@ struct Format {
     int coord_bits, dir_bits, origin_bits;
 };
 
-/// Meshes, and instances of them whose rows sum to 1 at most: some as large, some tiny, some sheared.
+/// Meshes, one of them small, and instances whose rows sum to 1 at most: some as large, some tiny, some
+/// sheared.
 struct World {
     std::vector<std::vector<oracle::Corners>> meshes;
     std::vector<oracle::SolidPlace> places;
@@ -34,12 +35,13 @@ World random_world(Draw& draw, const Format& f) {
     const std::int64_t one = std::int64_t(1) << w.frac;
     for (int m = 0; m < 3; ++m) {
         std::vector<oracle::Corners>& mesh = w.meshes.emplace_back();
+        const Vec3i middle = draw.vector(f.coord_bits - 2);   // of the last, which is small
         for (int i = 0; i < 6; ++i) {
+            const int reach = m == 2 ? 6 : 1 << draw.below(f.coord_bits - 1), bits = f.coord_bits - 1;
             oracle::Corners t;
-            t.a = draw.vector(f.coord_bits - 1);
-            t.b = draw.near(t.a, 1 << draw.below(f.coord_bits - 1), f.coord_bits - 1);
-            t.c = draw.below(8) == 0 ? t.a
-                                     : draw.near(t.a, 1 << draw.below(f.coord_bits - 1), f.coord_bits - 1);
+            t.a = m == 2 ? draw.near(middle, reach, bits) : draw.vector(bits);
+            t.b = draw.near(t.a, reach, bits);
+            t.c = draw.below(8) == 0 ? t.a : draw.near(t.a, reach, bits);
             mesh.push_back(t);
         }
     }
@@ -60,6 +62,10 @@ World random_world(Draw& draw, const Format& f) {
         }
         if (draw.below(4) == 0)
             for (std::int64_t& entry : place.a) entry = entry / 29 + draw.below(3);
+        if (p % 4 == 3) {   // in the same place as the one before: what both hold is met at once
+            const std::uint32_t first_here = place.first;
+            place = w.places.back(), place.first = first_here;
+        }
         w.places.push_back(place);
     }
     return w;
