@@ -198,3 +198,23 @@ TEST_CASE("the oracle of two levels is what fractions find in every instance", "
     CHECK(hits > 100);
     CHECK(blocked < hits);
 }
+
+TEST_CASE("a small mesh is found where rounding has brought the ray to it", "[levels]") {
+    const Format f = GENERATE(values<Format>({{16, 12, 12}, {20, 18, 10}}));
+    Draw draw{unsigned(f.coord_bits)};
+    int hits = 0;
+    for (int n = 0; n < 40; ++n) {
+        World w = random_world(draw, f);
+        for (oracle::SolidPlace& place : w.places) place.mesh = 2;
+        const oracle::PlacedSolids solids = solids_of(w, f);
+        for (int i = 0; i < 60; ++i) {
+            PlacedRay ray;
+            ray.ray.origin = draw.vector(f.coord_bits - 1);
+            ray.ray.direction = towards_corner(draw, w, f, ray.ray);
+            const Truth right = truth(w, ray, 0);
+            CHECK((solids.meets_any(ray) != PlacedRay::nowhere) == (right.primitive != no_primitive));
+            hits += right.primitive != no_primitive;
+        }
+    }
+    CHECK(hits > 100);
+}
