@@ -203,10 +203,6 @@ mutant(judge_levels_material_of_the_mesh FILE model/accel/levels/compile.cpp TES
 mutant(oracle_of_levels_rounds_down FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
   OLD [[2 * n + (Int128(1) << bits)]]
   NEW [[2 * n]])
-mutant(oracle_of_levels_has_no_margin FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
-  OLD [[    for (std::size_t k = 0; k < 3; ++k)
-        box.lo[k] -= std::int32_t(margin), box.hi[k] += std::int32_t(margin);]]
-  NEW [[]])
 mutant(oracle_of_levels_takes_the_last_of_equals FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
   OLD [[(order == 0 && place > best.place)]]
   NEW [[(order == 0 && place < best.place)]])

@@ -58,9 +58,6 @@ mutant(film_mesh_lattices_of_the_first_frame FILE model/accel/levels/maps.cpp TE
 mutant(film_lattice_of_the_first_eye FILE model/accel/levels/maps.cpp TEST motion [film]
   OLD [[for (const glm::dvec3& eye : eyes_) box.add(glm::dmat4(1), eye);]]
   NEW [[box.add(glm::dmat4(1), eyes_[0]);]])
-mutant(film_margin_of_the_first_frame FILE model/accel/levels/maps.cpp TEST motion [film]
-  OLD [[for (std::size_t t = moves_[i] ? times_.size() : 1; t-- > 0;)]]
-  NEW [[for (std::size_t t = 1; t-- > 0;)]])
 
 # ---- Uploads through the memory.
 mutant(dram_reads_too_soon_after_a_write FILE model/mem/dram_banks.cpp TEST motion [dram]

@@ -22,7 +22,8 @@ struct Format {
     int coord_bits, dir_bits, origin_bits;
 };
 
-/// Meshes, and instances of them whose rows sum to 1 at most: some as large, some tiny, some sheared.
+/// Meshes, one of them small, and instances whose rows sum to 1 at most: some as large, some tiny, some
+/// sheared.
 struct World {
     std::vector<std::vector<oracle::Corners>> meshes;
     std::vector<oracle::SolidPlace> places;
@@ -34,12 +35,13 @@ World random_world(Draw& draw, const Format& f) {
     const std::int64_t one = std::int64_t(1) << w.frac;
     for (int m = 0; m < 3; ++m) {
         std::vector<oracle::Corners>& mesh = w.meshes.emplace_back();
+        const Vec3i middle = draw.vector(f.coord_bits - 2);   // of the last, which is small
         for (int i = 0; i < 6; ++i) {
+            const int reach = m == 2 ? 6 : 1 << draw.below(f.coord_bits - 1), bits = f.coord_bits - 1;
             oracle::Corners t;
-            t.a = draw.vector(f.coord_bits - 1);
-            t.b = draw.near(t.a, 1 << draw.below(f.coord_bits - 1), f.coord_bits - 1);
-            t.c = draw.below(8) == 0 ? t.a
-                                     : draw.near(t.a, 1 << draw.below(f.coord_bits - 1), f.coord_bits - 1);
+            t.a = m == 2 ? draw.near(middle, reach, bits) : draw.vector(bits);
+            t.b = draw.near(t.a, reach, bits);
+            t.c = draw.below(8) == 0 ? t.a : draw.near(t.a, reach, bits);
             mesh.push_back(t);
         }
     }
@@ -60,6 +62,10 @@ World random_world(Draw& draw, const Format& f) {
         }
         if (draw.below(4) == 0)
             for (std::int64_t& entry : place.a) entry = entry / 29 + draw.below(3);
+        if (p % 4 == 3) {   // in the same place as the one before: what both hold is met at once
+            const std::uint32_t first_here = place.first;
+            place = w.places.back(), place.first = first_here;
+        }
         w.places.push_back(place);
     }
     return w;
@@ -191,4 +197,24 @@ TEST_CASE("the oracle of two levels is what fractions find in every instance", "
     }
     CHECK(hits > 100);
     CHECK(blocked < hits);
+}
+
+TEST_CASE("a small mesh is found where rounding has brought the ray to it", "[levels]") {
+    const Format f = GENERATE(values<Format>({{16, 12, 12}, {20, 18, 10}}));
+    Draw draw{unsigned(f.coord_bits)};
+    int hits = 0;
+    for (int n = 0; n < 40; ++n) {
+        World w = random_world(draw, f);
+        for (oracle::SolidPlace& place : w.places) place.mesh = 2;
+        const oracle::PlacedSolids solids = solids_of(w, f);
+        for (int i = 0; i < 60; ++i) {
+            PlacedRay ray;
+            ray.ray.origin = draw.vector(f.coord_bits - 1);
+            ray.ray.direction = towards_corner(draw, w, f, ray.ray);
+            const Truth right = truth(w, ray, 0);
+            CHECK((solids.meets_any(ray) != PlacedRay::nowhere) == (right.primitive != no_primitive));
+            hits += right.primitive != no_primitive;
+        }
+    }
+    CHECK(hits > 100);
 }
