@@ -41,7 +41,7 @@ TEST_CASE("two levels refuse what they cannot draw") {
         more.insert(more.end(), {"--set", "levels=2"});
         check_refused(drawn(more), words);
     };
-    refused({"gearbox:1", "--set", "structure=kd"}, {"levels=2", "structure=bvh"});
+    refused({"gearbox:1", "--set", "structure=none"}, {"levels=2", "structure", "none"});
     refused({"gearbox:1", "--set", "primitive_test=sheared"}, {"levels=2", "primitive_test=exact"});
     refused({"spheres"}, {"levels=2", "spheres=0"});
     check_refused(drawn({"gearbox:1", "--set", "levels=3"}), {"levels", "1..2", "3"});
