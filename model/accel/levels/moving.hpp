@@ -18,9 +18,9 @@ public:
     /// For frames at these times, in this order: where instances stand (places_of()) and the eye. With two
     /// buffers the scene's tree of a frame lies elsewhere than that of the frame before, which can be drawn
     /// while it is written. Null if an instance that moves is sheared or flattened so much that its mesh
-    /// would have to be written out, if planes cut the scene, for which no bound of the tree's lines is known,
-    /// and if meshes deform in globes, which are not refitted. Throws UserError as compile_levels() does.
-    /// `shapes`: by mesh of the scene, the bounds at these times if it deforms.
+    /// would have to be written out, if planes cut the scene, for which no bound of the tree's lines is
+    /// known, and if meshes deform in globes, which are not refitted. Throws UserError as compile_levels()
+    /// does. `shapes`: by mesh of the scene, the bounds at these times if it deforms.
     static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const Places> times,
                                               std::span<const glm::dvec3> eyes, int buffers,
                                               const Config& config, const ShapeBounds& shapes = {});
