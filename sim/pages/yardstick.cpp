@@ -147,8 +147,8 @@ Made by `rayclock yardstick -o docs/yardstick.md`; every figure of ours is simul
 **The scenes differ.** The published ones cannot be shipped; each of ours is a procedural scene of about
 the same number of triangles, from its own camera. The published figures include what the papers say
 beside them (shadows, textures, several lights); ours are of **primary rays with shading outside the
-chip**, except for the table of finished pictures. So this page says in which range such a machine lies, not which is
-faster. The machines differ as well: both chips computed in 24-bit floating point with packets of four
+chip**, except for the table of finished pictures. So this page says in which range such a machine lies,
+not which is faster. The machines differ as well: both chips computed in 24-bit floating point with packets of four
 rays; ours does in fixed point, ray by ray. What is alike is the class: a kd-tree of one plane a node
 (`structure=kd` with `node_width=2`; `references=5`, so that its image of gears:8 fits 64 MB), clock, rays
 in flight, one node and one triangle a cycle, size of the caches and speed of the memory

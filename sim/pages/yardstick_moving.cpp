@@ -20,7 +20,7 @@ struct MovingRow {
     const char* published;
 };
 constexpr const char *saarcor = "SaarCOR 20 to 60 over all scenes",
-                     *rpu = "D-RPU up to 35, deforming as well";
+                     *rpu = "D-RPU up to 35, dynamic scenes included";
 constexpr MovingRow rows[] = {
     {"clockwork:32", "saarcor", 90, saarcor},
     {"clockwork:32", "rpu", 66, rpu},

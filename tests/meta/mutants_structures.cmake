@@ -142,7 +142,7 @@ mutant(model_crossing_never_ends_the_near_side FILE model/bsp/slant.cpp TEST sys
   NEW [[beyond]])
 
 # ---- The compiler of bsp: nothing is lost.
-mutant(bsp_normal_on_other_axes FILE model/accel/kd/exits.hpp WITH model/accel/kd/emit.cpp TEST system "lines meet as many cells of planes in any direction*"
+mutant(bsp_normal_on_other_axes FILE model/accel/kd/exits.hpp WITH model/accel/kd/emit.cpp TEST system "rays of every family hit the same in every structure"
   OLD [[slant.normal[3 * plane + k] = cell.normal[k];]]
   NEW [[slant.normal[3 * plane + k] = cell.normal[2 - k];]])
 mutant(bsp_clips_inward FILE model/accel/kd/clip.cpp TEST accel [slant]
