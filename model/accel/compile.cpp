@@ -33,19 +33,6 @@ std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice
     return all;
 }
 
-/// A plane is everywhere. A sphere's box holds every point of it, on the lattice or not.
-LatticeBox box_of(const PrimData& prim, int coord_bits) {
-    const std::int32_t most = (1 << (coord_bits - 1)) - 1;
-    if (PrimKind(prim.kind) == PrimKind::plane) return {{-most, -most, -most}, {most, most, most}};
-    const std::uint64_t square = radius_squared(prim, coord_bits);
-    auto radius = std::int32_t(std::sqrt(double(square)));
-    while (std::uint64_t(radius) * std::uint64_t(radius) < square) ++radius;
-    LatticeBox box;
-    for (std::size_t k = 0; k < 3; ++k)
-        box.lo[k] = std::max(prim.a[k] - radius, -most), box.hi[k] = std::min(prim.a[k] + radius, most);
-    return box;
-}
-
 /// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger.
 /// Lattice::snap leaves out the least coordinate, so their lower corners still fit N bits; upper planes are
 /// relative to those.
@@ -84,6 +71,18 @@ void check_kept(const std::vector<PrimData>& kept, const Scene& scene, const Con
 }
 
 }   // namespace
+
+LatticeBox box_of(const PrimData& prim, int coord_bits) {
+    const std::int32_t most = (1 << (coord_bits - 1)) - 1;
+    if (PrimKind(prim.kind) == PrimKind::plane) return {{-most, -most, -most}, {most, most, most}};
+    const std::uint64_t square = radius_squared(prim, coord_bits);
+    auto radius = std::int32_t(std::sqrt(double(square)));
+    while (std::uint64_t(radius) * std::uint64_t(radius) < square) ++radius;
+    LatticeBox box;
+    for (std::size_t k = 0; k < 3; ++k)
+        box.lo[k] = std::max(prim.a[k] - radius, -most), box.hi[k] = std::min(prim.a[k] + radius, most);
+    return box;
+}
 
 void check_stack(int need, const Config& config, const std::string& name) {
     if (need <= config.stack_depth) return;

@@ -128,13 +128,33 @@ mutant(corner_normals_scaled_as_points FILE model/accel/levels/compile.cpp TEST 
   OLD [[unit_or_zero(normal * made.lattice.pitch);]]
   NEW [[unit_or_zero(normal / made.lattice.pitch);]])
 mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/fit.cpp TEST accel [secondary]
-  OLD [[if (config.shading) map.off =]]
+  OLD [[if (config.shading && !map.is_same) map.off =]]
   NEW [[if (config.shading && made.longest < 0) map.off =]])
 mutant(levels_boxes_forget_where_bounces_begin FILE model/accel/levels/fit.cpp TEST accel [secondary]
   OLD [[off = begin + slope * reach(begin, bounce);]]
   NEW [[off = slope * reach(begin, bounce);]])
 
+# ---- What a ray is the same in, planes and spheres.
+mutant(surface_is_turned_where_it_is_the_same FILE model/shade/surf.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+  OLD [[if (in.placement.same) return;]]
+  NEW [[if (in.placement.same && in.placement.here == 0) return;]])
+mutant(camera_ray_leaves_a_sphere FILE model/isect/any.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+  OLD [[RayKind(ray.kind) != RayKind::camera && sphere]]
+  NEW [[sphere]])
+mutant(planes_have_an_end_above FILE model/accel/levels/maps.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+  OLD [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, box.hi};]]
+  NEW [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, {0, 0, 0}};]])
+
 # ---- The same in RTL.
+mutant(rtl_surface_is_turned_where_it_is_the_same FILE rtl/shade/rc_turnout.sv TEST system "model and RTL draw planes and true spheres*"
+  OLD [[if (home_i != '0) begin]]
+  NEW [[if (home_i != '1) begin]])
+mutant(rtl_camera_ray_leaves_a_sphere FILE rtl/isect/rc_tri.sv TEST system "model and RTL draw planes and true spheres*"
+  OLD [[(in_any || in.kind == rc_pkg::RayBounce) && in.self]]
+  NEW [[(in_any || in_leaves) && in.self]])
+mutant(rtl_list_forgets_what_a_ray_asks FILE rtl/list/rc_list.sv TEST system "model and RTL draw planes and true spheres*"
+  OLD [[.read_addr_i(change_i.ray), .read_data_o(kept_asks));]]
+  NEW [[.read_addr_i(~change_i.ray), .read_data_o(kept_asks));]])
 mutant(rtl_xform_forgets_home FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
   OLD [[in.kind != rc_pkg::RayCamera && in.home == in.here;]]
   NEW [[1'b0 && in.home == in.here;]])

@@ -16,21 +16,6 @@ namespace {
 
 constexpr int most_groups = 62;   // a Trace tells an instance from so many dropped groups
 
-/// The triangles of a mesh that count on a class's lattice, numbered within the mesh.
-std::vector<PrimData> snapped(const SharedMesh& mesh, const MeshClass& made, const Config& config) {
-    std::vector<PrimData> all;
-    const bool mirrored = glm::determinant(glm::dmat3(made.before)) < 0;   // turned inside out again
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto corner = [&](std::size_t k) {
-            return snapped_corner(made, mesh, mesh.triangles[i].vertex[k]);
-        };
-        const PrimData prim{corner(0), corner(mirrored ? 2 : 1), corner(mirrored ? 1 : 2), std::uint32_t(i),
-                            0};
-        if (counts(prim, config)) all.push_back(prim);
-    }
-    return all;
-}
-
 class LevelsCompiler {
 public:
     LevelsCompiler(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
@@ -77,10 +62,11 @@ private:
                     {&map, std::uint32_t(number), 0, 0, 0, lower.report.stack_need, lower.report.depth});
                 out_.of_entry.push_back(std::uint32_t(i));
             }
-            number += parts_.meshes[parts_.instances[i].mesh]->triangles.size();
+            number += parts_.count(parts_.instances[i].mesh);
         }
         if (out_.entries.empty())
-            throw UserError(name_ + ": all " + std::to_string(number) + " triangles vanish on a lattice of " +
+            throw UserError(name_ + ": all " + std::to_string(number) +
+                            (parts_.round ? " primitives" : " triangles") + " vanish on a lattice of " +
                             std::to_string(config_.coord_bits) +
                             " bits; a larger coord_bits or an eye closer to the scene would help");
     }
@@ -95,7 +81,7 @@ private:
 
     void compile_class(std::size_t c) {
         const MeshClass& made = out_.maps.classes[c];
-        const std::vector<PrimData> prims = snapped(*parts_.meshes[made.mesh], made, config_);
+        const std::vector<PrimData> prims = snapped(parts_, made, config_);
         if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_, name_);
     }
 
@@ -141,6 +127,7 @@ private:
     /// On the class's lattice, whose steps are the unit here: normals of corners are turned as planes are.
     void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
+        if (parts_.is_round(made.mesh)) return write_round(made.lattice);
         const SharedMesh& mesh = *parts_.meshes[made.mesh];
         Scene part, scene;
         part.vertices = mesh.vertices, part.normals = mesh.normals, part.triangles = mesh.triangles;
@@ -151,12 +138,20 @@ private:
         write(scene);
     }
 
+    /// The scene's own spheres and planes; the lattice is the scene's.
+    void write_round(const Lattice& lattice) {
+        Scene scene;
+        scene.spheres = parts_.round->spheres, scene.planes = parts_.round->planes;
+        write(scene, lattice);
+    }
+
     /// Surfaces of a scene whose unit is a step.
-    void write(Scene& scene) {
+    void write(Scene& scene) { write(scene, {glm::dvec3(0), glm::dvec3(1), config_.coord_bits}); }
+    void write(Scene& scene, const Lattice& lattice) {
         scene.materials = materials_;
         MemoryImage surfaces;
-        surfaces.lattice.coord_bits = config_.coord_bits;
-        check_lines(std::uint64_t(image_.lines()) + scene.triangles.size(), config_, name_);
+        surfaces.lattice = lattice;
+        check_lines(std::uint64_t(image_.lines()) + primitive_count(scene), config_, name_);
         write_surfaces(scene, config_, name_, surfaces);
         image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
@@ -202,6 +197,10 @@ void check_need(int need, const Config& config, const std::string& name) {
                         " sibling groups of a ray at most, and this tree needs " + std::to_string(need));
 }
 
+namespace {
+bool has_round(const PlacedScene& scene) { return !scene.own.spheres.empty() || !scene.own.planes.empty(); }
+}   // namespace
+
 LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
     LevelParts parts;
     if (!own.triangles.empty()) {
@@ -215,6 +214,11 @@ LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
         instance.mesh += before;
         parts.instances.push_back(std::move(instance));
     }
+    if (!has_round(scene)) return parts;
+    static const SharedMesh none;
+    parts.round = &scene.own;
+    parts.instances.push_back({"", std::uint32_t(parts.meshes.size()), glm::dmat4(1), {}});
+    parts.meshes.push_back(&none);
     return parts;
 }
 
@@ -223,6 +227,7 @@ Places places_of(const PlacedScene& scene) {
     if (!scene.own.triangles.empty()) places.emplace_back(1);
     for (const Instance& instance : scene.instances)
         if (!scene.meshes[instance.mesh].triangles.empty()) places.push_back(instance.place);
+    if (has_round(scene)) places.emplace_back(1);
     return places;
 }
 
@@ -231,13 +236,13 @@ SharedMesh own_mesh(const PlacedScene& scene) {
 }
 
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
-    if (!scene.own.spheres.empty() || !scene.own.planes.empty())
-        throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
+    check_units(scene.own, config, name);
     const std::uint64_t count = primitive_count(scene);
-    if (count == 0) throw UserError(name + ": there is nothing to see: no triangle");
+    if (count == 0) throw UserError(name + ": there is nothing to see: no primitive");
     const auto need = int(std::bit_width(count - 1));
     if (need > config.prim_bits)
-        throw UserError(name + ": " + std::to_string(count) + " triangles need numbers of " +
+        throw UserError(name + ": " + std::to_string(count) +
+                        (has_round(scene) ? " primitives" : " triangles") + " need numbers of " +
                         std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits));
 }
 
