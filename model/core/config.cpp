@@ -358,8 +358,7 @@ void check_config(const Config& c, const std::string& where) {
     if (c.has_splits() && (c.has_instances() || (c.test() != PrimitiveTest::exact && !c.is_sheared())))
         refuse(
             "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "
-            "and "
-            "of other tests it is not known how far a hit may lie from its primitive");
+            "and of other tests it is not known how far a hit may lie from its primitive");
     if (c.has_instances() && (c.is_list() || c.test() != PrimitiveTest::exact || c.has_kinds()))
         refuse(
             "levels=2 needs a structure (not none), primitive_test=exact, spheres=0 and planes=0: of these "
