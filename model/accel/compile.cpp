@@ -33,6 +33,8 @@ std::vector<PrimData> snap_primitives(const Scene& scene, const Lattice& lattice
     return all;
 }
 
+}   // namespace
+
 /// A plane is everywhere. A sphere's box holds every point of it, on the lattice or not.
 LatticeBox box_of(const PrimData& prim, int coord_bits) {
     const std::int32_t most = (1 << (coord_bits - 1)) - 1;
@@ -45,8 +47,6 @@ LatticeBox box_of(const PrimData& prim, int coord_bits) {
         box.lo[k] = std::max(prim.a[k] - radius, -most), box.hi[k] = std::min(prim.a[k] + radius, most);
     return box;
 }
-
-}   // namespace
 
 /// The sheared test may err by one step (model/isect/sheared.hpp), and its boxes are that much larger.
 /// Lattice::snap leaves out the least coordinate, so their lower corners still fit N bits; upper planes are

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "model/accel/memory_image.hpp"
+#include "model/accel/tree.hpp"
 
 namespace rayclock {
 
@@ -14,6 +15,9 @@ std::optional<Scene> aligned(const Scene& scene, const Lattice& lattice);
 
 /// Primitive number i on the lattice.
 PrimData snap_primitive(const Scene& scene, const Lattice& lattice, std::size_t i);
+
+/// Of a sphere or plane: a box in the lattice. A plane is everywhere.
+LatticeBox box_of(const PrimData& prim, int coord_bits);
 
 /// Its surface: the primitive again, corner normals if the scene has some and they lie on the triangle's
 /// side, the material.

@@ -121,6 +121,7 @@ struct Placement {
     std::uint32_t here = 0;            ///< its own line: what it is called, if the chip shades
     std::uint32_t surfaces = 0;        ///< line of the surface that primitive 0 would have; it may wrap
     std::uint32_t material = 0;        ///< line of a surface whose material all its primitives have; 0: none
+    std::uint32_t same = 0;            ///< A = 1 and b = 0: a ray is in it what it is in the scene
     std::array<std::int32_t, 9> a{};   ///< [3 * row + column], map_frac() fraction bits; 1 is possible
     Vec3l b{};                         ///< likewise
     template <class V> void fields(V& v, const Config& c) {
@@ -129,9 +130,12 @@ struct Placement {
         if (c.shading) v("here", here, c.addr_bits);
         if (c.shading) v("surfaces", surfaces, c.addr_bits);
         if (c.shading) v("material", material, c.addr_bits);
+        if (c.shading) v("is_same", same, 1);
         v("a", a, c.map_bits(), 9);
         v("b", b, c.coord_bits + c.map_frac(), 3);
     }
+    /// Where a ray that leaves it is at home; 0, no instance's line, if it is the same there.
+    std::uint32_t home() const { return same ? 0 : here; }
     friend bool operator==(const Placement&, const Placement&) = default;
 };
 

@@ -118,7 +118,8 @@ void sphere_test(const Ray& ray, const PrimData& sphere, const Best& best, const
     }
     const int scale = config.origin_frac();
     const Meeting m = meeting(ray, sphere, scale, config);
-    const bool own = leaves_surface(ray, config) && sphere.prim == ray.self;
+    const bool own =
+        leaves_surface(ray, config) && RayKind(ray.kind) != RayKind::camera && sphere.prim == ray.self;
     if (own && !ray.inside) return;
     const bool outside = m.power > 0, far = own || !outside;
     if (outside ? m.along >= 0 || m.disc < 0 : m.power < 0 ? m.square == 0 : m.along >= 0) return;

@@ -60,13 +60,37 @@ Extent image_of(const SolidPlace& place, const Inverse& inverse, const Extent& b
     return box;
 }
 
-std::optional<Extent> bounds_of(const Solids& mesh) {
-    std::optional<Extent> all;
+/// What of a mesh has an end, and whether it has something without one. Nothing is said of what no ray meets.
+struct Bounds {
+    std::optional<Extent> box;
+    bool is_endless = false;
+    bool is_empty() const { return !box && !is_endless; }
+};
+
+void add_sphere(const Solid& sphere, std::optional<Extent>& box) {
+    if (sphere.radius_squared == 0) return;
+    const auto radius = std::int32_t(std::sqrt(double(sphere.radius_squared))) + 1;
+    Vec3i lo = sphere.centre, hi = sphere.centre;
+    for (std::size_t k = 0; k < 3; ++k) lo[k] -= radius, hi[k] += radius;
+    if (!box) box = Extent{lo, lo};
+    box->add(lo), box->add(hi);
+}
+
+Bounds bounds_of(const Solids& mesh) {
+    Bounds all;
     for (const Solid& solid : mesh.all()) {
+        if (solid.kind == Solid::Kind::sphere) {
+            add_sphere(solid, all.box);
+            continue;
+        }
         const Triple<std::int64_t> n = normal<std::int64_t>(solid.corners);
         if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;   // nothing meets it
-        if (!all) all = extent(solid.corners);
-        for (const Vec3i& corner : {solid.corners.a, solid.corners.b, solid.corners.c}) all->add(corner);
+        if (solid.kind == Solid::Kind::plane) {
+            all.is_endless = true;
+            continue;
+        }
+        if (!all.box) all.box = extent(solid.corners);
+        for (const Vec3i& corner : {solid.corners.a, solid.corners.b, solid.corners.c}) all.box->add(corner);
     }
     return all;
 }
@@ -94,15 +118,17 @@ std::optional<Extent> box_of(const SolidPlace& place, const Extent& bounds, int 
 std::vector<Extent> boxes_of(const std::vector<Solids>& meshes, const std::vector<SolidPlace>& places,
                              int frac, int coord_bits, std::int32_t least, std::vector<std::uint32_t>& boxed,
                              std::vector<std::uint32_t>& always, std::vector<std::uint32_t>& empty) {
-    std::vector<std::optional<Extent>> bounds;
+    std::vector<Bounds> bounds;
     for (const Solids& mesh : meshes) bounds.push_back(bounds_of(mesh));
     std::vector<Extent> boxes;
     for (std::uint32_t i = 0; i < places.size(); ++i) {
-        if (!bounds[places[i].mesh]) {
+        const Bounds& mesh = bounds[places[i].mesh];
+        if (mesh.is_empty()) {
             empty.push_back(i);
             continue;
         }
-        const auto box = box_of(places[i], *bounds[places[i].mesh], frac, coord_bits, least);
+        const auto box =
+            mesh.is_endless ? std::optional<Extent>{} : box_of(places[i], *mesh.box, frac, coord_bits, least);
         (box ? boxed : always).push_back(i);
         if (box) boxes.push_back(*box);
     }
@@ -151,6 +177,9 @@ SolidRay PlacedSolids::seen_by(std::uint32_t place, const PlacedRay& ray) const 
     SolidRay seen = ray.ray;
     seen.origin = placed_point(places_[place], ray.ray.origin, ray.ray.frac, frac_);
     seen.direction = placed_direction(places_[place], ray.ray.direction, frac_);
+    const std::uint32_t first = places_[place].first, count = std::uint32_t(mesh_of(place).all().size());
+    const bool is_own = ray.ray.self >= first && ray.ray.self - first < count;
+    seen.self = is_own ? ray.ray.self - first : no_primitive;   // as its mesh numbers it
     return seen;
 }
 
@@ -187,14 +216,20 @@ PlacedHit PlacedSolids::nearest(const PlacedRay& ray) const {
     const double along = longest_of(ray.ray.direction);
     const auto after = [&](double near) { return near > 2 * limit * along; };
     each(ray, longest_of(ray.ray.direction) >= least_, after, [&](std::uint32_t place) {
-        const FlatHit hit = mesh_of(place).nearest(seen_by(place, ray)).flat;
+        const Nearest found = mesh_of(place).nearest(seen_by(place, ray));
+        if (found.sphere.primitive != no_primitive &&
+            (best.sphere_place == PlacedRay::nowhere || found.sphere.distance < best.sphere.distance)) {
+            best.sphere_place = place, best.sphere = found.sphere;
+            limit = std::min(limit, found.sphere.distance * (1 + 0x1p-40));
+        }
+        const FlatHit& hit = found.flat;
         if (hit.primitive == no_primitive) return true;
         const int order = best.place == PlacedRay::nowhere
                               ? -1
                               : compare_fractions(hit.num, hit.den, best.hit.num, best.hit.den);
         if (order > 0 || (order == 0 && place > best.place)) return true;   // numbers rise with places
-        best = {place, hit};
-        limit = double(hit.num) / double(hit.den) * (1 + 0x1p-40);
+        best.place = place, best.hit = hit;
+        limit = std::min(limit, double(hit.num) / double(hit.den) * (1 + 0x1p-40));
         return true;
     });
     return best;

@@ -12,8 +12,8 @@
 // inverse. As o lies in the lattice, and the largest component of d is D, s (D - r/2) is at most the farthest
 // coordinate of that image plus the lattice's end plus r/2. So the image's box with a margin for that s holds
 // the ray at the very s at which it meets the mesh. A ray with a shorter direction than `least`, for which
-// the margins were taken, asks every instance; so does an instance that turns steps into too many. All of it
-// is worked out in whole numbers; a step is added for divisions.
+// the margins were taken, asks every instance; so does an instance that turns steps into too many, or has
+// planes. All of it is worked out in whole numbers; a step is added for divisions.
 #include "model/oracle/solids.hpp"
 
 namespace rayclock::oracle {
@@ -34,15 +34,21 @@ struct PlacedRay {
     SolidRay at_home{};
 };
 
-/// The closest hit; `hit` is numbered in its mesh.
+/// The closest triangle or plane, and the closest sphere: which of the two is closer is left open, as in
+/// Nearest. `hit` and `sphere` are numbered in their meshes.
 struct PlacedHit {
-    std::uint32_t place = PlacedRay::nowhere;   ///< nothing is met
+    std::uint32_t place = PlacedRay::nowhere;   ///< nowhere: no triangle and no plane is met
     FlatHit hit;
+    std::uint32_t sphere_place = PlacedRay::nowhere;   ///< likewise
+    SphereHit sphere;
+
+    bool is_none() const { return place == PlacedRay::nowhere && sphere_place == PlacedRay::nowhere; }
 };
 
 class PlacedSolids {
 public:
-    /// Meshes of triangles alone. `frac`: of the maps; lattice coordinates and directions have so many bits.
+    /// Spheres and planes are in meshes whose maps are the identity. `frac`: of the maps; lattice coordinates
+    /// and directions have so many bits.
     PlacedSolids(std::vector<Solids> meshes, std::vector<SolidPlace> places, int frac, int coord_bits,
                  int dir_bits);
 
@@ -55,7 +61,7 @@ public:
     /// The ray as an instance sees it.
     SolidRay seen_by(std::uint32_t place, const PlacedRay& ray) const;
 
-    /// Closest along t > 0; of equal ones the lowest number.
+    /// Closest along t > 0; of equal triangles and planes the lowest number.
     PlacedHit nearest(const PlacedRay& ray) const;
     /// An instance that has something in the way 0 < t; `nowhere` if none has.
     std::uint32_t meets_any(const PlacedRay& ray) const;

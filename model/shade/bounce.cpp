@@ -55,7 +55,7 @@ int leaves(const Config& c, const ShadeState& state, const Placement& placement,
 }   // namespace
 
 Home home_of(const ShadeState& state, const Vec3i& d, const Placement& placement, const Config& c) {
-    Home home{placement.here, {}, moved_direction(placement, d, c)};
+    Home home{placement.home(), {}, moved_direction(placement, d, c)};
     for (std::size_t k = 0; k < 3; ++k) home.o[k] = std::int32_t(state.inner[k]);
     return home;
 }

@@ -17,7 +17,7 @@ namespace {
 Home home_from(const Vec3i& light, const ShadeState& state, const Placement& placement, const Config& c) {
     Vec3i o = light;
     for (auto& x : o) x *= 1 << c.origin_bits;
-    Home home{placement.here, moved_point(placement, o, RayKind::shadow, c), {}};
+    Home home{placement.home(), moved_point(placement, o, RayKind::shadow, c), {}};
     for (std::size_t k = 0; k < 3; ++k) home.d[k] = std::int32_t(state.inner[k] - home.o[k]);
     return home;
 }
@@ -37,8 +37,8 @@ LightOut light(const Frame& frame, const Config& c, ShadeState& state, const Pla
         for (std::size_t k = 0; k < 3; ++k) out.d[k] = state.far ? -out.d[k] : std::int32_t(-to[k]);
     // On the side seen, exactly: the ray's own direction decides.
     if (c.has_homes())
-        out.home = near ? home_from({place[0], place[1], place[2]}, state, placement, c)
-                        : home_of(state, out.d, placement, c);
+        out.home = near && !state.far ? home_from({place[0], place[1], place[2]}, state, placement, c)
+                                      : home_of(state, out.d, placement, c);
     const Vec3i& way = c.has_homes() ? out.home.d : out.d;
     for (std::size_t k = 0; k < 3; ++k) side += Wide(state.n[k]) * way[k];
     if (near) side = -side;

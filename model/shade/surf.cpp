@@ -82,6 +82,7 @@ void look(const PassIn& in, ShadeState& state) {
 
 void turn_surface(const PassIn& in, const Config& c, ShadeState& state) {
     state.inner = state.o;
+    if (in.placement.same) return;
     ray_at(in, c, state.o);
     Vec3l toward{};
     for (std::size_t k = 0; k < 3; ++k)

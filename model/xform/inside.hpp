@@ -24,6 +24,7 @@ struct InsideRay {
         change = xform({ray.ray, ray.o, ray.d, placement, ray.kind, ray.home}, config);
         from = box_ray(change);
         moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
+        moved.self = ray.self, moved.inside = ray.inside, moved.finite = ray.finite;
         if (config.has_globes()) toward = globe_ray(moved, config);
         if (config.has_slants()) along = aligned(moved, config);
         entry.base = change.root;

@@ -306,7 +306,7 @@ module rc_tri (
     end
 
     assign in_ball       = valid[In] && in_sphere;
-    assign in_own        = (in_any || in_leaves) && in.self == in.prim;
+    assign in_own        = (in_any || in.kind == rc_pkg::RayBounce) && in.self == in.prim;
     assign in_ball_first = in.prim <= in.best_prim;
     rc_beside #(
       .Width(BallBestW), .Stages((BestStage + Interval - 2) / Interval), .Every(Interval))

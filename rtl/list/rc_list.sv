@@ -262,7 +262,32 @@ module rc_list (
     assign unused = ray_fires_i;
   end
   if (rc_pkg::Homes == 1) begin : gen_changed_ray_with_kind
-    assign ray_for_tri = {change_i.kind, change_i.o, change_i.d};
+    // Which primitives the ray asks does not change, and is kept as it came.
+    localparam int unsigned MovedW = 3 * rc_pkg::OriginWidth + 3 * rc_pkg::RayDirBits;
+    localparam int unsigned AsksW  = TriRayW - MovedW - 2;
+    localparam int unsigned Whole  = AsksW == 0 ? 1 : AsksW;
+    logic [Whole-1:0]    asks, kept_asks;
+    logic [MovedW+2-1:0] there;
+    if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_asks_all
+      assign asks = {ray_i.is_finite, ray_i.self, ray_i.is_inside};
+    end else if (rc_pkg::Planes != 0) begin : gen_asks_planes
+      assign asks = ray_i.is_finite;
+    end else if (rc_pkg::Spheres != 0) begin : gen_asks_spheres
+      assign asks = {ray_i.self, ray_i.is_inside};
+    end else begin : gen_asks_triangles
+      assign asks = '0;
+    end
+    rc_ram #(.Width(Whole), .Depth(T)) u_asks (
+      .clk_i, .write_i(ray_fires_i), .write_addr_i(ray_i.ray), .write_data_i(asks),
+      .read_addr_i(change_i.ray), .read_data_o(kept_asks));
+    assign there = {change_i.kind, change_i.o, change_i.d};
+    if (AsksW == 0) begin : gen_moved
+      assign ray_for_tri = there;
+      logic unused;
+      assign unused = ^kept_asks;
+    end else begin : gen_moved_asks
+      assign ray_for_tri = {there[MovedW +: 2], kept_asks, there[MovedW-1:0]};
+    end
   end else if (rc_pkg::Levels != 1) begin : gen_changed_ray
     assign ray_for_tri = {change_i.o, change_i.d};
   end else if (rc_pkg::PrimitiveTest == rc_pkg::TestSheared) begin : gen_slopes

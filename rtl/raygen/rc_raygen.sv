@@ -188,15 +188,22 @@ module rc_raygen (
     // What says which primitives the ray asks stays as it came.
     localparam int unsigned TagW = HeadW - 2 - 3 * OW;
     if (TagW != 0) begin : gen_tag
-      logic [TagW-1:0] req_tag, end_tag;
-      if (rc_pkg::Homes == 1) begin : gen_home   // an instance's rays ask for triangles alone
-        assign req_tag = {req.home, req.home_o, req.home_d};
-      end else if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
-        assign req_tag = {req.is_finite, req.self, req.is_inside};
+      localparam int unsigned HomeW = rc_pkg::Homes == 1 ? rc_pkg::AddrBits + 3 * (OW + RD) : 0;
+      logic [TagW-1:0] req_tag, asks, home, end_tag;
+      assign req_tag = asks << HomeW | home;
+      if (rc_pkg::Homes == 1) begin : gen_home
+        assign home = TagW'({req.home, req.home_o, req.home_d});
+      end else begin : gen_no_home
+        assign home = '0;
+      end
+      if (rc_pkg::Planes != 0 && rc_pkg::Spheres != 0) begin : gen_both
+        assign asks = TagW'({req.is_finite, req.self, req.is_inside});
       end else if (rc_pkg::Planes != 0) begin : gen_planes
-        assign req_tag = req.is_finite;
-      end else begin : gen_spheres
-        assign req_tag = {req.self, req.is_inside};
+        assign asks = TagW'(req.is_finite);
+      end else if (rc_pkg::Spheres != 0) begin : gen_spheres
+        assign asks = TagW'({req.self, req.is_inside});
+      end else begin : gen_triangles
+        assign asks = '0;
       end
       rc_delay #(.Width(TagW), .Stages(Latency)) u_tag (
         .clk_i, .valid_i(moves[Latency-1:0]), .data_i(req_tag), .data_o(end_tag));

@@ -127,7 +127,7 @@ module rc_light #(
     logic unused;
     assign unused = ^from;
   end
-  assign s15_near_o = s15_near;
+  assign s15_near_o = s15_near && !s15_far;   // it sends a ray to the point
   if (rc_pkg::Homes == 1) begin : gen_place
     rc_beside #(.Width(3 * N), .Stages(14)) u_lattice (
       .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i(s1_lattice),

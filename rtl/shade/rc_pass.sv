@@ -38,7 +38,8 @@ module rc_pass #(
   input  logic [3*M-1:0]       d_i,
   input  rc_pkg::surface_t     surface_i,  // if it arrives now, having hit something
   input  rc_pkg::waiting_t     top_i,      // of the rays that wait
-  input  logic [PlaceW-1:0]    place_i,    // with two levels: the instance that was hit
+  input  logic [PlaceW-1:0]    place_i,    // with two levels: the instance that was hit, line 0
+                                           // if a ray is the same in it
   // To rc_contexts
   output logic                        end_valid_o,
   output logic [I-1:0]                end_ray_o,
@@ -326,8 +327,8 @@ module rc_pass #(
       .leave_i(light_at[L] || bounce_at[L]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
     rc_beside #(.Width(rc_pkg::AddrBits), .Stages(L)) u_here (
-      .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[L] || bounce_at[L]),
-      .data_i(here), .data_o(end_home));
+      .clk_i, .rst_ni, .come_i(s0_light || s0_bounce || s0_turn),
+      .leave_i(light_at[L] || bounce_at[L] || turn_at[L]), .data_i(here), .data_o(end_home));
   end else begin : gen_one_space
     assign side_d    = s15_d;
     assign s5_turned = '0;

@@ -119,7 +119,9 @@ module rc_shade (
     assign placing       = placing_q[came_ray] || lends;
     assign placed        = surf_rsp_valid_i && placing_q[came_ray];
     assign taken         = surf_rsp_valid_i && placing;
-    assign place_data    = {instance_came.here, MapW'(rc_pkg::PlacementW'(surf_rsp))};
+    // What a ray is the same in is nobody's home.
+    assign place_data    = {instance_came.is_same ? {A{1'b0}} : instance_came.here,
+                            MapW'(rc_pkg::PlacementW'(surf_rsp))};
     always_ff @(posedge clk_i) begin
       if (placed)                           placing_q[came_ray]    <= 1'b0;
       if (closest_valid_i)                  placing_q[closest_ray] <= wants_surface;

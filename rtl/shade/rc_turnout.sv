@@ -114,6 +114,14 @@ module rc_turnout #(
   assign reflects  = reflected && starts;
   assign escapes   = (refracted || reflected) && !starts;   // and sees the background
 
+  // A point that was turned lies in the lattice. What was found in the mesh's space is kept.
+  logic [3*PW-1:0] turned_o, found_o;
+  logic [3*P-1:0]  inner;
+  assign found_o = was_i.o;
+  for (genvar k = 0; k < 3; k++) begin : gen_turned
+    assign turned_o[k*PW +: PW] = PW'($signed(turn_o_i[k*P +: P]));
+    assign inner[k*P +: P]      = found_o[k*PW +: P];
+  end
   rc_pkg::shade_state_t next;
   always_comb begin
     next = was_i;
@@ -132,10 +140,12 @@ module rc_turnout #(
       next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTurn : after;
     end
     if (turn_i) begin
-      next.o       = (3*PW)'(turn_o_i);   // there are no planes then, and so no point beyond
-      next.normal  = surf_normal_i;
-      next.view    = surf_view_i;
-      next.cosine  = surf_cosine_i;
+      if (home_i != '0) begin   // what was found in the scene's space stays
+        next.o      = turned_o;
+        next.normal = surf_normal_i;
+        next.view   = surf_view_i;
+        next.cosine = surf_cosine_i;
+      end
       next.light   = '0;
       next.purpose = after;
     end
@@ -178,10 +188,10 @@ module rc_turnout #(
       next.purpose = rc_pkg::EventArrive;
     end
   end
-  if (rc_pkg::Homes == 1) begin : gen_inner   // what was found in the mesh's space is kept
+  if (rc_pkg::Homes == 1) begin : gen_inner
     always_comb begin
       state_o = next;
-      if (turn_i) state_o.inner = was_i.o;
+      if (turn_i) state_o.inner = inner;
     end
   end else begin : gen_no_inner
     assign state_o = next;
@@ -227,9 +237,10 @@ module rc_turnout #(
   assign finite = is_light && !to_point && light_clear_i;
   localparam int unsigned GivenW = 3 * P + 3 * D;
   localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
-  localparam int unsigned SelfW  = rc_pkg::Homes == 1 ? HomeW
-                                 : rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
-  logic [GivenW+SelfW-1:0] given;
+  localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);
+  localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+  logic [FromW-1:0]       from;
+  logic [FromW+SelfW-1:0] given;
   if (rc_pkg::Homes == 1) begin : gen_home
     logic [3*M-1:0] short_home_d, top_home_d;
     logic [3*D-1:0] top_way, home_d;
@@ -240,21 +251,19 @@ module rc_turnout #(
     end
     assign home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
     assign pushed_o = {pushed, home_i, home_o_i, short_home_d};
-    assign given    = {is_next ? '0 : is_pop ? top_i.home : home_i,
+    assign from     = {is_next ? '0 : is_pop ? top_i.home : home_i,
                        is_next ? '0 : is_pop ? top_i.home_o : home_o_i, home_d,
                        spawn_place, spawn_way};
-    logic unused;
-    assign unused = ^self;
   end else begin : gen_no_home
     assign pushed_o = pushed;
+    assign from     = {spawn_place, spawn_way};
     logic unused;
     assign unused = ^{home_i, home_o_i, home_d_i};
   end
-  if (rc_pkg::Homes == 1) begin : gen_triangles
-  end else if (rc_pkg::Spheres == 1) begin : gen_self
-    assign given = {self, spawn_place, spawn_way};
+  if (rc_pkg::Spheres == 1) begin : gen_self
+    assign given = {self, from};
   end else begin : gen_no_self
-    assign given = {spawn_place, spawn_way};
+    assign given = from;
     logic unused;
     assign unused = ^self;
   end
@@ -275,6 +284,6 @@ module rc_turnout #(
   end
 
   logic unused;
-  assign unused = ^{frame_i, top_i, was_o};
+  assign unused = ^{frame_i, top_i, was_o, turned_o, inner, found_o, home_i};
 endmodule
 `default_nettype wire

@@ -5,7 +5,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/stopwatch.hpp"
 #include "model/trace/record_shaded.hpp"
@@ -28,12 +27,7 @@ void place_lights(const Frame& frame, Scene& snapped) {
 Scene on_lattice(const Scene& scene, const Lattice& lattice, const Frame& frame) {
     Scene snapped = scene;
     for (glm::dvec3& v : snapped.vertices) v = point(lattice.snap(v));
-    for (Sphere& s : snapped.spheres) {
-        const double radius = s.radius / lattice.pitch.x;
-        s.centre = point(lattice.snap(s.centre));
-        s.radius = std::sqrt(std::max(1.0, std::round(radius * radius)));
-    }
-    for (Plane& p : snapped.planes) p = snapped_plane(p, lattice);
+    snap_round(lattice, snapped);
     place_lights(frame, snapped);
     return snapped;
 }

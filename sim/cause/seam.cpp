@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint32_t nowhere = oracle::PlacedRay::nowhere;
 constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double of_doubles = 1e-6;   // steps: what working in doubles may add to a distance
 constexpr double same_place = 1e-9;   // of t: what doubles cannot tell apart
 
 glm::dvec3 origin_of(const oracle::SolidRay& ray) {
@@ -22,13 +23,36 @@ glm::dvec3 direction_of(const oracle::SolidRay& ray) {
     return {ray.direction[0], ray.direction[1], ray.direction[2]};
 }
 
+/// t of what is closest.
+double first_of(const oracle::Nearest& met) {
+    const double flat =
+        met.flat.primitive == no_primitive ? endless : double(met.flat.num) / double(met.flat.den);
+    return met.sphere.primitive == no_primitive ? flat : std::min(flat, met.sphere.distance);
+}
+
+/// t of a sphere or plane that is met, spheres being numbered first.
+double round_distance(const Scene& round, std::size_t number, const glm::dvec3& o, const glm::dvec3& d) {
+    if (number >= round.spheres.size()) {
+        const Plane& plane = round.planes[number - round.spheres.size()];
+        const glm::dvec3 n = glm::cross(plane.u, plane.v);
+        return glm::dot(n, plane.point - o) / glm::dot(n, d);
+    }
+    const Sphere& sphere = round.spheres[number];
+    const glm::dvec3 from = o - sphere.centre;
+    const double square = glm::dot(d, d), along = glm::dot(from, d),
+                 start = glm::dot(from, from) - sphere.radius * sphere.radius,
+                 root = std::sqrt(std::max(0.0, along * along - square * start));
+    return start > 0 && along < 0 ? start / (root - along) : (root - along) / square;
+}
+
 }   // namespace
 
 /// A ray and its answer.
 struct Seams::Question {
     oracle::PlacedRay ray;
     bool ends_at_any = false;
-    double end = endless;   ///< of a shadow ray
+    double end = endless;           ///< of a shadow ray
+    std::uint32_t left = nowhere;   ///< the instance that the ray leaves, or at which it ends
     Met answer{};
 };
 
@@ -44,10 +68,14 @@ Seams::Seams(const PlacedWorld& world, const Config& config)
         map.back = glm::inverse(map.a);
         maps_.push_back(map);
     }
+    Scene round;
+    round.spheres = snapped_.own.spheres, round.materials = snapped_.own.materials;
+    ends_.emplace(round);
+    round.planes = snapped_.own.planes;
     for (const SharedMesh& mesh : snapped_.meshes) {
         Scene scene;
         scene.vertices = mesh.vertices, scene.triangles = mesh.triangles;
-        meshes_.emplace_back(scene);
+        meshes_.emplace_back(mesh.triangles.empty() ? round : scene);   // nothing else has no triangles
     }
 }
 
@@ -58,32 +86,45 @@ Seams::Line Seams::line_of(std::uint32_t place, const oracle::PlacedRay& ray) co
     return {place, map.back * (origin_of(seen) - map.b), map.back * direction_of(seen)};
 }
 
-/// Worked out again from the plane that was met: a Hit has a float for it.
-Seams::Met Seams::met_by_line(const Line& line, std::uint32_t place) const {
+/// Worked out again from the plane or sphere that was met: a Hit has a float for it.
+Seams::Met Seams::met_by_line(const Line& line, std::uint32_t place, bool is_finite) const {
     const Map& map = maps_[place];
     const glm::dvec3 o = map.a * line.o + map.b, d = map.a * line.d;
     const std::uint32_t mesh = world_.solids().places()[place].mesh;
-    const Hit hit = meshes_[mesh].trace(o, d);
+    const bool is_round = snapped_.meshes[mesh].triangles.empty();
+    const Hit hit = (is_round && is_finite ? *ends_ : meshes_[mesh]).trace(o, d);
     if (hit.primitive == no_primitive) return {};
+    if (is_round) return {place, round_distance(snapped_.own, hit.primitive, o, d)};
     const auto& v = snapped_.meshes[mesh].triangles[hit.primitive].vertex;
     const std::vector<glm::dvec3>& at = snapped_.meshes[mesh].vertices;
     const glm::dvec3 n = glm::cross(at[v[1]] - at[v[0]], at[v[2]] - at[v[0]]);
     return {place, glm::dot(n, at[v[0]] - o) / glm::dot(n, d)};
 }
 
-/// Of what is met at the same place the answer counts. The instance whose line it is, and the one that the
+/// Where the map is the identity, it is the scene's ray.
+bool Seams::is_line_of(const Line& line, std::uint32_t place) const {
+    return place == line.place ||
+           (world_.is_same(place) && (line.place == nowhere || world_.is_same(line.place)));
+}
+
+Seams::Met Seams::met_exactly(std::uint32_t place, const Question& question) const {
+    const oracle::Nearest met =
+        world_.solids().mesh_of(place).nearest(world_.solids().seen_by(place, question.ray));
+    const double t = first_of(met);
+    return t < endless ? Met{place, t} : Met{};
+}
+
+/// Of what is met at the same place the answer counts. The instances whose line it is, and the one that the
 /// ray leaves, in which it begins exactly on a triangle, are asked exactly.
 Seams::Met Seams::first_on(const Line& line, const Question& question) const {
     Met first{nowhere, question.end};
     for (std::uint32_t place = 0; place < maps_.size(); ++place) {
         Met met;
-        if (place == line.place || place == question.ray.home) {
+        if (is_line_of(line, place) || place == question.left) {
             if (question.ends_at_any) continue;   // nothing is in the way there: else there is no question
-            const oracle::FlatHit hit =
-                world_.solids().mesh_of(place).nearest(world_.solids().seen_by(place, question.ray)).flat;
-            if (hit.primitive != no_primitive) met = {place, double(hit.num) / double(hit.den)};
+            met = met_exactly(place, question);
         } else {
-            met = met_by_line(line, place);
+            met = met_by_line(line, place, question.ray.ray.finite);
         }
         if (met.place == nowhere) continue;
         const double gain = place == question.answer.place         ? -same_place
@@ -98,7 +139,7 @@ Seams::Met Seams::first_on(const Line& line, const Question& question) const {
 /// leaves an instance, by what it is off there.
 bool Seams::is_within_bound(const Line& line, const Met& met, const Question& question, double& apart) const {
     const auto rounded = [&](std::uint32_t place) {
-        if (place == nowhere) return 0.0;
+        if (place == nowhere || world_.is_same(place)) return 0.0;
         const oracle::SolidRay seen = world_.solids().seen_by(place, question.ray);
         if (place != question.ray.home) return std::ldexp(0.5, -seen.frac) + 0.5 * met.t;
         const glm::dvec3 off =
@@ -114,7 +155,7 @@ bool Seams::is_within_bound(const Line& line, const Met& met, const Question& qu
     for (int i = 0; i < 3; ++i) {
         const double grown = std::abs(between[0][i]) + std::abs(between[1][i]) + std::abs(between[2][i]),
                      bound = rounded(met.place) + grown * rounded(line.place);
-        share = std::max(share, off[i] / bound);
+        share = std::max(share, off[i] / (bound + of_doubles));
     }
     apart = std::max(apart, share);
     return share <= 1 + 1e-6;
@@ -124,10 +165,13 @@ RayFinding Seams::look(const Ray& ray, const Closest& answer, double* apart) con
     Question question{world_.ray(ray), ends_at_any(ray.kind)};
     if (question.ends_at_any && answer.found) return RayFinding::one_line;   // that of what is in the way
     if (RayKind(ray.kind) == RayKind::shadow) question.end = std::ldexp(1.0, -config_.origin_frac());
+    question.left = question.ray.home;
+    if (RayKind(ray.kind) != RayKind::camera && question.left == nowhere)   // it is the same there
+        question.left = world_.place_of(ray.self);
     if (answer.found) {
         const oracle::PlacedHit hit = world_.solids().nearest(question.ray);
-        if (hit.place == nowhere) return RayFinding::none;
-        question.answer = {hit.place, double(hit.hit.num) / double(hit.hit.den)};
+        if (hit.is_none()) return RayFinding::none;
+        question.answer = {world_.place_of(answer.prim), first_of({hit.hit, hit.sphere})};
     }
     std::vector<std::uint32_t> concerned{nowhere};
     const auto add = [&](std::uint32_t place) {
@@ -135,7 +179,7 @@ RayFinding Seams::look(const Ray& ray, const Closest& answer, double* apart) con
             concerned.push_back(place);
     };
     add(question.answer.place);
-    add(question.ray.home);
+    add(question.left);
     bool is_bounded = true;
     double most = 0;
     for (std::size_t i = 0; i < concerned.size(); ++i) {

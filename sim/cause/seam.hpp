@@ -10,7 +10,8 @@
 // within bound() of that instance's steps. If they are farther apart, that is no seam and nothing is found.
 //
 // Lines and what they meet are worked out in doubles, in each instance's space, on the corners of its
-// lattice; but what a line meets in its own instance is decided exactly.
+// lattice; but what a line meets in its own instance is decided exactly. Where the map is the identity, as of
+// the scene's own spheres and planes, the instance's line is the scene's ray.
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -51,7 +52,9 @@ private:
     Line line_of(std::uint32_t place, const oracle::PlacedRay& ray) const;
     /// What the line meets first, within 0 < t < end.
     Met first_on(const Line& line, const Question& question) const;
-    Met met_by_line(const Line& line, std::uint32_t place) const;
+    Met met_by_line(const Line& line, std::uint32_t place, bool is_finite) const;
+    bool is_line_of(const Line& line, std::uint32_t place) const;
+    Met met_exactly(std::uint32_t place, const Question& question) const;
     bool is_within_bound(const Line& line, const Met& met, const Question& question, double& apart) const;
 
     const PlacedWorld& world_;
@@ -64,6 +67,7 @@ private:
     std::vector<Map> maps_;
     PlacedScene snapped_;             // whose meshes have steps for units
     std::vector<Reference> meshes_;   // of these
+    std::optional<Reference> ends_;   // of spheres without planes
 };
 
 }   // namespace rayclock

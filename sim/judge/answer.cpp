@@ -61,20 +61,24 @@ const char* judge_values(const FlatHit& hit, const Config& c, const Closest& ans
     return nullptr;
 }
 
+double ticks_of(const FlatHit& hit, const Config& c) {
+    return std::ldexp(double(hit.num) / double(hit.den), tick_bits(c));
+}
+
 const char* judge_flat(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
                        const Closest& answer) {
     const FlatHit& hit = nearest.flat;
     if (hit.primitive != answer.prim)
         return solids.flat_hit(ray, answer.prim) ? "another primitive is closer" : "it misses that primitive";
-    const double ticks = std::ldexp(double(hit.num) / double(hit.den), tick_bits(c));
-    if (sphere_is_sooner(nearest, solids, ray, c, ticks)) return "a sphere is closer";
+    if (sphere_is_sooner(nearest, solids, ray, c, ticks_of(hit, c))) return "a sphere is closer";
     return judge_values(hit, c, answer);
 }
 
-const char* judge_sphere(const Nearest& nearest, const Solids& solids, const SolidRay& ray, const Config& c,
-                         const Closest& answer) {
-    const Solid& sphere = solids.all()[answer.prim];
-    const Meets which = oracle::meets_sphere(ray, sphere, ray.self == answer.prim);
+/// `first`: the answer's number of the first of `solids`; the closest triangle or plane is numbered likewise.
+const char* judge_sphere(const Nearest& nearest, const Solids& solids, std::uint32_t first,
+                         const SolidRay& ray, const Config& c, const Closest& answer) {
+    const Solid& sphere = solids.all()[answer.prim - first];
+    const Meets which = oracle::meets_sphere(ray, sphere, ray.self == answer.prim - first);
     if (which == Meets::no) return "it misses that sphere";
     const std::int64_t t = answer.t;
     const auto slack = std::int64_t(std::ceil(sphere_error(ray, sphere, c)));
@@ -137,9 +141,42 @@ const char* judge_answer(const Solids& solids, const Config& c, const Ray& ray, 
         return says_more(answer) ? "more is said of a miss than that it is one" : nullptr;
     }
     if (answer.prim >= solids.all().size()) return "there is no such primitive";
-    return solids.all()[answer.prim].kind == Solid::Kind::sphere ? judge_sphere(nearest, solids, r, c, answer)
-                                                                 : judge_flat(nearest, solids, r, c, answer);
+    return solids.all()[answer.prim].kind == Solid::Kind::sphere
+               ? judge_sphere(nearest, solids, 0, r, c, answer)
+               : judge_flat(nearest, solids, r, c, answer);
 }
+
+namespace {
+
+/// Of what is closest in all instances: a sphere was told, and is there.
+const char* judge_placed_sphere(const oracle::PlacedHit& nearest, const oracle::PlacedSolids& solids,
+                                std::uint32_t place, const oracle::PlacedRay& ray, const Config& c,
+                                const Closest& answer) {
+    Nearest seen{nearest.hit, nearest.sphere};
+    if (nearest.place != oracle::PlacedRay::nowhere)
+        seen.flat.primitive += solids.places()[nearest.place].first;
+    return judge_sphere(seen, solids.mesh_of(place), solids.places()[place].first, solids.seen_by(place, ray),
+                        c, answer);
+}
+
+/// The same of a triangle or plane.
+const char* judge_placed_flat(const oracle::PlacedHit& nearest, const oracle::PlacedSolids& solids,
+                              std::uint32_t place, const oracle::PlacedRay& ray, const Config& c,
+                              const Closest& answer) {
+    const std::uint32_t number = answer.prim - solids.places()[place].first;
+    if (nearest.place != place || nearest.hit.primitive != number)
+        return solids.mesh_of(place).flat_hit(solids.seen_by(place, ray), number)
+                   ? "another primitive is closer"
+                   : "it misses that primitive";
+    const std::uint32_t round = nearest.sphere_place;
+    if (round != oracle::PlacedRay::nowhere &&
+        sphere_is_sooner({nearest.hit, nearest.sphere}, solids.mesh_of(round), solids.seen_by(round, ray), c,
+                         ticks_of(nearest.hit, c)))
+        return "a sphere is closer";
+    return judge_values(nearest.hit, c, answer);
+}
+
+}   // namespace
 
 const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& ray, const Closest& answer) {
     constexpr std::uint32_t nowhere = oracle::PlacedRay::nowhere;
@@ -158,18 +195,17 @@ const char* judge_answer(const PlacedWorld& world, const Config& c, const Ray& r
     }
     const oracle::PlacedHit nearest = solids.nearest(r);
     if (!answer.found) {
-        if (nearest.place != nowhere) return "it meets something";
+        if (!nearest.is_none()) return "it meets something";
         return says_more(answer) ? "more is said of a miss than that it is one" : no_place(answer);
     }
     const std::uint32_t place = world.place_of(answer.prim);
     if (place == nowhere) return "there is no such primitive";
-    const std::uint32_t number = answer.prim - solids.places()[place].first;
-    if (nearest.place != place || nearest.hit.primitive != number)
-        return solids.mesh_of(place).flat_hit(solids.seen_by(place, r), number)
-                   ? "another primitive is closer"
-                   : "it misses that primitive";
-    if (c.has_homes() && answer.place != world.line(place)) return "it meets another instance";
-    return judge_values(nearest.hit, c, answer);
+    const Solid& met = solids.mesh_of(place).all()[answer.prim - solids.places()[place].first];
+    const char* const wrong = met.kind == Solid::Kind::sphere
+                                  ? judge_placed_sphere(nearest, solids, place, r, c, answer)
+                                  : judge_placed_flat(nearest, solids, place, r, c, answer);
+    if (wrong) return wrong;
+    return c.has_homes() && answer.place != world.line(place) ? "it meets another instance" : nullptr;
 }
 
 }   // namespace rayclock

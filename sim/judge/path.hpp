@@ -108,7 +108,11 @@ private:
     Vec3i point_at(const PassIn& in) const;
     Home home_of(const ShadeState& s, const Vec3i& d) const;
     Home home_from(const ShadeState& s, const Vec3i& light) const;
-    const Vec3i& way_of(const Expected& ray) const { return rules_.placed ? ray.home.d : ray.d; }
+    /// What was hit lies in an instance that turns rays. Where none is turned, all is as in one level.
+    bool is_turned() const {
+        return visit_.place != oracle::PlacedRay::nowhere && !rules_.placed->is_same(visit_.place);
+    }
+    const Vec3i& way_of(const Expected& ray) const { return is_turned() ? ray.home.d : ray.d; }
     void ambient(const ShadeState& s);
     void background(std::uint32_t weight, const Range& exact);
 

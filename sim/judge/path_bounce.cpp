@@ -90,7 +90,7 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
             -one, one));
     });
     judge_refracted(d);
-    if (dot(s.n, rules_.placed ? home_of(s, d).d : d) >= 0)
+    if (dot(s.n, is_turned() ? home_of(s, d).d : d) >= 0)
         return demand(!out.push, "a refracted ray leaves on the side from which it came");
     const std::optional<Vec3i> start = start_of(s, d);
     if (!start) {
@@ -122,7 +122,7 @@ void PathJudge::reflect(const PassIn& in, const PassOut& out) {
             nearest_of_power(2 * Int128(s.cosine) * s.normal[k], unit_bits) - s.view[k], -one, one));
     });
     judge_reflected(d);
-    const bool due = follows(weight) && dot(s.n, rules_.placed ? home_of(s, d).d : d) > 0;
+    const bool due = follows(weight) && dot(s.n, is_turned() ? home_of(s, d).d : d) > 0;
     const std::optional<Vec3i> start = start_of(s, d);
     if (!due || !start) {
         if (due) background(weight.promised, weight.exact);
@@ -187,8 +187,8 @@ void PathJudge::judge_refracted(const Vec3i& d) {
     const ExactBend bend = exact_bend();
     const double full = std::exp2(config_.dir_bits - 2);
     for (int k = 0; k < 3; ++k) {
-        const Range normal = Range::around(place_.normal[k],
-                                           rules_.placed ? place_.normal_error : component_error),
+        const Range normal =
+                        Range::around(place_.normal[k], is_turned() ? place_.normal_error : component_error),
                     view = Range::around(place_.view[k], component_error);
         const Range bent = (bend.along * normal - bend.ratio * view).wider(0.5 * unit_step).clamped(-1, 1);
         demand(bent.wider(0.5 / full).holds(d[std::size_t(k)] / full), "a refracted ray goes elsewhere");

@@ -25,6 +25,12 @@ void PathJudge::turn(const PassIn& in, const PassOut& out) {
     same.event = s.event, same.light = s.light, same.pending = s.pending, same.colour = s.colour;
     demand(same == s, "what was found on the surface is not kept when it is turned");
     demand(s.inner == before.o, "the point in the mesh is not kept");
+    if (!is_turned()) {
+        demand(s.o == before.o && s.normal == before.normal && s.view == before.view &&
+                   s.cosine == before.cosine,
+               "a surface is turned where nothing is");
+        return demand_lights(s);
+    }
     const Vec3i point = point_at(in);
     for (std::size_t k = 0; k < 3; ++k)
         demand(s.o[k] == point[k], "a secondary ray's origin is not the point that was hit");
@@ -50,7 +56,7 @@ void PathJudge::turn(const PassIn& in, const PassOut& out) {
 Home PathJudge::home_of(const ShadeState& s, const Vec3i& d) const {
     Home home;
     if (visit_.place == oracle::PlacedRay::nowhere) return home;
-    home.line = rules_.placed->line(visit_.place);
+    home.line = is_turned() ? rules_.placed->line(visit_.place) : 0;   // 0: no instance's
     home.o = by_axis([&](std::size_t k) { return std::int32_t(s.inner[k]); });
     home.d = oracle::placed_direction(rules_.placed->solids().places()[visit_.place], d, config_.map_frac());
     return home;
@@ -64,7 +70,7 @@ Home PathJudge::home_from(const ShadeState& s, const Vec3i& light) const {
     const Vec3i whole = by_axis([&](std::size_t k) { return light[k] >> frac; });
     const Vec3i moved =
         oracle::placed_point(rules_.placed->solids().places()[visit_.place], whole, 0, config_.map_frac());
-    home.line = rules_.placed->line(visit_.place);
+    home.line = is_turned() ? rules_.placed->line(visit_.place) : 0;
     home.o = by_axis([&](std::size_t k) { return moved[k] * (1 << frac); });
     home.d = by_axis([&](std::size_t k) { return std::int32_t(s.inner[k] - home.o[k]); });
     return home;

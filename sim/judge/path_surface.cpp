@@ -153,7 +153,7 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
             (whole - u - v) * surface.normal[k] + u * surface.normal[3 + k] + v * surface.normal[6 + k];
         toward[k] = surface.smooth ? std::int64_t(smooth) * (answer_.back ? -1 : 1) : s.n[k];
     }
-    demand(dot(s.n, rules_.placed ? visit_.ray.direction : in.d) < 0,
+    demand(dot(s.n, is_turned() ? visit_.ray.direction : in.d) < 0,
            "the normal points away from the side that is seen");
 
     demand(s.albedo == expected_albedo(surface), "the colour is another square's");
@@ -163,9 +163,13 @@ void PathJudge::judge_flat_place(const PassIn& in, const ShadeState& s, Vec3l& t
 /// where u and v tell no squares: they are saturated, or squares are finer than they are. A square that is
 /// longer than u and v reach is the one around a.
 PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
-    const std::size_t planes = rules_.asked.scene.triangles.size() + rules_.asked.scene.spheres.size();
     if (PrimKind(surface.kind) != PrimKind::plane || !surface.checkered) return surface.colour;
-    const Material& material = material_of(rules_.asked.scene, answer_.prim);
+    const Scene& scene = rules_.asked.scene;
+    const Material& material =
+        rules_.placed ? rules_.placed->material(answer_.prim) : material_of(scene, answer_.prim);
+    const Plane& plane = rules_.placed
+                             ? rules_.placed->plane(answer_.prim)
+                             : scene.planes[answer_.prim - scene.triangles.size() - scene.spheres.size()];
     const auto shade = [](double value) {
         return std::uint32_t(std::floor(std::clamp(value, 0.0, 1.0) * std::exp2(share_bits) + 0.5));
     };
@@ -174,8 +178,7 @@ PathJudge::Colour PathJudge::expected_albedo(const Surface& surface) const {
         first[k] = shade(material.colour[int(k)]), second[k] = shade(material.other[int(k)]);
         between[k] = (first[k] + second[k]) / 2;
     }
-    const PlaneOnLattice on =
-        plane_on_lattice(rules_.asked.scene.planes[answer_.prim - planes], rules_.asked.lattice);
+    const PlaneOnLattice on = plane_on_lattice(plane, rules_.asked.lattice);
     const std::int64_t last = (std::int64_t(1) << (config_.uv_bits() - 1)) - 1;
     bool odd = false;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -268,7 +271,7 @@ void PathJudge::light(const PassIn& in, const PassOut& out) {
     const Vec3i from = by_axis([&](std::size_t k) {
         return near ? frame_.shade.place[3 * number + k] * (1 << config_.origin_bits) : 0;
     });
-    if (rules_.placed) ray.home = near ? home_from(s, from) : home_of(s, ray.d);
+    if (rules_.placed) ray.home = to_the_point ? home_from(s, from) : home_of(s, ray.d);
     const Int128 side = dot(s.n, way_of(ray)) * (near ? -1 : 1);
     const bool clear = frame_.shade.clear[number] != 0;
     if (side <= 0 || out.light.cosine == 0 || (place_.is_far && !clear)) {

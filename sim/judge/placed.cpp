@@ -22,8 +22,12 @@ PlacedScene alone(const Scene& scene) {
     PlacedScene placed;
     placed.own.vertices = scene.vertices, placed.own.normals = scene.normals;
     placed.own.triangles = scene.triangles;
+    placed.own.spheres = scene.spheres, placed.own.planes = scene.planes;
     return placed;
 }
+
+/// What stands in place of a mesh's number: the scene's own triangles, and its spheres and planes.
+constexpr std::uint32_t own_triangles = no_primitive, own_round = no_primitive - 1;
 
 SharedMesh own_mesh_of(const Scene& own) { return {"", own.vertices, own.normals, own.triangles}; }
 
@@ -41,7 +45,8 @@ Lattice steps(int coord_bits) {
     return lattice;
 }
 
-bool has_area(const oracle::Solid& solid) {
+bool can_be_met(const oracle::Solid& solid) {
+    if (solid.kind == oracle::Solid::Kind::sphere) return solid.radius_squared > 0;
     return oracle::normal<std::int64_t>(solid.corners) != oracle::Triple<std::int64_t>{};
 }
 
@@ -72,16 +77,18 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
     for (std::size_t c = 0; c < lattices.classes.size(); ++c)
         for (const Placed& placed : instances_)
             if (placed.mesh_class == c) {
-                classes_.push_back(make(scene,
-                                        placed.mesh == no_primitive ? own_mesh : scene.meshes[placed.mesh],
-                                        lattices.classes[c]));
+                classes_.push_back(
+                    placed.mesh == own_round
+                        ? make_round(scene, lattices.classes[c].lattice)
+                        : make(scene, placed.mesh == own_triangles ? own_mesh : scene.meshes[placed.mesh],
+                               lattices.classes[c]));
                 break;
             }
     read_maps(image);
     std::vector<SolidPlace> places;
     for (Placed& placed : instances_) {
         const Made& made = classes_[placed.mesh_class];
-        const bool is_there = std::any_of(made.solids.begin(), made.solids.end(), has_area);
+        const bool is_there = std::any_of(made.solids.begin(), made.solids.end(), can_be_met);
         const auto fault = [&](const std::string& what) { faults_.push_back(placed.name + what); };
         if (placed.found.size() != (is_there ? 1u : 0u))
             fault(" is placed " + std::to_string(placed.found.size()) + " times by memory");
@@ -93,6 +100,12 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
         glm::dmat3 linear;
         for (int i = 0; i < 9; ++i) linear[i % 3][i / 3] = double(place.a[std::size_t(i)]);
         placed.is_mirrored = glm::determinant(linear) < 0;
+        placed.is_same = linear == std::ldexp(1.0, config_.map_frac()) * glm::dmat3(1) &&
+                         place.b == std::array<std::int64_t, 3>{};
+        if (is_there && config_.shading && (map.same != 0) != placed.is_same)
+            fault(map.same ? " is said to be placed by the identity, and is not"
+                           : " is placed by the identity, and memory does not say so");
+        if (is_there && placed.mesh == own_round && !placed.is_same) fault(" are not placed by the identity");
     }
     std::vector<Solids> meshes;
     for (const Made& made : classes_) meshes.emplace_back(made.solids);
@@ -100,7 +113,7 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
                     config_.dir_bits);
 }
 
-/// In the order of their primitives' numbers; no_primitive is the scene's own mesh.
+/// In the order of their primitives' numbers: spheres and planes come last.
 void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& lattices) {
     std::uint32_t first = 0;
     const auto add = [&](Placed placed, std::size_t triangles) {
@@ -111,7 +124,7 @@ void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& 
         instances_.push_back(std::move(placed));
     };
     Placed own;
-    own.name = "the scene's own mesh", own.mesh = no_primitive;
+    own.name = "the scene's own mesh", own.mesh = own_triangles;
     add(std::move(own), scene.own.triangles.size());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
@@ -120,6 +133,17 @@ void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& 
         placed.place = instance.place, placed.material = instance.material;
         add(std::move(placed), scene.meshes[instance.mesh].triangles.size());
     }
+    Placed round;
+    round.name = "the scene's own spheres and planes", round.mesh = own_round;
+    add(std::move(round), scene.own.spheres.size() + scene.own.planes.size());
+}
+
+PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene, const Lattice& lattice) const {
+    Made made;
+    made.scene.spheres = scene.own.spheres, made.scene.planes = scene.own.planes;
+    made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
+    made.solids = solids_of(made.scene, lattice, config_.coord_bits);
+    return made;
 }
 
 /// The corners are moved as those of a flat scene are (aligned()), and normals as planes of the lattice.
@@ -252,6 +276,12 @@ Surface PlacedWorld::surface(std::uint32_t primitive) const {
     return expected_surface(made.scene, made.solids, config_, primitive - placed.first, material(primitive));
 }
 
+const Plane& PlacedWorld::plane(std::uint32_t primitive) const {
+    const Placed& placed = instances_[place_of(primitive)];
+    const Scene& scene = classes_[placed.mesh_class].scene;
+    return scene.planes[primitive - placed.first - scene.spheres.size()];
+}
+
 bool PlacedWorld::is_map_of(std::uint32_t place, const Placement& placement) const {
     const Placed& placed = instances_[place];
     return !placed.found.empty() && placed.found[0] == placement;
@@ -274,6 +304,12 @@ PlacedScene PlacedWorld::snapped() const {
     }
     for (std::uint32_t i = 0; i < instances_.size(); ++i) {
         const SolidPlace& map = solids_->places()[i];
+        if (instances_[i].mesh == own_round) {
+            const Scene& round = classes_[instances_[i].mesh_class].scene;
+            scene.own.spheres = round.spheres, scene.own.planes = round.planes;
+            snap_round(asked_.lattice, scene.own);
+            continue;
+        }
         glm::dmat4 there(1);
         for (std::size_t row = 0; row < 3; ++row) {
             for (std::size_t k = 0; k < 3; ++k)

@@ -31,17 +31,20 @@ public:
     /// The instance in a line; `nowhere` if there is none.
     std::uint32_t place_at(std::uint32_t line) const;
     bool is_mirrored(std::uint32_t place) const { return instances_[place].is_mirrored; }
+    /// A ray is there what it is in the scene: the map is the identity.
+    bool is_same(std::uint32_t place) const { return instances_[place].is_same; }
     /// The ray, as the instances see it.
     oracle::PlacedRay ray(const Ray& ray) const;
     const Material& material(std::uint32_t primitive) const;
     Surface surface(std::uint32_t primitive) const;
+    const Plane& plane(std::uint32_t primitive) const;
     bool is_map_of(std::uint32_t place, const Placement& placement) const;
     /// Shared meshes on their lattices, in steps, where the maps in memory put them, in steps of the scene's
     /// lattice: what is left of the reference's world when only corners and maps are rounded.
     PlacedScene snapped() const;
 
 private:
-    /// A mesh on the lattice of a class: its unit is a step.
+    /// A mesh on the lattice of a class: its unit is a step. Spheres and planes are as they are in the scene.
     struct Made {
         Scene scene;
         std::vector<oracle::Solid> solids;
@@ -53,11 +56,13 @@ private:
         glm::dmat4 place{1};
         std::optional<std::uint32_t> material;
         bool is_mirrored = false;   ///< its map mirrors: b and c of the mesh stand the other way round
+        bool is_same = false;
         std::vector<Placement> found;
     };
 
     void list_instances(const PlacedScene& scene, const LevelLattices& lattices);
     Made make(const PlacedScene& scene, const SharedMesh& mesh, const LevelLattices::Class& of) const;
+    Made make_round(const PlacedScene& scene, const Lattice& lattice) const;
     void read_maps(const MemoryImage& image);
     void judge_map(const Placed& placed, const LevelLattices::Class& of, const Placement& map);
 

@@ -152,6 +152,16 @@ std::vector<Solid> solids_of(const Scene& scene, const Lattice& lattice, int coo
     return solids;
 }
 
+void snap_round(const Lattice& lattice, Scene& scene) {
+    for (Sphere& s : scene.spheres) {
+        const double radius = s.radius / lattice.pitch.x;
+        const Vec3i centre = lattice.snap(s.centre);
+        s.centre = {centre[0], centre[1], centre[2]};
+        s.radius = std::sqrt(std::max(1.0, std::round(radius * radius)));
+    }
+    for (Plane& p : scene.planes) p = snapped_plane(p, lattice);
+}
+
 Surface expected_surface(const Scene& scene, const std::vector<Solid>& solids, const Config& config,
                          std::size_t i) {
     return expected_surface(scene, solids, config, i, material_of(scene, i));

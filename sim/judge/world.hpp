@@ -22,6 +22,9 @@ struct Asked {
 /// triangles lie on coarser points (aligned()): `scene` is the scene with those moved.
 std::vector<oracle::Solid> solids_of(const Scene& scene, const Lattice& lattice, int coord_bits);
 
+/// Spheres and planes of a scene as the lattice has them, in its steps.
+void snap_round(const Lattice& lattice, Scene& scene);
+
 const Material& material_of(const Scene& scene, std::size_t primitive);
 
 /// Primitive i's surface: corners and material, each number the nearest that its format has.

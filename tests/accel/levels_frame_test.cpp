@@ -122,7 +122,7 @@ TEST_CASE("what two levels cannot do is refused", "[levels]") {
     };
     Config config = format(18, 20);
     CHECK(refused(config, scene).empty());
-    config.shading = config.spheres = 1;
+    config.primitive_test = int(PrimitiveTest::sheared);
     CHECK(refused(config, scene).find("levels=2 needs") != std::string::npos);
     config = format(18, 20);
     config.structure = int(Structure::none);
@@ -133,7 +133,7 @@ TEST_CASE("what two levels cannot do is refused", "[levels]") {
     config = format(18, 20);
     PlacedScene round = scene;
     round.own.spheres.emplace_back();
-    CHECK(refused(config, round).find("no true spheres") != std::string::npos);
+    CHECK(refused(config, round).find("spheres is 0") != std::string::npos);
     config.prim_bits = 5;
     CHECK(refused(config, scene).find("prim_bits is 5") != std::string::npos);
     PlacedScene small = scene;

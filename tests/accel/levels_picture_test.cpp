@@ -64,3 +64,49 @@ TEST_CASE("finished pictures of instances are the reference's", "[levels][second
     CHECK(two.trace.counts.reflection > 500);
     CHECK(two.trace.counts.refraction > 100);
 }
+
+TEST_CASE("a plane and true spheres beside instances are the reference's, in every structure",
+          "[levels][secondary]") {
+    const bool is_smooth = GENERATE(false, true);
+    const Scene scene = flattened(mixed_with_round(is_smooth));
+    constexpr FrameSize size{64, 48};
+    Whitted settings;
+    settings.depth = 4;
+    const WhittedFrame right = Reference(scene).whitted(*scene.camera, size, settings, 1);
+    std::vector<std::array<std::uint32_t, 3>> first;
+    for (const Structure structure : tree_structures) {
+        const Drawn two = drawn(scene, size, settings, of_structure(format(18, 20), structure), 2);
+        INFO(structure_names()[std::size_t(structure)]);
+        const double with_two = psnr(two.picture, right.pixels);
+        CAPTURE(with_two);
+        CHECK(with_two >= 40);
+        const auto& colours = two.trace.colours;
+        if (first.empty()) first.assign(colours.begin(), colours.end());
+        CHECK(std::equal(colours.begin(), colours.end(), first.begin(), first.end()));
+        CHECK(two.trace.counts.reflection > 500);
+        CHECK(two.trace.counts.refraction > 100);
+    }
+}
+
+TEST_CASE("what is not placed is drawn by two levels as by one, bit for bit", "[levels][secondary]") {
+    const Structure structure = GENERATE(from_range(tree_structures));
+    const std::string name = GENERATE("spheres", "plane", "mirrors", "balls:1", "gears:1");
+    CAPTURE(name, structure_names()[std::size_t(structure)]);
+    const Scene scene = make_builtin(name, Primitives::native);
+    constexpr FrameSize size{40, 30};
+    Whitted settings;
+    settings.depth = 3;
+    const Config config = of_structure(format(18, 20), structure);
+    const Drawn two = drawn(scene, size, settings, config, 2), one = drawn(scene, size, settings, config, 1);
+    const std::vector<Closest>&a = two.trace.hits, &b = one.trace.hits;
+    REQUIRE(a.size() == b.size());
+    std::size_t wrong = 0, found = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        wrong += a[i].found != b[i].found || a[i].prim != b[i].prim || a[i].t != b[i].t ||
+                 two.trace.colours[i] != one.trace.colours[i];
+        found += a[i].found;
+    }
+    CHECK(wrong == 0);
+    CHECK(found > 100);
+    CHECK(two.trace.counts.all() == one.trace.counts.all());
+}

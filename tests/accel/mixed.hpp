@@ -50,4 +50,15 @@ inline PlacedScene mixed(bool is_smooth) {
     return scene;
 }
 
+/// The same on a checkered plane, beside two true spheres, of which one is of glass.
+inline PlacedScene mixed_with_round(bool is_smooth) {
+    PlacedScene scene = mixed(is_smooth);
+    Scene& own = scene.own;
+    own.vertices.clear(), own.normals.clear(), own.triangles.clear();
+    own.materials[0].checkered = true;
+    own.planes = {{{0.2, -1, 0.1}, {1.3, 0, 0}, {0, 0, -1.3}, 0}};
+    own.spheres = {{{-0.9, -0.6, 2.9}, 0.4, 3}, {{1.4, 0.9, -0.4}, 0.5, 2}};
+    return scene;
+}
+
 }   // namespace rayclock

@@ -128,7 +128,7 @@ mutant(corner_normals_scaled_as_points FILE model/accel/levels/compile.cpp TEST 
   OLD [[unit_or_zero(normal * made.lattice.pitch);]]
   NEW [[unit_or_zero(normal / made.lattice.pitch);]])
 mutant(levels_boxes_of_camera_rays_only FILE model/accel/levels/fit.cpp TEST accel [secondary]
-  OLD [[if (config.shading) map.off =]]
+  OLD [[if (config.shading && !map.is_same) map.off =]]
   NEW [[if (config.shading && made.longest < 0) map.off =]])
 mutant(levels_boxes_forget_where_bounces_begin FILE model/accel/levels/fit.cpp TEST accel [secondary]
   OLD [[off = begin + slope * reach(begin, bounce);]]
@@ -137,10 +137,51 @@ mutant(levels_boxes_forget_the_longest_edge FILE model/accel/levels/fit.cpp TEST
   OLD [[+ 2.5 * frac * made.longest;]]
   NEW [[+ 0 * made.longest;]])
 
+# ---- What a ray is the same in, planes and spheres.
+mutant(surface_is_turned_where_it_is_the_same FILE model/shade/surf.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+  OLD [[if (in.placement.same) return;]]
+  NEW [[if (in.placement.same && in.placement.here == 0) return;]])
+mutant(camera_ray_leaves_a_sphere FILE model/isect/any.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+  OLD [[RayKind(ray.kind) != RayKind::camera && sphere]]
+  NEW [[sphere]])
+mutant(planes_have_an_end_above FILE model/accel/levels/maps.cpp TEST accel "what is not placed is drawn by two levels as by one*"
+  OLD [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, box.hi};]]
+  NEW [[if (box.lo[0] <= box.hi[0]) made.points = {box.lo, {0, 0, 0}};]])
+
+# ---- Their judge.
+set(round_judge "every ray of planes and true spheres beside instances*")
+mutant(oracle_of_levels_forgets_planes FILE model/oracle/placed.cpp TEST system ${round_judge}
+  OLD [[all.is_endless = true;]]
+  NEW [[all.is_endless = false;]])
+mutant(oracle_of_levels_forgets_the_surface_left FILE model/oracle/placed.cpp TEST system ${round_judge}
+  OLD [[seen.self = is_own ?]]
+  NEW [[seen.self = is_own && place == 0 ?]])
+mutant(oracle_of_levels_forgets_spheres FILE model/oracle/placed.cpp TEST system ${round_judge}
+  OLD [[best.sphere_place = place, best.sphere = found.sphere;]]
+  NEW [[best.sphere_place = PlacedRay::nowhere;]])
+mutant(judge_of_levels_turns_what_is_the_same FILE sim/judge/path_placed.cpp TEST system ${round_judge}
+  OLD [[if (!is_turned()) {]]
+  NEW [[if (!is_turned() && visit_.place == 0) {]])
+mutant(judge_of_levels_believes_any_identity FILE sim/judge/placed.cpp TEST system "the judge sees memory*"
+  OLD [[if (is_there && config_.shading && (map.same != 0) != placed.is_same)]]
+  NEW [[if (is_there && config_.shading && map.same == 2)]])
+mutant(judge_of_levels_takes_any_sphere FILE sim/judge/answer.cpp TEST system "an answer of planes and true spheres*"
+  OLD [[const char* const wrong = met.kind == Solid::Kind::sphere]]
+  NEW [[const char* const wrong = met.kind == Solid::Kind::sphere ? nullptr : met.kind == Solid::Kind::sphere]])
+
 # ---- The same in RTL.
 mutant(rtl_list_forgets_the_instance_that_was_hit FILE rtl/list/rc_list.sv TEST system "model and RTL draw instances alike"
   OLD [[.clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),]]
   NEW [[.clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here | (here & {A{1'b0}})),]])
+mutant(rtl_surface_is_turned_where_it_is_the_same FILE rtl/shade/rc_turnout.sv TEST system "model and RTL draw planes and true spheres*"
+  OLD [[if (home_i != '0) begin]]
+  NEW [[if (home_i != '1) begin]])
+mutant(rtl_camera_ray_leaves_a_sphere FILE rtl/isect/rc_tri.sv TEST system "model and RTL draw planes and true spheres*"
+  OLD [[(in_any || in.kind == rc_pkg::RayBounce) && in.self]]
+  NEW [[(in_any || in_leaves) && in.self]])
+mutant(rtl_list_forgets_what_a_ray_asks FILE rtl/list/rc_list.sv TEST system "model and RTL draw planes and true spheres*"
+  OLD [[.read_addr_i(change_i.ray), .read_data_o(kept_asks));]]
+  NEW [[.read_addr_i(~change_i.ray), .read_data_o(kept_asks));]])
 mutant(rtl_xform_forgets_home FILE rtl/xform/rc_xform.sv TEST system "model and RTL draw instances alike"
   OLD [[in.kind != rc_pkg::RayCamera && in.home == in.here;]]
   NEW [[1'b0 && in.home == in.here;]])
@@ -182,9 +223,10 @@ mutant(judge_levels_normal_turned_as_a_direction FILE model/shade/surf.cpp TEST 
   OLD [[in.placement.a[3 * i + k]) * state.normal[i];]]
   NEW [[in.placement.a[3 * k + i]) * state.normal[i];]])
 mutant(judge_levels_point_is_not_kept FILE model/shade/surf.cpp TEST simulate "${gears_levels}"
-  OLD [[    state.inner = state.o;
+  OLD [[    if (in.placement.same) return;
     ray_at(in, c, state.o);]]
-  NEW [[    ray_at(in, c, state.o);
+  NEW [[    if (in.placement.same) return;
+    ray_at(in, c, state.o);
     state.inner = state.o;]])
 mutant(judge_levels_map_is_cut FILE model/accel/levels/fit.cpp TEST simulate "gearbox:2 --set levels=2"
   OLD [[sum > one ? std::trunc(exact[k]) : std::round(exact[k]);]]

@@ -116,6 +116,54 @@ TEST_CASE("every ray and colour of a sound picture of instances is right, and al
     }
 }
 
+TEST_CASE("every ray of planes and true spheres beside instances is judged, in every structure",
+          "[judge][levels]") {
+    for (const Structure structure : tree_structures) {
+        INFO(structure_names()[std::size_t(structure)]);
+        check_sound(Case(mixed_with_round(false), true, of_structure(named_config("default"), structure), 5));
+    }
+    check_sound(Case(mixed_with_round(true), true, named_config("small"), 3, 2));
+    check_sound(Case(mixed_with_round(false), true, formats(16, 18, 12)));
+    for (const char* name : {"spheres", "plane", "mirrors"}) {
+        INFO(name);
+        PlacedScene placed;
+        placed.own = make_builtin(name, Primitives::native);
+        const Case made(placed, true, named_config("default"), 4);
+        const PictureJudgement j = made.judged();
+        CHECK(j.wrong == 0);
+        CHECK(j.rays.shadow == made.trace.trace.counts.shadow);
+    }
+}
+
+TEST_CASE("an answer of planes and true spheres beside instances that is off in anything is wrong",
+          "[judge][levels]") {
+    Case made(mixed_with_round(false), true, named_config("default"), 2);
+    REQUIRE(made.judged().wrong == 0);
+    std::vector<Closest>& hits = made.trace.trace.hits;
+    const std::size_t triangles = made.scene.triangles.size();
+    const auto seen = [&](std::size_t first, std::size_t count) {
+        const auto at = std::find_if(hits.begin(), hits.end(), [&](const Closest& c) {
+            return c.found && c.prim >= first && c.prim < first + count;
+        });
+        REQUIRE(at != hits.end());
+        return at;
+    };
+    const auto is_wrong = [&](Closest& at, const std::function<void(Closest&)>& change) {
+        const Closest before = at;
+        change(at);
+        CHECK(made.judged().wrong == 1);
+        at = before;
+    };
+    Closest &sphere = *seen(triangles, 2), &plane = *seen(triangles + 2, 1), &triangle = *seen(0, triangles);
+    is_wrong(sphere, [](Closest& c) { c.t += 64; });
+    is_wrong(sphere, [](Closest& c) { --c.t; });
+    is_wrong(sphere, [](Closest& c) { c.prim ^= 1; });
+    is_wrong(plane, [](Closest& c) { ++c.t; });
+    is_wrong(plane, [&](Closest& c) { c.prim = std::uint32_t(triangles); });
+    is_wrong(triangle, [&](Closest& c) { c = sphere; });
+    is_wrong(triangle, [](Closest& c) { c = {}; });
+}
+
 TEST_CASE(
     "whichever way instances are turned, sheared, mirrored and scaled, the judge finds a sound picture right",
     "[judge][levels]") {
@@ -178,6 +226,14 @@ TEST_CASE("the judge sees memory that does not hold the scene's instances", "[ju
     SECTION("another line") {
         made.change_line(line, [](Placement& p) { p.here += 1; });
         says("instance 0 is told that it lies in another line of memory");
+    }
+    SECTION("a turned instance that is said to be where the scene is") {
+        made.change_line(line, [](Placement& p) { p.same = 1; });
+        says("instance 0 is said to be placed by the identity, and is not");
+    }
+    SECTION("the scene's own mesh, and memory does not say so") {
+        made.change_line(made.line_of(0), [](Placement& p) { p.same = 0; });
+        says("the scene's own mesh is placed by the identity, and memory does not say so");
     }
     SECTION("another material") {
         made.change_line(made.line_of(2 + 1280), [](Placement& p) { p.material = 0; });

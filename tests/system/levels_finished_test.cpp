@@ -19,6 +19,24 @@ Config chip(const std::string& name, bool is_smooth, const Values& more) {
     return fitted_config(flattened(mixed(is_smooth)), settings, with(quick_config(name), values));
 }
 
+/// With a plane and true spheres beside the instances.
+Config round_chip(const std::string& name, const Values& more) {
+    Values values{{"levels", 2}, {"stack_depth", 64}};
+    values.insert(values.end(), more.begin(), more.end());
+    Whitted settings;
+    settings.depth = 4;
+    return fitted_config(flattened(mixed_with_round(false)), settings, with(quick_config(name), values));
+}
+const std::vector<Config>& round_chips() {
+    static const std::vector<Config> all{round_chip("default", {{"structure", int(Structure::kd)}}),
+                                         round_chip("small", {{"shade_interval", 4},
+                                                              {"timing", 1},
+                                                              {"raygen_queue", 32},
+                                                              {"box_queue", 32},
+                                                              {"tri_queue", 64}})};
+    return all;
+}
+
 const std::vector<Config>& chips() {
     static const std::vector<Config> all{
         chip("default", true, {}),
@@ -53,6 +71,8 @@ TEST_CASE("the RTL of two levels that shades builds", "[.build]") {
     std::vector<RtlJob> jobs;
     for (const Config& config : chips())
         jobs.push_back({"rc_chip", config.name + ", two levels, finished", config});
+    for (const Config& config : round_chips())
+        jobs.push_back({"rc_chip", config.name + ", two levels with planes and spheres", config});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
@@ -70,4 +90,19 @@ TEST_CASE("model and RTL draw instances alike", "[levels]") {
     CHECK(result.model.rays.refraction > 5);
     settings.aa = 1;
     check_lockstep(job_of(scene, {10, 8}, config, settings), {9, 30, 77}, 77);
+}
+
+TEST_CASE("model and RTL draw planes and true spheres beside instances alike", "[levels]") {
+    const Config config = GENERATE(from_range(round_chips()));
+    INFO(config.name << ", a pass every " << config.shade_interval);
+    const Scene scene = flattened(mixed_with_round(false));
+    Whitted settings;
+    settings.depth = 4;
+    const LockstepResult result = check_lockstep(job_of(scene, {16, 12}, config, settings));
+    CHECK(result.model.rays.shadow > 100);
+    CHECK(result.model.rays.refraction > 5);
+    check_lockstep(job_of(scene, {10, 8}, config, settings), {9, 30, 77}, 77);
+    // Far away on the plane, from where rays must find the lattice.
+    const Scene plane = make_builtin("plane");
+    check_lockstep(job_of(plane, {16, 12}, fitted_config(plane, settings, config), settings));
 }

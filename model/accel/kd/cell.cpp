@@ -29,7 +29,10 @@ LatticeBox space_of(const Config& config) {
 }   // namespace
 
 Pieces::Pieces(const std::vector<LatticeBox>& boxes, const Config& config)
-    : clippers_(boxes.begin(), boxes.end()), space_(space_of(config)) {}
+    : clippers_(boxes.begin(), boxes.end()), space_(space_of(config)) {
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (boxes[i] == space_) endless_.push_back(i);
+}
 
 Pieces::Pieces(const std::vector<PrimData>& prims, const Config& config) : space_(space_of(config)) {
     clippers_.reserve(prims.size());

@@ -59,7 +59,7 @@ struct Region {
 class Pieces {
 public:
     Pieces(const std::vector<PrimData>& prims, const Config& config);
-    /// Of full boxes, which must lie in the lattice.
+    /// Of full boxes, which must lie in the lattice. One that is all of it has no end.
     Pieces(const std::vector<LatticeBox>& boxes, const Config& config);
     std::size_t size() const { return clippers_.size(); }
     /// All of them, in all of space.

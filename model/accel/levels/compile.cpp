@@ -65,10 +65,11 @@ private:
                     {&map, std::uint32_t(number), 0, 0, 0, lower.report.stack_need, lower.report.depth});
                 out_.of_entry.push_back(std::uint32_t(i));
             }
-            number += parts_.meshes[parts_.instances[i].mesh]->triangles.size();
+            number += parts_.count(parts_.instances[i].mesh);
         }
         if (out_.entries.empty())
-            throw UserError(name_ + ": all " + std::to_string(number) + " triangles vanish on a lattice of " +
+            throw UserError(name_ + ": all " + std::to_string(number) +
+                            (parts_.round ? " primitives" : " triangles") + " vanish on a lattice of " +
                             std::to_string(config_.coord_bits) +
                             " bits; a larger coord_bits or an eye closer to the scene would help");
     }
@@ -83,7 +84,7 @@ private:
 
     void compile_class(std::size_t c) {
         const MeshClass& made = out_.maps.classes[c];
-        const std::vector<PrimData> prims = snapped_triangles(*parts_.meshes[made.mesh], made, config_);
+        const std::vector<PrimData> prims = snapped(parts_, made, config_);
         if (made.deforms)
             out_.rooms[c] = aligned(std::uint32_t(
                 std::min<std::uint64_t>(Refit::most_lines(prims.size()), std::uint64_t(1) << max_addr_bits)));
@@ -141,16 +142,26 @@ private:
 
     void write_surfaces_of(std::uint32_t number) {
         const MeshClass& made = out_.maps.classes[number];
+        if (parts_.is_round(made.mesh)) return write_round(made.lattice);
         out_.surfaces[number] = image_.lines();
         const Scene scene = class_surfaces(*parts_.meshes[made.mesh], made, materials_);
         for (int b = 0; b < (made.deforms ? buffers_ : 1); ++b) write(scene);
     }
 
+    /// The scene's own spheres and planes; the lattice is the scene's.
+    void write_round(const Lattice& lattice) {
+        Scene scene;
+        scene.spheres = parts_.round->spheres, scene.planes = parts_.round->planes;
+        scene.materials = materials_;
+        write(scene, lattice);
+    }
+
     /// Surfaces of a scene whose unit is a step.
-    void write(const Scene& scene) {
+    void write(const Scene& scene) { write(scene, {glm::dvec3(0), glm::dvec3(1), config_.coord_bits}); }
+    void write(const Scene& scene, const Lattice& lattice) {
         MemoryImage surfaces;
-        surfaces.lattice.coord_bits = config_.coord_bits;
-        check_lines(std::uint64_t(image_.lines()) + scene.triangles.size(), config_, name_);
+        surfaces.lattice = lattice;
+        check_lines(std::uint64_t(image_.lines()) + primitive_count(scene), config_, name_);
         write_surfaces(scene, config_, name_, surfaces);
         image_.words.insert(image_.words.end(), surfaces.words.begin(), surfaces.words.end());
     }
@@ -204,6 +215,17 @@ std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass&
     return all;
 }
 
+std::vector<PrimData> snapped(const LevelParts& parts, const MeshClass& made, const Config& config) {
+    if (!parts.is_round(made.mesh)) return snapped_triangles(*parts.meshes[made.mesh], made, config);
+    std::vector<PrimData> all;
+    for (std::size_t i = 0; i < parts.count(made.mesh); ++i) {
+        PrimData prim = snap_primitive(*parts.round, made.lattice, parts.round->triangles.size() + i);
+        prim.prim = std::uint32_t(i);
+        if (counts(prim, config)) all.push_back(prim);
+    }
+    return all;
+}
+
 // Normals of corners are turned as planes are.
 Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials) {
     Scene part, scene;
@@ -223,6 +245,10 @@ void check_need(int need, const Config& config, const std::string& name) {
                         " sibling groups of a ray at most, and this tree needs " + std::to_string(need));
 }
 
+namespace {
+bool has_round(const PlacedScene& scene) { return !scene.own.spheres.empty() || !scene.own.planes.empty(); }
+}   // namespace
+
 LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
     LevelParts parts;
     if (!own.triangles.empty()) {
@@ -236,6 +262,11 @@ LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own) {
         instance.mesh += before;
         parts.instances.push_back(std::move(instance));
     }
+    if (!has_round(scene)) return parts;
+    static const SharedMesh none;
+    parts.round = &scene.own;
+    parts.instances.push_back({"", std::uint32_t(parts.meshes.size()), glm::dmat4(1), {}});
+    parts.meshes.push_back(&none);
     return parts;
 }
 
@@ -244,6 +275,7 @@ Places places_of(const PlacedScene& scene) {
     if (!scene.own.triangles.empty()) places.emplace_back(1);
     for (const Instance& instance : scene.instances)
         if (!scene.meshes[instance.mesh].triangles.empty()) places.push_back(instance.place);
+    if (has_round(scene)) places.emplace_back(1);
     return places;
 }
 
@@ -252,13 +284,13 @@ SharedMesh own_mesh(const PlacedScene& scene) {
 }
 
 void check_levels(const PlacedScene& scene, const Config& config, const std::string& name) {
-    if (!scene.own.spheres.empty() || !scene.own.planes.empty())
-        throw UserError(name + ": two levels hold triangles only, no true spheres and no planes");
+    check_units(scene.own, config, name);
     const std::uint64_t count = primitive_count(scene);
-    if (count == 0) throw UserError(name + ": there is nothing to see: no triangle");
+    if (count == 0) throw UserError(name + ": there is nothing to see: no primitive");
     const auto need = int(std::bit_width(count - 1));
     if (need > config.prim_bits)
-        throw UserError(name + ": " + std::to_string(count) + " triangles need numbers of " +
+        throw UserError(name + ": " + std::to_string(count) +
+                        (has_round(scene) ? " primitives" : " triangles") + " need numbers of " +
                         std::to_string(need) + " bits, and prim_bits is " + std::to_string(config.prim_bits));
 }
 

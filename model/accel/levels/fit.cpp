@@ -70,7 +70,7 @@ void place_box(const MeshClass& made, const glm::dmat3& linear, const glm::dvec3
     if (fitted.stretched) return;
     const double last = (2 * largest + 1.25 * stretch + 1) / (shortest - stretch / 2);
     map.off = map.is_whole ? 0 : 0.5 + 0.5 * last;
-    if (config.shading) map.off = off_of_secondary(made, map.is_whole, stretch, config);
+    if (config.shading && !map.is_same) map.off = off_of_secondary(made, map.is_whole, stretch, config);
     const double slack = map.is_whole && !by_reach ? 0 : 1.0 / 64;   // of double arithmetic here
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 row(back[0][i], back[1][i], back[2][i]);
@@ -131,7 +131,7 @@ Fitted fit(const Seen& seen, const MeshClass& made, const Config& config, bool b
     const std::int64_t one = std::int64_t(1) << frac;
     Fitted fitted;
     InstanceMap& map = fitted.map;
-    map.is_whole = true;
+    map.is_whole = map.is_same = true;
     glm::dmat3 linear;   // as stored
     glm::dvec3 moved;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -147,10 +147,12 @@ Fitted fit(const Seen& seen, const MeshClass& made, const Config& config, bool b
             map.a[3 * i + k] = std::int32_t(entry);
             linear[int(k)][int(i)] = std::ldexp(entry, -frac);
             map.is_whole = map.is_whole && map.a[3 * i + k] % one == 0;
+            map.is_same = map.is_same && map.a[3 * i + k] == (i == k) * one;
         }
         map.b[i] = std::llround((seen.middle[int(i)] - made.lattice.centre[int(i)]) * unit);
         moved[int(i)] = std::ldexp(double(map.b[i]), -frac);
         map.is_whole = map.is_whole && map.b[i] % one == 0;
+        map.is_same = map.is_same && map.b[i] == 0;
     }
     place_box(made, linear, moved, config, by_reach && (made.deforms || made.points.size() > most_exact),
               fitted);

@@ -4,10 +4,13 @@
 #include <limits>
 #include <map>
 
+#include "model/accel/plane.hpp"
 #include "model/accel/surfaces.hpp"
 #include "model/base/error.hpp"
 
 #include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 namespace rayclock {
 namespace {
@@ -75,6 +78,7 @@ private:
     void find_bounds() {
         Growing box;
         for (std::size_t i = 0; i < parts_.instances.size(); ++i) {
+            if (parts_.is_round(parts_.instances[i].mesh)) continue;
             const SharedMesh& mesh = *parts_.meshes[parts_.instances[i].mesh];
             if (moves_[i] || is_large_ || parts_.deforms(parts_.instances[i].mesh)) {
                 const std::array<glm::dvec3, 8>& corners = corners_of(parts_.instances[i].mesh);
@@ -85,6 +89,7 @@ private:
             for (const Triangle& triangle : mesh.triangles)
                 for (const std::uint32_t index : triangle.vertex) box.add(times_[0][i], mesh.vertices[index]);
         }
+        if (parts_.round) add_round(box);
         for (const glm::dvec3& eye : eyes_) box.add(glm::dmat4(1), eye);
         bounds_ = {box.lo, box.hi};
     }
@@ -97,6 +102,16 @@ private:
             hi = glm::max(hi, point);
         }
     };
+    /// Planes do not count, if there is anything else.
+    void add_round(Growing& box) const {
+        Scene round;
+        round.spheres = parts_.round->spheres;
+        if (parts_.instances.size() == 1) round.planes = parts_.round->planes;
+        if (primitive_count(round) == 0) return;
+        const Bounds all = bounds(round);
+        box.add(glm::dmat4(1), all.lo);
+        box.add(glm::dmat4(1), all.hi);
+    }
     /// Of a mesh's bounds: they hold it, and so do their images.
     const std::array<glm::dvec3, 8>& corners_of(std::uint32_t number) {
         const auto [found, is_new] = corners_.try_emplace(number);
@@ -121,7 +136,9 @@ private:
         if (margin > 0)
             for (glm::dvec3& corner : corners.vertices) corner = middle + room * (corner - middle);
         corners.triangles = {{{0, 1, 1}, 0}};
-        return fit_lattice(corners, eyes_[0], config_.coord_bits, config_.shading != 0);
+        if (parts_.round) corners.planes = parts_.round->planes;
+        return fit_lattice(corners, eyes_[0], config_.coord_bits, config_.shading != 0,
+                           config_.planes ? room_around_planes(config_) : 1);
     }
 
     /// All of it; returns by how many steps boxes reach beyond what a node can say, at the worst time.
@@ -176,7 +193,7 @@ private:
             }
             add(needs_[at], own);
             class_.push_back(at);
-            maps_.instances.push_back({at, {}, {}, false, 0, {}});
+            maps_.instances.push_back({at, {}, {}, false, false, 0, {}});
         }
     }
 
@@ -219,7 +236,16 @@ private:
                 take_room(made);
             else
                 take_shape(made, mesh, config_);
+            if (parts_.is_round(made.mesh)) hold_round(made);
         }
+    }
+
+    /// The corners of a box around spheres; planes are everywhere.
+    void hold_round(MeshClass& made) const {
+        LatticeBox box;
+        for (const PrimData& prim : snapped(parts_, made, config_)) box.add(box_of(prim, config_.coord_bits));
+        if (box.lo[0] <= box.hi[0]) made.points = {box.lo, box.hi};
+        made.reach = reach_of(made);
     }
 
     /// Of a mesh that deforms: the corners of its bounds at all times, and what they may be off on the

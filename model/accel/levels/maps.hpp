@@ -10,15 +10,21 @@
 
 namespace rayclock {
 
-/// Meshes that are placed; the first is the scene's own triangles, if it has any.
+/// Meshes that are placed; the first is the scene's own triangles, if it has any. If it has spheres or
+/// planes, these are the last, a mesh without triangles.
 struct LevelParts {
     std::vector<const SharedMesh*> meshes;
     std::vector<Instance> instances;   ///< in the order of their primitives' numbers; `mesh` is of `meshes`
     /// By mesh: its bounds at all times, if it deforms. Empty if none does.
     std::vector<std::optional<Bounds>> deforming{};
+    const Scene* round = nullptr;   ///< the scene, if it has spheres or planes
 
     const Bounds* deforms(std::uint32_t mesh) const {
         return mesh < deforming.size() && deforming[mesh] ? &*deforming[mesh] : nullptr;
+    }
+    bool is_round(std::uint32_t mesh) const { return round && mesh + 1 == meshes.size(); }
+    std::size_t count(std::uint32_t mesh) const {
+        return is_round(mesh) ? round->spheres.size() + round->planes.size() : meshes[mesh]->triangles.size();
     }
 };
 
@@ -51,6 +57,7 @@ struct InstanceMap {
     std::array<std::int32_t, 9> a{};   ///< as in Placement
     Vec3l b{};
     bool is_whole = false;   ///< nothing is rounded by it: axes swapped, mirrored and moved by whole steps
+    bool is_same = false;    ///< the identity
     double off = 0;          ///< rho: how far, in the mesh's steps, a hit's point may lie off its triangle
     LatticeBox box;          ///< on the scene's lattice: holds every point of a ray that hits the instance
 };
@@ -63,6 +70,9 @@ struct LevelMaps {
 
 /// Gives a class what depends on its mesh's corners, as they are now.
 void take_shape(MeshClass& made, const SharedMesh& mesh, const Config& config);
+
+/// Primitives of a mesh on a class's lattice, numbered within the mesh, as far as they count.
+std::vector<PrimData> snapped(const LevelParts& parts, const MeshClass& made, const Config& config);
 
 /// Of the mesh's corner `index`, in the class.
 Vec3i snapped_corner(const MeshClass& made, const SharedMesh& mesh, std::uint32_t index);

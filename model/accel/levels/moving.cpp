@@ -14,11 +14,16 @@ std::string name_of(const PlacedScene& scene) {
     return scene.own.name.empty() ? "the scene" : scene.own.name;
 }
 
+/// Meshes of the parts before those of the scene: its own triangles. Spheres and planes come last.
+std::uint32_t before_meshes(const LevelParts& parts, const PlacedScene& scene) {
+    return std::uint32_t(parts.meshes.size() - scene.meshes.size() - (parts.round ? 1 : 0));
+}
+
 /// With what is said of meshes of the scene as of those of the parts.
 LevelParts parts_of(const PlacedScene& scene, const SharedMesh& own, const ShapeBounds& shapes) {
     LevelParts parts = parts_of(scene, own);
     if (shapes.empty()) return parts;
-    parts.deforming.resize(parts.meshes.size() - scene.meshes.size());   // the scene's own does not deform
+    parts.deforming.resize(before_meshes(parts, scene));   // the scene's own does not deform
     parts.deforming.insert(parts.deforming.end(), shapes.begin(), shapes.end());
     return parts;
 }
@@ -47,7 +52,7 @@ MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, int buffers
     const SharedMesh own = own_mesh(scene);
     const LevelParts parts = parts_of(scene, own, shapes);
     levels_.maps = std::move(maps);
-    const auto before = std::uint32_t(parts.meshes.size() - scene.meshes.size());
+    const std::uint32_t before = before_meshes(parts, scene);
     for (std::uint32_t c = 0; c < levels_.maps.classes.size(); ++c) {
         MeshClass& made = levels_.maps.classes[c];
         if (!made.deforms) continue;

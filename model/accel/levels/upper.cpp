@@ -129,7 +129,7 @@ void write_entries(const std::vector<UpperEntry>& entries, const std::vector<Pla
         std::fill_n(line, words_per_line, 0u);
         const std::uint32_t surfaces = entry.surfaces & ((1u << config.addr_bits) - 1);
         write_payload(Placement{entry.first, entry.root, here[at.entry], surfaces, entry.material,
-                                entry.map->a, entry.map->b},
+                                entry.map->is_same, entry.map->a, entry.map->b},
                       config, line, scratch);
         set_line_kind(line, LineKind::placement);
     }
