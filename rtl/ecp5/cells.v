@@ -5,9 +5,11 @@
 // own. A cell does here what Yosys' maps mean by it: techlibs/ecp5, brams.txt, brams_map.v, dsp_map.v.
 `default_nettype none
 
-// 512 words of 36 bits, written through port A and read through port B, with one clock. Bits 3..0 of
-// the writer's address enable its bytes of nine bits. Nobody may use a word that is read in the cycle
-// in which it is written: its bits come inverted.
+// 18 Kbit, written through port A and read through port B, with one clock; both ports are 36, 18 or 9
+// bits wide. The lowest bits of the writer's address enable its bytes of nine bits, if it has more
+// than one. With 36 bits the ports share their pins for data; else port A tells what was there
+// before. Nobody may use a word that port B reads in the cycle in which it is written: its bits come
+// inverted.
 module DP16KD (
   input  wire CLKA, CEA, OCEA, WEA, RSTA, CSA2, CSA1, CSA0,
   input  wire CLKB, CEB, OCEB, WEB, RSTB, CSB2, CSB1, CSB0,
@@ -26,6 +28,7 @@ module DP16KD (
 );
   parameter DATA_WIDTH_A = 18, DATA_WIDTH_B = 18;
   parameter REGMODE_A = "NOREG", REGMODE_B = "NOREG", RESETMODE = "SYNC";
+  parameter WRITEMODE_A = "NORMAL", WRITEMODE_B = "NORMAL";
   parameter ASYNC_RESET_RELEASE = "SYNC", CSDECODE_A = "0b000", CSDECODE_B = "0b000";
   parameter CLKAMUX = "CLKA", CLKBMUX = "CLKB", GSR = "ENABLED";
   parameter [319:0] INITVAL_00 = 0, INITVAL_01 = 0, INITVAL_02 = 0, INITVAL_03 = 0;
@@ -55,8 +58,13 @@ module DP16KD (
     INITVAL_31, INITVAL_32, INITVAL_33, INITVAL_34, INITVAL_35, INITVAL_36, INITVAL_37,
     INITVAL_38, INITVAL_39, INITVAL_3A, INITVAL_3B, INITVAL_3C, INITVAL_3D, INITVAL_3E,
     INITVAL_3F};
-  if (DATA_WIDTH_A != 36 || DATA_WIDTH_B != 36) begin : gen_refuse_width
-    $error("DP16KD: only ports of 36 bits are modelled");
+  localparam Bytes = DATA_WIDTH_A / 9;
+  if (DATA_WIDTH_A != DATA_WIDTH_B || (Bytes != 4 && Bytes != 2 && Bytes != 1) ||
+      DATA_WIDTH_A != 9 * Bytes) begin : gen_refuse_width
+    $error("DP16KD: only ports that are both of 36, 18 or 9 bits are modelled");
+  end
+  if (Bytes != 4 && WRITEMODE_A != "READBEFOREWRITE") begin : gen_refuse_mode
+    $error("DP16KD: a port A that tells anything but what was there before is not modelled");
   end
   if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG") begin : gen_refuse_register
     $error("DP16KD: no register behind the memory is modelled");
@@ -80,21 +88,32 @@ module DP16KD (
     DIA8, DIA7, DIA6, DIA5, DIA4, DIA3, DIA2, DIA1, DIA0};
   wire        selected = {CSA2, CSA1, CSA0, CSB2, CSB1, CSB0} == 0;
   wire        writes   = CEA && WEA && selected;
-  wire [35:0] enabled  = {{9{write_at[3]}}, {9{write_at[2]}}, {9{write_at[1]}}, {9{write_at[0]}}};
-  wire        collides = writes && write_at[3:0] != 0 && write_at[13:5] == read_at[13:5];
-  reg  [35:0] mem [0:511];
-  reg  [35:0] out_q;
+  wire [3:0]  enabled  = Bytes == 1 ? 4'b0001 : write_at[3:0];
+  wire [10:0] first_in = write_at[13:3] & ~(Bytes - 1);
+  wire [10:0] first    = read_at[13:3] & ~(Bytes - 1);
+  reg  [8:0]  mem [0:2047];
+  reg  [35:0] out_q;      // of port B, and of port A
+  reg  [17:0] before_q;
   always @(posedge CLKA) begin
-    if (writes) mem[write_at[13:5]] <= (mem[write_at[13:5]] & ~enabled) | (in & enabled);
-    if (CEB && selected) out_q <= mem[read_at[13:5]] ^ {36{collides}};
-    if (WEB || RSTA || RSTB || !OCEB)
-      $fatal(1, "DP16KD: neither a port B that writes nor reset is modelled");
+    for (integer i = 0; i < Bytes; i = i + 1) begin
+      if (writes && enabled[i]) mem[first_in+i] <= in[9*i +: 9];
+      if (RSTB)
+        out_q[9*i +: 9] <= 0;
+      else if (CEB && selected)
+        out_q[9*i +: 9] <= mem[first+i] ^ {9{writes && enabled[i] && first_in == first}};
+      if (CEA && i < 2) before_q[9*i +: 9] <= mem[first_in+i];
+    end
+    if (WEB || RSTA || !OCEB || (RSTB && RESETMODE != "SYNC"))
+      $fatal(1, "DP16KD: what its port B or its reset does is not modelled");
   end
   assign {
     DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9,
-    DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0,
+    DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0}
+    = Bytes == 4 ? out_q[35:18] : out_q[17:0];
+  assign {
     DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9,
-    DOA8, DOA7, DOA6, DOA5, DOA4, DOA3, DOA2, DOA1, DOA0} = out_q;
+    DOA8, DOA7, DOA6, DOA5, DOA4, DOA3, DOA2, DOA1, DOA0}
+    = Bytes == 4 ? out_q[17:0] : before_q;
 endmodule
 
 // Product of two operands of 18 bits, each signed or not, with registers at operands and product, or

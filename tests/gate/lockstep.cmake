@@ -1,15 +1,16 @@
 # cmake -DPROGRAM= -DSOURCE= "-DARGUMENTS=..." -DCACHE= | -DFOLDER= -DFILE= -DEXPECT= -P lockstep.cmake
 # Runs `rayclock verify --netlist`. With EXPECT, in a copy of rtl/ whose FILE is changed (OLD and NEW in FOLDER, see
 # tests/meta): the first divergence must be told in these words.
+set(kept ${CACHE})
 if(EXPECT)
   file(REMOVE_RECURSE ${FOLDER}/rtl ${FOLDER}/cache)
   file(COPY ${SOURCE}/rtl DESTINATION ${FOLDER})
   execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/old -DNEW=${FOLDER}/new -DFROM=${SOURCE}/rtl/${FILE}
     -DTO=${FOLDER}/rtl/${FILE} -P ${CMAKE_CURRENT_LIST_DIR}/../meta/apply.cmake COMMAND_ERROR_IS_FATAL ANY)
   set(ENV{RAYCLOCK_RTL} ${FOLDER}/rtl)
-  set(CACHE ${FOLDER}/cache)
+  set(kept ${FOLDER}/cache)
 endif()
-set(ENV{RAYCLOCK_CACHE} ${CACHE})
+set(ENV{RAYCLOCK_CACHE} ${kept})
 separate_arguments(arguments UNIX_COMMAND "${ARGUMENTS}")
 execute_process(COMMAND ${PROGRAM} verify ${arguments} --netlist --no-judge WORKING_DIRECTORY ${SOURCE}
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
