@@ -24,6 +24,7 @@
 #include "sim/report/lockstep.hpp"
 #include "sim/report/tables.hpp"
 #include "sim/report/text.hpp"
+#include "sim/rtl/builder.hpp"
 #include "sim/rtl/stopping.hpp"
 
 namespace rayclock {
@@ -41,7 +42,7 @@ struct Options {
     TrafficOptions traffic;
     std::optional<std::string> max_other;
     std::optional<double> min_psnr;
-    bool torture = false, no_judge = false, no_wave = false;
+    bool torture = false, no_judge = false, no_wave = false, netlist = false;
     int threads = 0;
     JsonOutput json;
 };
@@ -72,6 +73,9 @@ void declare(Parser& parser, Options& o) {
     parser.flag("--no-wave", o.no_wave,
                 "make no waveform and page of the first divergence; without this they are written to the "
                 "folder of -o, or to the current one");
+    parser.flag("--netlist", o.netlist,
+                "simulate the cells of an ECP5 that Yosys makes of the RTL, and not the RTL itself; a chip "
+                "takes some minutes to build, and no waveform is made");
     threads_option(parser, o.threads);
     traffic_options(parser, o.traffic);
     json_option(parser, o.json);
@@ -172,7 +176,7 @@ Diverged diverged(const Options& o, const Work& work, Traffic traffic, const Ver
 /// Machines that do not agree are run again for a waveform, before they go on. What goes wrong there is no
 /// reason to say nothing of the divergence.
 void capture_first(const Options& o, const Diverged& diverged, Verified& v, const Progress& progress) {
-    if (o.no_wave || interrupted()) return;
+    if (o.no_wave || o.netlist || interrupted()) return;
     try {
         v.show = std::make_unique<DivergenceShow>(diverged, o.output.empty() ? "." : o.output, progress);
     } catch (const std::exception& error) {
@@ -250,6 +254,7 @@ void print(const Options& o, const Work& work, const Verified& v, const std::str
     fmt::print("{}\n{}\n{}\n{}\n", heading(work.request().scene, work.size, v.job),
                clock_table(config, {run}), work_table(config, run), unit_table(config, {run}));
     fmt::print("{}", film_table(config, {{work.khz, v.result.runs}}, v.strip, v.traces));
+    if (o.netlist) fmt::print("  below, RTL means the netlist of an ECP5 that Yosys makes of it\n");
     fmt::print("{}{}", lockstep_lines(v.result), wave_lines);
     fmt::print("{}", error_line("model against reference", v.model));
     if (!v.result.agrees()) fmt::print("{}", error_line("RTL against reference", v.rtl));
@@ -304,6 +309,7 @@ nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits
 }
 
 int run(const Options& o) {
+    if (o.netlist) build_netlists();
     if (o.torture) return run_torture_set(o.json);
     if (o.scene.empty()) throw UserError("SCENE is required ('rayclock verify --help' tells more)");
     const Stopwatch watch;

@@ -1,5 +1,6 @@
 #include "sim/rtl/builder.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "model/base/error.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/rtl/compile.hpp"
+#include "sim/rtl/gates.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/tools.hpp"
 
@@ -18,6 +20,8 @@ namespace rayclock {
 namespace fs = std::filesystem;
 
 namespace {
+
+std::atomic<Form> form{Form::rtl};
 
 std::mutex reporter_mutex;
 std::function<void(const BuildStep&)> reporter;
@@ -54,13 +58,14 @@ void take(BuildLock& lock, Report& report) {
 
 /// Entries are told apart by what goes in, and by the tools.
 std::string entry_begin(const Config& config, const std::string& module, Waves waves) {
-    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module, waves)));
+    return fmt::format("{}-{:016x}-", module, hash_of(ingredients(config, module, waves, form)));
 }
 
 std::string made_by() {
     const RtlTools& tools = rtl_tools();
-    return fmt::format("verilator {}, {}\ncompiler {}\n", tools.verilator, tools.verilator_root,
-                       tools.compiler);
+    const std::string all =
+        fmt::format("verilator {}, {}\ncompiler {}\n", tools.verilator, tools.verilator_root, tools.compiler);
+    return form == Form::rtl ? all : all + fmt::format("yosys {}\n", gates_tool());
 }
 
 /// Makes the entry in a folder of its own, unless it is there. Whether it was made.
@@ -82,6 +87,12 @@ bool provide(const fs::path& entry, Report& report, const std::function<void(con
 void report_builds(std::function<void(const BuildStep&)> next) {
     const std::lock_guard lock(reporter_mutex);
     reporter = std::move(next);
+}
+
+void build_netlists() {
+    if (gates_tool().empty())
+        throw UserError("yosys is not installed, and netlists come from it; ./bootstrap chip installs it");
+    form = Form::netlist;
 }
 
 std::string lint_rtl(const Config& config, const std::string& module) {
@@ -106,13 +117,25 @@ RtlBuild build_rtl(const Config& config, const std::string& module, Waves waves)
                                                        hash_of(support_ingredients(waves)), tools);
     if (is_whole(entry)) return {library_of(entry), true, 0};
 
-    Report report(fmt::format("{} of '{}'{}", module == "rc_chip" ? "the RTL" : module, config.name,
-                              waves == Waves::yes ? " for waveforms" : ""));
+    const std::string form_name = form == Form::rtl ? "the RTL" : "the netlist";
+    Report report(fmt::format("{} of '{}'{}",
+                              module == "rc_chip" ? form_name
+                              : form == Form::rtl ? module
+                                                  : form_name + " of " + module,
+                              config.name, waves == Waves::yes ? " for waveforms" : ""));
     const auto tell = [&](const char* stage, std::optional<double> left) { report.tell(stage, left); };
     // One after the other: a build that is killed leaves no folder that no tool of its own is at work in.
     provide(support, report, [&](const fs::path& folder) { make_support(folder, waves, tell); });
+    fs::path netlist;
+    if (form == Form::netlist) {
+        const fs::path gates =
+            rtl_cache() / fmt::format("{}{:016x}-{:016x}", netlist_begin,
+                                      hash_of(gates_ingredients(config, module)), hash_of(gates_tool()));
+        provide(gates, report, [&](const fs::path& folder) { make_gates(folder, config, module, tell); });
+        netlist = library_of(gates);
+    }
     const bool made = provide(entry, report, [&](const fs::path& folder) {
-        make_library(folder, config, module, waves, library_of(support), tell);
+        make_library(folder, config, module, waves, library_of(support), netlist, tell);
     });
     return {library_of(entry), !made, made ? report.seconds() : 0};
 }

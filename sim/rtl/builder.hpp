@@ -25,6 +25,10 @@ struct RtlBuild {
 /// missing, std::runtime_error with the tool's message if it fails, or if interrupted().
 RtlBuild build_rtl(const Config& config, const std::string& module = "rc_chip", Waves waves = Waves::no);
 
+/// From now on this program builds netlists in the place of RTL (sim/rtl/gates.hpp). Throws UserError if
+/// Yosys is missing.
+void build_netlists();
+
 /// Removes a library that is as it was built and yet of no use, so that it is built again.
 void forget_rtl(const RtlBuild& build);
 

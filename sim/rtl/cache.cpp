@@ -125,7 +125,10 @@ std::uint64_t hash_of(const std::string& bytes) {
 }
 
 fs::path library_of(const fs::path& entry) {
-    return entry / (entry.filename().string().starts_with(support_begin) ? support_name : "module.so");
+    const std::string name = entry.filename();
+    return entry / (name.starts_with(support_begin)   ? support_name
+                    : name.starts_with(netlist_begin) ? "netlist.v"
+                                                      : "module.so");
 }
 
 void write_text(const fs::path& path, const std::string& text) {

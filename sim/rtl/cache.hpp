@@ -27,6 +27,9 @@ std::uint64_t hash_of(const std::string& bytes);
 /// The entry of Verilator's own sources begins so, and its library is an object that is linked to the others.
 inline constexpr const char *support_begin = "rc_verilated-", *support_name = "support.o";
 
+/// The entry of a netlist begins so, and its library is Verilog.
+inline constexpr const char* netlist_begin = "rc_netlist-";
+
 /// The library of an entry.
 std::filesystem::path library_of(const std::filesystem::path& entry);
 

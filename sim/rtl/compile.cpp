@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <memory>
 #include <sstream>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "model/base/error.hpp"
-#include "model/base/quote.hpp"
 #include "model/base/stopwatch.hpp"
 #include "sim/files/input.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/adapter.hpp"
 #include "sim/rtl/cache.hpp"
-#include "sim/rtl/interrupt.hpp"
+#include "sim/rtl/gates.hpp"
 #include "sim/rtl/process.hpp"
 #include "sim/rtl/sources.hpp"
 #include "sim/rtl/tools.hpp"
@@ -34,10 +30,6 @@ namespace {
 // --x-assign/--x-initial unique: registers without reset start at seeded random values.
 const Words verilator_flags{"--cc",   "-Wall",       "--assert", "-O3",      "--x-assign",
                             "unique", "--x-initial", "unique",   "--prefix", "Vrc"};
-std::string added_flags() {
-    const char* const added = std::getenv("RAYCLOCK_CXXFLAGS");
-    return added ? added : "";
-}
 /// With what is added, as a shell would divide it without quotes.
 Words compiler_flags() {
     Words words{"-std=c++17", "-O2", "-fPIC", "-fvisibility=default", "-w"};
@@ -45,6 +37,9 @@ Words compiler_flags() {
     for (std::string word; rest >> word;) words.push_back(word);
     return words;
 }
+// A netlist has unused pins wherever one looks; what Verilator says of loops and the like still counts. It is
+// simulated for some thousand cycles, and -O1 compiles its many lines in half the time.
+const Words netlist_verilator_flags{"-Wno-lint", "-Wno-style"}, netlist_compiler_flags{"-O1"};
 // What runs once, at a simulation's start, compiles in a third of the time without optimising.
 const Words start_flags{"-O0"};
 // A small module is one source, since each reads the same headers; what starts a middling one is compiled
@@ -62,67 +57,22 @@ Words operator+(Words words, const Words& more) {
     return words;
 }
 
-/// The tools' own words, or the cause if they are known for it.
-[[noreturn]] void failed(const std::string& what, const fs::path& folder, const std::string& log) {
-    if (log.find("No space left on device") != std::string::npos)
-        throw UserError(folder.parent_path().string() +
-                        ": no space is left for the RTL; set RAYCLOCK_CACHE to a folder with more");
-    if (const std::size_t error = log.find("error: ");
-        error != log.npos && what.starts_with("the C++ compiler") && !added_flags().empty())
-        throw UserError(fmt::format("RAYCLOCK_CXXFLAGS={}: the C++ compiler says: {}",
-                                    printable(added_flags()),
-                                    printable(log.substr(error, log.find('\n', error) - error))));
-    throw std::runtime_error(what + " failed:\n" + log.substr(0, 2000));
-}
-
-/// Runs commands at the same time in a folder, each with its output in a log there. The first that fails ends
-/// all others.
-struct Job {
-    Words words;
-    std::string log;
-};
-void run(const fs::path& folder, const std::vector<Job>& jobs, const std::string& what,
-         const std::function<void()>& meanwhile) {
-    std::vector<std::unique_ptr<Process>> running;
-    for (const Job& job : jobs)
-        running.push_back(std::make_unique<Process>(Launch{job.words, folder, folder / job.log, folder}));
-    for (std::size_t left = jobs.size(); left > 0;) {
-        for (std::size_t i = 0; i < jobs.size(); ++i) {
-            if (!running[i] || !running[i]->ended()) continue;
-            if (running[i]->code() != 0) failed(what, folder, read_if_there(folder / jobs[i].log));
-            running[i].reset();
-            --left;
-        }
-        if (interrupted()) throw std::runtime_error("interrupted while RTL was built: nothing of it is kept");
-        if (meanwhile) meanwhile();
-        if (left > 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-}
-
-/// Copies of the sources, under names that no tool trips over, in a folder that tools are run in: they see no
-/// path of the user's. Returns the names that Verilator is given.
-Words stage_sources(const fs::path& folder, const Config& config) {
-    Words files;
-    for (const RtlText& source : rtl_texts()) {
-        const fs::path copy = folder / "rtl" / source.name;
-        fs::create_directories(copy.parent_path());
-        write_text(copy, source.text);
-        files.push_back("rtl/" + source.name);
-    }
-    write_text(folder / "rtl/rc_pkg.sv", rc_package(config));
-    files.insert(files.begin() + 1, "rtl/rc_pkg.sv");   // after the waivers
-    return files;
-}
-
 void verilate(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
-              const std::function<void()>& meanwhile) {
-    const Words files = stage_sources(folder, config);
+              const fs::path& netlist, const std::function<void()>& meanwhile) {
+    Words files{"gates.vlt", "netlist.v"};
+    if (netlist.empty()) {
+        files = stage_sources(folder, config);
+    } else {
+        fs::copy_file(netlist, folder / "netlist.v");
+        write_text(folder / "gates.vlt", gates_vlt());
+    }
     write_text(folder / "taps.vlt", adapter_vlt(module, config));
     const Words words = Words{"verilator"} + verilator_flags +
+                        (netlist.empty() ? Words{} : netlist_verilator_flags) +
                         (waves == Waves::yes ? wave_verilator_flags : Words{}) +
                         Words{"--top-module", module, "--Mdir", "obj", "taps.vlt"} + files;
     const std::string what = fmt::format("verilator on {} of {}", module, rtl_sources().string());
-    run(folder, {{words, "verilator.log"}}, what, meanwhile);
+    run_tools(folder, {{words, "verilator.log"}}, what, meanwhile);
     if (const std::string log = read_if_there(folder / "verilator.log");
         log.find("%Warning") != std::string::npos)
         throw std::runtime_error("verilator -Wall warns about " + module + ":\n" + log.substr(0, 2000));
@@ -141,8 +91,9 @@ Source support_source(Waves waves) {
 /// Sources that include what Verilator has made: one, or some of about the same size and one for the start.
 /// What writes waveforms comes in a source of its own.
 std::vector<Source> divided(const fs::path& folder, const Config& config, const std::string& module,
-                            Waves waves) {
-    const Words flags = waves == Waves::yes ? tracing : Words{};
+                            Waves waves, Form form) {
+    const Words flags = (waves == Waves::yes ? tracing : Words{}) +
+                        (form == Form::netlist ? netlist_compiler_flags : Words{});
     Source wave{"wave", "#include \"verilated_fst_c.h\"\n", tracing + wave_compiler_flags};
     std::vector<std::pair<std::uintmax_t, std::string>> made;
     std::uintmax_t all = 0;
@@ -181,12 +132,12 @@ void compile(const fs::path& folder, const std::vector<Source>& sources, const s
     const std::string include = rtl_tools().verilator_root + "/include";
     const Words common = Words{"c++"} + compiler_flags() +
                          Words{"-I.", "-Iobj", "-I" + include, "-I" + include + "/vltstd", "-c"};
-    std::vector<Job> jobs;
+    std::vector<ToolJob> jobs;
     for (const auto& [name, text, flags] : sources) {
         write_text(folder / (name + ".cpp"), text);
         jobs.push_back({common + flags + Words{name + ".cpp", "-o", name + ".o"}, name + ".log"});
     }
-    run(folder, jobs, what, meanwhile);
+    run_tools(folder, jobs, what, meanwhile);
 }
 
 void link(const fs::path& folder, const std::vector<Source>& sources, const std::string& what,
@@ -196,29 +147,28 @@ void link(const fs::path& folder, const std::vector<Source>& sources, const std:
     words = words + others;
     // Clang calls a function of that library where GCC has an instruction.
     if (rtl_tools().compiler.find("clang") != std::string::npos) words.push_back("-latomic");
-    run(folder, {{words + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
-}
-
-/// Leaves the library alone.
-void tidy(const fs::path& folder) {
-    std::vector<fs::path> rest;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path() != library_of(folder)) rest.push_back(entry.path());
-    for (const fs::path& path : rest) fs::remove_all(path);
+    run_tools(folder, {{words + Words{"-o", "module.so"}, "linker.log"}}, what, meanwhile);
 }
 
 }   // namespace
 
-std::string ingredients(const Config& config, const std::string& module, Waves waves) {
+std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form) {
     std::string all =
         rc_package(config) + adapter_source(module, config) + adapter_vlt(module, config) + abi_text;
-    for (const Words& flags : {verilator_flags, compiler_flags(), start_flags})
-        for (const std::string& flag : flags) all += " " + flag;
-    for (const RtlText& source : rtl_texts()) all += "\n" + source.name + "\n" + source.text;
+    const auto add = [&](const std::vector<Words>& flags) {
+        for (const Words& some : flags)
+            for (const std::string& flag : some) all += " " + flag;
+    };
+    add({verilator_flags, compiler_flags(), start_flags});
+    if (form == Form::rtl) {
+        all += source_ingredients();
+    } else {
+        all += gates_ingredients(config, module) + gates_vlt();
+        add({netlist_verilator_flags, netlist_compiler_flags});
+    }
     if (waves == Waves::no) return all;
     all += wave_source() + wave_abi_text;
-    for (const Words& flags : {wave_verilator_flags, wave_compiler_flags, tracing})
-        for (const std::string& flag : flags) all += " " + flag;
+    add({wave_verilator_flags, wave_compiler_flags, tracing});
     return all;
 }
 
@@ -232,15 +182,15 @@ std::string support_ingredients(Waves waves) {
 void make_support(const fs::path& folder, Waves waves, const Working& working) {
     compile(folder, {support_source(waves)}, "the C++ compiler on Verilator's own sources",
             [&] { working("the C++ compiler", {}); });
-    tidy(folder);
+    tidy(folder, library_of(folder));
 }
 
 void make_library(const fs::path& folder, const Config& config, const std::string& module, Waves waves,
-                  const fs::path& support, const Working& working) {
+                  const fs::path& support, const fs::path& netlist, const Working& working) {
     // The compiler takes about this many times as long as Verilator, on any machine (docs/decisions.md).
     constexpr double compiler_share = 3;
     const Stopwatch verilating;
-    verilate(folder, config, module, waves, [&] { working("Verilator", {}); });
+    verilate(folder, config, module, waves, netlist, [&] { working("Verilator", {}); });
     const double expected = verilating.seconds() * compiler_share;
     const Stopwatch compiling;
     const auto meanwhile = [&] {
@@ -249,12 +199,13 @@ void make_library(const fs::path& folder, const Config& config, const std::strin
     const std::string what = "the C++ compiler on the verilated " + module;
     write_text(folder / "abi.hpp", abi_text);
     if (waves == Waves::yes) write_text(folder / "wave_abi.hpp", wave_abi_text);
-    const std::vector<Source> sources = divided(folder, config, module, waves);
+    const std::vector<Source> sources =
+        divided(folder, config, module, waves, netlist.empty() ? Form::rtl : Form::netlist);
     compile(folder, sources, what, meanwhile);
     fs::copy_file(support, folder / support_name);
     link(folder, sources, what, waves == Waves::no ? Words{support_name} : Words{support_name, "-lz"},
          meanwhile);
-    tidy(folder);
+    tidy(folder, library_of(folder));
 }
 
 std::string lint_library(const fs::path& folder, const Config& config, const std::string& module) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/core/config.hpp"
+#include "sim/rtl/stage.hpp"
 
 namespace rayclock {
 
@@ -13,13 +14,12 @@ namespace rayclock {
 /// longer to build.
 enum class Waves : bool { no, yes };
 
+/// What is simulated: the RTL as it is written, or the netlist that Yosys makes of it (sim/rtl/gates.hpp).
+enum class Form : bool { rtl, netlist };
+
 /// Everything that goes into a library beside the tools, as one text: whatever changes it changes the
 /// library.
-std::string ingredients(const Config& config, const std::string& module, Waves waves);
-
-/// Called again and again while a tool works: its name, and about how many seconds all is done in, once that
-/// can be guessed.
-using Working = std::function<void(const char* stage, std::optional<double> left)>;
+std::string ingredients(const Config& config, const std::string& module, Waves waves, Form form);
 
 /// Verilator's own sources, which all modules need, to write waveforms or not: what goes into them, and how
 /// they are compiled, in an empty folder.
@@ -27,9 +27,10 @@ std::string support_ingredients(Waves waves);
 void make_support(const std::filesystem::path& folder, Waves waves, const Working& working);
 
 /// Makes module.so in an empty folder, which then holds nothing else. `support` is what make_support() has
-/// made. Throws as build_rtl() does.
+/// made, `netlist` what make_gates() has made, or empty for the RTL. Throws as build_rtl() does.
 void make_library(const std::filesystem::path& folder, const Config& config, const std::string& module,
-                  Waves waves, const std::filesystem::path& support, const Working& working);
+                  Waves waves, const std::filesystem::path& support, const std::filesystem::path& netlist,
+                  const Working& working);
 
 /// Verilator's opinion of the module, made in an empty folder.
 std::string lint_library(const std::filesystem::path& folder, const Config& config,

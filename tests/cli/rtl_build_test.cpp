@@ -128,6 +128,19 @@ TEST_CASE("RAYCLOCK_RTL that names no RTL is one sentence, and the doctor knows 
     check_refused(run_program({"rtl"}, environment), {"rc_pipe.sv: no ordinary file"});
 }
 
+TEST_CASE("a netlist needs Yosys, and models of its cells") {
+    const FakeTools tools;
+    const std::vector<std::string> words{"verify", "tetra:1", "--size", "8x8", "--netlist"};
+    check_refused(run_program(words, tools.environment()), {"yosys is not installed, and netlists"});
+    tools.replace("yosys", "echo 'Yosys 0.23 (git sha1 fake)'");
+    check_refused(run_program(words, tools.environment()), {"ecp5/cells.v cannot be read, and netlists"});
+    fs::create_directory(tools.path("rtl/ecp5"));
+    tools.folder().write("rtl/ecp5/cells.v", "// no cell\n");
+    const Outcome outcome = run_program(words, tools.environment());
+    CHECK(outcome.code != 0);
+    CHECK_THAT(outcome.err, Contains("yosys has no model of the cell LUT2"));
+}
+
 TEST_CASE("the doctor names versions that were not tried, where things are, and what is set") {
     const FakeTools tools;
     const Outcome good = run_program({"doctor"}, tools.environment());

@@ -214,3 +214,31 @@ prove(mutant:formal_wait_a_cycle_longer TOP wait_ring RTL prim/rc_wait.sv prim/r
 prove(mutant:formal_wait_writes_what_is_not_valid TOP wait_ring RTL prim/rc_wait.sv prim/rc_ram.sv CYCLES 10 FILE prim/rc_wait.sv
   OLD [[.write_i(valid_i), .write_addr_i(at_q)]]
   NEW [[.write_i(1'b1), .write_addr_i(valid_i ? at_q : '0)]])
+
+# ---- Products that share multipliers, for every operand: one after the other, in parts, of operands that are held.
+set(mul rc_pkg.sv prim/rc_cut.sv fixed/rc_mul_limb.sv fixed/rc_mul.sv)
+set(shared ${mul} fixed/rc_mul_shared.sv fixed/rc_mul_parts.sv)
+foreach(share IN ITEMS 2 3)   # three products by two multipliers, and by one
+  prove(formal:mul_shared_by_${share} TOP mul_shared RTL ${shared} WITH Share=${share} INDUCTION 6)
+  prove(formal:mul_shared_by_${share}_unsigned TOP mul_shared RTL ${shared} WITH Share=${share} Signed=0 INDUCTION 6)
+  prove(formal:mul_parts_shared_by_${share} TOP mul_shared RTL ${shared}
+    WITH Share=${share} Parts=1 Products=2 INDUCTION 6)
+  prove(formal:mul_held_for_${share} TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=${share} INDUCTION 6)
+endforeach()
+prove(formal:mul_parts_unsigned TOP mul_shared RTL ${shared} WITH Signed=0 Parts=1 Products=2 INDUCTION 6)
+prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Signed=0 INDUCTION 6)
+prove(mutant:formal_mul_shared_operands_stay TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6 FILE fixed/rc_mul_shared.sv
+  OLD [[: a_q >> AW;]]
+  NEW [[: a_q;]])
+prove(mutant:formal_mul_shared_second_operands_come_late TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6
+  FILE fixed/rc_mul_shared.sv
+  OLD [[b_i[(First+1)*BW +: (Own-1)*BW] : b_q >> BW;]]
+  NEW [[b_i[First*BW +: (Own-1)*BW] : b_q >> BW;]])
+prove(mutant:formal_mul_parts_lower_has_no_sign TOP mul_shared RTL ${shared} WITH Parts=1 Products=2 CYCLES 5
+  FILE fixed/rc_mul_parts.sv
+  OLD [[assign lower = Signed ? PW'($signed(last[2*i*HW +: HW]))]]
+  NEW [[assign lower = Signed && 1'b0 ? PW'($signed(last[2*i*HW +: HW]))]])
+prove(mutant:formal_mul_held_takes_the_next TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 CYCLES 6
+  FILE fixed/rc_mul_held.sv
+  OLD [[if (turn_i[i+Inside]) p_q <= p;]]
+  NEW [[p_q <= p;]])
