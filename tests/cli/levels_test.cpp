@@ -36,6 +36,19 @@ TEST_CASE("a machine of two levels keeps each mesh once") {
     CHECK(report({"gearbox:3"})["digest"] == report({"gears:3"})["digest"]);
 }
 
+TEST_CASE("planes and true spheres of a scene are drawn in two levels as in one") {
+    const Folder folder;
+    const auto picture = [&](const std::string& levels) {
+        const std::string file = folder.name("levels" + levels + ".png");
+        const Outcome outcome =
+            run_program({"render", "spheres", "--size", "32x24", "--set", "levels=" + levels, "-o", file});
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return bytes_of(file);
+    };
+    CHECK(picture("2") == picture("1"));
+}
+
 TEST_CASE("two levels refuse what they cannot draw") {
     const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& words) {
         more.insert(more.end(), {"--set", "levels=2"});
@@ -43,7 +56,6 @@ TEST_CASE("two levels refuse what they cannot draw") {
     };
     refused({"gearbox:1", "--set", "structure=none"}, {"levels=2", "structure", "none"});
     refused({"gearbox:1", "--set", "primitive_test=sheared"}, {"levels=2", "primitive_test=exact"});
-    refused({"spheres"}, {"levels=2", "spheres=0"});
     check_refused(drawn({"gearbox:1", "--set", "levels=3"}), {"levels", "1..2", "3"});
     const std::vector<std::string> scene{"gearbox:1", "--size", "16x12"};
     const auto run = [&](std::vector<std::string> command) {

@@ -156,7 +156,7 @@ mutant(oracle_of_levels_forgets_planes FILE model/oracle/placed.cpp TEST system 
 mutant(oracle_of_levels_forgets_the_surface_left FILE model/oracle/placed.cpp TEST system ${round_judge}
   OLD [[seen.self = is_own ?]]
   NEW [[seen.self = is_own && place == 0 ?]])
-mutant(oracle_of_levels_forgets_spheres FILE model/oracle/placed.cpp TEST system ${round_judge}
+mutant(oracle_of_levels_forgets_spheres FILE model/oracle/placed.cpp TEST system "an answer of planes and true spheres*"
   OLD [[best.sphere_place = place, best.sphere = found.sphere;]]
   NEW [[best.sphere_place = PlacedRay::nowhere;]])
 mutant(judge_of_levels_turns_what_is_the_same FILE sim/judge/path_placed.cpp TEST system ${round_judge}

@@ -9,7 +9,10 @@
 #include "model/accel/encode.hpp"
 #include "model/reference/reference.hpp"
 #include "sim/cause/finished.hpp"
+#include "sim/judge/answer.hpp"
+#include "sim/judge/camera.hpp"
 #include "sim/judge/picture.hpp"
+#include "sim/judge/placed.hpp"
 #include "tests/accel/mixed.hpp"
 #include "tests/accel/solids.hpp"
 #include "tests/system/frames.hpp"
@@ -137,31 +140,60 @@ TEST_CASE("every ray of planes and true spheres beside instances is judged, in e
 
 TEST_CASE("an answer of planes and true spheres beside instances that is off in anything is wrong",
           "[judge][levels]") {
-    Case made(mixed_with_round(false), true, named_config("default"), 2);
-    REQUIRE(made.judged().wrong == 0);
-    std::vector<Closest>& hits = made.trace.trace.hits;
-    const std::size_t triangles = made.scene.triangles.size();
-    const auto seen = [&](std::size_t first, std::size_t count) {
-        const auto at = std::find_if(hits.begin(), hits.end(), [&](const Closest& c) {
-            return c.found && c.prim >= first && c.prim < first + count;
-        });
-        REQUIRE(at != hits.end());
-        return at;
+    const Case made(mixed_with_round(false), true, named_config("default"), 2);
+    const Asked asked = made.asked();
+    const PlacedWorld world(asked, made.job.image);
+    REQUIRE(world.faults().empty());
+    const std::vector<Closest>& hits = made.trace.trace.hits;
+    const auto first = std::uint32_t(made.scene.triangles.size()), plane = first + 2;
+    const auto judged = [&](std::size_t at, const Closest& answer) {
+        const std::uint32_t x = std::uint32_t(at) % size.width, y = std::uint32_t(at) / size.width;
+        Ray ray;
+        ray.d = exact_direction(asked.frame, asked.config, made.settings, int(x), int(y), 0);
+        for (std::size_t k = 0; k < 3; ++k) ray.o[k] = asked.frame.eye[k] * (1 << asked.config.origin_frac());
+        const char* const wrong = judge_answer(world, asked.config, ray, answer);
+        return std::string(wrong ? wrong : "");
     };
-    const auto is_wrong = [&](Closest& at, const std::function<void(Closest&)>& change) {
-        const Closest before = at;
-        change(at);
-        CHECK(made.judged().wrong == 1);
-        at = before;
+    const auto seen_plane =
+        std::find_if(hits.begin(), hits.end(), [&](const Closest& c) { return c.found && c.prim == plane; });
+    REQUIRE(seen_plane != hits.end());
+    const auto placed = [&](Closest answer) {   // which a pixel's hit does not tell
+        answer.place = world.line(world.place_of(answer.prim));
+        return answer;
     };
-    Closest &sphere = *seen(triangles, 2), &plane = *seen(triangles + 2, 1), &triangle = *seen(0, triangles);
-    is_wrong(sphere, [](Closest& c) { c.t += 64; });
-    is_wrong(sphere, [](Closest& c) { --c.t; });
-    is_wrong(sphere, [](Closest& c) { c.prim ^= 1; });
-    is_wrong(plane, [](Closest& c) { ++c.t; });
-    is_wrong(plane, [&](Closest& c) { c.prim = std::uint32_t(triangles); });
-    is_wrong(triangle, [&](Closest& c) { c = sphere; });
-    is_wrong(triangle, [](Closest& c) { c = {}; });
+    int spheres = 0, planes = 0, triangles = 0, hidden = 0;
+    for (std::size_t at = 0; at < hits.size(); ++at) {
+        if (!hits[at].found) continue;
+        INFO("pixel " << at);
+        const Closest answer = placed(hits[at]);
+        const auto says = [&](const std::function<void(Closest&)>& change) {
+            Closest other = answer;
+            change(other);
+            return judged(at, other);
+        };
+        CHECK(says([](Closest&) {}) == "");
+        CHECK(says([](Closest& c) { c = {}; }) == "it meets something");
+        CHECK(says([](Closest& c) { --c.t; }) != "");
+        CHECK(says([](Closest& c) { c.place ^= 1; }) == "it meets another instance");
+        if (answer.prim < first) {
+            ++triangles;
+            CHECK(says([&](Closest& c) { c.prim = first; }) != "");
+        } else if (answer.prim < plane) {
+            ++spheres;
+            CHECK(says([](Closest& c) { c.t += 64; }) ==
+                  "t is farther behind the sphere's than it may be rounded");
+            CHECK(says([&](Closest& c) { c.prim ^= 1; }) != "");
+            hidden += says([&](Closest& c) { c = placed(*seen_plane); }) == "a sphere is closer";
+        } else {
+            ++planes;
+            CHECK(says([](Closest& c) { ++c.t; }) == "t is not the exact one, rounded up");
+            CHECK(says([&](Closest& c) { c.prim = first; }) == "it misses that sphere");
+        }
+    }
+    CHECK(spheres > 10);
+    CHECK(planes > 10);
+    CHECK(triangles > 10);
+    CHECK(hidden > 10);
 }
 
 TEST_CASE(
