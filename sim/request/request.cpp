@@ -72,10 +72,8 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     // A setting may name units that only a chip with shading has: they are set once it is known to be one.
     const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
                                      [](const std::string& item) { return item.starts_with("shading="); });
-    r.config = finish.is_asked() && !by_hand ? load_config({config.name, {}}) : load_config(config);
-    if (view.ground && r.config.has_instances())
-        throw UserError(
-            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
+    const bool waits = finish.is_asked() && !by_hand && !load_config({config.name, {}}).shading;
+    r.config = load_config({config.name, waits ? decltype(config.set){} : config.set});
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     if (is_folded(r.scene) && (!r.config.has_instances() || r.finished))
@@ -93,6 +91,9 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
         const Config fitted = fitted_config(r.scene, r.settings, r.config);
         r.config = with_settings(fitted, config.set, fitted.name);
     }
+    if (view.ground && r.config.has_instances())
+        throw UserError(
+            "--ground adds triangles beside the instances, which levels=2 does not take; use levels=1");
     std::vector<std::string> idle = idle_settings(r.config, config.set);
     for (const std::string& sentence : idle_finish(finish, r.settings)) idle.push_back(sentence);
     for (const std::string& sentence : idle) std::fprintf(stderr, "rayclock: note: %s\n", sentence.c_str());

@@ -49,11 +49,20 @@ TEST_CASE("planes and true spheres of a scene are drawn in two levels as in one"
     CHECK(picture("2") == picture("1"));
 }
 
+TEST_CASE("a setting counts, whether the configuration shades or the scene makes it shade") {
+    for (const std::string config : {"default", "ulx3s-shaded"}) {
+        const json made = report({"gearbox:1", "--config", config, "--depth", "2", "--set", "levels=2"});
+        CHECK(made["config"]["levels"] == 2);
+        CHECK(made["config"]["shading"] == 1);
+    }
+}
+
 TEST_CASE("two levels refuse what they cannot draw") {
     const auto refused = [](std::vector<std::string> more, const std::vector<std::string>& words) {
         more.insert(more.end(), {"--set", "levels=2"});
         check_refused(drawn(more), words);
     };
+    refused({"gearbox:1", "--ground", "--depth", "2"}, {"--ground", "levels=2"});
     refused({"gearbox:1", "--set", "structure=none"}, {"levels=2", "structure", "none"});
     refused({"gearbox:1", "--set", "primitive_test=sheared"}, {"levels=2", "primitive_test=exact"});
     check_refused(drawn({"gearbox:1", "--set", "levels=3"}), {"levels", "1..2", "3"});

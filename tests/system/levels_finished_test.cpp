@@ -105,4 +105,7 @@ TEST_CASE("model and RTL draw planes and true spheres beside instances alike", "
     // Far away on the plane, from where rays must find the lattice.
     const Scene plane = make_builtin("plane");
     check_lockstep(job_of(plane, {16, 12}, fitted_config(plane, settings, config), settings));
+    // Primitive 0 is a sphere, which camera rays must not take for one that they leave.
+    const Scene spheres = make_builtin("spheres", Primitives::native);
+    check_lockstep(job_of(spheres, {16, 12}, fitted_config(spheres, settings, config), settings));
 }
