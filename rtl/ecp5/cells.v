@@ -97,11 +97,15 @@ module DP16KD (
   always @(posedge CLKA) begin
     for (integer i = 0; i < Bytes; i = i + 1) begin
       if (writes && enabled[i]) mem[first_in+i] <= in[9*i +: 9];
+      if (CEA && i < 2) before_q[9*i +: 9] <= mem[first_in+i];
+    end
+  end
+  always @(posedge CLKB) begin   // a table has no clock at port A
+    for (integer i = 0; i < Bytes; i = i + 1) begin
       if (RSTB)
         out_q[9*i +: 9] <= 0;
       else if (CEB && selected)
         out_q[9*i +: 9] <= mem[first+i] ^ {9{writes && enabled[i] && first_in == first}};
-      if (CEA && i < 2) before_q[9*i +: 9] <= mem[first_in+i];
     end
     if (WEB || RSTA || !OCEB || (RSTB && RESETMODE != "SYNC"))
       $fatal(1, "DP16KD: what its port B or its reset does is not modelled");
