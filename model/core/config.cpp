@@ -361,9 +361,8 @@ void check_config(const Config& c, const std::string& where) {
             "and of other tests it is not known how far a hit may lie from its primitive");
     if (c.has_instances() && (c.is_list() || c.test() != PrimitiveTest::exact))
         refuse(
-            "levels=2 needs a structure (not none) and primitive_test=exact: of these alone it is known how "
-            "a "
-            "ray walks instances");
+            "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
+            "known of these alone");
     if (c.has_instances() && node_bits(c) > line_bits - line_kind_bits)
         refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
                structure_names()[std::size_t(c.structure)] + " leaves " +

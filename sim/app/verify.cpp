@@ -271,7 +271,8 @@ nlohmann::ordered_json seconds_or_null(const std::optional<double>& seconds) {
     return seconds ? nlohmann::ordered_json(*seconds) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits& limits, double seconds) {
+nlohmann::ordered_json json_of(const Options& o, const Work& work, const Verified& v, const Limits& limits,
+                               double seconds) {
     const Config& config = work.request().config;
     const LockstepResult& result = v.result;
     const FrameRun& frame = result.model;
@@ -282,6 +283,7 @@ nlohmann::ordered_json json_of(const Work& work, const Verified& v, const Limits
             {"frame", {{"width", work.size.width}, {"height", work.size.height}}},
             {"compile", compile_json(v.job.image.report)},
             {"partial", v.partial()},
+            {"netlist", o.netlist},
             {"pixels", v.model.pixels},
             {"events_compared", result.events_compared},
             {"value_mismatches", result.value_mismatches},
@@ -350,7 +352,7 @@ int run(const Options& o) {
                                         : "FAILED",
                    seconds);
     }
-    o.json.write(json_of(work, verified, limits, seconds));
+    o.json.write(json_of(o, work, verified, limits, seconds));
     return good ? 0 : 1;
 }
 

@@ -79,7 +79,7 @@ PlacedWorld::PlacedWorld(const Asked& asked, const MemoryImage& image)
             if (placed.mesh_class == c) {
                 classes_.push_back(
                     placed.mesh == own_round
-                        ? make_round(scene, lattices.classes[c].lattice)
+                        ? make_round(scene)
                         : make(scene, placed.mesh == own_triangles ? own_mesh : scene.meshes[placed.mesh],
                                lattices.classes[c]));
                 break;
@@ -138,11 +138,12 @@ void PlacedWorld::list_instances(const PlacedScene& scene, const LevelLattices& 
     add(std::move(round), scene.own.spheres.size() + scene.own.planes.size());
 }
 
-PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene, const Lattice& lattice) const {
+/// On the scene's lattice, whatever the host has chosen.
+PlacedWorld::Made PlacedWorld::make_round(const PlacedScene& scene) const {
     Made made;
     made.scene.spheres = scene.own.spheres, made.scene.planes = scene.own.planes;
     made.scene.materials = asked_.scene.materials.empty() ? scene.own.materials : asked_.scene.materials;
-    made.solids = solids_of(made.scene, lattice, config_.coord_bits);
+    made.solids = solids_of(made.scene, asked_.lattice, config_.coord_bits);
     return made;
 }
 

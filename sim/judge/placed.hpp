@@ -62,7 +62,7 @@ private:
 
     void list_instances(const PlacedScene& scene, const LevelLattices& lattices);
     Made make(const PlacedScene& scene, const SharedMesh& mesh, const LevelLattices::Class& of) const;
-    Made make_round(const PlacedScene& scene, const Lattice& lattice) const;
+    Made make_round(const PlacedScene& scene) const;
     void read_maps(const MemoryImage& image);
     void judge_map(const Placed& placed, const LevelLattices::Class& of, const Placement& map);
 

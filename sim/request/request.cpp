@@ -72,8 +72,9 @@ Request request_of(const std::string& scene, const ConfigChoice& config, const F
     // A setting may name units that only a chip with shading has: they are set once it is known to be one.
     const bool by_hand = std::any_of(config.set.begin(), config.set.end(),
                                      [](const std::string& item) { return item.starts_with("shading="); });
-    const bool waits = finish.is_asked() && !by_hand && !load_config({config.name, {}}).shading;
-    r.config = load_config({config.name, waits ? decltype(config.set){} : config.set});
+    const bool may_wait = finish.is_asked() && !by_hand;
+    r.config = load_config({config.name, may_wait ? decltype(config.set){} : config.set});
+    if (may_wait && r.config.shading) r.config = with_settings(r.config, config.set, r.config.name);
     r.finished = finish.is_asked() || r.config.shading;
     r.scene = told_scene(scene, progress, r.finished ? Primitives::native : Primitives::triangles);
     if (is_folded(r.scene) && (!r.config.has_instances() || r.finished))

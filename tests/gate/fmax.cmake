@@ -1,22 +1,10 @@
 # cmake -DPROGRAM= -DSOURCE= -DCONFIG= -DUNIT= -DFLOOR=MHz -DFOLDER= -DCACHE= | -DFILE= -DEXPECT= -P fmax.cmake
 # Places and routes a unit alone: its clock must not lie under the floor. With EXPECT, in a copy of rtl/ whose FILE is
 # changed (OLD and NEW in FOLDER, see tests/meta): it must lie under it, and the slowest path must be told in these words.
-file(MAKE_DIRECTORY ${FOLDER})
-set(kept ${CACHE})
-if(EXPECT)
-  file(REMOVE_RECURSE ${FOLDER}/rtl ${FOLDER}/cache)
-  file(COPY ${SOURCE}/rtl DESTINATION ${FOLDER})
-  execute_process(COMMAND ${CMAKE_COMMAND} -DOLD=${FOLDER}/old -DNEW=${FOLDER}/new -DFROM=${SOURCE}/rtl/${FILE}
-    -DTO=${FOLDER}/rtl/${FILE} -P ${CMAKE_CURRENT_LIST_DIR}/../meta/apply.cmake COMMAND_ERROR_IS_FATAL ANY)
-  set(ENV{RAYCLOCK_RTL} ${FOLDER}/rtl)
-  set(kept ${FOLDER}/cache)
-endif()
-set(ENV{RAYCLOCK_CACHE} ${kept})
+include(${CMAKE_CURRENT_LIST_DIR}/faulty.cmake)
 execute_process(COMMAND ${PROGRAM} chip --config ${CONFIG} --unit ${UNIT} --json ${FOLDER}/report.json
   WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(EXPECT)
-  file(REMOVE_RECURSE ${FOLDER}/rtl ${FOLDER}/cache)
-endif()
+faulty_end()
 if(output MATCHES "nextpnr-ecp5 is not installed")
   message("SKIPPED: nextpnr-ecp5 is not installed; ./bootstrap chip installs it")
   return()

@@ -9,8 +9,6 @@
 #include "model/base/error.hpp"
 
 #include <glm/common.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 namespace rayclock {
 namespace {
