@@ -119,11 +119,13 @@ void Machine::settle_pipelines() {
 }
 
 void Machine::clock_pipelines() {
+    finished_ = 0;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
         if (masks_[p].fire) moved_at_ = now_ + 1;
-        hits_ += masks_[p].fire >> index(Link::hit) & 1;
+        finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
         pipelines_[p].clock(now_, shared_moves_[p]);
     }
+    hits_ += finished_;
 }
 
 void Machine::clock_shared() {
@@ -137,7 +139,7 @@ void Machine::clock_shared() {
         ++l2_counts_[std::size_t(l2_deed_)];
     }
     const Memory::Answer request{asked().id, asked().addr};
-    memory_.clock(fires(Link::mem_req) ? &request : nullptr);
+    memory_.clock(fires(Link::mem_req) ? &request : nullptr, finished_);
     ++now_;
     if (fire_) moved_at_ = now_;
 }
@@ -155,15 +157,17 @@ void Machine::step() {
     const bool still = shared_is_still();
     if (!still) settle_shared();
     bool asleep = true;
+    finished_ = 0;
     for (std::size_t p = 0; p < pipelines_.size(); ++p) {
-        hits_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
+        finished_ += pipelines_[p].step(now_, still ? nothing : shared_moves_[p]);
         asleep &= pipelines_[p].slept();
     }
+    hits_ += finished_;
     if (still) {
         last_shared_ = (dispatch_.more() ? 2 : 1) | 1 << 2;   // the codes of units that wait
         ++shared_counts_[last_shared_];
         valid_ = fire_ = 0;
-        memory_.clock(nullptr);
+        memory_.clock(nullptr, finished_);
         ++now_;
     } else {
         clock_shared();
@@ -174,10 +178,12 @@ void Machine::step() {
 void Machine::step_in_order(const std::array<int, pipeline_units>& order) {
     settle_shared();
     settle_pipelines();
+    finished_ = 0;
     for (std::size_t p = pipelines_.size(); p-- > 0;) {
-        hits_ += masks_[p].fire >> index(Link::hit) & 1;
+        finished_ += std::uint32_t(masks_[p].fire >> index(Link::hit) & 1);
         pipelines_[p].clock_in_order(now_, shared_moves_[p], order);
     }
+    hits_ += finished_;
     clock_shared();
 }
 

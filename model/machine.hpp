@@ -123,6 +123,7 @@ private:
     Cache::Request client_request_{}, l2_miss_{};
 
     std::uint64_t now_ = 0, moved_at_ = 0, hits_ = 0, pixels_ = 0;
+    std::uint32_t finished_ = 0;      // pixels, in this cycle
     std::uint32_t last_shared_ = 0;   // codes of dispatch and memport
     CacheDeed l2_deed_{};
     std::array<std::uint64_t, 16> shared_counts_{};

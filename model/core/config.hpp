@@ -136,6 +136,8 @@ struct Config {
     int dram_channels = 1;                      ///< such memories side by side; the ideal one has no channels
     int mem_latency = 8;    ///< cycles from a request to its answer, if the memory is `ideal`
     int mem_interval = 1;   ///< cycles between two requests, if the memory is `ideal`
+    int scan_out = 0;       ///< 1: a screen reads its picture from the memory, see FrameBuffer
+    int pixel_writes = 0;   ///< 1: finished pixels are written to the memory
 
     // What the widest scene and picture need; checked when a scene is compiled and a frame made.
     int addr_bits = 24;    ///< memory address in lines of 64 bytes

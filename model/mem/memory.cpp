@@ -9,12 +9,14 @@ constexpr MemoryDeed deed_of[] = {MemoryDeed::busy, MemoryDeed::refresh, MemoryD
 }   // namespace
 
 Memory::Memory(const Config& config, int khz, Traffic traffic)
-    : ideal_(config, 1 << config.mem_id_bits()),
+    : first_screen_id_(1U << config.mem_id_bits()),
+      ideal_(config, int(first_screen_id_) + FrameBuffer::ids),
       traffic_(traffic),
       rng_(traffic.seed * 16 + 1),
       disturbed_(!traffic.none()) {
     if (const DramPart* part = config.dram_part())
-        dram_.emplace(*part, config.dram_channels, khz, 1 << config.mem_id_bits());
+        dram_.emplace(*part, config.dram_channels, khz, int(first_screen_id_) + FrameBuffer::ids);
+    if (config.scan_out || config.pixel_writes) frame_buffer_.emplace(config, khz);
 }
 
 void Memory::write(const std::vector<std::uint32_t>& lines) {
@@ -24,10 +26,33 @@ void Memory::write(const std::vector<std::uint32_t>& lines) {
     if (left_ > 0 && dram_) pay(), sleeping_ = false;
 }
 
-void Memory::work(const Answer* request) {
-    // The host has the cycles that the chip leaves.
-    const bool writes = left_ > 0 && !request && (dram_ ? dram_->ready() : ideal_.ready());
-    const std::uint32_t line = writes ? written_[written_.size() - left_--] : 0;
+/// Whose turn it is to ask: the chip's, if it could and did; then the picture's; then the host's.
+Memory::Turn Memory::take_turn(const Answer* request, Dram::Answer& what) {
+    if (request) {
+        what = {request->id, request->addr};
+        return Turn::chip;
+    }
+    if (!has_room()) return Turn::nobody;
+    if (frame_buffer_ && frame_buffer_->wants_read()) {
+        const FrameBuffer::Read read = frame_buffer_->read();
+        what = {first_screen_id_ + read.id, read.addr};
+        return Turn::picture;
+    }
+    if (frame_buffer_ && frame_buffer_->wants_write()) {
+        what = {0, frame_buffer_->write(), true};
+        return Turn::picture;
+    }
+    if (left_ == 0) return Turn::nobody;
+    what = {0, written_[written_.size() - left_--], true};
+    return Turn::host;
+}
+
+void Memory::work(const Answer* request, std::uint32_t pixels) {
+    if (is_for_screen()) frame_buffer_->answered(coming().id - first_screen_id_);
+    Dram::Answer asked;
+    const bool had_room = has_room();
+    const Turn turn = take_turn(request, asked);
+    const bool asks = turn != Turn::nobody;
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
         if (comes())
@@ -36,19 +61,27 @@ void Memory::work(const Answer* request) {
     }
     if (dram_) {
         pay();
-        const Dram::Answer asked{request ? request->id : 0, request ? request->addr : line, writes};
-        dram_->clock(request || writes ? &asked : nullptr);
-        sleeping_ = !disturbed_ & dram_->rests() & (written_.empty() || !this->writes());
+        dram_->clock(asks ? &asked : nullptr);
+        sleeping_ = !disturbed_ & !frame_buffer_ & dram_->rests() & (written_.empty() || !writes());
     } else {
+        const bool writes = asks && asked.is_write;
         if (writes) ideal_.write();
         writes_ += writes;
         ++ideal_deeds_[std::size_t(ideal_.valid()   ? MemoryDeed::busy
                                    : ideal_.waits() ? MemoryDeed::latency
                                                     : MemoryDeed::starved)];
-        reads_ += request != nullptr;
-        ideal_.clock(request);
+        reads_ += asks && !writes;
+        const Answer read{asked.id, asked.addr};
+        ideal_.clock(asks && !writes ? &read : nullptr);
     }
+    if (frame_buffer_) frame_buffer_->clock(pixels, turn == Turn::picture, had_room);
     if (disturbed_) disturb();
+}
+
+std::uint64_t Memory::picture_is_quiet_until() const {
+    if (frame_buffer_->wants_read() || frame_buffer_->wants_write() || is_for_screen()) return 0;
+    const std::uint64_t quiet = frame_buffer_->quiet();
+    return quiet > ~std::uint64_t(0) - now_ ? quiet : now_ + quiet;
 }
 
 void Memory::pay() {
@@ -66,6 +99,7 @@ void Memory::disturb() {
 
 void Memory::skip(std::uint64_t cycles) {
     now_ += cycles;
+    if (frame_buffer_) frame_buffer_->skip(cycles, has_room());
     if (sleeping_) {
         owed_ += cycles;
     } else if (dram_) {
@@ -89,9 +123,12 @@ std::array<std::uint64_t, 8> Memory::deeds() const {
 }
 
 MemoryStats Memory::stats() const {
-    if (!dram_) return {reads_, 0, 0, 0, writes_};
+    const std::uint64_t scanned = frame_buffer_ ? frame_buffer_->scanned() : 0,
+                        pixels = frame_buffer_ ? frame_buffer_->written() : 0;
+    const std::uint32_t backlog = frame_buffer_ ? frame_buffer_->backlog() : 0;
+    if (!dram_) return {reads_, 0, 0, 0, writes_, scanned, pixels, backlog};
     const DramStatistics s = dram_->statistics();
-    return {s.reads, s.row_hits, s.row_conflicts, s.refreshes, s.writes};
+    return {s.reads, s.row_hits, s.row_conflicts, s.refreshes, s.writes, scanned, pixels, backlog};
 }
 
 }   // namespace rayclock

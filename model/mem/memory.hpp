@@ -5,6 +5,7 @@
 
 #include "model/mem/dram_channels.hpp"
 #include "model/mem/dram_parts.hpp"
+#include "model/mem/frame_buffer.hpp"
 #include "model/mem/memport.hpp"
 
 namespace rayclock {
@@ -20,14 +21,22 @@ constexpr std::size_t memory_deeds = 4;
 
 /// What the memory has done.
 struct MemoryStats {
-    std::uint64_t reads = 0;                         ///< of 64 bytes
+    std::uint64_t reads = 0;                         ///< of 64 bytes, the screen's too
     std::uint64_t row_hits = 0, row_conflicts = 0;   ///< of these and the writes: the row was open; another
                                                      ///< row was
     std::uint64_t refreshes = 0;
-    std::uint64_t writes = 0;   ///< of 64 bytes, by the host
+    std::uint64_t writes = 0;                      ///< of 64 bytes, by the host and of pixels
+    std::uint64_t scanned = 0, pixel_writes = 0;   ///< of the reads, the screen's; of the writes, pixels'
+    std::uint32_t backlog = 0;   ///< most words that the screen waited for at once, from the beginning
     friend MemoryStats operator-(MemoryStats a, const MemoryStats& b) {
-        return {a.reads - b.reads, a.row_hits - b.row_hits, a.row_conflicts - b.row_conflicts,
-                a.refreshes - b.refreshes, a.writes - b.writes};
+        return {a.reads - b.reads,
+                a.row_hits - b.row_hits,
+                a.row_conflicts - b.row_conflicts,
+                a.refreshes - b.refreshes,
+                a.writes - b.writes,
+                a.scanned - b.scanned,
+                a.pixel_writes - b.pixel_writes,
+                a.backlog};
     }
     friend bool operator==(const MemoryStats&, const MemoryStats&) = default;
 };
@@ -39,7 +48,7 @@ public:
     Memory(const Config& config, int khz, Traffic traffic);
 
     using Answer = Memport::Answer;
-    bool ready() const { return (dram_ ? dram_->ready() : ideal_.ready()) && ready_; }
+    bool ready() const { return has_room() && ready_ && !(frame_buffer_ && frame_buffer_->goes_first()); }
     bool valid() const { return disturbed_ ? offer_ >= 0 : comes(); }
     Answer answer() const { return disturbed_ ? late_[std::size_t(offer_)].what : coming(); }
 
@@ -49,13 +58,13 @@ public:
     /// Some of them are not written yet.
     bool writes() const { return left_ > 0 || (dram_ && dram_->writes()); }
 
-    /// One clock edge: the request that was accepted, null if none.
-    void clock(const Answer* request) {
+    /// One clock edge: the request that was accepted, null if none, and how many pixels were finished.
+    void clock(const Answer* request, std::uint32_t pixels = 0) {
         ++now_;
         if (!request && sleeping_)
             ++owed_;
         else
-            work(request);
+            work(request, pixels);
     }
     /// Cycles by deed.
     std::array<std::uint64_t, 8> deeds() const;
@@ -63,10 +72,11 @@ public:
     MemoryStats stats() const;
 
     std::uint64_t quiet_until() const {
-        return disturbed_ || left_ > 0 ? 0
-               : sleeping_             ? ~std::uint64_t(0)
-               : dram_                 ? dram_->quiet_until()
-                                       : ideal_.quiet_until();
+        if (disturbed_ || left_ > 0) return 0;
+        const std::uint64_t until = sleeping_ ? ~std::uint64_t(0)
+                                    : dram_   ? dram_->quiet_until()
+                                              : ideal_.quiet_until();
+        return frame_buffer_ ? std::min(until, picture_is_quiet_until()) : until;
     }
     /// The same as so many clock(nullptr), not beyond quiet_until().
     void skip(std::uint64_t cycles);
@@ -76,16 +86,25 @@ private:
         Answer what;
         std::uint64_t due = 0;
     };
-    bool comes() const { return dram_ ? dram_->valid() : ideal_.valid(); }
+    bool has_room() const { return dram_ ? dram_->ready() : ideal_.ready(); }
+    bool answers() const { return dram_ ? dram_->valid() : ideal_.valid(); }
+    /// An answer for the chip.
+    bool comes() const { return answers() && !is_for_screen(); }
+    bool is_for_screen() const { return frame_buffer_ && answers() && coming().id >= first_screen_id_; }
+    std::uint64_t picture_is_quiet_until() const;
+    enum class Turn { nobody, chip, picture, host };
+    Turn take_turn(const Answer* request, Dram::Answer& what);
     Answer coming() const {
         return dram_ ? Answer{dram_->answer().id, dram_->answer().addr} : ideal_.answer();
     }
-    void work(const Answer* request);
+    void work(const Answer* request, std::uint32_t pixels);
     void pay();
     void disturb();
 
+    std::uint32_t first_screen_id_;   // ids from here on are the frame buffer's
     Memport ideal_;
     std::optional<DramChannels> dram_;   // what lies there, if not the ideal memory
+    std::optional<FrameBuffer> frame_buffer_;
     Traffic traffic_;
     Rng rng_;
     bool disturbed_, ready_ = true;

@@ -16,6 +16,7 @@
 #include "sim/chip/nextpnr.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/table.hpp"
+#include "sim/gen/ecp5.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/builder.hpp"
 #include "sim/rtl/interrupt.hpp"
@@ -57,12 +58,12 @@ std::string synth_script(const std::string& units) {
         "read_verilog -sv harness.v\n"
         "hierarchy -check -top rc_harness\n"
         "setattr -mod -set keep_hierarchy 1 {}\n"
-        "synth_ecp5 -nowidelut\n"
+        "{}"
         "setattr -mod -unset keep_hierarchy *\n"
         "flatten\n"
         "opt_clean\n"
         "write_json netlist.json\n",
-        units);
+        units, ecp5_steps());
 }
 
 class Steps {

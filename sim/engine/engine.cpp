@@ -12,6 +12,7 @@
 #include "model/base/stopwatch.hpp"
 #include "model/hits.hpp"
 #include "model/machine.hpp"
+#include "model/mem/frame_buffer.hpp"
 #include "model/where.hpp"
 #include "sim/rtl/rtl_machine.hpp"
 
@@ -32,6 +33,18 @@ void check_capacity(const MemoryImage& image, const Config& config) {
     const DramPart* part = config.dram_part();
     if (!part) return;
     const std::int64_t capacity = capacity_bytes(*part) * config.dram_channels;
+    const bool has_pictures = config.scan_out || config.pixel_writes;
+    if (has_pictures && std::int64_t(image.report.bytes) + FrameBuffer::bytes > capacity)
+        throw UserError(
+            fmt::format("the scene's memory image of {} bytes and the {} bytes of two pictures (scan_out, "
+                        "pixel_writes) are more "
+                        "than the memory '{}' holds, {} bytes",
+                        image.report.bytes, FrameBuffer::bytes, part->name, capacity));
+    const double peak = double(peak_bytes_per_second(*part)) * config.dram_channels;
+    if (config.scan_out && peak <= FrameBuffer::screen_bytes_per_second)
+        throw UserError(fmt::format(
+            "scan_out=1 reads {:.1f} MB/s for the screen, and the memory '{}' gives {:.1f} at most",
+            FrameBuffer::screen_bytes_per_second / 1e6, part->name, peak / 1e6));
     if (std::int64_t(image.report.bytes) > capacity)
         throw UserError(fmt::format(
             "the scene's memory image of {} bytes is larger than the memory '{}' of {} bytes; --set dram={} "

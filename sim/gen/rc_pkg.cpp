@@ -98,8 +98,9 @@ std::string camel(std::string_view name) {
 
 /// Parameters of a configuration that the RTL does not know: the host's, the memory's, and lines in bytes.
 bool is_for_rtl(std::string_view key) {
-    constexpr std::array others{"origin_bits", "straddlers",    "splits",      "references",  "leaf_size",
-                                "dram",        "dram_channels", "mem_latency", "mem_interval"};
+    constexpr std::array others{"origin_bits",  "straddlers", "splits",        "references",
+                                "leaf_size",    "dram",       "dram_channels", "mem_latency",
+                                "mem_interval", "scan_out",   "pixel_writes"};
     return std::find(others.begin(), others.end(), key) == others.end() && !key.ends_with("_line");
 }
 

@@ -139,8 +139,8 @@ std::string how_counted() {
 
 For each unit by itself: `read_verilog -sv -defer` of the package and all sources, `hierarchy -check
 -top rc_UNIT` (for the arbiter with the sources and the width that rc_top gives it), `setattr -mod -set
-keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -run :check` (all but its
-last step, which names cells and checks; no other option) and `stat -json`. {}. Units whose netlist is
+keep_hierarchy 1` on the cells that have a row of their own, then `synth_ecp5 -nowidelut` (all but its
+last step, which names cells and checks; resets of fewer than 16 flip-flops become logic first) and `stat -json`. {}. Units whose netlist is
 the same before synthesis are synthesised once.
 
 - **LUTs** are places of a LUT4: one for a LUT4, two for a CCU2C (two bits of a carry chain), six for a

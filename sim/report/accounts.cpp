@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "model/mem/dram_parts.hpp"
+#include "model/mem/frame_buffer.hpp"
 
 namespace rayclock {
 
@@ -78,7 +79,11 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     bound.nodes = double(std::max(run.visits, tested)) / config.pipelines;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
     bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;   // it rests busily
-    bound.memory = double(bytes_read(run)) / peak_bytes_per_second(config, khz) * khz * 1e3;
+    // The screen takes its share of the memory's time; what the chip and its pixels ask for needs the rest.
+    const double screen = config.scan_out ? FrameBuffer::screen_bytes_per_second : 0;
+    const double peak = peak_bytes_per_second(config, khz);
+    bound.memory = double(64 * (run.memory.reads - run.memory.scanned + run.memory.pixel_writes)) /
+                   std::max(peak - screen, peak / 2) * khz * 1e3;
     bound.cycles = std::max({bound.nodes, bound.triangles, bound.passes, bound.memory});
     bound.unit = bound.cycles == bound.memory      ? "memory"
                  : bound.cycles == bound.nodes     ? "trav"

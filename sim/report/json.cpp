@@ -149,7 +149,11 @@ ordered_json memory_json(const Config& config, int khz, const FrameRun& run) {
                     {"row_hits", run.memory.row_hits},
                     {"row_conflicts", run.memory.row_conflicts},
                     {"refreshes", run.memory.refreshes},
+                    {"writes", run.memory.writes},
                     {"peak_gb_per_s", peak_bytes_per_second(config, khz) / 1e9}};
+    if (config.scan_out)
+        json["dram"]["scan_out"] = {{"reads", run.memory.scanned}, {"backlog", run.memory.backlog}};
+    if (config.pixel_writes) json["dram"]["pixel_writes"] = run.memory.pixel_writes;
     return json;
 }
 

@@ -94,12 +94,21 @@ std::string memory_table(const PageInput& input) {
     for (const Unit unit : cache_units) cache(unit);
     cache(Unit::l2);
     const MemoryStats& m = input.run.memory;
+    std::string picture;
+    if (input.config.scan_out)
+        picture += fmt::format(
+            "<p>{} of these reads were the screen's, which waited for {} words of 64 bytes at most.</p>\n",
+            grouped(m.scanned), m.backlog);
+    if (input.config.pixel_writes)
+        picture += fmt::format("<p>Finished pixels were written in {} words of 64 bytes.</p>\n",
+                               grouped(m.pixel_writes));
     return html::table("Caches", {"cache", "look-ups", "hits", "joined a line on its way", "hit rate"},
                        rows) +
            fmt::format(
                "<p>The memory was read {} times, 64 bytes each; {} of these found their row open, {} "
                "another row; {} refreshes.</p>\n",
-               grouped(m.reads), grouped(m.row_hits), grouped(m.row_conflicts), grouped(m.refreshes));
+               grouped(m.reads), grouped(m.row_hits), grouped(m.row_conflicts), grouped(m.refreshes)) +
+           picture;
 }
 
 std::string slowest_table(const PageInput& input) {

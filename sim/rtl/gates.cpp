@@ -8,6 +8,7 @@
 #include "model/base/error.hpp"
 #include "model/core/units.hpp"
 #include "sim/files/input.hpp"
+#include "sim/gen/ecp5.hpp"
 #include "sim/gen/rc_pkg.hpp"
 #include "sim/rtl/cache.hpp"
 #include "sim/rtl/process.hpp"
@@ -46,7 +47,7 @@ std::string script(const std::string& module) {
     if (module == "rc_chip")
         text += fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}* *rc_{}*\n",
                             fmt::join(wiring(), "* *rc_"), fmt::join(all, "* *rc_"));
-    text += "synth_ecp5 -nowidelut -run :check\nselect -set inner *rc_*";
+    text += ecp5_steps("check") + "select -set inner *rc_*";
     for (const std::string& name : wiring()) text += " rc_" + name + " %d";
     return text +
            "\nopt_clean -purge @inner\nsplitnets @inner\nopt_clean -purge @inner\n"

@@ -226,8 +226,9 @@ void RtlMachine::count_boxes(int pipeline) {
 void RtlMachine::clock() {
     if (memory_.valid()) under_way_[memory_.answer().id] = 0;
     const std::optional<Memory::Answer> asked = request();
+    std::uint32_t finished = 0;
     for (std::size_t p = 0; p < links_.size(); ++p) {
-        hits_ += fire_[p] >> index(Link::hit) & 1;
+        finished += std::uint32_t(fire_[p] >> index(Link::hit) & 1);
         rays_.primary += fire_[p] >> index(Link::slot) & 1;
         if (fire_[p] & bit(Link::spawn)) {
             const std::uint32_t kind = get_data<Spawn>(*links_[p][index(Link::spawn)], config_).kind;
@@ -237,8 +238,9 @@ void RtlMachine::clock() {
         }
         if (fire_[p] & bit(Link::node_req)) count_boxes(int(p));
     }
+    hits_ += finished;
     rtl_.clock();
-    memory_.clock(asked ? &*asked : nullptr);
+    memory_.clock(asked ? &*asked : nullptr, finished);
     for (Sink& sink : sinks_) sink.clock();
     ++now_;
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/gen/ecp5.hpp"
 #include "sim/synth/yosys.hpp"
 #include "sim/jobs/cache.hpp"
 
@@ -98,10 +99,8 @@ std::string elaborate(const Config& c, const std::string& unit) {
 std::string synth_script() {
     // Without what synth_ecp5 does in the end: `autoname` takes half of the time, and `check` is the tests'
     // (tests/synth).
-    return fmt::format(
-        "setattr -mod -set keep_hierarchy 1 *rc_{}*\nsynth_ecp5 -nowidelut -run :check\n"
-        "tee -q -o stat.json stat -json\n",
-        fmt::join(cells(), "* *rc_"));
+    return fmt::format("setattr -mod -set keep_hierarchy 1 *rc_{}*\n{}tee -q -o stat.json stat -json\n",
+                       fmt::join(cells(), "* *rc_"), ecp5_steps("check"));
 }
 
 std::optional<std::string> shape_of(const Config& config, const std::string& unit,

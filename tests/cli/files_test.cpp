@@ -240,6 +240,27 @@ TEST_CASE("a memory from a file: as good as the one it was made from, in a repor
     check_refused(run_program({"simulate", "gears:1", "--set", "dram=" + folder.name("bad.json")}),
                   {"bad.json", "line 2", "cl_clocks", "from 1 to 200, not 0"});
 
+    // The picture's load: what it read and wrote is told, and memories that cannot bear it are refused.
+    const auto shown =
+        simulate({"--set", "dram=sdr", "--set", "scan_out=1", "--set", "pixel_writes=1"}, "shown.json");
+    CHECK(shown["digest"] == named["digest"]);
+    CHECK(shown["clocks"][0]["cycles"] > named["clocks"][0]["cycles"]);
+    const auto& load = shown["memory"]["dram"];
+    CHECK(load["scan_out"]["reads"] > 0);
+    CHECK(load["scan_out"]["backlog"] > 0);
+    CHECK(load["reads"] > load["scan_out"]["reads"]);
+    CHECK(load["pixel_writes"] == load["writes"]);
+    CHECK(load["writes"] > 0);
+    CHECK_FALSE(named["memory"]["dram"].contains("scan_out"));
+    folder.write("tiny.json", R"({"like": "sdr", "rows": 256})");
+    check_refused(run_program({"simulate", "gears:1", "--set", "scan_out=1", "--set",
+                               "dram=" + folder.name("tiny.json")}),
+                  {"two pictures", "scan_out", "2457600", "2097152"});
+    folder.write("lazy.json", R"({"like": "sdr", "tck_ns": 50, "trc_ns": 500, "trefi_ns": 100000})");
+    check_refused(run_program({"simulate", "gears:1", "--set", "scan_out=1", "--set",
+                               "dram=" + folder.name("lazy.json")}),
+                  {"scan_out=1", "73.7 MB/s", "40.0"});
+
     const Outcome sweep = run_program({"sweep", "gears:1", "--size", "16x12", "--no-netlist", "--axis",
                                        "dram=sdr," + folder.name("slow.json"), "--axis", "dram_channels=1,2",
                                        "-o", folder.name("sweep.csv")});

@@ -21,7 +21,7 @@ fuzz_mutant(gltf_accessor_beyond_its_view FILE sim/load/gltf_buffers.cpp TARGET 
 fuzz_mutant(scene_index_one_beyond FILE sim/load/json_parts.cpp TARGET scene RUNS 100000
   OLD [[corners[k].whole(mesh.vertices.size())]]
   NEW [[corners[k].whole(mesh.vertices.size() + 1)]])
-fuzz_mutant(config_value_above_its_range FILE model/core/config.cpp TARGET config RUNS 100000
+fuzz_mutant(config_value_above_its_range FILE model/core/check.cpp TARGET config RUNS 100000
   OLD [[if (value < p.lo || value > p.hi)]]
   NEW [[if (value < p.lo)]])
 fuzz_mutant(state_of_other_rays FILE sim/stress/state.cpp TARGET state RUNS 100000

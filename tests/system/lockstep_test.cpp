@@ -114,6 +114,28 @@ TEST_CASE("model and RTL agree on memories side by side, and on one that a file 
     }
 }
 
+TEST_CASE("model and RTL agree while a screen is read from their memory and pixels are written to it") {
+    for (const char* name : {"default", "narrow"}) {
+        for (const char* dram : {"ideal", "sdr_half", "ddr3"}) {
+            Config config = quick_config(name);
+            set_parameter(config, "dram", dram, "test");
+            config.scan_out = config.pixel_writes = 1;
+            const Job job = make_shot("gears:1", {32, 24}, config).job;
+            INFO(name << ", " << dram);
+            check_lockstep(job);
+            check_lockstep(job, Traffic{25, 60, 3}, 3);
+            Config quiet = config;
+            quiet.scan_out = quiet.pixel_writes = 0;
+            const FrameRun with = run_model(job),
+                           without = run_model(make_shot("gears:1", {32, 24}, quiet).job);
+            CHECK(with.memory.pixel_writes == 32 * 24 / 16);
+            CHECK(with.memory.scanned > 0);
+            CHECK(without.memory.scanned + without.memory.pixel_writes == 0);
+            if (dram == std::string("sdr_half")) CHECK(with.cycles > without.cycles);
+        }
+    }
+}
+
 TEST_CASE("model and RTL agree over several frames on one machine, whose caches stay warm") {
     const Shot shot =
         make_shot("gears:1", {32, 24}, quick_config(GENERATE("default", "small", "narrow", "broad")));

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <utility>
+
+#include "model/base/error.hpp"
+#include "model/core/config.hpp"
+#include "model/core/lines.hpp"
+
+namespace rayclock {
+
+// The address of a counter has four bits for a pipeline, whose last value stands for what all of them share.
+constexpr int most_rtl_pipelines = 8;
+
+void check_rtl(const Config& c) {
+    if (c.test() != PrimitiveTest::exact && c.test() != PrimitiveTest::sheared)
+        throw UserError("primitive_test=" + primitive_test_names()[std::size_t(c.primitive_test)] +
+                        " exists in software only; the RTL has exact and sheared");
+    if (c.pipelines > most_rtl_pipelines)
+        throw UserError("pipelines=" + std::to_string(c.pipelines) +
+                        " exists in the model only; the RTL has up to " + std::to_string(most_rtl_pipelines) +
+                        ", since registers number no more counters");
+}
+
+void check_config(const Config& c, const std::string& where) {
+    for (const Parameter& p : parameters()) {
+        const int value = c.*p.member;
+        const std::string key = p.key;
+        if (key.ends_with("_line") && value < line_bytes)
+            throw UserError(where + ": " + key +
+                            " must be at least 64 bytes, since a node of the tree takes 64, not " +
+                            std::to_string(value));
+        if (value < p.lo || value > p.hi)
+            throw UserError(where + ": " + p.key + " must lie in " + std::to_string(p.lo) + ".." +
+                            std::to_string(p.hi) + ", not " + std::to_string(value));
+        if (p.power_of_two && (value & (value - 1)) != 0)
+            throw UserError(where + ": " + p.key + " must be a power of two, not " + std::to_string(value));
+    }
+    const auto refuse = [&](const std::string& rule) { throw UserError(where + ": " + rule); };
+    if (2 * c.coord_bits + c.dir_bits > 62)
+        refuse(
+            "2 * coord_bits + dir_bits must not exceed 62 (an edge function is one 64-bit integer), and is " +
+            std::to_string(2 * c.coord_bits + c.dir_bits));
+    // The widest shift of rc_box: N + R + 3 bits moved left by at most F + M - 1 - R + (N - box_bits + 1).
+    const int widest = c.coord_bits + c.recip_bits + 3 + c.t_frac_bits + c.dir_bits - 1 - c.recip_bits +
+                       c.coord_bits - c.box_bits + 1;
+    if (widest > 63)
+        refuse("coord_bits, dir_bits and t_frac_bits together need " + std::to_string(widest) +
+               " bits in box, more than 63");
+    if (c.addr_bits < c.least_addr_bits())
+        refuse("addr_bits must be at least " + std::to_string(c.least_addr_bits()) +
+               " for the sets and lines of the caches, not " + std::to_string(c.addr_bits));
+    if (c.is_sheared() && c.dir_bits < c.coord_bits + 2)
+        refuse("primitive_test=sheared needs dir_bits of at least coord_bits + 2, " +
+               std::to_string(c.coord_bits + 2) +
+               " (then no sheared corner is off by more than a lattice step), and dir_bits is " +
+               std::to_string(c.dir_bits));
+    if ((c.has_treelets() || c.has_globes() || c.has_slants()) && c.test() != PrimitiveTest::exact &&
+        !c.is_sheared())
+        refuse("structure=" + structure_names()[std::size_t(c.structure)] +
+               " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
+               "its primitive");
+    if (c.is_octree() && Straddlers(c.straddlers) == Straddlers::stop)
+        refuse(
+            "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
+            "bsp");
+    if (c.has_slants() && Straddlers(c.straddlers) == Straddlers::inner)
+        refuse(
+            "structure=bsp has straddlers=leaves or stop: only an octree's nodes keep what a plane cuts "
+            "(inner)");
+    if (c.has_splits() && (c.has_instances() || (c.test() != PrimitiveTest::exact && !c.is_sheared())))
+        refuse(
+            "splits=on needs levels=1 and primitive_test=exact or sheared: meshes of instances are not cut, "
+            "and of other tests it is not known how far a hit may lie from its primitive");
+    if (c.has_instances() && (c.is_list() || c.test() != PrimitiveTest::exact))
+        refuse(
+            "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
+            "known of these alone");
+    if (c.has_instances() && node_bits(c) > line_bits - line_kind_bits)
+        refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
+               structure_names()[std::size_t(c.structure)] + " leaves " +
+               std::to_string(line_bits - node_bits(c)) +
+               " of its 512 free: coord_bits or addr_bits must be smaller");
+    const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
+                                                 {"planes", c.planes},
+                                                 {"smooth", c.smooth},
+                                                 {"refraction", c.refraction},
+                                                 {"supersampling", c.supersampling}};
+    for (const auto& [key, is_there] : units)
+        if (is_there && !c.shading) refuse(std::string(key) + "=1 needs shading=1");
+    if (c.shading && c.test() != PrimitiveTest::exact)
+        refuse("shading=1 needs primitive_test=exact: secondary rays are decided exactly");
+    if (c.shading && (c.ray_dir_bits() > 31 || c.ray_dir_bits() < c.dir_bits))
+        refuse(
+            "shadow rays need coord_bits + origin_bits + 1 bits of direction, at least dir_bits and at most "
+            "31, and that is " +
+            std::to_string(c.ray_dir_bits()) +
+            ": --set origin_bits=" + std::to_string(std::clamp(30 - c.coord_bits, 2, 12)));
+    if (c.shading && c.origin_bits > c.bary_bits)
+        refuse("a secondary ray's origin is made from u and v: origin_bits must not exceed bary_bits, " +
+               std::to_string(c.bary_bits) + ", and is " + std::to_string(c.origin_bits));
+    if (c.uv_bits() > 32)
+        refuse("planes=1 needs bary_bits + " + std::to_string(plane_bits + 1) +
+               " bits for u and v, at most 32, and bary_bits is " + std::to_string(c.bary_bits));
+    if (c.shading && c.dir_bits + c.t_frac_bits <= c.origin_bits + 1)
+        refuse("shading=1 needs dir_bits + t_frac_bits above origin_bits + 1");
+    if (c.planes && c.dir_bits > c.origin_width())
+        refuse("planes=1 needs dir_bits of at most coord_bits + origin_bits, " +
+               std::to_string(c.origin_width()) + ", and dir_bits is " + std::to_string(c.dir_bits));
+    if (c.t_bits() > 31) refuse("coord_bits + 2 + t_frac_bits must not exceed 31");
+}
+
+}   // namespace rayclock
