@@ -243,7 +243,6 @@ TEST_CASE("a memory from a file: as good as the one it was made from, in a repor
     // The picture's load: what it read and wrote is told, and memories that cannot bear it are refused.
     const auto shown =
         simulate({"--set", "dram=sdr", "--set", "scan_out=1", "--set", "pixel_writes=1"}, "shown.json");
-    CHECK(shown["digest"] == named["digest"]);
     CHECK(shown["clocks"][0]["cycles"] > named["clocks"][0]["cycles"]);
     const auto& load = shown["memory"]["dram"];
     CHECK(load["scan_out"]["reads"] > 0);
