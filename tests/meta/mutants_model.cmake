@@ -194,19 +194,19 @@ mutant(dram_group_gate_ignored FILE model/mem/dram_banks.cpp TEST unit [dram]
             group_of(bank).column = clock + tccd_l_;]]
   NEW [[write_ = clock + std::max(tccd_, to_write_);
             group_of(bank).column = clock + tccd_;]])
-mutant(screen_waits_for_the_chip FILE model/mem/frame_buffer.hpp TEST unit [picture]
+mutant(screen_waits_for_the_chip FILE model/mem/frame_buffer.hpp WITH tests/unit/frame_buffer_test.cpp model/mem/memory.cpp model/mem/frame_buffer.cpp TEST unit [picture]
   OLD [[(wants_read() || pixel_words_ >= most_pixel_words)]]
   NEW [[pixel_words_ >= most_pixel_words]])
-mutant(pixels_wait_for_the_chip FILE model/mem/frame_buffer.hpp TEST unit [picture]
+mutant(pixels_wait_for_the_chip FILE model/mem/frame_buffer.hpp WITH tests/unit/frame_buffer_test.cpp model/mem/memory.cpp model/mem/frame_buffer.cpp TEST unit [picture]
   OLD [[(wants_read() || pixel_words_ >= most_pixel_words)]]
   NEW [[wants_read()]])
 mutant(screen_starves_the_chip FILE model/mem/frame_buffer.cpp TEST unit [picture]
   OLD [[had_turn_ = had_turn | (had_turn_ & !had_room);]]
   NEW [[had_turn_ = had_turn;]])
-mutant(screen_word_goes_to_the_chip FILE model/mem/memory.hpp TEST unit [picture]
+mutant(screen_word_goes_to_the_chip FILE model/mem/memory.hpp WITH tests/unit/frame_buffer_test.cpp model/mem/memory.cpp TEST unit [picture]
   OLD [[return answers() && !is_for_screen();]]
   NEW [[return answers();]])
-mutant(screen_is_slept_through FILE model/mem/frame_buffer.hpp TEST unit [picture]
+mutant(screen_is_slept_through FILE model/mem/frame_buffer.hpp WITH tests/unit/frame_buffer_test.cpp model/mem/memory.cpp model/mem/frame_buffer.cpp TEST unit [picture]
   OLD [[(khz_ - phase_ - 1) / words_per_ms]]
   NEW [[(khz_ - phase_ - 1) / words_per_ms + 2]])
 mutant(dram_channel_takes_its_neighbours_words FILE model/mem/dram_channels.cpp TEST unit [dram]
