@@ -53,6 +53,7 @@ void Memory::work(const Answer* request, std::uint32_t pixels) {
     const bool had_room = has_room();
     const Turn turn = take_turn(request, asked);
     const bool asks = turn != Turn::nobody;
+    reads_ += turn == Turn::chip;
     if (disturbed_) {
         if (offer_ >= 0) late_.erase(late_.begin() + offer_);
         if (comes())
@@ -70,7 +71,6 @@ void Memory::work(const Answer* request, std::uint32_t pixels) {
         ++ideal_deeds_[std::size_t(ideal_.valid()   ? MemoryDeed::busy
                                    : ideal_.waits() ? MemoryDeed::latency
                                                     : MemoryDeed::starved)];
-        reads_ += asks && !writes;
         const Answer read{asked.id, asked.addr};
         ideal_.clock(asks && !writes ? &read : nullptr);
     }
@@ -126,9 +126,9 @@ MemoryStats Memory::stats() const {
     const std::uint64_t scanned = frame_buffer_ ? frame_buffer_->scanned() : 0,
                         pixels = frame_buffer_ ? frame_buffer_->written() : 0;
     const std::uint32_t backlog = frame_buffer_ ? frame_buffer_->backlog() : 0;
-    if (!dram_) return {reads_, 0, 0, 0, writes_, scanned, pixels, backlog};
+    if (!dram_) return {reads_ + scanned, 0, 0, 0, writes_, scanned, pixels, backlog};
     const DramStatistics s = dram_->statistics();
-    return {s.reads, s.row_hits, s.row_conflicts, s.refreshes, s.writes, scanned, pixels, backlog};
+    return {reads_ + scanned, s.row_hits, s.row_conflicts, s.refreshes, s.writes, scanned, pixels, backlog};
 }
 
 }   // namespace rayclock

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "model/base/error.hpp"
-#include "model/mem/frame_buffer.hpp"
 #include "sim/load/load.hpp"
 
 namespace rayclock::test {
@@ -128,9 +127,7 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     if (config.l2_sets > 0) CHECK(code(Unit::l2, 0) + code(Unit::l2, 1) + code(Unit::l2, 2) == words);
     const std::uint64_t asked =
         config.l2_sets > 0 ? code(Unit::l2, 1) * std::uint64_t(config.l2_line / line_bytes) : words;
-    // At either end of the frame some of the screen's words are asked for and not read.
-    CHECK(run.memory.reads <= asked + run.memory.scanned + (config.scan_out ? FrameBuffer::ids : 0));
-    CHECK(run.memory.reads + (config.scan_out ? FrameBuffer::ids : 0) >= asked + run.memory.scanned);
+    CHECK(run.memory.reads == asked + run.memory.scanned);
     CHECK(run.box_tests >= (config.is_bvh() ? steps : 0));
     CHECK(run.box_tests <= run.visits * std::uint64_t(config.node_width));
 }

@@ -221,6 +221,10 @@ inline std::int32_t clip(std::int64_t x, int n) {
 }
 
 /// A primitive: spheres often pass near or through the point `near`, on all sides of it.
+inline Vec3i scaled(const Vec3i& v, int bits) {
+    return {v[0] * (1 << bits), v[1] * (1 << bits), v[2] * (1 << bits)};
+}
+
 inline PrimData random_prim(Draw& draw, const Config& c, const Vec3i& near) {
     const int n = c.coord_bits, reach = 1 << draw.below(n - 1);
     PrimData p;
@@ -281,9 +285,7 @@ inline TriReq random_any_req(Draw& draw, const Config& c) {
     const auto point = [&](const Vec3l& v) {
         return Vec3i{clip(v[0], n + b), clip(v[1], n + b), clip(v[2], n + b)};
     };
-    const auto lattice = [&](const Vec3i& v) {
-        return Vec3i{v[0] * (1 << b), v[1] * (1 << b), v[2] * (1 << b)};
-    };
+    const auto lattice = [&](const Vec3i& v) { return scaled(v, b); };
     r.o = lattice(from);
     if (leaves(r) && !draw.percent(10)) {
         if (draw.coin())
