@@ -195,7 +195,7 @@ template <bool shades, bool levels>
                       Link::tri_req, Link::tri_rsp, Link::hit));
     if constexpr (levels) asleep_ = asleep_ & !m.any(Link::xform_req, Link::change);
     if constexpr (shades) {
-        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() &
+        asleep_ = asleep_ & !shade_.answers(now) & !shade_.offers(false) & !shade_.rests() & !shade_.comes() &
                   !m.any(Link::closest, Link::surf_req, Link::surf_rsp, Link::spawn);
         clock_surf_cache(m, shared);
         clock_shade<levels>(m, now);

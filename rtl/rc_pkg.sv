@@ -150,6 +150,7 @@ package rc_pkg;
   localparam int unsigned XformLatency = 13;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeStages = 28;
+  localparam int unsigned ShadeCut = 0;
   localparam int unsigned ShadeLatency = 28;
   localparam int unsigned UnitStages = 8;
   localparam int unsigned PowerStages = 7;

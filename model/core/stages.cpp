@@ -35,6 +35,7 @@ Stages::Stages(const Config& config) {
     exits = 2 + 2 * cut;
     globe = 7 + 3 * multiply + 10 * cut;
     crossing = 4 + multiply + 7 * cut + divide(crossing_bits);
+    closest = cut;
     cache = cut;
 
     cross_share = std::min(config.tri_interval, 3);
@@ -60,6 +61,8 @@ Stages::Stages(const Config& config) {
     map_share = config.xform_interval;
     recip_share = std::min(config.xform_interval, 3);
     map = cut + multiply + map_share - 1 + 2;
+
+    pass_cut = config.shade_interval >= 8 ? cut : 0;
 }
 int Stages::divide(int bits) const { return (bits + quotient_bits - 1) / quotient_bits; }
 

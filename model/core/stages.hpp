@@ -50,11 +50,13 @@ struct Stages {
     // A pass of shade, rtl/shade/rc_pass.sv: a pass stays in each of so many stages for shade_interval
     // cycles.
     int pass = 28;
+    int pass_cut = 0;   ///< registers on the way within a stage, where a pass stays long enough in it
     // Units that keep what they know of a ray.
-    int arrive = 0;   ///< more of trav's, from box's answer to its leaves
-    int tried = 0;    ///< more of list's, from tri's answer on
-    int stack = 0;    ///< more of trav's, from a step to what its stack decides
-    int cache = 0;    ///< more of a cache's, before a look-up, and after the data are read
+    int arrive = 0;    ///< more of trav's, from box's answer to its leaves
+    int tried = 0;     ///< more of list's, from tri's answer on
+    int stack = 0;     ///< more of trav's, from a step to what its stack decides
+    int closest = 0;   ///< more of shade's, from a ray's answer to what it wants
+    int cache = 0;     ///< more of a cache's, before a look-up, and after the data are read
 
     explicit Stages(const Config& config);
     int divide(int bits) const;   ///< that make so many bits of a quotient

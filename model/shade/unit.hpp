@@ -1,5 +1,8 @@
 #pragma once
+#include <utility>
+
 #include "model/base/ring.hpp"
+#include "model/core/stages.hpp"
 
 namespace rayclock {
 
@@ -12,7 +15,8 @@ namespace rayclock {
 ///
 /// The pipeline takes surfaces first, then contexts that need another pass, then those whose ray hit nothing
 /// or was a shadow ray. Its answers are always taken: a context goes on to its next ray, to its pixel's end,
-/// or passes again. Mirror of rtl/shade/rc_shade.sv.
+/// or passes again. In a fast chip a ray's answer is looked at a cycle after it came. Mirror of
+/// rtl/shade/rc_shade.sv.
 class Shade {
 public:
     enum class Turn : std::uint8_t { again, spawn, pixel };
@@ -25,6 +29,7 @@ public:
           spawns_(config.contexts),
           pixels_(config.contexts),
           pass_(config.shade_latency(), config.shade_queue),
+          late_(Stages(config).closest > 0),
           rests_(std::uint32_t(config.shade_interval - 1)) {}
 
     /// A surface is asked for, or an instance.
@@ -50,6 +55,7 @@ public:
     std::uint32_t pixel_ray() const { return pixels_.front(); }
     std::uint64_t due() const { return pass_.due(); }
     bool answers(std::uint64_t now) const { return pass_.valid(now); }
+    bool comes() const { return came_.there; }   ///< a ray's answer came in the cycle before, to a fast chip
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
@@ -58,6 +64,7 @@ public:
                : pass_.contains(r)                          ? "shade: in a pass"
                : spawns_.contains(r)                        ? "shade: waits for raygen"
                : pixels_.contains(r)                        ? "shade: waits for its pixel to be taken"
+               : came_.there && came_.ray == ray            ? "shade: has just got its answer"
                                                             : nullptr;
     }
 
@@ -68,6 +75,10 @@ public:
     template <bool levels = false, class Decide>
     void clock(std::uint64_t now, OnLink closest, Wants wants, OnLink surface, OnLink place, bool surf_taken,
                bool spawn_taken, bool pixel_taken, Decide&& turn) {
+        if (late_) {   // what came is looked at in the next cycle
+            std::swap(closest, came_);
+            std::swap(wants, came_wants_);
+        }
         const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty();
         const bool answer = pass_.valid(now);
         const RayNumber done = pass_.front();
@@ -106,7 +117,10 @@ public:
 private:
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
     Pipe<RayNumber> pass_;
-    Merge surf_link_;                  // of fetch_ and places_
+    Merge surf_link_;   // of fetch_ and places_
+    bool late_;
+    OnLink came_;
+    Wants came_wants_ = Wants::nothing;
     std::uint32_t rests_, rest_ = 0;   // cycles after a pass in which it takes none; that are left
 };
 

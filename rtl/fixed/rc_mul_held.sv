@@ -4,7 +4,7 @@
 // last one. If Every is 1, each product has a multiplier, and is made at once.
 //
 // In a fast chip a multiplier has registers at its operands and its products, if the cycles
-// suffice for them.
+// suffice for them. Operands may come Late cycles after the first; turn_i is then as much later.
 `default_nettype none
 module rc_mul_held #(
   parameter  int unsigned AW       = 18,
@@ -12,6 +12,7 @@ module rc_mul_held #(
   parameter  bit          Signed   = 1'b1,
   parameter  int unsigned Products = 1,
   parameter  int unsigned Every    = rc_pkg::ShadeInterval,
+  parameter  int unsigned Late     = 0,
   localparam int unsigned PW       = AW + BW
 ) (
   input  logic                   clk_i,
@@ -20,12 +21,13 @@ module rc_mul_held #(
   input  logic [Products*BW-1:0] b_i,
   output logic [Products*PW-1:0] p_o
 );
-  if (Products < 1 || Every < 1) begin : gen_refuse
-    $error("rc_mul_held: Products and Every must be at least 1");
+  if (Products < 1 || Every < 1 || Late + 3 > Every + 2) begin : gen_refuse
+    $error("rc_mul_held: Products and Every must be at least 1, Late less than Every");
   end
-  // Registers within a multiplier; products that one makes.
-  localparam int unsigned Inside      = rc_pkg::MulStages > 1 && Every > 2 ? 2 : 0;
-  localparam int unsigned Multipliers = (Products + Every - Inside - 1) / (Every - Inside);
+  // Registers within a multiplier; products that one can make; that one makes.
+  localparam int unsigned Inside      = rc_pkg::MulStages > 1 && Every > 2 + Late ? 2 : 0;
+  localparam int unsigned Most        = Every - Inside - Late;
+  localparam int unsigned Multipliers = (Products + Most - 1) / Most;
   localparam int unsigned Share       = (Products + Multipliers - 1) / Multipliers;
   for (genvar m = 0; m < Multipliers; m++) begin : gen_multiplier
     localparam int unsigned First = m * Share;

@@ -24,20 +24,23 @@ module rc_power #(
     .clk_i, .valid_i, .turn_o(turn), .ends_o(ends));
 
   // s1: m = c 2^below, 2^16 <= m < 2^17.
-  logic [4:0]  s0_below, s1_below_q, s2_below_q;
+  logic [4:0]  s0_below, s0_by, s1_below_q, s2_below_q;
   logic [16:0] s0_m;
   logic [15:0] s1_m_q;
   always_comb begin
     s0_below = 5'd17;   // c = 0
-    s0_m     = '0;
-    if (ends[0]) begin
+    if (rc_pkg::ShadeCut != 0 || ends[0])
       for (int i = 0; i < 17; i++) if (c_i[i]) s0_below = 5'd16 - 5'(i);
-      s0_m = c_i << s0_below;
-    end
+  end
+  rc_cut #(.Width(5), .Stages(rc_pkg::ShadeCut)) u_below (
+    .clk_i, .data_i(s0_below), .data_o(s0_by));
+  always_comb begin
+    s0_m = '0;
+    if (ends[0]) s0_m = c_i << s0_by;
   end
   always_ff @(posedge clk_i) begin
     if (ends[0]) begin
-      s1_below_q <= s0_below;
+      s1_below_q <= s0_by;
       s1_m_q     <= s0_m[15:0];
     end
   end
@@ -108,9 +111,12 @@ module rc_power #(
   end
 
   // s7: moved to its place and rounded.
-  logic [18:0] s6_moved;
+  logic [18:0] s6_sum, s6_up, s6_moved;
   logic [16:0] s7_power_q;
-  assign s6_moved = ({1'b0, s6_g_q} + (19'd1 << s6_whole_q)) >> s6_whole_q;
+  assign s6_sum = {1'b0, s6_g_q} + (19'd1 << s6_whole_q);
+  rc_cut #(.Width(19), .Stages(rc_pkg::ShadeCut)) u_up (
+    .clk_i, .data_i(s6_sum), .data_o(s6_up));
+  assign s6_moved = s6_up >> s6_whole_q;
   always_ff @(posedge clk_i) if (ends[6]) s7_power_q <= s6_none_q ? '0 : s6_moved[17:1];
   assign power_o = s7_power_q;
 

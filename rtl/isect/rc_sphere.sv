@@ -7,7 +7,7 @@
 // multipliers, and steps of the root and of the division a stage. Its stages are counted in
 // model/core/stages.cpp as well. What one holds has its name: s1 the way from the centre, s2 the
 // products, s3 those of these, s4 the decision, s5 the discriminant that is left, r its root, w
-// the way along the ray, t the distance, p the products with the best hit.
+// the way along the ray (V bits), t the distance, p the products with the best hit.
 `default_nettype none
 module rc_sphere #(
   localparam int unsigned N = rc_pkg::CoordBits,
@@ -44,8 +44,7 @@ module rc_sphere #(
   localparam int unsigned S = W + 1;            // s
   localparam int unsigned G = 2 * M;            // d.d of all but shadow rays
   localparam int unsigned A = 2 * W + 3 > G + 1 ? 2 * W + 3 : G + 1;   // d.d, and a sign
-  localparam int unsigned V = M + W + 2 > G + 1 ? M + W + 2 : G + 1;   // numerator of t; d.s of
-                                                                       // all but shadow rays
+  localparam int unsigned V = M + W + 2 > G + 1 ? M + W + 2 : G + 1;   // d.s but of shadow rays
   localparam int unsigned L = V > N + W + 3 ? V : N + W + 3;           // d.s
   localparam int unsigned C = 2 * W + 3;        // s.s - R2
   localparam int unsigned D = 2 * (M + W) + 2 > 2 * (N + W) + 4
@@ -259,50 +258,20 @@ module rc_sphere #(
   end
   assign s3_blocks = there[AtS4-1] && s3_any && s3_blocked;
   if (Plain > D) begin : gen_short_disc
-    always_ff @(posedge clk_i)
-      if (s3_met || Cut != 0) s4_disc_q <= {{(Plain-D){1'b0}}, s3_disc};
+    always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= Plain'(s3_disc);
   end else begin : gen_disc
     always_ff @(posedge clk_i) if (s3_met || Cut != 0) s4_disc_q <= s3_disc[Plain-1:0];
   end
 
   // ---- s5: the discriminant cut to 2 RootW bits by an even number of places, 2 s5_right.
-  logic [2*RootW-1:0] s5_cut_q;
+  logic [2*RootW-1:0] s5_cut_q, s4_cut;
   logic [RightW:0]    s5_right_lost_q, s4_right_lost;
-  logic [Plain-1:0]   s4_cut;
-  if (Levels == 0) begin : gen_whole
-    assign s4_cut        = s4_disc_q;
-    assign s4_right_lost = '0;
-  end
-  for (genvar k = 0; k < Levels; k++) begin : gen_level
-    // Highest power of two first. As many pairs must go if with one less there are too many bits.
-    localparam int unsigned Pairs = 1 << (Levels - 1 - k);
-    logic [Plain-1:0]  all, left;
-    logic [Levels-1:0] right;   // of the levels so far, at the bottom
-    logic              goes, lost, out_lost;
-    logic [Levels-1:0] out_right;
-    if (k == 0) begin : gen_first
-      assign all   = s4_disc_q;
-      assign lost  = 1'b0;
-      assign right = '0;
-    end else begin : gen_next
-      assign all   = gen_level[k-1].left;
-      assign lost  = gen_level[k-1].out_lost;
-      assign right = gen_level[k-1].out_right;
-    end
-    assign goes = (all >> (2 * RootW + 2 * (Pairs - 1))) != '0;
-    rc_cut #(.Width(Plain + Levels + 1)) u_level (
-      .clk_i,
-      .data_i({goes ? all >> (2 * Pairs) : all, Levels'({right, goes}),
-               lost || (goes && all[2*Pairs-1:0] != '0)}),
-      .data_o({left, out_right, out_lost}));
-    if (k == Levels - 1) begin : gen_last
-      assign s4_cut        = left;
-      assign s4_right_lost = {out_right, out_lost};
-    end
-  end
+  rc_shrink #(.Width(Plain), .Levels(Levels), .Kept(2 * RootW)) u_shrink (
+    .clk_i, .all_i(s4_disc_q), .cut_o(s4_cut), .right_o(s4_right_lost[RightW:1]),
+    .lost_o(s4_right_lost[0]));
   always_ff @(posedge clk_i) begin
     if (met_moves[AtS5-1]) begin
-      s5_cut_q        <= s4_cut[2*RootW-1:0];
+      s5_cut_q        <= s4_cut;
       s5_right_lost_q <= s4_right_lost;
     end
   end

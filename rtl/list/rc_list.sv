@@ -98,22 +98,24 @@ module rc_list (
     assign unused = came.closer;
   end
 
-  // ---- Best hits. found says whether the memories hold one for a ray; any_q, which rays
+  // ---- Best hits. found says whether the memories hold one for a ray; any_hit, which rays
   // any hit ends.
   logic [I-1:0] start_ray;
-  logic [T-1:0] found, any_q;
+  logic [T-1:0] found, any_hit;
   logic         blocked;
   assign start_ray = start_i.ray;
-  assign blocked   = closer && any_q[came.ray];
+  assign blocked   = closer && any_hit[came.ray];
   rc_flags #(.Flags(T)) u_is_found (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(closer), .set_at_i(came.ray), .flags_o(found));
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic ends_at_any;
     assign ends_at_any = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
-    always_ff @(posedge clk_i) if (start_fires_i) any_q[start_ray] <= ends_at_any;
+    rc_mark #(.Marks(T)) u_any (
+      .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(ends_at_any),
+      .marks_o(any_hit));
   end else begin : gen_camera
-    assign any_q = '0;
+    assign any_hit = '0;
   end
 
   logic [TB-1:0] old_t;   // of came, or in a fast chip of a cycle later
@@ -167,27 +169,33 @@ module rc_list (
     .clk_i, .data_i(tri_group),
     .data_o({group_base, group_leaves, group_near, group_offset, group_count}));
 
-  logic [S-1:0] at_next, end_leaf;
+  logic [S-1:0] at_next, it_leaf, it_next, end_leaf;
   logic [C-1:0] leaf_count, end_triangle;
   logic         more_triangles, more_leaves, end_more_triangles, end_more_leaves;
   logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
-  logic [TB-1:0] next_near;
+  // Whether another leaf follows is found for both cursors, since it is known late which it is.
+  logic [TB-1:0] it_near, second_near;
+  logic          more_after_it, more_after_first;
+  assign it_leaf     = it_cursor[C +: S];
+  assign it_next     = it_leaf + S'(1);
+  assign second_near = group_near[TB +: TB];
   always_comb begin
     leaf_count  = '0;
     this_offset = '0;
     next_offset = '0;
-    next_near   = '0;
+    it_near     = '0;
     for (int i = 0; i < W; i++) begin
       if (cursor_leaf == S'(i)) leaf_count  = leaf_count | group_count[i*C +: C];
       if (cursor_leaf == S'(i)) this_offset = this_offset | group_offset[i*O +: O];
       if (at_next == S'(i))     next_offset = next_offset | group_offset[i*O +: O];
-      if (at_next == S'(i))     next_near   = next_near | group_near[i*TB +: TB];
+      if (it_next == S'(i))     it_near     = it_near | group_near[i*TB +: TB];
     end
   end
-  assign at_next        = cursor_leaf + S'(1);
-  assign more_triangles = cursor_triangle + C'(1) < leaf_count;
-  assign more_leaves    = {{(G-S){1'b0}}, cursor_leaf} + G'(1) < group_leaves
-                       && next_near <= it_t;
+  assign at_next          = cursor_leaf + S'(1);
+  assign more_triangles   = cursor_triangle + C'(1) < leaf_count;
+  assign more_after_it    = {{(G-S){1'b0}}, it_leaf} + G'(1) < group_leaves && it_near <= it_t;
+  assign more_after_first = group_leaves > G'(1) && second_near <= it_t;
+  assign more_leaves      = was_moved ? more_after_it : more_after_first;
   rc_cut #(.Width(I + 3 + TB + A + S + C + 2 * O)) u_end (
     .clk_i,
     .data_i({it_ray, it_blocked, more_triangles, more_leaves, it_t, group_base, cursor_leaf,
@@ -237,7 +245,7 @@ module rc_list (
     .data_o({tested_ray, tested_t_best}));
   if (rc_pkg::Shading != 0) begin : gen_stop
     logic stop;
-    assign stop     = any_q[tested_ray] && found[tested_ray];
+    assign stop     = any_hit[tested_ray] && found[tested_ray];
     assign tested_o = {tested_ray, stop, tested_t_best};
   end else begin : gen_go_on
     assign tested_o = {tested_ray, tested_t_best};

@@ -4,12 +4,13 @@
 //
 // If work stays long, and a cell of LUT RAM (16 words) does not hold the data, they lie in block
 // RAM, which Yosys 0.23 does not choose by itself. What is next is read in the cycle in which work
-// leaves: it is there in the next one, as from LUT RAM.
+// leaves: it is there in the next one, as from LUT RAM; or if it may come Late, in the one after.
 `default_nettype none
 module rc_beside #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Stages = 2,
   parameter  int unsigned Every  = rc_pkg::ShadeInterval,
+  parameter  bit          Late   = 1'b0,
   localparam int unsigned IndexW = Stages < 2 ? 1 : $clog2(Stages),
   localparam bit          Block  = Every >= 4 && Stages > 16 && Width > 16
 ) (
@@ -38,7 +39,7 @@ module rc_beside #(
       (* no_rw_check, ram_style = "block" *) logic [Width-1:0] mem [Stages];
       logic [Width-1:0]  read_q;
       logic [IndexW-1:0] out_d;
-      assign out_d  = !leave_i ? out_q : out_q == Last ? '0 : out_q + 1'b1;
+      assign out_d  = !leave_i || Late ? out_q : out_q == Last ? '0 : out_q + 1'b1;
       assign data_o = read_q;
       always_ff @(posedge clk_i) begin
         if (come_i) mem[in_q] <= data_i;

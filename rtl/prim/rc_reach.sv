@@ -20,8 +20,8 @@ module rc_reach (
   localparam int unsigned TB = rc_pkg::TBits;
   localparam logic [TB-1:0] SurfaceT = TB'(1) << (rc_pkg::CoordBits + rc_pkg::TFracBits);
 
-  // written says whether the memory holds a ray's; shadow_q, which rays end at the surface.
-  logic [T-1:0]               written, shadow_q;
+  // written says whether the memory holds a ray's; shadow, which rays end at the surface.
+  logic [T-1:0]               written, shadow;
   logic [TB-1:0]              kept, kept_then;
   logic                       was_written, was_shadow;
   logic [rc_pkg::RayBits-1:0] start_ray;
@@ -35,14 +35,16 @@ module rc_reach (
   if (rc_pkg::Shading != 0) begin : gen_kinds
     logic is_shadow;
     assign is_shadow = start_i.kind == rc_pkg::RayShadow;
-    always_ff @(posedge clk_i) if (start_fires_i) shadow_q[start_ray] <= is_shadow;
+    rc_mark #(.Marks(T)) u_shadow (
+      .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(is_shadow),
+      .marks_o(shadow));
     rc_pick #(.Flags(T)) u_was_shadow (
-      .clk_i, .flags_i(shadow_q), .index_i(read_ray_i), .flag_o(was_shadow));
+      .clk_i, .flags_i(shadow), .index_i(read_ray_i), .flag_o(was_shadow));
   end else begin : gen_camera
-    assign shadow_q   = '0;
+    assign shadow   = '0;
     assign was_shadow = 1'b0;
     logic unused;
-    assign unused = ^shadow_q;
+    assign unused = ^shadow;
   end
   rc_pick #(.Flags(T)) u_was_written (
     .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));

@@ -35,9 +35,10 @@ module rc_recip (
     .clk_i, .data_i({short_i, s0_mag}), .data_o({mag_short, mag}));
 
   // Its bit length; and by how much to move it up until its top bit is set.
-  logic [E-1:0] mag_len, mag_told, mag_up, len_told, len_up;
+  logic [E-1:0] mag_len, mag_up, len, len_told, len_up;
   logic [M-1:0] len_mag;
   logic         mag_power, len_power;   // of two, or zero
+  logic         len_short;
   always_comb begin
     mag_len = '0;
     mag_up  = E'(M);
@@ -50,11 +51,11 @@ module rc_recip (
       end
     end
   end
-  assign mag_told  = mag_short && mag_len != '0 ? mag_len + E'(M - rc_pkg::DirBits) : mag_len;
   assign mag_power = (mag & (mag - 1'b1)) == '0;
-  rc_cut #(.Width(M + 2 * E + 1)) u_len (
-    .clk_i, .data_i({mag, mag_told, mag_up, mag_power}),
-    .data_o({len_mag, len_told, len_up, len_power}));
+  rc_cut #(.Width(M + 2 * E + 2)) u_len (
+    .clk_i, .data_i({mag, mag_short, mag_len, mag_up, mag_power}),
+    .data_o({len_mag, len_short, len, len_up, len_power}));
+  assign len_told = len_short && len != '0 ? len + E'(M - rc_pkg::DirBits) : len;
 
   // Moved by fours and more, then by less.
   logic [M-1:0] coarse_mag, coarse, fine_m;

@@ -1,9 +1,13 @@
 // Where a ray that begins on a plane beyond the lattice comes into it: at a point exactly on
 // it, a whole number of steps of 2^ApproachShift directions away, the first before which no
 // slab of the lattice still lies ahead. Part of rc_pass, which has the valid bits; a stage
-// finds a bit of that number, the highest first. Where a pass stays in a stage for several
-// cycles it takes a step in each, so that fewer stages are built; what they find waits for s28.
-// Model: model/shade/approach.hpp.
+// finds a bit of that number, the highest first. Where a pass stays in a stage for four cycles or
+// more it takes a step in each but one, so that fewer stages are built; what they find waits for
+// s28.
+//
+// Of a point each axis keeps how deep it lies in the lattice's slab, seen along the ray: before the
+// slab that is negative, and behind it more than 2 End. So a step is one addition, and its sign
+// says whether the slab lies ahead. Model: model/shade/approach.hpp.
 `default_nettype none
 module rc_approach #(
   localparam int unsigned N  = rc_pkg::CoordBits,
@@ -28,104 +32,136 @@ module rc_approach #(
   localparam int unsigned Q     = (Reach > PW ? Reach : PW) + 2;
   localparam logic signed [Q-1:0] End = Q'(((65'(1) << (N - 1)) - 65'd1) << B);
 
-  // Where the last step begins, with the way that it is.
-  logic [3*Q-1:0] last_at, last_way;
-  if (Every == 1) begin : gen_at_once
-    // Where stages s15 + i begin.
-    logic [(Steps+1)*3*Q-1:0] at;
-    logic [(Steps+1)*3*M-1:0] d;
-    for (genvar k = 0; k < 3; k++) begin : gen_first
-      assign at[k*Q +: Q] = Q'($signed(s15_p_i[k*PW +: PW]));
-      assign d[k*M +: M]  = s15_d_i[k*M +: M];
-    end
+  localparam int unsigned R     = Reach + 1;   // of twice a way
+
+  // What is handed on: how deep the point lies, twice the way of the next step, and whether the
+  // ray runs downwards. After the last step it is the way of that step that is handed on.
+  logic [3*Q-1:0] s15_depth, first_depth, last_depth;
+  logic [3*R-1:0] s15_twice, first_twice, last_way;
+  logic [2:0]     s15_down, first_down, last_down;
+  for (genvar k = 0; k < 3; k++) begin : gen_first
+    logic signed [Q-1:0] p;
+    logic [M-1:0]        d, size;
+    assign p           = Q'($signed(s15_p_i[k*PW +: PW]));
+    assign d           = s15_d_i[k*M +: M];
+    assign s15_down[k] = d[M-1];
+    assign s15_depth[k*Q +: Q] = d[M-1] ? End - p : p + End;
+    assign size        = d[M-1] ? -d : d;
+    assign s15_twice[k*R +: R] = R'(size) << (Shift + Steps);
+  end
+  rc_cut #(.Width(3 * (Q + R + 1)), .Stages(rc_pkg::ShadeCut)) u_first (
+    .clk_i, .data_i({s15_depth, s15_twice, s15_down}),
+    .data_o({first_depth, first_twice, first_down}));
+
+  logic done;   // a point comes to the last step
+  if (Every < 4) begin : gen_in_stages
     for (genvar i = 0; i < Steps; i++) begin : gen_step
-      logic [3*Q-1:0] next, at_q;
-      logic [3*M-1:0] d_q;
-      logic [2:0]     ahead;   // the slab of axis k lies ahead of `next`
+      logic [3*Q-1:0] depth, next, depth_q;
+      logic [3*R-1:0] twice, twice_q;
+      logic [2:0]     down, down_q, ahead;   // ahead: the slab of axis k lies ahead of `next`
+      if (i == 0) begin : gen_begin
+        assign {depth, twice, down} = {first_depth, first_twice, first_down};
+      end else begin : gen_go_on
+        assign {depth, twice, down} = {gen_step[i-1].depth_q, gen_step[i-1].twice_q,
+                                       gen_step[i-1].down_q};
+      end
       for (genvar k = 0; k < 3; k++) begin : gen_axis
-        logic signed [Q-1:0] way, there;
-        assign way   = Q'($signed(d[(3*i+k)*M +: M])) <<< (Shift + Steps - 1 - i);
-        assign there = $signed(at[(3*i+k)*Q +: Q]) + way;
-        assign ahead[k]      = way < 0 ? there > End : there < -End;
-        assign next[k*Q +: Q] = there;
+        assign next[k*Q +: Q] = depth[k*Q +: Q] + Q'(twice[k*R+1 +: R-1]);
+        assign ahead[k]       = next[k*Q+Q-1];
+        always_ff @(posedge clk_i) if (valid_i[i]) twice_q[k*R +: R] <= twice[k*R +: R] >> 1;
       end
       always_ff @(posedge clk_i) begin
         if (valid_i[i]) begin
-          at_q <= ahead != '0 ? next : at[3*i*Q +: 3*Q];
-          d_q  <= d[3*i*M +: 3*M];
+          depth_q <= ahead != '0 ? next : depth;
+          down_q  <= down;
         end
       end
-      assign at[3*(i+1)*Q +: 3*Q] = at_q;
-      assign d[3*(i+1)*M +: 3*M]  = d_q;
     end
-    for (genvar k = 0; k < 3; k++) begin : gen_way
-      assign last_way[k*Q +: Q] = Q'($signed(d[(3*Steps+k)*M +: M])) <<< Shift;
-    end
-    assign last_at = at[3*Steps*Q +: 3*Q];
+    assign {last_depth, last_way, last_down} = {gen_step[Steps-1].depth_q,
+                                                gen_step[Steps-1].twice_q,
+                                                gen_step[Steps-1].down_q};
+    assign done = valid_i[Steps];
   end else begin : gen_in_turn
-    // began[i]: a pass came to s15 i cycles ago, and takes step i.
-    localparam int unsigned Last = (Steps + Every - 1) / Every - 1;
-    logic [Steps-1:0] began_q;
-    logic [Steps:0]   began;
-    assign began = {began_q, valid_i[0]};
-    always_ff @(posedge clk_i) began_q <= rst_ni ? began[Steps-1:0] : '0;
-    for (genvar i = 0; i <= Last; i++) begin : gen_steps
-      logic [3*Q-1:0] at, at_q, way, way_q, next;
-      logic [2:0]     ahead;   // the slab of axis k lies ahead of `next`
+    // Each stage takes over a point in one cycle, and makes a step in each of the next ones.
+    // began[i]: a pass came i cycles ago.
+    localparam int unsigned Own  = Every - 1;
+    localparam int unsigned Last = (Steps + Own - 1) / Own - 1;
+    localparam int unsigned Took = Last * Every + Steps - Last * Own + 1;
+    logic [Took-1:0] began_q;
+    logic [Took:0]   began;
+    logic            begins;
+    if (rc_pkg::ShadeCut == 0) begin : gen_begin_now
+      assign begins = valid_i[0];
+    end else begin : gen_begin_late
+      logic begins_q;
+      always_ff @(posedge clk_i) begins_q <= rst_ni && valid_i[0];
+      assign begins = begins_q;
+    end
+    assign began = {began_q, begins};
+    always_ff @(posedge clk_i) began_q <= rst_ni ? began[Took-1:0] : '0;
+    for (genvar i = 0; i <= Last; i++) begin : gen_stage
+      logic [3*Q-1:0] depth, next, depth_q;
+      logic [3*R-1:0] twice, twice_q;
+      logic [2:0]     down, down_q, ahead;
       logic           comes;
       assign comes = began[i*Every];
+      if (i == 0) begin : gen_begin
+        assign {depth, twice, down} = {first_depth, first_twice, first_down};
+      end else begin : gen_go_on
+        assign {depth, twice, down} = {gen_stage[i-1].depth_q, gen_stage[i-1].twice_q,
+                                       gen_stage[i-1].down_q};
+      end
       for (genvar k = 0; k < 3; k++) begin : gen_axis
-        logic signed [Q-1:0] at_new, way_new, go, there;
-        if (i == 0) begin : gen_first
-          assign at_new  = Q'($signed(s15_p_i[k*PW +: PW]));
-          assign way_new = Q'($signed(s15_d_i[k*M +: M])) <<< (Shift + Steps - 1);
-        end else begin : gen_next
-          assign at_new  = $signed(gen_steps[i-1].at_q[k*Q +: Q]);
-          assign way_new = $signed(gen_steps[i-1].way_q[k*Q +: Q]) >>> 1;
-        end
-        assign go    = comes ? way_new : $signed(way_q[k*Q +: Q]) >>> 1;
-        assign there = $signed(at[k*Q +: Q]) + go;
-        assign at[k*Q +: Q]   = comes ? at_new : at_q[k*Q +: Q];
-        assign way[k*Q +: Q]  = go;
-        assign next[k*Q +: Q] = there;
-        assign ahead[k]       = go < 0 ? there > End : there < -End;
+        assign next[k*Q +: Q] = depth_q[k*Q +: Q] + Q'(twice_q[k*R+1 +: R-1]);
+        assign ahead[k]       = next[k*Q+Q-1];
+        always_ff @(posedge clk_i)
+          twice_q[k*R +: R] <= comes ? twice[k*R +: R] : twice_q[k*R +: R] >> 1;
       end
       always_ff @(posedge clk_i) begin
-        at_q  <= ahead != '0 ? next : at;
-        way_q <= way;
+        if (comes || ahead != '0) depth_q <= comes ? depth : next;
+        if (comes)                down_q  <= down;
       end
     end
-    assign last_at = gen_steps[Last].at_q;
-    assign last_way = gen_steps[Last].way_q;
+    assign {last_depth, last_way, last_down} = {gen_stage[Last].depth_q, gen_stage[Last].twice_q,
+                                                gen_stage[Last].down_q};
+    assign done = began[Took];
   end
 
-  // The step that comes in.
+  // The step that comes in: its depth is not negative.
   logic [2:0]     fits;
   logic           enters;
   logic [3*P-1:0] entry;
   for (genvar k = 0; k < 3; k++) begin : gen_last
-    logic signed [Q-1:0] there;
-    assign there = $signed(last_at[k*Q +: Q]) + $signed(last_way[k*Q +: Q]);
-    assign fits[k]       = there <= End && there >= -End;
+    logic signed [Q-1:0] depth, there;
+    assign depth   = last_depth[k*Q +: Q] + Q'(last_way[k*R +: R]);
+    assign there   = last_down[k] ? End - depth : depth - End;
+    assign fits[k] = !depth[Q-1] && depth <= 2 * End;
     assign entry[k*P +: P] = there[P-1:0];
+    logic unused;
+    assign unused = ^there;
   end
   assign enters = fits == 3'b111;
-  if (Every == 1) begin : gen_end_now
+  if (Every < 4) begin : gen_end_now
     always_ff @(posedge clk_i)
-      if (valid_i[Steps]) {s28_enters_o, s28_entry_o} <= {enters, entry};
+      if (done) {s28_enters_o, s28_entry_o} <= {enters, entry};
     logic unused;
     assign unused = rst_ni;
   end else begin : gen_end_waits
-    logic             done_q, made_enters_q, enters_waited;
-    logic [3*P-1:0]   made_entry_q, entry_waited;
+    logic           done_q, made_enters_q;
+    logic [3*P-1:0] made_entry_q;
+    logic [3*P:0]   waited;
     always_ff @(posedge clk_i) begin
-      done_q <= rst_ni && gen_in_turn.began[Steps];
-      {made_enters_q, made_entry_q} <= {enters, entry};
-      if (valid_i[Steps]) {s28_enters_o, s28_entry_o} <= {enters_waited, entry_waited};
+      done_q <= rst_ni && done;
+      if (done) {made_enters_q, made_entry_q} <= {enters, entry};
     end
     rc_beside #(.Width(1 + 3 * P), .Stages(Steps)) u_beside (
       .clk_i, .rst_ni, .come_i(done_q), .leave_i(valid_i[Steps]),
-      .data_i({made_enters_q, made_entry_q}), .data_o({enters_waited, entry_waited}));
+      .data_i({made_enters_q, made_entry_q}), .data_o(waited));
+    if (rc_pkg::ShadeCut == 0) begin : gen_keep
+      always_ff @(posedge clk_i) if (valid_i[Steps]) {s28_enters_o, s28_entry_o} <= waited;
+    end else begin : gen_kept   // what is next stays long before it is taken, in s27
+      assign {s28_enters_o, s28_entry_o} = waited;
+    end
   end
 endmodule
 `default_nettype wire

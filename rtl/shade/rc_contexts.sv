@@ -16,6 +16,7 @@ module rc_contexts #(
                                  + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac)
 ) (
   input  logic                         clk_i,
+  input  logic                         rst_ni,
   // Listened to: a context begins a pixel, has a ray, and gets its answer
   input  logic                         slot_fires_i,
   input  rc_pkg::slot_t                slot_i,
@@ -96,8 +97,19 @@ module rc_contexts #(
   logic [SelfW-1:0]   self, new_self;
   logic [PixelW-1:0]  new_pixel;
   assign {new_pixel, new_plain, new_sample, new_bend, new_self} = write_state_i;
+  // A pixel begins, for a fast chip a cycle later: its passes come much later.
+  logic              begins;
+  logic [I-1:0]      begins_ray;
+  logic [PixelW-1:0] begins_pixel;
+  rc_cut #(.Width(I + PixelW)) u_begins (
+    .clk_i, .data_i({slot_i.ray, slot_i.x, slot_i.y}), .data_o({begins_ray, begins_pixel}));
+  if (rc_pkg::Cut == 0) begin : gen_begin_now
+    assign begins = slot_fires_i;
+  end else begin : gen_begin_late
+    always_ff @(posedge clk_i) begins <= rst_ni && slot_fires_i;
+  end
   rc_kept #(.Width(PixelW), .Depth(T)) u_pixel (
-    .clk_i, .write_i(slot_fires_i), .write_addr_i(slot_i.ray), .write_data_i({slot_i.x, slot_i.y}),
+    .clk_i, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
     .read_i, .read_addr_i(read_ray_i), .read_data_o(pixel));
   rc_kept #(.Width(PlainW), .Depth(T)) u_plain (
     .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_plain),
@@ -125,13 +137,13 @@ module rc_contexts #(
   end
 
   // A context that has just begun has nothing yet but a camera ray of full weight.
-  logic [T-1:0]         fresh_q;
+  logic [T-1:0]         all_fresh;
   logic                 fresh;
   if (rc_pkg::ShadeInterval == 1) begin : gen_now
-    assign fresh = fresh_q[read_ray_i];
+    assign fresh = all_fresh[read_ray_i];
   end else begin : gen_next
     logic read_fresh_q;
-    always_ff @(posedge clk_i) if (read_i) read_fresh_q <= fresh_q[read_ray_i];
+    always_ff @(posedge clk_i) if (read_i) read_fresh_q <= all_fresh[read_ray_i];
     assign fresh = read_fresh_q;
   end
   rc_pkg::shade_state_t state;
@@ -151,10 +163,9 @@ module rc_contexts #(
       state_o.most    = '0;
     end
   end
-  always_ff @(posedge clk_i) begin
-    if (write_i)      fresh_q[write_ray_i] <= 1'b0;
-    if (slot_fires_i) fresh_q[slot_i.ray]  <= 1'b1;
-  end
+  rc_flags #(.Flags(T)) u_fresh (
+    .clk_i, .rst_ni, .clear_i(write_i), .clear_at_i(write_ray_i),
+    .set_i(begins), .set_at_i(begins_ray), .flags_o(all_fresh));
 
   // ---- The stack of rays that wait.
   logic [3:0] top_at, new_top_at;

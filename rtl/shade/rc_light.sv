@@ -91,10 +91,12 @@ module rc_light #(
   rc_beside #(.Width(3 * 34), .Stages(24)) u_strength (
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
     .data_o(s26_strength));
-  rc_beside #(.Width(3 * N + 2), .Stages(27)) u_place (
+  logic [3*N+1:0] waited_place;
+  rc_beside #(.Width(3 * N + 2), .Stages(27), .Late(rc_pkg::ShadeCut != 0)) u_place (
     .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[28]),
-    .data_i({s1_lattice, s1_near_q, s1_clear_q}),
-    .data_o({s28_place_o, s28_near_o, s28_clear_o}));
+    .data_i({s1_lattice, s1_near_q, s1_clear_q}), .data_o(waited_place));
+  rc_cut #(.Width(3 * N + 2), .Stages(rc_pkg::ShadeCut)) u_waited (
+    .clk_i, .data_i(waited_place), .data_o({s28_place_o, s28_near_o, s28_clear_o}));
   rc_beside #(.Width(2), .Stages(14)) u_near (
     .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
     .data_o({s15_near, s15_far}));
@@ -219,7 +221,8 @@ module rc_light #(
       if (valid_i[25])
         s26_lit_q <= {1'b0, s25_matte[k*VB +: VB]} + {1'b0, s25_rounded[28:12]};
       if (valid_i[26]) s27_share_q <= s26_product[k*52 +: 52];
-      if (valid_i[27])
+      // It is taken at s27's end where a pass stays long.
+      if (rc_pkg::ShadeCut != 0 || valid_i[27])
         s28_share_q <= s27_rounded[52:44] != '0 ? 17'h10000 : {1'b0, s27_rounded[43:28]};
     end
     assign s28_share_o[k*VB +: VB] = s28_share_q;

@@ -59,6 +59,8 @@ module rc_pass #(
   localparam int unsigned LongW = V > NB ? V : NB;   // V also holds a sum of corner normals
   localparam int unsigned TurnW = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
   localparam int unsigned UnitW = LongW > TurnW ? LongW : TurnW;
+  // What waits for the end is there long before it; the end is made up in registers on the way.
+  localparam bit          Cut   = rc_pkg::ShadeCut != 0;
   localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d is begun
 
   // ---- What has come; it is held if a pass stays for more than a cycle.
@@ -99,7 +101,7 @@ module rc_pass #(
   logic                 back, s0_surf, s0_light, s0_refract, s0_bounce, s0_end, s0_turn;
   logic [TB-1:0]        t;
   logic [U-1:0]         u, v;
-  logic [3*VB-1:0]          colour;
+  logic [3*VB-1:0]      colour;
   rc_pkg::shade_state_t known;
   logic                 hit_found;
   logic [PB-1:0]        hit_prim;
@@ -107,8 +109,7 @@ module rc_pass #(
   rc_start u_start (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
-    .turn_o(s0_turn), .end_o(s0_end),
-    .colour_o(colour), .known_o(known));
+    .turn_o(s0_turn), .end_o(s0_end), .colour_o(colour), .known_o(known));
 
   // In which cycle of which stage a pass is, s0 lowest. It is over in the last one's first cycle.
   logic [L*Every:0] turn;
@@ -153,17 +154,25 @@ module rc_pass #(
   assign face_at = surf_at | turn_at;
 
   // ---- The state as far as it is known waits for the end.
-  logic [I-1:0]         end_ray;
-  rc_pkg::shade_state_t was;
-  rc_pkg::waiting_t     top;
-  rc_beside #(.Width(I + rc_pkg::ShadeStateW), .Stages(L)) u_known (
+  localparam int unsigned KnownW = I + rc_pkg::ShadeStateW;
+  logic [KnownW-1:0]           waited_known;
+  logic [rc_pkg::WaitingW-1:0] waited_top;
+  logic [I-1:0]                end_ray;
+  rc_pkg::shade_state_t        was;
+  rc_pkg::waiting_t            top;
+  rc_beside #(.Width(KnownW), .Stages(L), .Late(Cut)) u_known (
     .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i({ray, known}),
-    .data_o({end_ray, was}));
-  rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L)) u_top (
-    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i(top_came), .data_o(top));
+    .data_o(waited_known));
+  rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L), .Late(Cut)) u_top (
+    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i(top_came),
+    .data_o(waited_top));
+  rc_cut #(.Width(KnownW), .Stages(rc_pkg::ShadeCut)) u_was (
+    .clk_i, .data_i(waited_known), .data_o({end_ray, was}));
+  rc_cut #(.Width(rc_pkg::WaitingW), .Stages(rc_pkg::ShadeCut)) u_waited (
+    .clk_i, .data_i(waited_top), .data_o(top));
 
   // What others take from it on the way.
-  logic [3*AB-1:0]     s13_normal, s13_view;
+  logic [3*AB-1:0] s13_normal, s13_view;
   logic [3*NB-1:0] side_n;
   rc_beside #(.Width(108), .Stages(13)) u_vectors (
     .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[13] || bounce_at[13]),
@@ -178,7 +187,7 @@ module rc_pass #(
   logic [3*UnitW-1:0] s5_toward, s5_target, s5_turned;
   logic               s5_far, surf_far, s5_lost, surf_lost;
   logic [38:0]        s6_albedo, surf_albedo;
-  logic [3*VB-1:0]        s7_ambient, surf_ambient;
+  logic [3*VB-1:0]    s7_ambient, surf_ambient;
   rc_surf #(.UnitW(UnitW)) u_surf (
     .clk_i, .valid_i(surf_at[6:0]), .turn_i(turn[7*Every-1:0]), .s0_u_i(u), .s0_v_i(v),
     .s0_t_i(t), .s0_back_i(back),
@@ -186,21 +195,21 @@ module rc_pass #(
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
-  rc_beside #(.Width(3 * PW + 3 * NB + 2), .Stages(L - 5)) u_point (
+  rc_beside #(.Width(3 * PW + 3 * NB + 2), .Stages(L - 5), .Late(Cut)) u_point (
     .clk_i, .rst_ni, .come_i(surf_at[5]), .leave_i(surf_at[L]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
-  rc_beside #(.Width(39), .Stages(L - 6)) u_albedo (
+  rc_beside #(.Width(39), .Stages(L - 6), .Late(Cut)) u_albedo (
     .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[L]), .data_i(s6_albedo),
     .data_o(surf_albedo));
-  rc_beside #(.Width(3 * VB), .Stages(L - 7)) u_ambient (
+  rc_beside #(.Width(3 * VB), .Stages(L - 7), .Late(Cut)) u_ambient (
     .clk_i, .rst_ni, .come_i(surf_at[7]), .leave_i(surf_at[L]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
   logic [3*V-1:0]     s5_to;
-  logic [3*AB-1:0]        s13_unit, s13_new_view, surf_normal, surf_view;
-  logic [VB-1:0]        s15_cosine, surf_cosine;
+  logic [3*AB-1:0]    s13_unit, s13_new_view, surf_normal, surf_view;
+  logic [VB-1:0]      s15_cosine, surf_cosine;
   logic signed [18:0] s15_mirror;
   for (genvar k = 0; k < 3; k++) begin : gen_target
     assign s5_target[k*UnitW +: UnitW] = light_q[5] ? UnitW'($signed(s5_to[k*V +: V]))
@@ -213,22 +222,20 @@ module rc_pass #(
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
-  rc_beside #(.Width(108), .Stages(L - 13)) u_surf_vectors (
+  rc_beside #(.Width(108), .Stages(L - 13), .Late(Cut)) u_surf_vectors (
     .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[L]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
-  rc_beside #(.Width(VB), .Stages(L - 15)) u_cosine (
+  rc_beside #(.Width(VB), .Stages(L - 15), .Late(Cut)) u_cosine (
     .clk_i, .rst_ni, .come_i(face_at[15]), .leave_i(face_at[L]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
   // ---- A light, a bounce.
-  logic            light_near, light_clear, s13_total, bounce_total;
+  logic            light_near, light_clear, s13_total, bounce_total, s15_near;
   logic [3*D-1:0]  s15_light_d, s15_d, end_d;
-  logic            s15_near;
-  logic [3*N-1:0]  s15_place;
-  logic [3*N-1:0]  light_place;
-  logic [3*VB-1:0]     light_share;
-  logic [VB-1:0]     s9_weight, bounce_weight;
+  logic [3*N-1:0]  s15_place, light_place;
+  logic [3*VB-1:0] light_share;
+  logic [VB-1:0]   s9_weight, bounce_weight;
   logic [3*M-1:0]  s15_bounce_d;
   rc_light u_light (
     .clk_i, .rst_ni, .frame_i, .valid_i(light_at), .turn_i(turn[28*Every-1:0]),
@@ -244,38 +251,22 @@ module rc_pass #(
     .s0_refract_i(s0_refract), .s0_state_i(state),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
-  rc_beside #(.Width(VB), .Stages(L - 9)) u_weight (
+  rc_beside #(.Width(VB), .Stages(L - 9), .Late(Cut)) u_weight (
     .clk_i, .rst_ni, .come_i(bounce_at[9]), .leave_i(bounce_at[L]), .data_i(s9_weight),
     .data_o(bounce_weight));
-  rc_beside #(.Width(1), .Stages(L - 13)) u_total (
+  rc_beside #(.Width(1), .Stages(L - 13), .Late(Cut)) u_total (
     .clk_i, .rst_ni, .come_i(bounce_at[13]), .leave_i(bounce_at[L]), .data_i(s13_total),
     .data_o(bounce_total));
 
   // ---- The background, of a ray that met nothing or of a bounce that is not traced.
-  logic [3*VB-1:0] background, s10_background, end_background;
-  logic [VB-1:0] state_weight, s9_ray_weight, s9_share;
+  logic [3*VB-1:0] background, end_background;
+  logic [VB-1:0]   state_weight;
   assign state_weight = state.weight;
   assign background   = frame_i.background;
-  rc_beside #(.Width(VB), .Stages(9)) u_ray_weight (
-    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[9]), .data_i(state_weight),
-    .data_o(s9_ray_weight));
-  assign s9_share = bounce_q[9] ? s9_weight : s9_ray_weight;
-  logic [3*2*VB-1:0] s9_product;
-  rc_mul_held #(.AW(VB), .BW(VB), .Signed(1'b0), .Products(3)) u_background_product (
-    .clk_i, .turn_i(turn[9*Every +: Every]), .a_i({3{s9_share}}), .b_i(background),
-    .p_o(s9_product));
-  for (genvar k = 0; k < 3; k++) begin : gen_background
-    logic [33:0] s10_product_q, rounded;
-    always_ff @(posedge clk_i)
-      if (ends[9]) s10_product_q <= s9_product[k*2*VB +: 2*VB];
-    assign rounded = s10_product_q + 34'h8000;
-    assign s10_background[k*VB +: VB] = rounded[32:16];
-    logic unused;
-    assign unused = ^{rounded[33], rounded[15:0]};
-  end
-  rc_beside #(.Width(3 * VB), .Stages(L - 10)) u_background (
-    .clk_i, .rst_ni, .come_i(ends[10]), .leave_i(ends[L]), .data_i(s10_background),
-    .data_o(end_background));
+  rc_background u_background (
+    .clk_i, .rst_ni, .begins_i(ends[0]), .s0_weight_i(state_weight), .s9_ends_i(ends[9]),
+    .s9_turn_i(turn[9*Every +: Every]), .s9_bounce_i(bounce_q[9]), .s9_weight_i(s9_weight),
+    .colour_i(background), .s10_ends_i(ends[10]), .end_i(ends[L]), .end_colour_o(end_background));
 
   // ---- On which side of the surface a direction leaves, exactly.
   logic above, below, end_above, end_below, end_positive;
@@ -286,13 +277,13 @@ module rc_pass #(
   end
   rc_side u_side (
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
-    .turn_i(turn[Side*Every +: Every]), .n_i(side_n), .d_i(side_d),
+    .turn_i(turn[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
-  rc_beside #(.Width(2), .Stages(L - Side - 2)) u_sides (
+  rc_beside #(.Width(2), .Stages(L - Side - 2), .Late(Cut)) u_sides (
     .clk_i, .rst_ni, .come_i(light_at[Side+2] || bounce_at[Side+2]),
     .leave_i(light_at[L] || bounce_at[L]), .data_i({above, below}),
     .data_o({end_above, end_below}));
-  rc_beside #(.Width(3 * D + 1), .Stages(L - 15)) u_d (
+  rc_beside #(.Width(3 * D + 1), .Stages(L - 15), .Late(Cut)) u_d (
     .clk_i, .rst_ni, .come_i(light_at[15] || bounce_at[15]),
     .leave_i(light_at[L] || bounce_at[L]), .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
@@ -319,14 +310,14 @@ module rc_pass #(
       .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
     assign side_d = s19_home_d;
-    rc_beside #(.Width(3 * P), .Stages(L - 5)) u_turned (
+    rc_beside #(.Width(3 * P), .Stages(L - 5), .Late(Cut)) u_turned (
       .clk_i, .rst_ni, .come_i(turn_at[5]), .leave_i(turn_at[L]), .data_i(s5_turned_o),
       .data_o(turned_o));
-    rc_beside #(.Width(3 * (P + D)), .Stages(L - 19)) u_home (
+    rc_beside #(.Width(3 * (P + D)), .Stages(L - 19), .Late(Cut)) u_home (
       .clk_i, .rst_ni, .come_i(light_at[19] || bounce_at[19]),
       .leave_i(light_at[L] || bounce_at[L]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
-    rc_beside #(.Width(rc_pkg::AddrBits), .Stages(L)) u_here (
+    rc_beside #(.Width(rc_pkg::AddrBits), .Stages(L), .Late(Cut)) u_here (
       .clk_i, .rst_ni, .come_i(s0_light || s0_bounce || s0_turn),
       .leave_i(light_at[L] || bounce_at[L] || turn_at[L]), .data_i(here), .data_o(end_home));
   end else begin : gen_one_space
@@ -342,14 +333,16 @@ module rc_pass #(
   logic [3*P-1:0] entry;
   if (rc_pkg::Planes == 1) begin : gen_approach
     logic [3*PW-1:0] s0_o, s15_o;
-    logic [3*M-1:0]  s15_short_d;
+    logic [3*M-1:0]  s15_new_d, s15_short_d;
     assign s0_o = state.o;
     rc_beside #(.Width(3 * PW), .Stages(15)) u_o (
       .clk_i, .rst_ni, .come_i(s0_light || s0_bounce), .leave_i(light_at[15] || bounce_at[15]),
       .data_i(s0_o), .data_o(s15_o));
     for (genvar k = 0; k < 3; k++) begin : gen_short
-      assign s15_short_d[k*M +: M] = s15_d[k*D +: M];
+      assign s15_new_d[k*M +: M] = s15_d[k*D +: M];
     end
+    rc_cut #(.Width(3 * M), .Stages(rc_pkg::ShadeCut)) u_short (
+      .clk_i, .data_i(s15_new_d), .data_o(s15_short_d));
     rc_approach u_approach (
       .clk_i, .rst_ni, .valid_i(light_at[27:15] | bounce_at[27:15]), .s15_p_i(s15_o),
       .s15_d_i(s15_short_d), .s28_enters_o(enters), .s28_entry_o(entry));
@@ -359,9 +352,9 @@ module rc_pass #(
   end
 
   // ---- The sample's end.
-  logic         end_more;
-  logic [68:0]  end_sum;
-  logic [3*VB-1:0]  end_least, end_most, end_mean;
+  logic            end_more;
+  logic [68:0]     end_sum;
+  logic [3*VB-1:0] end_least, end_most, end_mean;
   if (rc_pkg::Supersampling == 1) begin : gen_samples
     logic         s4_more;
     logic [68:0]  s4_sum;
@@ -371,7 +364,7 @@ module rc_pass #(
       .s0_state_i(state), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
-    rc_beside #(.Width(1 + 69 + 3 * 3 * VB), .Stages(L - 4)) u_end (
+    rc_beside #(.Width(1 + 69 + 3 * 3 * VB), .Stages(L - 4), .Late(Cut)) u_end (
       .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[L]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
@@ -384,21 +377,21 @@ module rc_pass #(
   end
   // ---- s28: all of it together.
   rc_turnout u_turnout (
-    .frame_i, .ray_i(end_ray), .was_i(was), .top_i(top),
-    .surf_i(surf_at[L]), .surf_o_i(surf_o), .surf_n_i(surf_n), .surf_normal_i(surf_normal),
+    .clk_i, .take_i(ends[L-1]), .frame_i, .ray_i(end_ray), .was_i(was), .top_i(top),
+    .surf_i(Cut ? surf_q[L-1] : surf_at[L]), .surf_o_i(surf_o), .surf_n_i(surf_n),
+    .surf_normal_i(surf_normal),
     .surf_view_i(surf_view), .surf_cosine_i(surf_cosine), .surf_far_i(surf_far),
     .surf_lost_i(surf_lost),
     .surf_albedo_i(surf_albedo), .surf_ambient_i(surf_ambient), .background_i(end_background),
-    .turn_i(turn_at[L]), .turn_o_i(turned_o), .home_i(end_home), .home_o_i(end_home_o),
-    .home_d_i(end_home_d),
+    .turn_i(Cut ? turn_q_at[L-1] : turn_at[L]), .turn_o_i(turned_o), .home_i(end_home),
+    .home_o_i(end_home_o), .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
     .light_share_i(light_share),
     .above_i(end_above), .below_i(end_below), .positive_i(end_positive), .d_i(end_d),
     .enters_i(enters), .entry_i(entry),
     .weight_i(bounce_weight), .total_i(bounce_total), .more_i(end_more), .sum_i(end_sum),
     .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
-    .state_o(end_state_o), .leave_o, .spawn_o, .pixel_o, .push_o, .pushed_o);
-  assign end_ray_o = end_ray;
+    .ray_o(end_ray_o), .state_o(end_state_o), .leave_o, .spawn_o, .pixel_o, .push_o, .pushed_o);
 
   logic unused;
   assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, turn_at,

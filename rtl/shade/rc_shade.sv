@@ -59,16 +59,41 @@ module rc_shade (
   logic [rc_pkg::ClosestW-1:0] closest;
   logic [I-1:0]                closest_ray;
   logic [PB-1:0]               closest_prim;
-  logic [T-1:0]                any_hit_q;        // the context's ray ends at any hit
-  logic                        wants_surface, ends_at_any;
+  logic                        wants_surface, ends_at_any, any_hit;   // what any hit ends
   logic [1:0]                  kind;
   assign closest         = closest_i;
-  assign closest_ray     = closest_i.ray;
-  assign closest_prim    = closest_i.prim;
   assign closest_ready_o = 1'b1;
-  assign wants_surface   = closest_i.found && !any_hit_q[closest_ray];
+  // In a fast chip what it wants is looked at a cycle later.
+  logic         answers;
+  logic [A-1:0] closest_place;
+  if (rc_pkg::Homes == 1) begin : gen_place_of_hit
+    rc_cut #(.Width(A)) u_place_of_hit (
+      .clk_i, .data_i(closest_i.place), .data_o(closest_place));
+  end else begin : gen_no_place_of_hit
+    assign closest_place = '0;
+  end
+  rc_cut #(.Width(I + PB + 1)) u_answer (
+    .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found && !any_hit}),
+    .data_o({closest_ray, closest_prim, wants_surface}));
+  if (rc_pkg::Cut == 0) begin : gen_answer_now
+    assign answers = closest_valid_i;
+  end else begin : gen_answer_late
+    always_ff @(posedge clk_i) answers <= rst_ni && closest_valid_i;
+  end
   assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
-  always_ff @(posedge clk_i) if (ray_fires_i) any_hit_q[ray_i.ray] <= ends_at_any;
+  // In a fast chip it is written a cycle later, beside the memory.
+  logic         starts, starts_any;
+  logic [I-1:0] starts_ray;
+  rc_cut #(.Width(I + 1)) u_starts (
+    .clk_i, .data_i({ray_i.ray, ends_at_any}), .data_o({starts_ray, starts_any}));
+  rc_ram #(.Width(1), .Depth(T)) u_any (
+    .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
+    .read_addr_i(closest_i.ray), .read_data_o(any_hit));
+  if (rc_pkg::Cut == 0) begin : gen_start_now
+    assign starts = ray_fires_i;
+  end else begin : gen_start_late
+    always_ff @(posedge clk_i) starts <= rst_ni && ray_fires_i;
+  end
 
   localparam int unsigned MapW   = 9 * rc_pkg::MapBits
                                  + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
@@ -91,7 +116,7 @@ module rc_shade (
     assign surfaces = shade_frame.surfaces;
     assign line     = surfaces + A'(closest_prim);
     rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
-      .clk_i, .rst_ni, .push_i(closest_valid_i && wants_surface),
+      .clk_i, .rst_ni, .push_i(answers && wants_surface),
       .data_i({closest_ray, line}), .valid_o(surf_req_valid_o),
       .pop_i(surf_req_valid_o && surf_req_ready_i), .data_o(fetch));
     assign surf_req_o = fetch;
@@ -101,7 +126,7 @@ module rc_shade (
     assign place_data = '0;
     assign surface_found = rc_pkg::SurfaceW'(surf_rsp);
     logic unused;
-    assign unused = ^{surface_came, instance_came, taken};
+    assign unused = ^{surface_came, instance_came, taken, closest_place};
   end else begin : gen_fetch_twice
     logic [T-1:0]       placing_q, lends_q;   // an instance is waited for, or a material
     logic [A-1:0]       prim, surface_line, kept_line;
@@ -124,12 +149,12 @@ module rc_shade (
                             MapW'(rc_pkg::PlacementW'(surf_rsp))};
     always_ff @(posedge clk_i) begin
       if (placed)                           placing_q[came_ray]    <= 1'b0;
-      if (closest_valid_i)                  placing_q[closest_ray] <= wants_surface;
+      if (answers)                  placing_q[closest_ray] <= wants_surface;
       if (taken) begin
         lends_q[came_ray] <= placed && instance_came.material != '0;
         lent_q[came_ray]  <= lends || instance_came.material != '0;
       end
-      if (closest_valid_i)                  lends_q[closest_ray]   <= 1'b0;
+      if (answers)                  lends_q[closest_ray]   <= 1'b0;
     end
     rc_ram #(.Width(A), .Depth(T)) u_line (
       .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),
@@ -148,11 +173,11 @@ module rc_shade (
     end
     assign surface_found = lent;
     rc_ram #(.Width(A), .Depth(T)) u_prim (
-      .clk_i, .write_i(closest_valid_i), .write_addr_i(closest_ray),
+      .clk_i, .write_i(answers), .write_addr_i(closest_ray),
       .write_data_i(A'(closest_prim)), .read_addr_i(came_ray), .read_data_o(prim));
     rc_queue #(.Width(I + A), .Depth(T)) u_place (
-      .clk_i, .rst_ni, .push_i(closest_valid_i && wants_surface),
-      .data_i({closest_ray, closest_i.place}), .valid_o(place_valid),
+      .clk_i, .rst_ni, .push_i(answers && wants_surface),
+      .data_i({closest_ray, closest_place}), .valid_o(place_valid),
       .pop_i(place_valid && place_ready), .data_o(place_next));
     rc_queue #(.Width(I + A), .Depth(T)) u_fetch (
       .clk_i, .rst_ni, .push_i(taken), .data_i({came_ray, line}), .valid_o(fetch_valid),
@@ -168,7 +193,7 @@ module rc_shade (
   end
   assign came   = surf_rsp_valid_i && !placing;
   rc_queue #(.Width(I), .Depth(T)) u_arrived (
-    .clk_i, .rst_ni, .push_i(closest_valid_i && !wants_surface), .data_i(closest_ray),
+    .clk_i, .rst_ni, .push_i(answers && !wants_surface), .data_i(closest_ray),
     .valid_o(arrived_valid), .pop_i(arrived_pop), .data_o(arrived_ray));
 
   // ---- The door.
@@ -239,8 +264,8 @@ module rc_shade (
     assign surface  = surface_q;
   end
   rc_contexts u_contexts (
-    .clk_i, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
-    .closest_fires_i(closest_valid_i), .closest_ray_i(closest_ray),
+    .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
+    .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
     .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
@@ -281,19 +306,24 @@ module rc_shade (
       .clk_i, .write_i(end_valid && leave == rc_pkg::LeavePixel), .write_addr_i(end_ray),
       .write_data_i(PixelDataW'(pixel)), .read_addr_i(pixel_ray), .read_data_o(pixel_data));
   end else begin : gen_queued   // in the queues themselves, which are block RAM in a fast chip
-    logic [SpawnDataW-1:0] spawn_q;
-    logic [PixelDataW-1:0] pixel_q;
-    always_ff @(posedge clk_i) begin
-      if (end_valid) begin
-        spawn_q <= SpawnDataW'(spawn);
-        pixel_q <= PixelDataW'(pixel);
+    logic [SpawnDataW-1:0] spawn_then;
+    logic [PixelDataW-1:0] pixel_then;
+    if (rc_pkg::ShadeCut == 0) begin : gen_keep
+      always_ff @(posedge clk_i) begin
+        if (end_valid) begin
+          spawn_then <= SpawnDataW'(spawn);
+          pixel_then <= PixelDataW'(pixel);
+        end
       end
+    end else begin : gen_kept   // by rc_turnout
+      assign spawn_then = SpawnDataW'(spawn);
+      assign pixel_then = PixelDataW'(pixel);
     end
     rc_queue #(.Width(rc_pkg::SpawnW), .Depth(T)) u_spawn (
-      .clk_i, .rst_ni, .push_i(spawns), .data_i({out_ray, spawn_q}), .valid_o(spawn_valid_o),
+      .clk_i, .rst_ni, .push_i(spawns), .data_i({out_ray, spawn_then}), .valid_o(spawn_valid_o),
       .pop_i(spawn_valid_o && spawn_ready_i), .data_o({spawn_ray, spawn_data}));
     rc_queue #(.Width(rc_pkg::PixelW), .Depth(T)) u_pixel (
-      .clk_i, .rst_ni, .push_i(colours), .data_i({out_ray, pixel_q}), .valid_o(pixel_valid_o),
+      .clk_i, .rst_ni, .push_i(colours), .data_i({out_ray, pixel_then}), .valid_o(pixel_valid_o),
       .pop_i(pixel_valid_o && pixel_ready_i), .data_o({pixel_ray, pixel_data}));
   end
   assign spawn_o = {spawn_ray, spawn_data};

@@ -80,17 +80,30 @@ module rc_surf #(
   assign s0_odd      = s0_plane && (s0_square_u[0] ^ s0_square_v[0]);
   // A triangle's are not negative, and at least one step of 2^-(B + fine); fine is at most
   // Drop.
-  function automatic logic [W-1:0] weight(input logic [U-1:0] x, input logic is_plane,
-      input logic [2:0] fine);
-    logic signed [X-1:0] sum;
-    logic [5:0]          drop;
-    drop   = 6'(Drop) - {3'd0, fine};
-    sum    = $signed({{(X-U){is_plane && x[U-1]}}, x}) + $signed(X'(1) << drop >> 1);
-    weight = W'(sum >>> drop);
-    if (!is_plane && weight == '0) weight = W'(1);
-  endfunction
-  assign s0_u = weight(s0_u_i, s0_plane, s0_fine);
-  assign s0_v = weight(s0_v_i, s0_plane, s0_fine);
+  logic [5:0] s0_drop, s0_by;
+  assign s0_drop = 6'(Drop) - {3'd0, s0_fine};
+  rc_cut #(.Width(6), .Stages(rc_pkg::ShadeCut)) u_drop (
+    .clk_i, .data_i(s0_drop), .data_o(s0_by));
+  for (genvar i = 0; i < 2; i++) begin : gen_weight
+    logic [U-1:0]        x;
+    logic signed [X-1:0] sum, told, shifted;
+    logic signed [W-1:0] moved, weight;
+    assign x   = i == 0 ? s0_u_i : s0_v_i;
+    assign sum = $signed({{(X-U){s0_plane && x[U-1]}}, x}) + $signed(X'(1) << s0_by >> 1);
+    rc_cut #(.Width(X), .Stages(rc_pkg::ShadeCut)) u_sum (
+      .clk_i, .data_i(sum), .data_o(told));
+    assign shifted = told >>> s0_by;
+    rc_cut #(.Width(W), .Stages(rc_pkg::ShadeCut)) u_moved (
+      .clk_i, .data_i(shifted[W-1:0]), .data_o(moved));
+    assign weight = {moved[W-1:1], moved[0] || (!s0_plane && moved == '0)};
+    if (i == 0) begin : gen_u
+      assign s0_u = weight;
+    end else begin : gen_v
+      assign s0_v = weight;
+    end
+    logic unused;
+    assign unused = ^shifted;
+  end
   always_ff @(posedge clk_i) begin
     if (valid_i[0] && !s0_sphere) begin
       s1_u_q     <= s0_u;
@@ -101,19 +114,22 @@ module rc_surf #(
   end
 
   // s2: a triangle's point is moved off the border.
-  logic signed [W-1:0] s1_excess, s2_u_q, s2_v_q;
+  logic signed [W-1:0] s1_over, s1_excess, s2_u_q, s2_v_q;
   logic signed [W+1:0] s2_rest;
-  logic                s1_in;
+  logic                s1_in, s1_more, s1_u_more;   // more: u is greater than v
   logic signed [W-1:0] s1_one;
   assign s1_one    = $signed(W'(1 << B)) << s1_fine_q;
   assign s1_in     = s1_plane_q || s1_u_q + s1_v_q < s1_one;
-  assign s1_excess = s1_in ? '0 : s1_u_q + s1_v_q - s1_one + $signed(W'(1));
+  assign s1_over   = s1_in ? '0 : s1_u_q + s1_v_q - s1_one + $signed(W'(1));
+  assign s1_more   = s1_u_q > s1_v_q;
+  rc_cut #(.Width(W + 1), .Stages(rc_pkg::ShadeCut)) u_excess (
+    .clk_i, .data_i({s1_over, s1_more}), .data_o({s1_excess, s1_u_more}));
   assign s2_rest   = ($signed((W+2)'(1 << B)) << s2_fine_q) - (W+2)'(s2_u_q) - (W+2)'(s2_v_q);
   always_ff @(posedge clk_i) begin
     if (valid_i[1] && !sphere[1]) begin
       s2_fine_q <= s1_fine_q;
-      s2_u_q <= s1_u_q > s1_v_q ? s1_u_q - s1_excess : s1_u_q;
-      s2_v_q <= s1_u_q > s1_v_q ? s1_v_q : s1_v_q - s1_excess;
+      s2_u_q <= s1_u_more ? s1_u_q - s1_excess : s1_u_q;
+      s2_v_q <= s1_u_more ? s1_v_q : s1_v_q - s1_excess;
     end
   end
 

@@ -1,5 +1,7 @@
-// The end of a pass: the context's new state, and what leaves. Part of rc_pass; no
-// registers. Model: pass() and its parts in model/shade/pass.cpp.
+// The end of a pass: the context's new state, and what leaves. Part of rc_pass. No registers,
+// unless a pass stays long in a stage (rc_pkg::ShadeCut): then all comes early in the last stage,
+// stays until its end, is decided in several cycles, and taken over with take_i.
+// Model: pass() and its parts in model/shade/pass.cpp.
 `default_nettype none
 module rc_turnout #(
   localparam int unsigned VB = rc_pkg::ValueBits,
@@ -13,6 +15,8 @@ module rc_turnout #(
   localparam int unsigned D  = rc_pkg::RayDirBits,
   localparam int unsigned NB = rc_pkg::NormalBits
 ) (
+  input  logic                 clk_i,
+  input  logic                 take_i,
   input  rc_pkg::shade_frame_t frame_i,
   // What the context was
   input  logic [I-1:0]         ray_i,
@@ -58,6 +62,7 @@ module rc_turnout #(
   input  logic [3*VB-1:0] most_i,
   input  logic [3*VB-1:0] mean_i,  // the pixel's colour, if it has several
   // What the context becomes, and what leaves
+  output logic [I-1:0]                ray_o,
   output rc_pkg::shade_state_t        state_o,
   output logic                        push_o,
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
@@ -65,22 +70,26 @@ module rc_turnout #(
   output logic [rc_pkg::SpawnW-1:0]   spawn_o,
   output logic [rc_pkg::PixelW-1:0]   pixel_o
 );
+  localparam int unsigned Cut = rc_pkg::ShadeCut;
   logic [2:0] event_now;
+  logic       waits;   // a refracted ray does
   logic       is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next;
-  assign event_now  = was_i.purpose;
-  assign is_arrive  = event_now == rc_pkg::EventArrive;
-  assign is_light   = event_now == rc_pkg::EventLight;
-  assign is_refract = rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract;
-  assign is_reflect = event_now == rc_pkg::EventReflect;
-  assign is_pop     = rc_pkg::Refraction == 1 && event_now == rc_pkg::EventPop
-                   && was_i.waiting != '0;
-  assign is_end     = event_now == rc_pkg::EventPop && !is_pop;
-  assign is_next    = is_end && more_i;
+  assign event_now = was_i.purpose;
+  assign waits     = rc_pkg::Refraction == 1 && was_i.waiting != '0;
+  rc_cut #(.Width(7), .Stages(Cut)) u_event (
+    .clk_i,
+    .data_i({event_now == rc_pkg::EventArrive, event_now == rc_pkg::EventLight,
+             rc_pkg::Refraction == 1 && event_now == rc_pkg::EventRefract,
+             event_now == rc_pkg::EventReflect, event_now == rc_pkg::EventPop && waits,
+             event_now == rc_pkg::EventPop && !waits,
+             event_now == rc_pkg::EventPop && !waits && more_i}),
+    .data_o({is_arrive, is_light, is_refract, is_reflect, is_pop, is_end, is_next}));
 
   // What is added.
   logic [3*VB-1:0] was_colour, added, colour;
   assign was_colour = was_i.colour;
-  assign added      = surf_i ? surf_ambient_i : background_i;
+  rc_cut #(.Width(3 * VB), .Stages(Cut)) u_added (
+    .clk_i, .data_i(surf_i ? surf_ambient_i : background_i), .data_o(added));
   for (genvar k = 0; k < 3; k++) begin : gen_channel
     logic [17:0] sum;
     assign sum = {1'b0, was_colour[k*VB +: VB]} + {1'b0, added[k*VB +: VB]};
@@ -89,30 +98,39 @@ module rc_turnout #(
 
   // Where it goes on after a surface or a light.
   logic       far, starts;   // from the surface a ray can be sent
-  logic [6:0] light;
-  logic [2:0] after;
-  assign far    = was_i.is_far;
-  assign starts = !far || (!was_i.is_lost && enters_i);
-  assign light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
-  assign after = light < frame_i.lights ? rc_pkg::EventLight
-               : was_i.depth >= frame_i.depth ? rc_pkg::EventPop
-               : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? rc_pkg::EventRefract
-               : was_i.mirror != '0 ? rc_pkg::EventReflect : rc_pkg::EventPop;
+  logic       lit;           // another light follows
+  logic [6:0] next_light, light;
+  logic [2:0] follows, after;
+  assign far        = was_i.is_far;
+  assign starts     = !far || (!was_i.is_lost && enters_i);
+  assign next_light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
+  assign follows    = was_i.depth >= frame_i.depth ? rc_pkg::EventPop
+                    : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? rc_pkg::EventRefract
+                    : was_i.mirror != '0 ? rc_pkg::EventReflect : rc_pkg::EventPop;
+  logic [2:0] unlit;
+  rc_cut #(.Width(11), .Stages(Cut)) u_after (
+    .clk_i, .data_i({next_light, next_light < frame_i.lights, follows}),
+    .data_o({light, lit, unlit}));
+  assign after = lit ? rc_pkg::EventLight : unlit;
 
   // Whether a light counts, and which rays are sent.
-  logic [5:0] slack;   // what rounding has taken from a weight at most, in units of 2^-17
-  logic counts, asks, to_point, shadows, heavy, refracted, reflected, pushes, reflects, escapes;
-  assign counts   = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
-  assign asks     = light_near_i ? !was_i.is_lost : starts;
-  assign to_point = light_near_i && !far;
-  assign shadows  = is_light && counts && asks;
-  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);
-  assign heavy     = {1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold};
+  logic [5:0] lost, slack;   // what rounding takes from a weight at most, in units of 2^-17
+  logic lights, sends, heavy, refracted, reflected;
+  logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
+  assign lights    = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
+  assign sends     = light_near_i ? !was_i.is_lost : starts;
+  assign lost      = 6'd3 * ({2'd0, was_i.depth} + 6'd1);
+  rc_cut #(.Width(6), .Stages(Cut)) u_slack (.clk_i, .data_i(lost), .data_o(slack));
+  rc_cut #(.Width(1), .Stages(Cut)) u_heavy (
+    .clk_i, .data_i({1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold}),
+    .data_o(heavy));
   assign refracted = is_refract && heavy && !total_i && below_i;
   assign reflected = is_reflect && heavy && above_i;
-  assign pushes    = refracted && starts;
-  assign reflects  = reflected && starts;
-  assign escapes   = (refracted || reflected) && !starts;   // and sees the background
+  rc_cut #(.Width(7), .Stages(Cut)) u_decided (
+    .clk_i,
+    .data_i({lights, sends, light_near_i && !far, is_light && lights && sends,
+             refracted && starts, reflected && starts, (refracted || reflected) && !starts}),
+    .data_o({counts, asks, to_point, shadows, pushes, reflects, escapes}));
 
   // A point that was turned lies in the lattice. What was found in the mesh's space is kept.
   logic [3*PW-1:0] turned_o, found_o;
@@ -188,15 +206,17 @@ module rc_turnout #(
       next.purpose = rc_pkg::EventArrive;
     end
   end
+  rc_pkg::shade_state_t now;
+  logic [1:0]           leave;
   if (rc_pkg::Homes == 1) begin : gen_inner
     always_comb begin
-      state_o = next;
-      if (turn_i) state_o.inner = inner;
+      now = next;
+      if (turn_i) now.inner = inner;
     end
   end else begin : gen_no_inner
-    assign state_o = next;
+    assign now = next;
   end
-  assign leave_o = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
+  assign leave   = shadows || reflects || is_pop || is_next ? rc_pkg::LeaveSpawn
                  : is_end ? rc_pkg::LeavePixel : rc_pkg::LeaveAgain;
 
   // The ray that waits.
@@ -215,9 +235,9 @@ module rc_turnout #(
     assign spawn_way[k*D +: D] = is_next ? '0 : is_pop ? D'($signed(top_d[k*M +: M]))
                                                        : d_i[k*D +: D];
   end
-  assign push_o   = pushes;
   localparam int unsigned PushedW = 3 * P + 3 * M + VB + rc_pkg::DepthBits + rc_pkg::PrimBits + 1;
-  logic [PushedW-1:0] pushed;
+  logic [PushedW-1:0]          pushed;
+  logic [rc_pkg::WaitingW-1:0] waiting;
   assign pushed = {start, short_d, weight_i, was_i.depth + 4'd1, was_i.self, !was_i.is_inside};
 
   // The ray that leaves: a camera ray, a bounce, a shadow ray, a ray away to a light.
@@ -239,6 +259,7 @@ module rc_turnout #(
   localparam int unsigned HomeW  = rc_pkg::AddrBits + 3 * P + 3 * D;
   localparam int unsigned FromW  = GivenW + (rc_pkg::Homes == 1 ? HomeW : 0);
   localparam int unsigned SelfW  = rc_pkg::Spheres == 1 ? rc_pkg::PrimBits + 1 : 0;
+  logic [rc_pkg::SpawnW-1:0] spawn;
   logic [FromW-1:0]       from;
   logic [FromW+SelfW-1:0] given;
   if (rc_pkg::Homes == 1) begin : gen_home
@@ -250,12 +271,12 @@ module rc_turnout #(
       assign top_way[k*D +: D]      = D'($signed(top_home_d[k*M +: M]));
     end
     assign home_d   = is_next ? '0 : is_pop ? top_way : home_d_i;
-    assign pushed_o = {pushed, home_i, home_o_i, short_home_d};
+    assign waiting  = {pushed, home_i, home_o_i, short_home_d};
     assign from     = {is_next ? '0 : is_pop ? top_i.home : home_i,
                        is_next ? '0 : is_pop ? top_i.home_o : home_o_i, home_d,
                        spawn_place, spawn_way};
   end else begin : gen_no_home
-    assign pushed_o = pushed;
+    assign waiting  = pushed;
     assign from     = {spawn_place, spawn_way};
     logic unused;
     assign unused = ^{home_i, home_o_i, home_d_i};
@@ -268,20 +289,50 @@ module rc_turnout #(
     assign unused = ^self;
   end
   if (rc_pkg::Planes == 1) begin : gen_finite
-    assign spawn_o = {ray_i, kind, x, y, sample, finite, given};
+    assign spawn   = {ray_i, kind, x, y, sample, finite, given};
   end else begin : gen_no_planes
-    assign spawn_o = {ray_i, kind, x, y, sample, given};
+    assign spawn   = {ray_i, kind, x, y, sample, given};
     logic unused;
     assign unused = finite;
   end
-  logic [3*VB-1:0] pixel;
-  assign pixel   = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
+  logic [3*VB-1:0]           end_colour;
+  logic [rc_pkg::PixelW-1:0] pixel;
+  assign end_colour = rc_pkg::Supersampling == 1 ? mean_i : was_colour;
   if (rc_pkg::Homes == 1) begin : gen_pixel_of_instances
-    assign pixel_o = {ray_i, {rc_pkg::AddrBits{1'b0}}, was_i.found, 1'b0, was_i.prim, was_i.t,
-                      was_i.u, was_i.v, pixel};
+    assign pixel   = {ray_i, {rc_pkg::AddrBits{1'b0}}, was_i.found, 1'b0, was_i.prim, was_i.t,
+                      was_i.u, was_i.v, end_colour};
   end else begin : gen_pixel
-    assign pixel_o = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, pixel};
+    assign pixel   = {ray_i, was_i.found, 1'b0, was_i.prim, was_i.t, was_i.u, was_i.v, end_colour};
   end
+
+  // In three parts: Verilator 5.006 makes no code of a thousand bits at once.
+  localparam int unsigned ContextW = I + rc_pkg::ShadeStateW + 1;
+  localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
+  localparam int unsigned EndW     = 2 + rc_pkg::PixelW;
+  logic [ContextW-1:0] made_context, kept_context;
+  logic [RaysW-1:0]    made_rays, kept_rays;
+  logic [EndW-1:0]     made_end, kept_end;
+  assign made_context = {ray_i, now, pushes};
+  assign made_rays    = {waiting, spawn};
+  assign made_end     = {leave, pixel};
+  if (Cut == 0) begin : gen_now
+    assign kept_context = made_context;
+    assign kept_rays    = made_rays;
+    assign kept_end     = made_end;
+    logic unused;
+    assign unused = ^{clk_i, take_i};
+  end else begin : gen_kept
+    always_ff @(posedge clk_i) begin
+      if (take_i) begin
+        kept_context <= made_context;
+        kept_rays    <= made_rays;
+        kept_end     <= made_end;
+      end
+    end
+  end
+  assign {ray_o, state_o, push_o} = kept_context;
+  assign {pushed_o, spawn_o}      = kept_rays;
+  assign {leave_o, pixel_o}       = kept_end;
 
   logic unused;
   assign unused = ^{frame_i, top_i, was_o, turned_o, inner, found_o, home_i};

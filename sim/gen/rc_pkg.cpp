@@ -285,6 +285,7 @@ void derived(Package& p, const Config& c) {
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeStages", stages.pass);
+    p.constant("ShadeCut", stages.pass_cut);
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);

@@ -1,10 +1,13 @@
 // What rc_mul_held promises: every product of operands that are held for Every cycles, for every operand, in the last of them.
+// If operands come Late, turn_i counts from there, and the last of the cycles is as much earlier by it.
 module mul_held #(
   parameter  int unsigned AW       = 3,
   parameter  int unsigned BW       = 3,
   parameter  bit          Signed   = 1'b1,
   parameter  int unsigned Products = 3,
   parameter  int unsigned Every    = 2,
+  parameter  int unsigned Late     = 0,
+  localparam int unsigned Told     = Every - 1 - Late,
   localparam int unsigned PW       = AW + BW
 ) (
   input logic                   clk_i,
@@ -13,7 +16,8 @@ module mul_held #(
   input logic [Products*BW-1:0] b_i
 );
   logic [Products*PW-1:0] p_o;
-  rc_mul_held #(.AW(AW), .BW(BW), .Signed(Signed), .Products(Products), .Every(Every)) u_dut (
+  rc_mul_held #(.AW(AW), .BW(BW), .Signed(Signed), .Products(Products), .Every(Every),
+    .Late(Late)) u_dut (
     .clk_i(clk_i), .turn_i(turn_i), .a_i(a_i), .b_i(b_i), .p_o(p_o));
 
   // Operands that were held for all turns before the last one.
@@ -39,7 +43,7 @@ module mul_held #(
     assign b = {{AW{Signed && b_i[i*BW+BW-1]}}, b_i[i*BW +: BW]};
     assign is_product[i] = p_o[i*PW +: PW] == a * b;
   end
-  always @* if (turn_i[Every-1] && held_q[Every-2]) begin
+  always @* if (turn_i[Told] && held_q[Told-1]) begin
     a_products: assert (is_product == '1);
   end
 endmodule

@@ -227,6 +227,11 @@ foreach(share IN ITEMS 2 3)   # three products by two multipliers, and by one
 endforeach()
 prove(formal:mul_parts_unsigned TOP mul_shared RTL ${shared} WITH Signed=0 Parts=1 Products=2 INDUCTION 6)
 prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Signed=0 INDUCTION 6)
+prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 INDUCTION 6)
+prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 CYCLES 6
+  FILE fixed/rc_mul_held.sv
+  OLD [[Every - Inside - Late;]]
+  NEW [[Every - Inside;]])
 prove(mutant:formal_mul_shared_operands_stay TOP mul_shared RTL ${shared} WITH Share=3 CYCLES 6 FILE fixed/rc_mul_shared.sv
   OLD [[: a_q >> AW;]]
   NEW [[: a_q;]])

@@ -86,6 +86,10 @@ mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][l
   OLD [[assign all_met  = {met, met_q};]]
   NEW [[assign all_met  = {met_q, met};]])
 
+mutant(mark_stays FILE rtl/prim/rc_mark.sv TEST unit [list][lockstep]
+  OLD [[at == IndexW'(m)) mark_q <= mark;]]
+  NEW [[at == IndexW'(m)) mark_q <= mark || mark_q;]])
+
 # ---- shade that makes a pass every few cycles.
 mutant(shade_rests_a_cycle_less FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
   OLD [[|entered_q;]]
@@ -94,8 +98,8 @@ mutant(contexts_top_of_the_last_state FILE rtl/shade/rc_contexts.sv TEST unit [s
   OLD [[assign top_at = waiting - 4'd1;]]
   NEW [[assign top_at = (fresh ? waiting : state.waiting) - 4'd1;]])
 mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
-  OLD [[if (read_i) read_fresh_q <= fresh_q[read_ray_i];]]
-  NEW [[if (read_i) read_fresh_q <= fresh_q[write_ray_i];]])
+  OLD [[if (read_i) read_fresh_q <= all_fresh[read_ray_i];]]
+  NEW [[if (read_i) read_fresh_q <= all_fresh[write_ray_i];]])
 mutant(shade_surface_of_the_next_pass FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
   OLD [[      surface_q <= surface_found;]]
   NEW [[      if (passes_q) surface_q <= surface_found;]])
@@ -106,19 +110,28 @@ mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][in
   OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
   NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
 mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
-  OLD [[assign out_d  = !leave_i ? out_q :]]
+  OLD [[assign out_d  = !leave_i || Late ? out_q :]]
   NEW [[assign out_d  = 1'b1 ? out_q :]])
 mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
-  OLD [[comes ? way_new : $signed(way_q[k*Q +: Q]) >>> 1;]]
-  NEW [[comes ? way_new : $signed(way_q[k*Q +: Q]);]])
+  OLD [[comes ? twice[k*R +: R] : twice_q[k*R +: R] >> 1;]]
+  NEW [[comes ? twice[k*R +: R] : twice_q[k*R +: R];]])
 mutant(approach_tells_of_the_last_pass FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
-  OLD [[done_q <= rst_ni && gen_in_turn.began[Steps];]]
-  NEW [[done_q <= rst_ni && gen_in_turn.began[Steps-1];]])
+  OLD [[assign done = began[Took];]]
+  NEW [[assign done = began[Took-1];]])
+mutant(turnout_is_taken_before_its_stage FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
+  OLD [[.take_i(ends[L-1])]]
+  NEW [[.take_i(ends[L-2])]])
+mutant(approach_adds_from_the_near_side FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
+  OLD [[d[M-1] ? End - p : p + End;]]
+  NEW [[d[M-1] ? End + p : p + End;]])
+mutant(held_operands_are_taken_before_they_come FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
+  OLD [[Side*Every+rc_pkg::ShadeCut +: Every]]
+  NEW [[Side*Every +: Every]])
 mutant(shade_spawns_what_came_before FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
-  OLD [[      if (end_valid) begin
-        spawn_q]]
-  NEW [[      if (out_valid) begin
-        spawn_q]])
+  OLD [[        if (end_valid) begin
+          spawn_then]]
+  NEW [[        if (out_valid) begin
+          spawn_then]])
 mutant(sqrt_goes_on_at_once FILE rtl/fixed/rc_sqrt.sv TEST unit [pass][interval]
   OLD [[.Stages(Held)) u_step]]
   NEW [[.Stages(Held < 4 ? Held : 1)) u_step]])

@@ -14,8 +14,8 @@ mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [l
   OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
   NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[stop     = any_q[tested_ray] && found[tested_ray];]]
-  NEW [[stop     = any_q[tested_ray] && found[tested_ray] && !tested_ray[0];]])
+  OLD [[stop     = any_hit[tested_ray] && found[tested_ray];]]
+  NEW [[stop     = any_hit[tested_ray] && found[tested_ray] && !tested_ray[0];]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
   OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
   NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
@@ -41,8 +41,8 @@ mutant(raygen_bounce_from_the_eye FILE rtl/raygen/rc_raygen.sv TEST unit [raygen
   OLD [[is_camera ? camera_o : given_o;]]
   NEW [[is_camera || kind == rc_pkg::RayBounce ? camera_o : given_o;]])
 mutant(recip_zero_is_long FILE rtl/raygen/rc_recip.sv TEST unit [raygen][lockstep][shading]
-  OLD [[mag_short && mag_len != '0 ?]]
-  NEW [[mag_short ?]])
+  OLD [[len_short && len != '0 ?]]
+  NEW [[len_short ?]])
 mutant(sample_share_rounded_down FILE rtl/raygen/rc_sample.sv TEST unit [raygen][shading]
   OLD [[15'((16383 + i) / i)]]
   NEW [[15'(16384 / i)]])
@@ -111,8 +111,8 @@ mutant(power_17_whole_bits_leave_nothing FILE rtl/fixed/rc_power.sv TEST unit [p
   OLD [[s4_y_q[32:18] > 15'd17;]]
   NEW [[s4_y_q[32:18] > 15'd15;]])
 mutant(power_not_rounded FILE rtl/fixed/rc_power.sv TEST unit [power]
-  OLD [[({1'b0, s6_g_q} + (19'd1 << s6_whole_q))]]
-  NEW [[{1'b0, s6_g_q}]])
+  OLD [[{1'b0, s6_g_q} + (19'd1 << s6_whole_q);]]
+  NEW [[{1'b0, s6_g_q};]])
 
 # ---- shade: a pass, and the contexts around it.
 mutant(pass_pending_forgets_the_answer QUICK FILE rtl/shade/rc_start.sv TEST unit [pass][all]
@@ -128,8 +128,8 @@ mutant(turnout_light_behind_counts FILE rtl/shade/rc_turnout.sv TEST unit [pass]
   OLD [[positive_i && (light_near_i ? below_i : above_i)]]
   NEW [[positive_i && (light_near_i ? !above_i : above_i)]])
 mutant(turnout_last_light_is_left_out FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[light < frame_i.lights ? rc_pkg::EventLight]]
-  NEW [[light + 7'd1 < frame_i.lights ? rc_pkg::EventLight]])
+  OLD [[next_light < frame_i.lights]]
+  NEW [[next_light + 7'd1 < frame_i.lights]])
 mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[+ 19'(slack) >= {1'b0, frame_i.threshold}]]
   NEW [[+ 19'(slack) > {1'b0, frame_i.threshold}]])
@@ -137,8 +137,8 @@ mutant(turnout_far_mirror_is_black FILE rtl/shade/rc_turnout.sv TEST unit [pass]
   OLD [[is_arrive || escapes]]
   NEW [[is_arrive || (escapes && 1'b0)]])
 mutant(turnout_far_glass_is_traced FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
-  OLD [[refracted && starts;]]
-  NEW [[refracted;]])
+  OLD [[refracted && starts,]]
+  NEW [[refracted,]])
 mutant(turnout_far_light_behind_a_plane_counts FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[&& (!far || light_clear_i);]]
   NEW [[;]])
@@ -152,8 +152,8 @@ mutant(light_far_point_is_turned_round FILE rtl/shade/rc_light.sv TEST unit [pas
   OLD [[s15_near ? -wide : wide;]]
   NEW [[wide;]])
 mutant(approach_end_is_ahead FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
-  OLD [[way < 0 ? there > End : there < -End;]]
-  NEW [[way < 0 ? there > End : way != 0 && there < -End && at[(3*i+k)*Q] == 1'b0;]])
+  OLD [[if (valid_i[i]) twice_q[k*R +: R] <= twice[k*R +: R] >> 1;]]
+  NEW [[if (valid_i[i]) twice_q[k*R +: R] <= twice[k*R +: R] >> (1 + 32'(i == 7));]])
 mutant(approach_passes_by_and_enters FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
   OLD [[fits == 3'b111;]]
   NEW [[fits != 3'b000;]])
@@ -171,8 +171,8 @@ mutant(turnout_pushed_ray_stays_outside FILE rtl/shade/rc_turnout.sv TEST unit [
   OLD [[!was_i.is_inside}]]
   NEW [[was_i.is_inside}]])
 mutant(lint_sees_an_unused_signal FILE rtl/shade/rc_surf.sv TEST system "the RTL of random configurations*"
-  OLD [[logic signed [X-1:0] sum;]]
-  NEW [[logic signed [X-1:0] sum, spare;]])
+  OLD [[logic signed [X-1:0] sum, told, shifted;]]
+  NEW [[logic signed [X-1:0] sum, told, shifted, spare;]])
 mutant(surf_point_on_the_border FILE rtl/shade/rc_surf.sv TEST unit [pass][all]
   OLD [[s1_u_q + s1_v_q < s1_one;]]
   NEW [[s1_u_q + s1_v_q <= s1_one;]])
@@ -222,8 +222,8 @@ mutant(wait_one_cycle_less FILE rtl/prim/rc_wait.sv TEST unit [pass][all]
   OLD [[at_q == IndexW'(Stages - 1))]]
   NEW [[at_q == IndexW'(Stages - 2))]])
 mutant(shade_shadow_hit_fetches_its_surface FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
-  OLD [[closest_i.found && !any_hit_q[closest_ray];]]
-  NEW [[closest_i.found && !(any_hit_q[closest_ray] && kind[0]);]])
+  OLD [[closest_i.found && !any_hit}]]
+  NEW [[closest_i.found && !(any_hit && kind[0])}]])
 mutant(shade_arrived_before_again FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
   OLD [[open && !came && !again_valid && arrived_valid;]]
   NEW [[open && !came && (!again_valid || push) && arrived_valid;]])
@@ -231,8 +231,8 @@ mutant(shade_is_busy_behind_a_closed_door FILE rtl/shade/rc_shade.sv TEST unit [
   OLD [[cause_o = open ? rc_pkg::ShadeBusyWork : rc_pkg::ShadeStalledQueue;]]
   NEW [[cause_o = rc_pkg::ShadeBusyWork;]])
 mutant(contexts_keep_the_last_pixels_state FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
-  OLD [[if (slot_fires_i) fresh_q[slot_i.ray]  <= 1'b1;]]
-  NEW [[if (slot_fires_i) fresh_q[slot_i.ray]  <= slot_i.x[0];]])
+  OLD [[.set_i(begins), .set_at_i(begins_ray), .flags_o(all_fresh)]]
+  NEW [[.set_i(begins && begins_pixel[0]), .set_at_i(begins_ray), .flags_o(all_fresh)]])
 mutant(contexts_bounces_are_forgotten FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[is_kept = kind_o == rc_pkg::RayCamera || kind_o == rc_pkg::RayBounce;]]
   NEW [[is_kept = kind_o == rc_pkg::RayCamera;]])

@@ -156,7 +156,8 @@ TEMPLATE_TEST_CASE("list takes leaves and a test in every cycle", "[list]", List
 }
 
 TEST_CASE("model and rtl of list make the same moves in every cycle", "[list][lockstep]") {
-    const Config config = format(GENERATE("default", "sheared:small", "shading:default", "fast:small"));
+    const Config config =
+        format(GENERATE("default", "sheared:small", "shading:default", "fast:small", "fast:shading:default"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }

@@ -137,12 +137,12 @@ TEST_CASE("the rtl's pass is the model's without units that are not needed, and 
 
 TEST_CASE("the rtl's pass is the model's if it stays in each stage for several cycles",
           "[pass][lockstep][interval]") {
-    check("every4:fast:all", 1, 4, 400);
+    check("every8:fast:all", 1, 4, 400);   // the most registers there are
 }
 
 TEST_CASE("the rtl's pass is the model's if it stays for two, four or eight cycles, in every format",
           "[pass][lockstep][interval][slow]") {
-    const auto name = GENERATE("every2:all", "every4:all", "every8:all", "every8:fast:all",
+    const auto name = GENERATE("every2:all", "every4:all", "every8:all", "every8:fast:all", "every4:fast:all",
                                "every4:fast:plain", "every2:fast:narrow", "every8:fast:narrow");
     check(name, 1, 12, 400);
 }
