@@ -93,6 +93,11 @@ module rc_shade (
     assign starts = ray_fires_i;
   end else begin : gen_start_late
     always_ff @(posedge clk_i) starts <= rst_ni && ray_fires_i;
+`ifndef SYNTHESIS
+    a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                    closest_valid_i && starts |-> closest_i.ray != starts_ray)
+      else $error("a ray's answer came in the cycle after the ray");
+`endif
   end
 
   localparam int unsigned MapW   = 9 * rc_pkg::MapBits

@@ -72,7 +72,8 @@ Config load_config(const ConfigChoice& choice) {
     const bool named = std::find(config_names().begin(), config_names().end(), name) != config_names().end();
     const bool file = name.find_first_of("./\\") != std::string::npos;
     std::error_code error;
-    if (std::filesystem::is_directory(name, error)) Place{name}.refuse("is a folder, not a configuration");
+    if (!named && std::filesystem::is_directory(name, error))
+        Place{name}.refuse("is a folder, not a configuration");
     constexpr std::uint64_t most_bytes = 1 << 20;
     const Config config =
         named || !file ? named_config(name) : parse_config(name, read_file(name, {}, most_bytes));

@@ -202,3 +202,18 @@ TEST_CASE("stress runs that make no sense") {
            stress({"--json", "/no/such/folder/x.json"}, {"/no/such/folder/x.json"}),
            stress({"tetra:1"}, {"tetra:1"})});
 }
+
+TEST_CASE("a configuration's name is what is meant, though a folder is called the same", "[cli]") {
+    const Folder folder;
+    std::filesystem::create_directory(folder.name("small"));
+    const std::string there = "cd '" + folder.name("") + "' && \"$@\"";
+    const std::vector<std::string> simulate{"simulate", "tetra:1", "--size",     "8x6",
+                                            "--config", "small",   "--no-judge", "--no-reference"};
+    REQUIRE(run_in_shell(there, simulate).code == 0);
+    std::filesystem::create_directory(folder.name("mine"));
+    std::vector<std::string> other = simulate;
+    other[5] = "mine";
+    const Outcome o = run_in_shell(there, other);
+    REQUIRE(o.code == 2);
+    REQUIRE(o.err.find("mine: is a folder, not a configuration") != std::string::npos);
+}

@@ -114,8 +114,8 @@ mutant(reach_is_not_reset_by_a_start FILE rtl/prim/rc_reach.sv TEST unit [trav]
   OLD [[.clear_i(start_fires_i),]]
   NEW [[.clear_i(start_fires_i && start_ray != '1),]])
 mutant(list_skips_last_triangle FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[assign more_triangles = cursor_triangle + C'(1) <]]
-  NEW [[assign more_triangles = cursor_triangle + C'(2) <]])
+  OLD [[assign more_triangles   = cursor_triangle + C'(1) <]]
+  NEW [[assign more_triangles   = cursor_triangle + C'(2) <]])
 mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[&& it_near <= it_t;]]
   NEW [[&& (it_near <= it_t || it_t != '0);]])
@@ -124,7 +124,7 @@ mutant(list_ignores_t_best_after_the_first_leaf FILE rtl/list/rc_list.sv TEST un
   NEW [[&& (second_near <= it_t || it_t != '0);]])
 mutant(list_takes_the_first_leaf_for_all FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[was_moved ? more_after_it : more_after_first;]]
-  NEW [[more_after_first;]])
+  NEW [[was_moved && !it_leaf[0] ? more_after_it : more_after_first;]])
 mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/list/rc_list.sv TEST unit [list]
   OLD [[.clear_i(start_fires_i), .clear_at_i(start_ray),]]
   NEW [[.clear_i(start_fires_i || ray_fires_i), .clear_at_i(ray_fires_i ? ray_i.ray : start_ray),]])

@@ -111,7 +111,7 @@ mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][in
   NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
 mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
   OLD [[assign out_d  = !leave_i || Late ? out_q :]]
-  NEW [[assign out_d  = 1'b1 ? out_q :]])
+  NEW [[assign out_d  = !leave_i || Late || !Late ? out_q :]])
 mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
   OLD [[comes ? twice[k*R +: R] : twice_q[k*R +: R] >> 1;]]
   NEW [[comes ? twice[k*R +: R] : twice_q[k*R +: R];]])

@@ -96,6 +96,7 @@ TEST_CASE("model and rtl of shade make the same moves with a pass every few cycl
     check("every4:all", 64, 8, 6000);
     check("every4:plain", 64, 64, 6000);
     check("every4:plain", 64, 8, 3000);
+    check("every8:fast:all", 64, 64, 6000);
 }
 
 TEST_CASE("model and rtl of shade make the same moves in every cycle, for long", "[shade][lockstep][slow]") {

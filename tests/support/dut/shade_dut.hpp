@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "model/shade/unit.hpp"
 #include "tests/support/dut/dut.hpp"
 #include "tests/support/cases/pass_cases.hpp"
@@ -128,6 +130,8 @@ public:
     /// What goes in, in this cycle.
     void offer(ShadeLinks& in) {
         in.slot.reset(), in.ray.reset();
+        if (before_) flying_.push_back(*before_);
+        before_ = std::exchange(sent_, {});
         if (!free_.empty() && !draw_.percent(idle_)) {
             const std::uint32_t ray = take(free_);
             in.slot = Slot{ray, std::uint32_t(draw_.natural(config_.pixel_bits)),
@@ -135,12 +139,10 @@ public:
             made_.push_back(camera_ray(ray));
         } else if (!made_.empty() && !draw_.percent(idle_)) {
             in.ray = take(made_);
-            flying_.push_back(in.ray->ray);
+            sent_ = in.ray->ray;
         }
         in.closest.offer.reset();
-        if (in.ray || flying_.empty() || draw_.percent(idle_)) {   // a ray is not answered in the cycle in
-                                                                   // which it is sent
-        } else {
+        if (!in.ray && !flying_.empty() && !draw_.percent(idle_)) {
             const std::uint32_t ray = take(flying_);
             surfaces_[ray] = random_surface(draw_, config_);
             in.closest.offer = random_closest(draw_, config_, surfaces_[ray]);
@@ -191,7 +193,8 @@ private:
     int idle_, stall_;
     Draw draw_;
     std::vector<std::uint32_t> free_;
-    std::vector<Surface> surfaces_;   // what the context's ray has hit
+    std::vector<Surface> surfaces_;                // what the context's ray has hit
+    std::optional<std::uint32_t> sent_, before_;   // of this cycle, the last: no ray is answered at once
     std::vector<std::uint32_t> flying_;
     std::vector<Ray> made_;
     std::deque<std::uint32_t> asked_;
