@@ -21,7 +21,7 @@ module rc_mul_held #(
   input  logic [Products*BW-1:0] b_i,
   output logic [Products*PW-1:0] p_o
 );
-  if (Products < 1 || Every < 1 || Late + 3 > Every + 2) begin : gen_refuse
+  if (Products < 1 || Every < 1 || Late >= Every) begin : gen_refuse
     $error("rc_mul_held: Products and Every must be at least 1, Late less than Every");
   end
   // Registers within a multiplier; products that one can make; that one makes.

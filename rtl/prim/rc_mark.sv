@@ -19,15 +19,12 @@ module rc_mark #(
   logic [IndexW-1:0] at;
   rc_cut #(.Width(IndexW + 1)) u_what (
     .clk_i, .data_i({write_at_i, mark_i}), .data_o({at, mark}));
-  if (rc_pkg::Cut == 0) begin : gen_now
+  rc_event u_writes (.clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
+  if (rc_pkg::Cut == 0) begin : gen_indexed
     logic [Marks-1:0] marks_q;
-    assign writes = write_i;
     always_ff @(posedge clk_i) if (writes) marks_q[at] <= mark;
     assign marks_o = marks_q;
-    logic unused;
-    assign unused = rst_ni;
-  end else begin : gen_late
-    always_ff @(posedge clk_i) writes <= rst_ni && write_i;
+  end else begin : gen_compared
     for (genvar m = 0; m < Marks; m++) begin : gen_mark
       logic mark_q;
       always_ff @(posedge clk_i) if (writes && at == IndexW'(m)) mark_q <= mark;

@@ -53,79 +53,58 @@ module rc_approach #(
     .clk_i, .data_i({s15_depth, s15_twice, s15_down}),
     .data_o({first_depth, first_twice, first_down}));
 
-  logic done;   // a point comes to the last step
-  if (Every < 4) begin : gen_in_stages
-    for (genvar i = 0; i < Steps; i++) begin : gen_step
-      logic [3*Q-1:0] depth, next, depth_q;
-      logic [3*R-1:0] twice, twice_q;
-      logic [2:0]     down, down_q, ahead;   // ahead: the slab of axis k lies ahead of `next`
-      if (i == 0) begin : gen_begin
-        assign {depth, twice, down} = {first_depth, first_twice, first_down};
-      end else begin : gen_go_on
-        assign {depth, twice, down} = {gen_step[i-1].depth_q, gen_step[i-1].twice_q,
-                                       gen_step[i-1].down_q};
-      end
-      for (genvar k = 0; k < 3; k++) begin : gen_axis
-        assign next[k*Q +: Q] = depth[k*Q +: Q] + Q'(twice[k*R+1 +: R-1]);
-        assign ahead[k]       = next[k*Q+Q-1];
-        always_ff @(posedge clk_i) if (valid_i[i]) twice_q[k*R +: R] <= twice[k*R +: R] >> 1;
-      end
+  // Where a pass stays long, each stage takes over a point in one cycle, and makes a step in each
+  // of the next ones. began[i]: a pass came i cycles ago.
+  localparam bit          InTurn = Every >= 4;
+  localparam int unsigned Own    = InTurn ? Every - 1 : 1;   // steps of a stage
+  localparam int unsigned Last   = (Steps + Own - 1) / Own - 1;
+  localparam int unsigned Took   = InTurn ? Last * Every + Steps - Last * Own + 1 : 1;
+  logic [Took-1:0] began_q;
+  logic [Took:0]   began;
+  logic            begins, done;   // done: a point comes to the last step
+  rc_event #(.Stages(rc_pkg::ShadeCut)) u_begins (
+    .clk_i, .rst_ni, .fires_i(valid_i[0]), .fires_o(begins));
+  assign began = {began_q, begins};
+  always_ff @(posedge clk_i) began_q <= rst_ni ? began[Took-1:0] : '0;
+  assign done  = InTurn ? began[Took] : valid_i[Steps];
+
+  for (genvar i = 0; i <= Last; i++) begin : gen_stage
+    logic [3*Q-1:0] depth, from, next, depth_q;
+    logic [3*R-1:0] twice, now, twice_q;
+    logic [2:0]     down, down_q, ahead;   // ahead: the slab of axis k lies ahead of `next`
+    logic           comes;
+    if (i == 0) begin : gen_begin
+      assign {depth, twice, down} = {first_depth, first_twice, first_down};
+    end else begin : gen_go_on
+      assign {depth, twice, down} = {gen_stage[i-1].depth_q, gen_stage[i-1].twice_q,
+                                     gen_stage[i-1].down_q};
+    end
+    assign from = InTurn ? depth_q : depth;
+    assign now  = InTurn ? twice_q : twice;
+    for (genvar k = 0; k < 3; k++) begin : gen_axis
+      assign next[k*Q +: Q] = from[k*Q +: Q] + Q'(now[k*R+1 +: R-1]);
+      assign ahead[k]       = next[k*Q+Q-1];
       always_ff @(posedge clk_i) begin
-        if (valid_i[i]) begin
-          depth_q <= ahead != '0 ? next : depth;
-          down_q  <= down;
-        end
+        if (InTurn)     twice_q[k*R +: R] <= comes ? twice[k*R +: R] : now[k*R +: R] >> 1;
+        else if (comes) twice_q[k*R +: R] <= now[k*R +: R] >> 1;
       end
     end
-    assign {last_depth, last_way, last_down} = {gen_step[Steps-1].depth_q,
-                                                gen_step[Steps-1].twice_q,
-                                                gen_step[Steps-1].down_q};
-    assign done = valid_i[Steps];
-  end else begin : gen_in_turn
-    // Each stage takes over a point in one cycle, and makes a step in each of the next ones.
-    // began[i]: a pass came i cycles ago.
-    localparam int unsigned Own  = Every - 1;
-    localparam int unsigned Last = (Steps + Own - 1) / Own - 1;
-    localparam int unsigned Took = Last * Every + Steps - Last * Own + 1;
-    logic [Took-1:0] began_q;
-    logic [Took:0]   began;
-    logic            begins;
-    if (rc_pkg::ShadeCut == 0) begin : gen_begin_now
-      assign begins = valid_i[0];
-    end else begin : gen_begin_late
-      logic begins_q;
-      always_ff @(posedge clk_i) begins_q <= rst_ni && valid_i[0];
-      assign begins = begins_q;
-    end
-    assign began = {began_q, begins};
-    always_ff @(posedge clk_i) began_q <= rst_ni ? began[Took-1:0] : '0;
-    for (genvar i = 0; i <= Last; i++) begin : gen_stage
-      logic [3*Q-1:0] depth, next, depth_q;
-      logic [3*R-1:0] twice, twice_q;
-      logic [2:0]     down, down_q, ahead;
-      logic           comes;
-      assign comes = began[i*Every];
-      if (i == 0) begin : gen_begin
-        assign {depth, twice, down} = {first_depth, first_twice, first_down};
-      end else begin : gen_go_on
-        assign {depth, twice, down} = {gen_stage[i-1].depth_q, gen_stage[i-1].twice_q,
-                                       gen_stage[i-1].down_q};
-      end
-      for (genvar k = 0; k < 3; k++) begin : gen_axis
-        assign next[k*Q +: Q] = depth_q[k*Q +: Q] + Q'(twice_q[k*R+1 +: R-1]);
-        assign ahead[k]       = next[k*Q+Q-1];
-        always_ff @(posedge clk_i)
-          twice_q[k*R +: R] <= comes ? twice[k*R +: R] : twice_q[k*R +: R] >> 1;
-      end
-      always_ff @(posedge clk_i) begin
+    always_ff @(posedge clk_i) begin
+      if (comes) down_q <= down;
+      if (InTurn) begin
         if (comes || ahead != '0) depth_q <= comes ? depth : next;
-        if (comes)                down_q  <= down;
+      end else begin
+        if (comes) depth_q <= ahead != '0 ? next : depth;
       end
     end
-    assign {last_depth, last_way, last_down} = {gen_stage[Last].depth_q, gen_stage[Last].twice_q,
-                                                gen_stage[Last].down_q};
-    assign done = began[Took];
+    if (InTurn) begin : gen_in_turn
+      assign comes = began[i*Every];
+    end else begin : gen_in_stages
+      assign comes = valid_i[i];
+    end
   end
+  assign {last_depth, last_way, last_down} = {gen_stage[Last].depth_q, gen_stage[Last].twice_q,
+                                              gen_stage[Last].down_q};
 
   // The step that comes in: its depth is not negative.
   logic [2:0]     fits;
@@ -141,11 +120,11 @@ module rc_approach #(
     assign unused = ^there;
   end
   assign enters = fits == 3'b111;
-  if (Every < 4) begin : gen_end_now
+  if (!InTurn) begin : gen_end_now
     always_ff @(posedge clk_i)
       if (done) {s28_enters_o, s28_entry_o} <= {enters, entry};
     logic unused;
-    assign unused = rst_ni;
+    assign unused = ^began;
   end else begin : gen_end_waits
     logic           done_q, made_enters_q;
     logic [3*P-1:0] made_entry_q;

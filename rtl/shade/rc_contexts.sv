@@ -103,11 +103,7 @@ module rc_contexts #(
   logic [PixelW-1:0] begins_pixel;
   rc_cut #(.Width(I + PixelW)) u_begins (
     .clk_i, .data_i({slot_i.ray, slot_i.x, slot_i.y}), .data_o({begins_ray, begins_pixel}));
-  if (rc_pkg::Cut == 0) begin : gen_begin_now
-    assign begins = slot_fires_i;
-  end else begin : gen_begin_late
-    always_ff @(posedge clk_i) begins <= rst_ni && slot_fires_i;
-  end
+  rc_event u_pixel_begins (.clk_i, .rst_ni, .fires_i(slot_fires_i), .fires_o(begins));
   rc_kept #(.Width(PixelW), .Depth(T)) u_pixel (
     .clk_i, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
     .read_i, .read_addr_i(read_ray_i), .read_data_o(pixel));

@@ -75,11 +75,7 @@ module rc_shade (
   rc_cut #(.Width(I + PB + 1)) u_answer (
     .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found && !any_hit}),
     .data_o({closest_ray, closest_prim, wants_surface}));
-  if (rc_pkg::Cut == 0) begin : gen_answer_now
-    assign answers = closest_valid_i;
-  end else begin : gen_answer_late
-    always_ff @(posedge clk_i) answers <= rst_ni && closest_valid_i;
-  end
+  rc_event u_answers (.clk_i, .rst_ni, .fires_i(closest_valid_i), .fires_o(answers));
   assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
   // In a fast chip it is written a cycle later, beside the memory.
   logic         starts, starts_any;
@@ -89,16 +85,12 @@ module rc_shade (
   rc_ram #(.Width(1), .Depth(T)) u_any (
     .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
     .read_addr_i(closest_i.ray), .read_data_o(any_hit));
-  if (rc_pkg::Cut == 0) begin : gen_start_now
-    assign starts = ray_fires_i;
-  end else begin : gen_start_late
-    always_ff @(posedge clk_i) starts <= rst_ni && ray_fires_i;
+  rc_event u_ray_starts (.clk_i, .rst_ni, .fires_i(ray_fires_i), .fires_o(starts));
 `ifndef SYNTHESIS
-    a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                    closest_valid_i && starts |-> closest_i.ray != starts_ray)
-      else $error("a ray's answer came in the cycle after the ray");
+  a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                  closest_valid_i && starts |-> closest_i.ray != starts_ray)
+    else $error("a ray's answer came before it was known what the ray is");
 `endif
-  end
 
   localparam int unsigned MapW   = 9 * rc_pkg::MapBits
                                  + 3 * (rc_pkg::CoordBits + rc_pkg::MapFrac);
@@ -153,13 +145,13 @@ module rc_shade (
     assign place_data    = {instance_came.is_same ? {A{1'b0}} : instance_came.here,
                             MapW'(rc_pkg::PlacementW'(surf_rsp))};
     always_ff @(posedge clk_i) begin
-      if (placed)                           placing_q[came_ray]    <= 1'b0;
-      if (answers)                  placing_q[closest_ray] <= wants_surface;
+      if (placed)  placing_q[came_ray]    <= 1'b0;
+      if (answers) placing_q[closest_ray] <= wants_surface;
       if (taken) begin
         lends_q[came_ray] <= placed && instance_came.material != '0;
         lent_q[came_ray]  <= lends || instance_came.material != '0;
       end
-      if (answers)                  lends_q[closest_ray]   <= 1'b0;
+      if (answers) lends_q[closest_ray] <= 1'b0;
     end
     rc_ram #(.Width(A), .Depth(T)) u_line (
       .clk_i, .write_i(placed), .write_addr_i(came_ray), .write_data_i(surface_line),

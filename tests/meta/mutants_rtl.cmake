@@ -119,12 +119,6 @@ mutant(list_skips_last_triangle FILE rtl/list/rc_list.sv TEST unit [list][lockst
 mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[&& it_near <= it_t;]]
   NEW [[&& (it_near <= it_t || it_t != '0);]])
-mutant(list_ignores_t_best_after_the_first_leaf FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[&& second_near <= it_t;]]
-  NEW [[&& (second_near <= it_t || it_t != '0);]])
-mutant(list_takes_the_first_leaf_for_all FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[was_moved ? more_after_it : more_after_first;]]
-  NEW [[was_moved && !it_leaf[0] ? more_after_it : more_after_first;]])
 mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/list/rc_list.sv TEST unit [list]
   OLD [[.clear_i(start_fires_i), .clear_at_i(start_ray),]]
   NEW [[.clear_i(start_fires_i || ray_fires_i), .clear_at_i(ray_fires_i ? ray_i.ray : start_ray),]])

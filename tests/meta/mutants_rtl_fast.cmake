@@ -86,6 +86,12 @@ mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][l
   OLD [[assign all_met  = {met, met_q};]]
   NEW [[assign all_met  = {met_q, met};]])
 
+mutant(list_ignores_t_best_after_the_first_leaf FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+  OLD [[&& second_near <= it_t;]]
+  NEW [[&& (second_near <= it_t || it_t != '0);]])
+mutant(list_takes_the_first_leaf_for_all FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+  OLD [[was_moved ? more_after_it : more_after_first;]]
+  NEW [[was_moved && !it_leaf[0] ? more_after_it : more_after_first;]])
 mutant(mark_stays FILE rtl/prim/rc_mark.sv TEST unit [list][lockstep]
   OLD [[at == IndexW'(m)) mark_q <= mark;]]
   NEW [[at == IndexW'(m)) mark_q <= mark || mark_q;]])
@@ -113,11 +119,11 @@ mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][in
   OLD [[assign out_d  = !leave_i || Late ? out_q :]]
   NEW [[assign out_d  = !leave_i || Late || !Late ? out_q :]])
 mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
-  OLD [[comes ? twice[k*R +: R] : twice_q[k*R +: R] >> 1;]]
-  NEW [[comes ? twice[k*R +: R] : twice_q[k*R +: R];]])
+  OLD [[comes ? twice[k*R +: R] : now[k*R +: R] >> 1;]]
+  NEW [[comes ? twice[k*R +: R] : now[k*R +: R];]])
 mutant(approach_tells_of_the_last_pass FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
-  OLD [[assign done = began[Took];]]
-  NEW [[assign done = began[Took-1];]])
+  OLD [[InTurn ? began[Took] :]]
+  NEW [[InTurn ? began[Took-1] :]])
 mutant(turnout_is_taken_before_its_stage FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
   OLD [[.take_i(ends[L-1])]]
   NEW [[.take_i(ends[L-2])]])

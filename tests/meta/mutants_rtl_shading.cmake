@@ -152,8 +152,8 @@ mutant(light_far_point_is_turned_round FILE rtl/shade/rc_light.sv TEST unit [pas
   OLD [[s15_near ? -wide : wide;]]
   NEW [[wide;]])
 mutant(approach_end_is_ahead FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
-  OLD [[if (valid_i[i]) twice_q[k*R +: R] <= twice[k*R +: R] >> 1;]]
-  NEW [[if (valid_i[i]) twice_q[k*R +: R] <= twice[k*R +: R] >> (1 + 32'(i == 7));]])
+  OLD [[else if (comes) twice_q[k*R +: R] <= now[k*R +: R] >> 1;]]
+  NEW [[else if (comes) twice_q[k*R +: R] <= now[k*R +: R] >> (1 + 32'(i == 7));]])
 mutant(approach_passes_by_and_enters FILE rtl/shade/rc_approach.sv TEST unit [pass][all]
   OLD [[fits == 3'b111;]]
   NEW [[fits != 3'b000;]])

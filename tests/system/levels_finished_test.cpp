@@ -42,7 +42,7 @@ const std::vector<Config>& chips() {
         chip("default", true, {}),
         chip("small", false,
              {{"xform_interval", 1},
-              {"shade_interval", 4},
+              {"shade_interval", 8},
               {"timing", 1},
               {"raygen_queue", 32},
               {"box_queue", 32},
