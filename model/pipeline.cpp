@@ -11,6 +11,7 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
       decides_(node_unit(config)),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),
+      raygen_rests_(std::uint32_t(config.raygen_interval - 1)),
       trav_(config),
       node_cache_(node_cache_shape(config)),
       box_(config.node_latency(), config.box_queue),
@@ -43,7 +44,7 @@ void Pipeline::clock(std::uint64_t now, const SharedMoves& shared) {
 
 void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
                               const std::array<int, pipeline_units>& order) {
-    account_units(moves_);
+    account_units<true>(moves_);   // what no link carries is not there
     for (const int unit : order) switch (Unit(unit)) {
             case Unit::sched:
                 shading_ ? clock_sched<true>(moves_, shared.tile) : clock_sched<false>(moves_, shared.tile);

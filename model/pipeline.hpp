@@ -145,7 +145,7 @@ private:
     void enter(const LinkInside& change);
     bool has_more(std::uint32_t ray, bool tested);
     Shade::Turn turn_of(std::uint32_t ray);
-    void account_units(const Moves& m);
+    template <bool shades> void account_units(const Moves& m);
     void account_caches() {
         last_caches_ = std::uint32_t(node_deed_) | std::uint32_t(prim_deed_) << 3;
         ++caches_[last_caches_];
@@ -167,10 +167,11 @@ private:
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
+    std::uint32_t raygen_rests_, raygen_rest_ = 0;   // cycles after a ray in which raygen begins none; left
     Trav trav_;
     Cache node_cache_;
     Delay box_, boxed_;                        // boxed_, tried_: what trav and list look at in a fast chip
-    std::uint32_t box_rests_, box_rest_ = 0;   // cycles after a node in which box takes none; that are left
+    std::uint32_t box_rests_, box_rest_ = 0;   // as raygen's, after a node
     Delay xform_;
     std::uint32_t xform_rests_, xform_rest_ = 0;   // as tri's
     List list_;

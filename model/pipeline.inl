@@ -9,7 +9,8 @@ template <bool shades, bool levels>
 [[gnu::always_inline]] inline void Pipeline::settle(Moves& m, std::uint64_t now) const {
     // What leaves one unit enters another: noted before either sees the clock edge.
     const bool camera = !shades || raygen_link_.second(shade_.spawn_valid());
-    m.offer(Link::slot, sched_.slot_valid(), raygen_.ready() & camera, sched_.slot().ray);
+    const bool begins = raygen_.ready() & (raygen_rest_ == 0);
+    m.offer(Link::slot, sched_.slot_valid(), begins & camera, sched_.slot().ray);
     m.offer(Link::ray, raygen_.valid(now), trav_.ray_ready(), raygen_.front());
     m.offer(Link::node_req, trav_.node_valid<levels>() & !lists_, node_cache_.ready(),
             trav_.node_ray<levels>());
@@ -43,18 +44,20 @@ template <bool shades, bool levels>
         const std::uint32_t came = surf_cache_.answer();
         m.placing = levels && (*rays_[came].at & Trace::place_flag);
         m.offer(Link::surf_rsp, surf_cache_.valid(), shade_.ready() | m.placing, came);
-        m.offer(Link::spawn, shade_.spawn_valid(), raygen_.ready() & !camera, shade_.spawn_ray());
+        m.offer(Link::spawn, shade_.spawn_valid(), begins & !camera, shade_.spawn_ray());
         m.shade_code = shade_.code(surf_cache_.valid() & !m.placing, surf_cache_.waits());
     } else {
         m.offer(Link::hit, trav_.done_valid(), sink_.ready(), trav_.done_ray());
     }
 }
 
-[[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
+template <bool shades> [[gnu::always_inline]] inline void Pipeline::account_units(const Moves& m) {
     const auto progress = [&m](Link link) { return m[link].valid + m[link].fires; };
+    const bool asked = m[Link::slot].valid | (shades && m[Link::spawn].valid),
+               begun = m[Link::slot].fires | (shades && m[Link::spawn].fires);
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
     const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
-                        raygen = raygen_codes[std::size_t(progress(Link::ray))],
+                        raygen = raygen_rest_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
                         trav = trav_codes[turn + 2 * free],
                         box =
                             box_rest_ > 0
@@ -119,6 +122,7 @@ template <bool shades>
         in = {bool(in.there | spawn.fires), select(spawn.fires, spawn.ray, in.ray)};
     }
     raygen_.clock(now, m[Link::ray].fires, in.there, RayNumber(in.ray));
+    raygen_rest_ = select(in.there, raygen_rests_, raygen_rest_ - (raygen_rest_ > 0));
 }
 
 template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline::clock_trav(const Moves& m) {
@@ -175,9 +179,9 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
 template <bool shades, bool levels>
 [[gnu::always_inline]] inline void Pipeline::clock(const Moves& m, std::uint64_t now,
                                                    const SharedMoves& shared) {
-    account_units(m);
-    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there | (box_rest_ > 0) |
-                         (tri_rest_ > 0) | (levels && xform_rest_ > 0);
+    account_units<shades>(m);
+    const bool turning = !trav_.idle() | sched_.passing() | m.boxed.there | m.tried.there |
+                         (raygen_rest_ > 0) | (box_rest_ > 0) | (tri_rest_ > 0) | (levels && xform_rest_ > 0);
     clock_sched<shades>(m, shared.tile);
     clock_raygen<shades>(m, now);
     clock_trav<shades, levels>(m);

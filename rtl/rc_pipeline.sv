@@ -59,7 +59,7 @@ module rc_pipeline (
   rc_pkg::prim_rsp_t prim_rsp;
   logic              tri_req_valid, tri_req_ready;
   rc_pkg::tri_req_t  tri_req;
-  logic              tri_rests;
+  logic              tri_rests, raygen_rests, raygen_begins;
   logic              tri_rsp_valid, tri_rsp_ready;
   rc_pkg::tri_rsp_t  tri_rsp;
   logic              tested_valid, tested_ready;
@@ -88,7 +88,7 @@ module rc_pipeline (
     .clk_i, .rst_ni, .frame_i,
     .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
     .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
-    .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray));
+    .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
 
   // A ray starts when it goes to the engine that walks it, and not at any other time.
   assign start_fires = ray_valid && ray_ready;
@@ -173,7 +173,7 @@ module rc_pipeline (
     assign {spawn, surf_req, surf_rsp, surf_miss_valid_o, surf_miss_o} = '0;
     assign {surf_cause, shade_cause} = '0;
     logic unused;
-    assign unused = ^{spawn_ready, surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
+    assign unused = ^{surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
         surf_rsp_ready, surf_rsp, surf_miss_ready_i, surf_fill_fires_i, surf_fill_i};
   end else begin : gen_shade
     logic surf_waits;
@@ -197,8 +197,10 @@ module rc_pipeline (
   end
 
   // What each unit did in this cycle; codes in model/core/units.hpp.
-  assign raygen_cause = !ray_valid ? rc_pkg::RaygenStarvedSched
-                      : ray_ready ? rc_pkg::RaygenBusyWork : rc_pkg::RaygenStalledTrav;
+  assign raygen_begins = (slot_valid && slot_ready) || (spawn_valid && spawn_ready);
+  assign raygen_cause  = raygen_rests || raygen_begins ? rc_pkg::RaygenBusyWork
+                       : slot_valid || spawn_valid     ? rc_pkg::RaygenStalledTrav
+                                                       : rc_pkg::RaygenStarvedSched;
   assign list_cause   = leaves_fires || tri_rsp_valid ? rc_pkg::ListBusyWork
                                                       : rc_pkg::ListStarvedTrav;
   always_comb begin

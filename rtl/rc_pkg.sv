@@ -19,6 +19,7 @@ package rc_pkg;
   localparam int unsigned TriQueue = 32;
   localparam int unsigned BoxLanes = 8;
   localparam int unsigned TriInterval = 1;
+  localparam int unsigned RaygenInterval = 1;
   localparam int unsigned XformInterval = 2;
   localparam int unsigned ShadeInterval = 1;
   localparam int unsigned Pipelines = 1;

@@ -132,6 +132,8 @@ const std::vector<Parameter>& parameters() {
          "children of a node that box tests at once; a node with more takes several cycles"},
         {"tri_interval", &Config::tri_interval, 1, 4, true,
          "cycles from a primitive that tri takes to the next; more share multipliers"},
+        {"raygen_interval", &Config::raygen_interval, 1, 8, true,
+         "cycles from a ray that raygen begins to the next; more share dividers"},
         {"xform_interval", &Config::xform_interval, 1, 4, true,
          "cycles from a ray that xform takes to the next, with levels=2; more share multipliers"},
         {"shade_interval", &Config::shade_interval, 1, 8, true,
@@ -208,9 +210,16 @@ void make_small(Config& c) {
 /// than its passes ask for.
 void make_shaded(Config& c) {
     c.shading = c.planes = c.spheres = c.refraction = 1;
-    c.shade_interval = 8;
+    c.shade_interval = c.raygen_interval = 8;
     c.tri_interval = 4;
     c.box_lanes = 2;
+    c.raygen_queue = 8;
+    c.box_queue = 16;
+    set_cache(c.surf_sets, c.surf_ways, c.surf_mshrs, 128, 1, 4);
+    c.node_mshrs = c.prim_mshrs = 4;
+    c.addr_bits = 19;   // the board's 32 MB
+    c.prim_bits = 20;
+    c.pixel_bits = 10;
 }
 
 /// A binary tree, as the kd-trees of both chips: one split a step. The short words of their 24-bit floats
@@ -245,11 +254,11 @@ Config named_config(const std::string& name) {
         make_small(c);
         c.timing = int(Timing::fast);
         c.tri_interval = 2;
-        if (name == "ulx3s-shaded") make_shaded(c);
         c.raygen_queue = c.box_queue = 32;
         c.tri_queue = 64;
         set_cache(c.node_sets, c.node_ways, c.node_mshrs, 256, 2, 8);
         set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 256, 2, 8);
+        if (name == "ulx3s-shaded") make_shaded(c);
         c.dram = sdr_half;
         return c;
     }

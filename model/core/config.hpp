@@ -85,16 +85,17 @@ struct Config {
     int levels = 1;       ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
 
     // Shape: counts, depths, latencies.
-    int node_width = 8;       ///< W: children of a node, 2, 4 or 8
-    int leaf_size = 1;        ///< most primitives in a leaf, 1..6
-    int contexts = 64;        ///< T: rays in flight
-    int stack_depth = 16;     ///< groups of siblings a ray can leave for later
-    int raygen_queue = 16;    ///< answers raygen may hold, a power of two
-    int box_queue = 16;       ///< answers box may hold, a power of two
-    int tri_queue = 32;       ///< answers tri may hold, a power of two
-    int box_lanes = 8;        ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
-    int tri_interval = 1;     ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
-    int xform_interval = 2;   ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
+    int node_width = 8;        ///< W: children of a node, 2, 4 or 8
+    int leaf_size = 1;         ///< most primitives in a leaf, 1..6
+    int contexts = 64;         ///< T: rays in flight
+    int stack_depth = 16;      ///< groups of siblings a ray can leave for later
+    int raygen_queue = 16;     ///< answers raygen may hold, a power of two
+    int box_queue = 16;        ///< answers box may hold, a power of two
+    int tri_queue = 32;        ///< answers tri may hold, a power of two
+    int box_lanes = 8;         ///< children that box tests at once, 1, 2, 4 or 8; 8 is all of any node's
+    int tri_interval = 1;      ///< cycles from a primitive that tri takes to the next, 1, 2 or 4
+    int raygen_interval = 1;   ///< cycles from a ray that raygen begins to the next, 1, 2, 4 or 8
+    int xform_interval = 2;    ///< cycles from a ray that xform takes to the next, 1, 2 or 4; with two levels
     int shade_interval = 1;   ///< cycles from a pass that shade takes to the next, 1, 2, 4 or 8; with shading
     int pipelines = 1;        ///< P: pipelines of one machine, 1 to 16
     int tile_bits = 4;    ///< pixels are given out in squares of 2^k x 2^k, in Morton order inside; 0: row by

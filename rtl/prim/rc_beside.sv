@@ -26,6 +26,12 @@ module rc_beside #(
       .clk_i, .rst_ni, .valid_i(come_i), .data_i, .data_o);
     logic unused;
     assign unused = leave_i;
+  end else if (Stages == 1) begin : gen_register
+    logic [Width-1:0] data_q;
+    assign data_o = data_q;
+    always_ff @(posedge clk_i) if (come_i) data_q <= data_i;
+    logic unused;
+    assign unused = ^{rst_ni, leave_i};
   end else begin : gen_ring   // Stages pieces of work at most lie in it
     localparam logic [IndexW-1:0] Last = IndexW'(Stages - 1);
     logic [IndexW-1:0] in_q, out_q;

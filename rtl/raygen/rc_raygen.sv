@@ -4,9 +4,9 @@
 // first. A camera ray begins at the eye and goes through the middle of its pixel or of
 // its sample in it; other rays come with origin and direction.
 //
-// Latency rc_pkg::RaygenLatency + 1 (result queue), throughput 1 per cycle, answers in
-// order. Model: model/raygen/raygen.hpp. The host scales the camera vectors so that every
-// sum fits, and none is too short; frame_i does not change while rays are under way.
+// Latency rc_pkg::RaygenLatency + 1 (result queue), a ray every rc_pkg::RaygenInterval cycles,
+// answers in order. Model: model/raygen/raygen.hpp. The host scales the camera vectors so that
+// every sum fits, and none is too short; frame_i does not change while rays are under way.
 `default_nettype none
 module rc_raygen (
   input  logic           clk_i,
@@ -23,7 +23,8 @@ module rc_raygen (
   // To trav and list
   output logic           ray_valid_o,
   input  logic           ray_ready_i,
-  output rc_pkg::ray_t   ray_o
+  output rc_pkg::ray_t   ray_o,
+  output logic           rests_o         // begins none: the last one is being divided
 );
   localparam int unsigned M       = rc_pkg::DirBits;
   localparam int unsigned RD      = rc_pkg::RayDirBits;
@@ -32,6 +33,7 @@ module rc_raygen (
   localparam int unsigned E       = rc_pkg::ExpBits;
   localparam int unsigned I       = rc_pkg::RayBits;
   localparam int unsigned Latency = rc_pkg::RaygenLatency;
+  localparam int unsigned Every   = rc_pkg::RaygenInterval;
   localparam int unsigned SampleL = rc_pkg::Supersampling != 0 ? 4 : 0;  // of rc_sample
   localparam int unsigned SubBits = rc_pkg::Supersampling != 0 ? 8 : 0;  // of a sample's place
   localparam int unsigned Q       = P + 1 + SubBits;                     // place, signed
@@ -43,7 +45,7 @@ module rc_raygen (
   localparam int unsigned Dir     = Step + rc_pkg::DirectionStages + 1;
 
   // s0: a new pixel is a camera ray through its first sample.
-  logic                      req_valid, req_ready, admit;
+  logic                      req_valid, req_ready, is_open, admit;
   logic [rc_pkg::SpawnW-1:0] req_flat;
   rc_pkg::spawn_t            req, new_pixel;
   always_comb begin
@@ -67,10 +69,11 @@ module rc_raygen (
     assign spawn_ready_o = 1'b0;
     assign req_flat      = new_pixel;
   end
-  assign req   = req_flat;
-  assign admit = req_valid && req_ready;
+  assign req       = req_flat;
+  assign req_ready = is_open && !rests_o;
+  assign admit     = req_valid && req_ready;
   rc_door #(.Credits(rc_pkg::RaygenQueue)) u_door (
-    .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(req_ready));
+    .clk_i, .rst_ni, .admit_i(admit), .leave_i(ray_valid_o && ray_ready_i), .open_o(is_open));
 
   // valid[i]: stage i takes over a ray.
   logic [Latency-1:0] valid_q;
@@ -81,12 +84,18 @@ module rc_raygen (
     if (!rst_ni) valid_q <= '0;
     else         valid_q <= valid[Latency-1:0];
   end
+  if (Every > 1) begin : gen_rests
+    assign rests_o = |valid_q[Every-2:0];
+  end else begin : gen_never
+    assign rests_o = 1'b0;
+  end
   // A stage takes over what comes to it if that is a ray's. In a fast chip it always does: an
   // enable of hundreds of registers is a long path, and what is nothing's does not matter.
   logic [Latency:0] moves;
   assign moves = valid | {(Latency+1){rc_pkg::Cut != 0}};
-  rc_delay #(.Width(I), .Stages(Latency)) u_ray (
-    .clk_i, .valid_i(moves[Latency-1:0]), .data_i(req.ray), .data_o(end_ray));
+  rc_aside #(.Width(I), .Stages(Latency), .Every(Every)) u_ray (
+    .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
+    .data_i(req.ray), .data_o(end_ray));
 
   // Place in the picture, in pixels with SubBits of fraction, when stage SampleL begins.
   logic [rc_pkg::FrameW-1:0] frame_flat;
@@ -139,8 +148,9 @@ module rc_raygen (
     assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
     assign sum[k*G +: G] = s1_corner + s1_right_q + s1_down_q;
     logic [R1+E-1:0] made;
-    rc_recip u_recip (
-      .clk_i, .valid_i(moves[Dir]), .short_i(is_short), .d_i($signed(dir_q[k*RD +: RD])),
+    rc_recip #(.Every(Every)) u_recip (
+      .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : moves[Dir]), .short_i(is_short),
+      .d_i($signed(dir_q[k*RD +: RD])),
       .recip_o(made[R1-1:0]), .len_o(made[R1+E-1:R1]));
     if (Latency - Dir == RecipL) begin : gen_last
       assign {len[k*E +: E], recip[k*R1 +: R1]} = made;
@@ -161,8 +171,9 @@ module rc_raygen (
   logic [3*rc_pkg::CoordBits-1:0] eye;
   assign eye = frame_i.eye;
   always_ff @(posedge clk_i) if (moves[Dir-1]) dir_q <= new_dir;
-  rc_delay #(.Width(3 * RD), .Stages(Latency - Dir)) u_dir (
-    .clk_i, .valid_i(moves[Latency-1:Dir]), .data_i(dir_q), .data_o(end_dir));
+  rc_aside #(.Width(3 * RD), .Stages(Latency - Dir), .Every(Every)) u_dir (
+    .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
+    .data_i(dir_q), .data_o(end_dir));
   if (rc_pkg::Shading != 0) begin : gen_given
     localparam int unsigned OW = rc_pkg::OriginWidth;
     localparam int unsigned N  = rc_pkg::CoordBits;
@@ -170,8 +181,9 @@ module rc_raygen (
     logic [3*OW-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
     logic [3*RD-1:0] given_d;
     logic            is_camera;
-    rc_delay #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1)) u_given (
-      .clk_i, .valid_i(moves[Dir-2:0]), .data_i({req.kind, req.o, req.d}),
+    rc_aside #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1), .Every(Every)) u_given (
+      .clk_i, .rst_ni, .valid_i(moves[Dir-2:0]), .there_i(valid[Dir-2:0]),
+      .data_i({req.kind, req.o, req.d}),
       .data_o({kind, given_o, given_d}));
     assign is_camera = kind == rc_pkg::RayCamera;
     for (genvar k = 0; k < 3; k++) begin : gen_eye
@@ -181,8 +193,9 @@ module rc_raygen (
     end
     assign new_o = is_camera ? camera_o : given_o;
     always_ff @(posedge clk_i) if (moves[Dir-1]) {dir_kind_q, dir_o_q} <= {kind, new_o};
-    rc_delay #(.Width(2 + 3 * OW), .Stages(Latency - Dir)) u_head (
-      .clk_i, .valid_i(moves[Latency-1:Dir]), .data_i({dir_kind_q, dir_o_q}),
+    rc_aside #(.Width(2 + 3 * OW), .Stages(Latency - Dir), .Every(Every)) u_head (
+      .clk_i, .rst_ni, .valid_i(moves[Latency-1:Dir]), .there_i(valid[Latency-1:Dir]),
+      .data_i({dir_kind_q, dir_o_q}),
       .data_o({end_kind, end_o}));
     assign is_short = dir_kind_q != rc_pkg::RayShadow;
     // What says which primitives the ray asks stays as it came.
@@ -205,8 +218,9 @@ module rc_raygen (
       end else begin : gen_triangles
         assign asks = '0;
       end
-      rc_delay #(.Width(TagW), .Stages(Latency)) u_tag (
-        .clk_i, .valid_i(moves[Latency-1:0]), .data_i(req_tag), .data_o(end_tag));
+      rc_aside #(.Width(TagW), .Stages(Latency), .Every(Every)) u_tag (
+        .clk_i, .rst_ni, .valid_i(moves[Latency-1:0]), .there_i(valid[Latency-1:0]),
+        .data_i(req_tag), .data_o(end_tag));
       assign end_head = {end_kind, end_tag, end_o};
     end else begin : gen_no_tag
       assign end_head = {end_kind, end_o};

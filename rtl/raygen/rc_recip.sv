@@ -3,10 +3,15 @@
 // For |d| of bit length len: m = |d| << (M - len), recip = floor(2^(M+R-1) / m), an
 // R + 1 bit number between 2^(R-1) and 2^R. d = 0 gives len 0, recip 1. M is the width of
 // a ray's direction; len of one that has only DirBits counts as if it were as long.
-// Latency rc_pkg::RecipStages, throughput 1 per cycle. Model: model/raygen/raygen.hpp (reciprocal).
+// Latency rc_pkg::RecipStages. A component may come every Every cycles; if that is more than one,
+// so many steps of the division share a stage, and valid_i must be true of what comes. Model:
+// model/raygen/raygen.hpp (reciprocal).
 `default_nettype none
-module rc_recip (
+module rc_recip #(
+  parameter int unsigned Every = 1
+) (
   input  logic                                 clk_i,
+  input  logic                                 rst_ni,
   input  logic                                 valid_i,
   input  logic                                 short_i,  // of DirBits only
   input  logic signed [rc_pkg::RayDirBits-1:0] d_i,
@@ -84,14 +89,15 @@ module rc_recip (
   // The other R bits; if two are made in a stage, for an odd R one bit too many, dropped below.
   logic [Bits*Stages-1:0] quo;
   logic                   inexact;
-  rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits)) u_divide (
+  rc_divide #(.Width(M), .Stages(Stages), .Bits(Bits), .Every(Every), .Lows(0)) u_divide (
     .clk_i, .valid_i(valid[Moved]), .rem_i(rem_q), .low_i('0), .den_i(m_q),
     .quo_o(quo), .inexact_o(inexact));
 
   // Bit length and top bit wait beside the divider.
   logic top;
-  rc_delay #(.Width(E + 1), .Stages(Stages)) u_wait (
-    .clk_i, .valid_i(valid[L-1:Moved]), .data_i({top_q, len_q}), .data_o({top, len_o}));
+  rc_aside #(.Width(E + 1), .Stages(Stages), .Every(Every)) u_wait (
+    .clk_i, .rst_ni, .valid_i(valid[L-1:Moved]), .there_i(valid[L-1:Moved]),
+    .data_i({top_q, len_q}), .data_o({top, len_o}));
 
   assign recip_o = len_o == '0 ? {{R{1'b0}}, 1'b1} : {top, quo[Bits*Stages-1 -: R]};
 

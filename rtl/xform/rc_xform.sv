@@ -187,7 +187,7 @@ module rc_xform (
       end
     end
     rc_recip u_recip (
-      .clk_i, .valid_i(valid[Moved +: Own] != '0), .short_i(is_short), .d_i(axis),
+      .clk_i, .rst_ni, .valid_i(valid[Moved +: Own] != '0), .short_i(is_short), .d_i(axis),
       .recip_o(made[R1-1:0]), .len_o(made[R1+EB-1:R1]));
     for (genvar i = 0; i < Own; i++) begin : gen_axis   // the first wait for the last
       rc_cut #(.Width(R1 + EB), .Stages(Share - 1 - i)) u_early (

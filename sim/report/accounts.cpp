@@ -78,17 +78,20 @@ Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     const std::uint64_t tested = (run.visits - entered(config, run)) * std::uint64_t(config.box_interval());
     bound.nodes = double(std::max(run.visits, tested)) / config.pipelines;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
-    bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;   // it rests busily
+    // They rest busily.
+    bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;
+    bound.rays = double(run.accounts.units[index(Unit::raygen)][0]) / config.pipelines;
     // The screen takes its share of the memory's time; what the chip and its pixels ask for needs the rest.
     const double screen = config.scan_out ? FrameBuffer::screen_bytes_per_second : 0;
     const double peak = peak_bytes_per_second(config, khz);
     bound.memory = double(64 * (run.memory.reads - run.memory.scanned + run.memory.pixel_writes)) /
                    std::max(peak - screen, peak / 2) * khz * 1e3;
-    bound.cycles = std::max({bound.nodes, bound.triangles, bound.passes, bound.memory});
+    bound.cycles = std::max({bound.nodes, bound.triangles, bound.passes, bound.rays, bound.memory});
     bound.unit = bound.cycles == bound.memory      ? "memory"
                  : bound.cycles == bound.nodes     ? "trav"
                  : bound.cycles == bound.triangles ? "tri"
-                                                   : "shade";
+                 : bound.cycles == bound.passes    ? "shade"
+                                                   : "raygen";
     bound.reached = run.cycles ? bound.cycles / double(run.cycles) : 0;
     return bound;
 }
@@ -100,7 +103,8 @@ std::string bottleneck(const Config& config, int khz, const FrameRun& run) {
     };
     const bool is_port = config.dram_part() && peak_bytes_per_second(config, khz) >= 64.0 * khz * 1e3;
     const std::string work =
-        bound.unit == "trav"    ? "node visits, " + every(config.box_interval()) + " and pipeline"
+        bound.unit == "raygen"  ? "rays, " + every(config.raygen_interval) + " and pipeline"
+        : bound.unit == "trav"  ? "node visits, " + every(config.box_interval()) + " and pipeline"
         : bound.unit == "tri"   ? "triangle tests, " + every(config.tri_interval) + " and pipeline"
         : bound.unit == "shade" ? "shade's passes, " + every(config.shade_interval) + " and pipeline"
         : is_port               ? "the port to memory, 64 bytes a cycle,"

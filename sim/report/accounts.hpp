@@ -30,11 +30,12 @@ struct CacheAccount {
 CacheAccount cache_account(const FrameRun& run, Unit cache);
 
 /// The least cycles that the machine can need for a frame's work: a node, a triangle and a pass of shade a
-/// cycle in each pipeline, or one every box_interval(), tri_interval and shade_interval cycles, and what the
+/// cycle in each pipeline, or one every box_interval(), tri_interval and shade_interval cycles, a ray every
+/// raygen_interval cycles, and what the
 /// memory's data bus can carry.
 struct Bound {
-    double nodes = 0, triangles = 0, passes = 0, memory = 0;   ///< cycles
-    std::string unit;     ///< "trav", "tri", "shade" or "memory": the largest of the four
+    double nodes = 0, triangles = 0, passes = 0, rays = 0, memory = 0;   ///< cycles
+    std::string unit;     ///< "trav", "tri", "shade", "raygen" or "memory": the largest of the five
     double cycles = 0;    ///< of it
     double reached = 0;   ///< bound / cycles of the frame
 };

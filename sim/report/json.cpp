@@ -105,6 +105,7 @@ ordered_json clock_json(const Config& config, const ClockRun& run) {
              {{"trav", bound.nodes},
               {"tri", bound.triangles},
               {"shade", bound.passes},
+              {"raygen", bound.rays},
               {"memory", bound.memory}}},
             {"bound_reached", bound.reached},
             {"bottleneck", bottleneck(config, run.khz, frame)},

@@ -45,13 +45,13 @@ std::vector<std::string> range(const std::string& list, const std::string& text)
 
 /// Parameters that change when things happen, and never what a ray does. Any other one belongs to the format.
 constexpr std::array timing_only{
-    "contexts",    "raygen_queue", "box_queue",      "tri_queue",     "tri_interval",   "cache_queue",
-    "pipelines",   "tile_bits",    "node_sets",      "node_ways",     "node_line",      "node_mshrs",
-    "prim_sets",   "prim_ways",    "prim_line",      "prim_mshrs",    "l2_sets",        "l2_ways",
-    "l2_line",     "l2_mshrs",     "dram",           "dram_channels", "mem_latency",    "mem_interval",
-    "timing",      "lights",       "bounces",        "shade_queue",   "surf_sets",      "surf_ways",
-    "surf_line",   "surf_mshrs",   "xform_interval", "box_lanes",     "shade_interval", "scan_out",
-    "pixel_writes"};
+    "contexts",     "raygen_queue",   "box_queue",      "tri_queue",     "tri_interval",   "cache_queue",
+    "pipelines",    "tile_bits",      "node_sets",      "node_ways",     "node_line",      "node_mshrs",
+    "prim_sets",    "prim_ways",      "prim_line",      "prim_mshrs",    "l2_sets",        "l2_ways",
+    "l2_line",      "l2_mshrs",       "dram",           "dram_channels", "mem_latency",    "mem_interval",
+    "timing",       "lights",         "bounces",        "shade_queue",   "surf_sets",      "surf_ways",
+    "surf_line",    "surf_mshrs",     "xform_interval", "box_lanes",     "shade_interval", "scan_out",
+    "pixel_writes", "raygen_interval"};
 
 /// One value for each of the linked parameters. A memory alone may be the path of its file.
 std::vector<std::string> values_of(const std::string& value, const std::string& key) {

@@ -44,6 +44,9 @@ mutant(model_blames_trav FILE model/pipeline.inl WITH tests/unit/machine_test.cp
 mutant(model_box_rests_too_long FILE model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
   OLD [[box_rests_(std::uint32_t(config.box_interval() - 1))]]
   NEW [[box_rests_(std::uint32_t(config.box_interval()))]])
+mutant(model_raygen_rests_too_long FILE model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
+  OLD [[raygen_rests_(std::uint32_t(config.raygen_interval - 1))]]
+  NEW [[raygen_rests_(std::uint32_t(config.raygen_interval))]])
 mutant(model_shade_rests_too_long FILE model/shade/unit.hpp WITH tests/unit/shade_test.cpp TEST unit "shade does a pass in every cycle*"
   OLD [[rests_(std::uint32_t(config.shade_interval - 1))]]
   NEW [[rests_(std::uint32_t(config.shade_interval))]])

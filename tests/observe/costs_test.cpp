@@ -57,7 +57,7 @@ void check_accounts(const FrameCosts& costs, const Config& config) {
           account(Unit::xform, 0));
     CHECK(costs.moved[index(Link::change)] == costs.moved[index(Link::xform_req)]);
     CHECK(costs.moved[index(Link::tri_req)] * std::uint64_t(config.tri_interval) == account(Unit::tri, 0));
-    CHECK(costs.moved[index(Link::ray)] == account(Unit::raygen, 0));
+    CHECK(costs.moved[index(Link::ray)] * std::uint64_t(config.raygen_interval) == account(Unit::raygen, 0));
     CHECK(costs.refused[index(Link::ray)] == account(Unit::raygen, 2));
     CHECK(costs.refused[index(Link::slot)] == account(Unit::sched, 3));
     CHECK(costs.moved[index(Link::tile)] == costs.tiles.size());

@@ -46,7 +46,7 @@ inline const std::vector<Watched>& watched_machines() {
         {"gears:1", {{"structure", "spheres"}}},
         {"gears:1", {{"structure", "bsp"}}},
         {"tetra:2", {{"structure", "none"}}},
-        {"gears:2", {{"tri_interval", "4"}, {"box_lanes", "2"}}},
+        {"gears:2", {{"tri_interval", "4"}, {"box_lanes", "2"}, {"raygen_interval", "4"}}},
         {"gearbox:2", {{"levels", "2"}}},
         {"gearbox:2", {{"levels", "2"}, {"timing", "fast"}, {"xform_interval", "1"}, {"node_sets", "2"}}},
     };

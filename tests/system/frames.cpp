@@ -102,7 +102,7 @@ void check_accounts(const FrameRun& run, const Config& config, const Trace& trac
     }
     CHECK(code(Unit::sched, 0) == pixels);
     const std::uint64_t sent = config.shading ? trace.counts.all() - totally_reflected(trace) : pixels;
-    CHECK(code(Unit::raygen, 0) == sent);
+    CHECK(code(Unit::raygen, 0) == sent * std::uint64_t(config.raygen_interval));
     const std::uint64_t entered = code(Unit::xform, 0) / std::uint64_t(config.xform_interval);
     CHECK(code(Unit::xform, 0) % std::uint64_t(config.xform_interval) == 0);
     CHECK((entered > 0) == config.has_instances());

@@ -124,7 +124,7 @@ TEST_CASE("a machine makes every pixel once, and every unit's cycles add up", "[
     const Link asked = job.config.l2_sets > 0 ? Link::l2_req : Link::mem_req;
     REQUIRE(count(asked) == count(Link::node_miss) + count(Link::prim_miss));
     REQUIRE(code(Unit::sched, 0) == count(Link::slot));
-    REQUIRE(code(Unit::raygen, 0) == count(Link::ray));
+    REQUIRE(code(Unit::raygen, 0) == job.config.raygen_interval * count(Link::ray));
     REQUIRE(code(Unit::trav, 0) + code(Unit::trav, 2) == frame.trace.visits + frame.trace.turns);   // a turn
                                                                                                     // is
                                                                                                     // work,
@@ -179,7 +179,7 @@ TEST_CASE("idle cycles that are passed over are as if each had been stepped", "[
 
 TEST_CASE("model and rtl of the machine count the same", "[machine][lockstep]") {
     const auto [scene, name] = GENERATE(table<const char*, const char*>(
-        {{"tetra:3", "small"}, {"gears:1", "small"}, {"gears:1", "lanes1:small"}}));
+        {{"tetra:3", "small"}, {"gears:1", "small"}, {"gears:1", "lanes1:rays4:small"}}));
     const Job job = small_job(scene, {16, 12}, format(name));
     const FrameTrace frame = record_frame(job, job.frame);
     for (const rayclock::Traffic& traffic :

@@ -105,7 +105,7 @@ template <class Dut> void against_oracle(const char* name, unsigned seed, const 
 
 TEMPLATE_TEST_CASE("raygen gives the rounded direction and a bracket of its reciprocal", "[raygen]",
                    Model<RaygenUnit>, Rtl<RaygenUnit>) {
-    const auto name = GENERATE("default", "small", "narrow", "wide", "sheared:default");
+    const auto name = GENERATE("default", "small", "narrow", "wide", "sheared:default", "rays8:fast:default");
     for (unsigned seed = 1; seed <= 10; ++seed) against_oracle<TestType>(name, seed, flows[seed % 4], 250);
 }
 
@@ -163,8 +163,8 @@ TEMPLATE_TEST_CASE("raygen fills the bits of a direction, however short the sum 
 
 TEMPLATE_TEST_CASE("raygen answers after exactly its latency", "[raygen]", Model<RaygenUnit>,
                    Rtl<RaygenUnit>) {
-    const Config config =
-        format(GENERATE("default", "narrow", "wide", "sheared:default", "fast:default", "fast:narrow"));
+    const Config config = format(GENERATE("default", "narrow", "wide", "sheared:default", "fast:default",
+                                          "fast:narrow", "rays2:default", "rays8:fast:default"));
     TestType dut{config, camera(5, config)};
     check_latency(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
 }
@@ -189,6 +189,26 @@ TEST_CASE("model and rtl of a fast raygen make the same moves in every cycle", "
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed)
             check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed, 1500,
+                                       [&](Draw& draw) { return random_slot(draw, config); });
+}
+
+TEMPLATE_TEST_CASE("raygen that shares steps of its divisions makes a ray every few cycles",
+                   "[raygen][interval]", Model<RaygenUnit>, Rtl<RaygenUnit>) {
+    const Config config = format(GENERATE("rays2:default", "rays8:fast:default"));
+    TestType dut{config, camera(5, config)};
+    check_throughput(dut, config, [&](Draw& draw) { return random_slot(draw, config); });
+}
+
+TEST_CASE("model and rtl of a raygen that shares steps make the same moves in every cycle",
+          "[raygen][lockstep][interval]") {
+    const Config config =
+        format(GENERATE("rays2:default", "rays4:default", "rays8:default", "rays2:fast:small",
+                        "rays4:fast:small", "rays8:fast:small", "rays8:fast:narrow", "rays4:wide",
+                        "rays8:fast:wide", "rays4:sheared:default", "rays8:fast:sheared:precise"));
+    for (const Flow& flow : flows)
+        for (unsigned seed = 11; seed <= 13; ++seed)
+            check_lockstep<RaygenUnit>(config, camera(seed, config), flow, seed,
+                                       1500 * config.raygen_interval,
                                        [&](Draw& draw) { return random_slot(draw, config); });
 }
 

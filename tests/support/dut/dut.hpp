@@ -66,6 +66,7 @@ struct RaygenUnit {
     static constexpr bool has_frame = true;
     static int latency(const Config& c) { return c.raygen_latency(); }
     static int queue(const Config& c) { return c.raygen_queue; }
+    static int interval(const Config& c) { return c.raygen_interval; }
     static Ray answer(const Slot& slot, const Frame& frame, const Config& c) {
         return raygen(slot, frame, c);
     }
@@ -243,11 +244,17 @@ private:
 /// slopes, and one of coarse reciprocals; as "shading:..." of a chip that shades, with all primitives, as
 /// "samples:..." of one with several samples in a pixel and triangles only, and as "fast:..." with its paths
 /// cut for a fast clock, as "every2:..." or "every4:..." of one whose tri takes a primitive every so many
-/// cycles, and as "lanes1:..." to "lanes4:..." of one whose box tests so many children at once.
+/// cycles, as "lanes1:..." to "lanes4:..." of one whose box tests so many children at once,
+/// and as "rays2:..." to "rays8:..." of one whose raygen begins a ray every so many cycles.
 inline Config format(const std::string& name) {
     if (name.starts_with("every2:") || name.starts_with("every4:")) {
         Config config = format(name.substr(7));
         config.tri_interval = name[5] - '0';
+        return config;
+    }
+    if (name.starts_with("rays") && name.find(':') == 5) {
+        Config config = format(name.substr(6));
+        config.raygen_interval = name[4] - '0';
         return config;
     }
     if (name.starts_with("lanes") && name.find(':') == 6) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "tests/support/dut/dut.hpp"
 
 namespace rayclock::test {
@@ -17,8 +19,9 @@ public:
         : config_(config), frame_(frame), pipe_(config.raygen_latency(), config.raygen_queue) {}
     void eval() {
         second_ = merge_.second(spawn.offer.has_value());
-        spawn.ready = pipe_.ready() && !second_;
-        slot.ready = pipe_.ready() && second_;
+        const bool begins = pipe_.ready() && rest_ == 0;
+        spawn.ready = begins && !second_;
+        slot.ready = begins && second_;
         ray.offer.reset();
         if (pipe_.valid(now_)) ray.offer = pipe_.front();
     }
@@ -27,7 +30,9 @@ public:
         Ray made;
         if (spawn.fires()) made = spawn_ray(*spawn.offer, frame_, config_);
         if (slot.fires()) made = raygen(*slot.offer, frame_, config_);
-        pipe_.clock(now_++, ray.fires(), spawn.fires() || slot.fires(), made);
+        const bool begun = spawn.fires() || slot.fires();
+        pipe_.clock(now_++, ray.fires(), begun, made);
+        rest_ = begun ? config_.raygen_interval - 1 : std::max(rest_ - 1, 0);
     }
 
 private:
@@ -35,6 +40,7 @@ private:
     Frame frame_;
     Merge merge_;
     bool second_ = false;
+    int rest_ = 0;   // cycles in which it begins no ray
     Pipe<Ray> pipe_;
     std::uint64_t now_ = 0;
 };

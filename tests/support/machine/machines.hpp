@@ -65,6 +65,7 @@ inline const std::vector<Values>& shapes() {
          {"dram", 1},
          {"tri_interval", 4},
          {"shade_interval", 4},
+         {"raygen_interval", 8},
          {"box_lanes", 2}},
         {{"dram", 0}, {"raygen_queue", 2}, {"box_queue", 2}, {"tri_queue", 2}, {"mem_latency", 1}},
     };

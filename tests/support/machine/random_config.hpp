@@ -42,7 +42,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
         config.name = "random " + std::to_string(seed);
         for (const Parameter& p : parameters())
             if (p.member != &Config::levels && p.member != &Config::xform_interval &&
-                p.member != &Config::shade_interval)
+                p.member != &Config::shade_interval && p.member != &Config::raygen_interval)
                 config.*p.member = draw(p, most_of(p));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
@@ -52,6 +52,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
         config.xform_interval = 1 << widths.below(3);
         config.levels = 1 + widths.below(2);
         config.shade_interval = 1 << widths.below(4);
+        config.raygen_interval = 1 << widths.below(4);
         config.pipelines = rng.below(4) == 0 && !single ? 2 : 1;
         if (rng.below(3) != 0) config.l2_sets = 0;
         // Two in three do not shade. The others have what the scenes need at least: spheres, planes and
