@@ -1,7 +1,9 @@
 #include "sim/chip/nextpnr.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
@@ -92,33 +94,53 @@ const Nextpnr& nextpnr() {
     return found;
 }
 
-std::string nextpnr_options(const Device& device) {
-    return fmt::format("{} --package {} --speed {} --freq {} --timing-allow-fail", device.option,
-                       package_name, speed_grade, asked_mhz);
+const std::vector<std::string>& placers() {
+    static const std::vector<std::string> names{"heap", "static"};
+    return names;
+}
+const std::vector<std::string>& routers() {
+    static const std::vector<std::string> names{"router1", "router2"};
+    return names;
+}
+
+std::string nextpnr_options(const Device& device, const Methods& methods) {
+    std::string options = fmt::format("{} --package {} --speed {} --freq {} --timing-allow-fail",
+                                      device.option, package_name, speed_grade, asked_mhz);
+    // What it does by itself is not named: what was kept before there was a choice stays good.
+    const Methods usual;
+    if (methods.placer != usual.placer) options += " --placer " + methods.placer;
+    if (methods.router != usual.router) options += " --router " + methods.router;
+    return options;
 }
 
 RouteStep step_of_log(const std::string& log) {
-    if (log.find("Info: Routing..") == std::string::npos)
-        return log.find("Info: Creating initial analytic placement") == std::string::npos
-                   ? RouteStep{"packing", 0}
-                   : RouteStep{"placing", 10};
+    const auto says = [&](const char* words) { return log.find(words) != std::string::npos; };
+    if (!says("Info: Routing..") && !says("Info: Running router2..."))
+        return says("Info: Creating initial analytic placement") || says("Info: Running Static placer")
+                   ? RouteStep{"placing", 10}
+                   : RouteStep{"packing", 0};
     RouteStep step{"routing", 50};
-    double arcs = 0, left = 0;
+    double arcs = 0, left = 0;   // router2 tells wires that are used twice
     bool begun = false;
     for (const std::string& line : split(log, '\n')) {
         if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
             arcs = std::atof(line.c_str() + 14), begun = true;
         const std::vector<std::string> parts = split(line, '|');
         if (begun && parts.size() >= 5) left = std::atof(parts[3].c_str());
+        constexpr std::string_view twice = " overused=";
+        if (const std::size_t at = line.find(twice); at != std::string::npos) {
+            left = std::atof(line.c_str() + at + twice.size());
+            arcs = std::max(arcs, left);
+        }
     }
     if (arcs > 0 && left > 0) step.percent += int(50 * (1 - std::min(1.0, left / arcs)));
     return step;
 }
 
-RouteEnd run_nextpnr(const fs::path& folder, const Device& device, int seed,
+RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
                      const std::function<void(const std::string& what, int percent)>& tell) {
     std::vector<std::string> words{nextpnr().program.string()};
-    for (const std::string& word : split(nextpnr_options(device), ' ')) words.push_back(word);
+    for (const std::string& word : split(nextpnr_options(device, methods), ' ')) words.push_back(word);
     // By names within the folder: a tool compiled to WebAssembly sees no others.
     for (const char* word : {"--json", "netlist.json", "--report", "report.json", "--write", "placed.json",
                              "--sdf", "delays.sdf", "--seed"})

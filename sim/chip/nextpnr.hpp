@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "sim/chip/device.hpp"
 
@@ -24,16 +25,24 @@ std::string nextpnr_version(const std::string& said);
 /// The frequency that placer and router are asked for. What they reach depends little on it.
 constexpr int asked_mhz = 100;
 
+/// nextpnr's algorithms. Which of them brings a chip to its end, and how fast a chip, differs from chip to
+/// chip.
+struct Methods {
+    std::string placer = "heap", router = "router1";
+};
+const std::vector<std::string>& placers();
+const std::vector<std::string>& routers();
+
 /// All options but files and seed.
-std::string nextpnr_options(const Device& device);
+std::string nextpnr_options(const Device& device, const Methods& methods);
 
 enum class RouteEnd { done, interrupted, does_not_fit };
 
-/// Places and routes netlist.json of the folder with this seed: report.json, placed.json and delays.sdf, and
-/// the log, appear there. `tell` hears what it does and how many percent are done. Throws UserError with the
-/// tool's words if it fails.
-RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, int seed,
-                     const std::function<void(const std::string& what, int percent)>& tell);
+/// Places and routes netlist.json of the folder, by these methods and with this seed: report.json,
+/// placed.json and delays.sdf, and the log, appear there. `tell` hears what it does and how many percent are
+/// done. Throws UserError with the tool's words if it fails.
+RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, const Methods& methods,
+                     int seed, const std::function<void(const std::string& what, int percent)>& tell);
 
 /// How far a run is, from its log.
 struct RouteStep {

@@ -106,6 +106,9 @@ std::string text(const Result& r) {
     const Route& best = r.best();
     text += fmt::format("  routed: {:.1f} MHz with seed {}", best.fmax_mhz, best.seed);
     if (r.routes.size() > 1) text += fmt::format(" (by seed {})", seeds_text(r));
+    const Methods &methods = r.request.methods, usual;
+    if (methods.placer != usual.placer || methods.router != usual.router)
+        text += fmt::format(", placer {}, {}", methods.placer, methods.router);
     return text + "\n\n" + path_table(best);
 }
 
@@ -120,7 +123,9 @@ ordered_json json(const Result& r) {
     ordered_json json{{"top", r.request.top},
                       {"device", r.request.device.name},
                       {"fits", r.fits()},
-                      {"routed", !r.routes.empty()}};
+                      {"routed", !r.routes.empty()},
+                      {"placer", r.request.methods.placer},
+                      {"router", r.request.methods.router}};
     json["fmax_mhz"] = r.routes.empty() ? ordered_json(nullptr) : ordered_json(r.best().fmax_mhz);
     json["seeds"] = seeds;
     json["totals"] = use_json(total_of(units));

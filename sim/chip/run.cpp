@@ -13,7 +13,6 @@
 #include "sim/chip/cells.hpp"
 #include "sim/chip/clock.hpp"
 #include "sim/chip/harness.hpp"
-#include "sim/chip/nextpnr.hpp"
 #include "sim/files/input.hpp"
 #include "sim/files/table.hpp"
 #include "sim/gen/ecp5.hpp"
@@ -196,7 +195,7 @@ private:
 
     std::string route_key(int seed) const {
         return fmt::format("{} nextpnr {} {} seed {} read 5", design_, nextpnr().version,
-                           nextpnr_options(request_.device), seed);
+                           nextpnr_options(request_.device, request_.methods), seed);
     }
 
     void route(int seed, Result& result) {
@@ -208,8 +207,8 @@ private:
         const auto hear = [&](const std::string& what, int percent) {
             tell(fmt::format("seed {}, {}", seed, what), percent);
         };
-        const RouteEnd end =
-            run_nextpnr(folder.path("netlist.json").parent_path(), request_.device, seed, hear);
+        const RouteEnd end = run_nextpnr(folder.path("netlist.json").parent_path(), request_.device,
+                                         request_.methods, seed, hear);
         if (end == RouteEnd::interrupted) stopped();
         if (end == RouteEnd::does_not_fit) {
             result.misfit = fmt::format("'{}' does not fit {}: the placer finds no place for all cells",

@@ -7,6 +7,7 @@
 
 #include "model/base/progress.hpp"
 #include "model/core/config.hpp"
+#include "sim/chip/nextpnr.hpp"
 #include "sim/chip/route.hpp"
 #include "sim/jobs/cache.hpp"
 
@@ -18,6 +19,7 @@ struct Request {
     std::string top = "chip";
     Device device;
     std::vector<int> seeds;
+    Methods methods{};
 };
 
 struct Result {

@@ -151,6 +151,16 @@ TEST_CASE("how far a run is stands in its log") {
         step_of_log(routing + "Info:       1000 |      0   1000 |    0  1000 |      1000|   0.1  0.1|\n");
     CHECK(half.what == "routing");
     CHECK(half.percent == 75);
+    const std::string twice = "Info: Running Static placer...\n";
+    CHECK(step_of_log(twice).what == "placing");
+    CHECK(step_of_log(twice + "Info: Running router2...\n").percent == 50);
+    const RouteStep half_again =
+        step_of_log(twice +
+                    "Info: Running router2...\n"
+                    "Info:     iter=1 wires=900 overused=500 overuse=700 archfail=NA\n"
+                    "Info:     iter=2 wires=900 overused=250 overuse=260 archfail=NA\n");
+    CHECK(half_again.what == "routing");
+    CHECK(half_again.percent == 75);
 }
 
 TEST_CASE("versions in what tools say") {

@@ -97,9 +97,16 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(fake.routed() == 4);
     CHECK(fake.run({"--fresh"}).code == 0);
     CHECK(fake.routed() == 5);
+    const Outcome other = fake.run({"--placer", "static", "--router", "router2"});   // likewise other methods
+    CHECK(fake.routed() == 6);
+    CHECK_THAT(other.out, Catch::Contains("with seed 1, placer static, router2\n"));
+    CHECK_THAT(bytes_of(fake.calls()),
+               Catch::Contains("--timing-allow-fail --placer static --router router2"));
+    CHECK(fake.run({"--placer", "heap", "--router", "router1"}).code == 0);
+    CHECK(fake.routed() == 6);
     fake.replace("true", "nextpnr-0.12");   // and another router another clock
     CHECK(fake.run().code == 0);
-    CHECK(fake.routed() == 6);
+    CHECK(fake.routed() == 7);
 }
 
 TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them") {
@@ -291,6 +298,8 @@ TEST_CASE("chip refuses what makes no sense") {
     check_refused(chip({"--seeds", "0"}), {"--seeds", "above 0"});
     check_refused(chip({"--seeds", "1:200"}), {"--seeds", "more than 100"});
     check_refused(chip({"--seeds", "one"}), {"'one'"});
+    check_refused(chip({"--placer", "statik"}), {"--placer", "'statik'", "did you mean 'static'"});
+    check_refused(chip({"--router", "3"}), {"--router", "'3'"});
     check_refused(chip({"--fast", "--unit", "box"}), {"--fast", "--unit"});
     check_refused(chip({"--fast"}), {"sched, raygen", "--unit sched,raygen"});
     check_refused(chip({"--scene", "tetr:2"}), {"'tetr'"});
