@@ -45,6 +45,11 @@ void declare(Parser& parser, Options& o) {
         .option("--router", o.methods.router,
                 "nextpnr's router, router1, or router2 for a chip that router1 does not bring to its end")
         .with_default();
+    parser
+        .option("--placements", o.methods.placements,
+                "how often it is placed, each time after the first with multipliers and block memories "
+                "where the one before wants them")
+        .with_default();
     parser.flag("--fast", o.fast,
                 "do not route, but estimate the chip from its units, which were routed before with --unit");
     parser.option(
@@ -204,6 +209,8 @@ int run(const Options& o) {
     const std::vector<int> seeds = seeds_of(o.seeds);
     check_method("--placer", o.methods.placer, chip::placers());
     check_method("--router", o.methods.router, chip::routers());
+    if (o.methods.placements < 1 || o.methods.placements > 9)
+        throw UserError(fmt::format("--placements: {} does not lie in 1..9", o.methods.placements));
     if (o.fast && !o.units.empty())
         throw UserError("--fast: an estimate is of the whole chip; leave out --unit");
     if (o.fast && !o.output.empty())

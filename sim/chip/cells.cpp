@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Follows modules / MODULE / cells / CELL / type or attributes / src, and forgets the rest.
+/// Follows modules / MODULE / cells / CELL / type, attributes or connections, and forgets the rest.
 class CellReader : public nlohmann::json_sax<nlohmann::json> {
 public:
     explicit CellReader(const std::function<void(const Cell&)>& take) : take_(take) {}
@@ -27,7 +27,7 @@ public:
     bool start_object(std::size_t) override {
         path_.push_back(std::move(key_));
         key_.clear();
-        if (is_cell()) cell_ = {path_.back(), {}, {}, {}};
+        if (is_cell()) cell_ = {path_.back(), {}, {}, {}, {}};
         return true;
     }
     bool end_object() override {
@@ -50,7 +50,11 @@ public:
     bool null() override { return true; }
     bool boolean(bool) override { return true; }
     bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_unsigned(number_unsigned_t number) override {
+        if (in_cells() && path_.size() == 6 && path_.back() == "connections")
+            cell_.nets.push_back(int(number));
+        return true;
+    }
     bool number_float(number_float_t, const string_t&) override { return true; }
     bool binary(binary_t&) override { return true; }
     bool start_array(std::size_t) override { return true; }

@@ -11,8 +11,9 @@ namespace rayclock::chip {
 
 struct Cell {
     std::string name, type;
-    std::string source;   ///< attribute src: places in sources, from the outermost instance inwards
-    std::string bel;      ///< "X107/Y74/SLICEC.RAMW", once it is placed
+    std::string source;      ///< attribute src: places in sources, from the outermost instance inwards
+    std::string bel;         ///< "X107/Y74/SLICEC.RAMW", once it is placed
+    std::vector<int> nets;   ///< numbers of what its ports are wired to
 };
 
 /// Calls `take` for each cell of the netlist, which is read piece by piece: as a whole it would fill a

@@ -11,6 +11,7 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
+#include "sim/chip/anchor.hpp"
 #include "sim/files/input.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/process.hpp"
@@ -137,15 +138,16 @@ RouteStep step_of_log(const std::string& log) {
     return step;
 }
 
-RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
-                     const std::function<void(const std::string& what, int percent)>& tell) {
+namespace {
+
+using Tell = std::function<void(const std::string& what, int percent)>;
+
+RouteEnd run_once(const fs::path& folder, const Device& device, const Methods& methods, int seed,
+                  const std::vector<const char*>& files, const Tell& tell) {
     std::vector<std::string> words{nextpnr().program.string()};
     for (const std::string& word : split(nextpnr_options(device, methods), ' ')) words.push_back(word);
-    // By names within the folder: a tool compiled to WebAssembly sees no others.
-    for (const char* word : {"--json", "netlist.json", "--report", "report.json", "--write", "placed.json",
-                             "--sdf", "delays.sdf", "--seed"})
-        words.push_back(word);
-    words.push_back(std::to_string(seed));
+    words.insert(words.end(), files.begin(), files.end());
+    words.insert(words.end(), {"--seed", std::to_string(seed)});
     Process process({words, folder, folder / "log", folder});
     for (int ticks = 0; !interrupted() && !process.ended(); ++ticks) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -158,6 +160,28 @@ RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods
     const std::string error = error_of(read_if_there(folder / "log"));
     if (means_too_large(error)) return RouteEnd::does_not_fit;
     throw UserError("nextpnr-ecp5 failed: " + printable(error));
+}
+
+}   // namespace
+
+// Files by their names within the folder: a tool compiled to WebAssembly sees no others.
+RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
+                     const Tell& tell) {
+    const char* netlist = "netlist.json";
+    for (int placement = 1; placement < methods.placements; ++placement) {
+        const RouteEnd end = run_once(folder, device, methods, seed,
+                                      {"--json", netlist, "--no-route", "--write", "placed.json"},
+                                      [&](const std::string& what, int) {
+                                          if (tell) tell(what + " beforehand", 10);
+                                      });
+        if (end != RouteEnd::done) return end;
+        netlist = "anchored.json";
+        write_anchored(folder / "netlist.json", folder / netlist, anchors_of(folder / "placed.json"));
+    }
+    return run_once(
+        folder, device, methods, seed,
+        {"--json", netlist, "--report", "report.json", "--write", "placed.json", "--sdf", "delays.sdf"},
+        tell);
 }
 
 }   // namespace rayclock::chip

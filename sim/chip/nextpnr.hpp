@@ -25,10 +25,12 @@ std::string nextpnr_version(const std::string& said);
 /// The frequency that placer and router are asked for. What they reach depends little on it.
 constexpr int asked_mhz = 100;
 
-/// nextpnr's algorithms. Which of them brings a chip to its end, and how fast a chip, differs from chip to
-/// chip.
+/// nextpnr's algorithms, and how often a chip is placed: each time after the first with its multipliers and
+/// block memories where the placement before wants them (anchor.hpp). What brings a chip to its end, and how
+/// fast a chip, differs from chip to chip.
 struct Methods {
     std::string placer = "heap", router = "router1";
+    int placements = 1;
 };
 const std::vector<std::string>& placers();
 const std::vector<std::string>& routers();

@@ -109,6 +109,7 @@ std::string text(const Result& r) {
     const Methods &methods = r.request.methods, usual;
     if (methods.placer != usual.placer || methods.router != usual.router)
         text += fmt::format(", placer {}, {}", methods.placer, methods.router);
+    if (methods.placements > 1) text += fmt::format(", placed {} times", methods.placements);
     return text + "\n\n" + path_table(best);
 }
 
@@ -125,7 +126,8 @@ ordered_json json(const Result& r) {
                       {"fits", r.fits()},
                       {"routed", !r.routes.empty()},
                       {"placer", r.request.methods.placer},
-                      {"router", r.request.methods.router}};
+                      {"router", r.request.methods.router},
+                      {"placements", r.request.methods.placements}};
     json["fmax_mhz"] = r.routes.empty() ? ordered_json(nullptr) : ordered_json(r.best().fmax_mhz);
     json["seeds"] = seeds;
     json["totals"] = use_json(total_of(units));

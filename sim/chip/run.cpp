@@ -194,8 +194,10 @@ private:
     }
 
     std::string route_key(int seed) const {
-        return fmt::format("{} nextpnr {} {} seed {} read 5", design_, nextpnr().version,
-                           nextpnr_options(request_.device, request_.methods), seed);
+        const int placements = request_.methods.placements;
+        return fmt::format("{} nextpnr {} {} seed {} read 5{}", design_, nextpnr().version,
+                           nextpnr_options(request_.device, request_.methods), seed,
+                           placements == 1 ? "" : fmt::format(" placements {}", placements));
     }
 
     void route(int seed, Result& result) {

@@ -104,9 +104,15 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
                Catch::Contains("--timing-allow-fail --placer static --router router2"));
     CHECK(fake.run({"--placer", "heap", "--router", "router1"}).code == 0);
     CHECK(fake.routed() == 6);
+    CHECK_THAT(fake.run({"--placements", "3"}).out, Catch::Contains("with seed 1, placed 3 times\n"));
+    CHECK(fake.routed() == 9);   // the first two only place
+    const std::string all = bytes_of(fake.calls());
+    CHECK_THAT(all, Catch::Contains("--json netlist.json --no-route --write placed.json") &&
+                        Catch::Contains("--json anchored.json --no-route --write placed.json") &&
+                        Catch::Contains("--json anchored.json --report report.json"));
     fake.replace("true", "nextpnr-0.12");   // and another router another clock
     CHECK(fake.run().code == 0);
-    CHECK(fake.routed() == 7);
+    CHECK(fake.routed() == 10);
 }
 
 TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them") {
@@ -300,6 +306,7 @@ TEST_CASE("chip refuses what makes no sense") {
     check_refused(chip({"--seeds", "one"}), {"'one'"});
     check_refused(chip({"--placer", "statik"}), {"--placer", "'statik'", "did you mean 'static'"});
     check_refused(chip({"--router", "3"}), {"--router", "'3'"});
+    check_refused(chip({"--placements", "0"}), {"--placements", "0", "1..9"});
     check_refused(chip({"--fast", "--unit", "box"}), {"--fast", "--unit"});
     check_refused(chip({"--fast"}), {"sched, raygen", "--unit sched,raygen"});
     check_refused(chip({"--scene", "tetr:2"}), {"'tetr'"});
