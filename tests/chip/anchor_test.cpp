@@ -10,6 +10,7 @@
 #include "model/base/error.hpp"
 #include "model/base/rng.hpp"
 #include "sim/chip/anchor.hpp"
+#include "sim/chip/cells.hpp"
 #include "sim/files/input.hpp"
 #include "tests/image/folder.hpp"
 
@@ -80,6 +81,16 @@ TEST_CASE("anchors are the sites that were used, one each, and wires are no long
         CHECK(wire_length(moved(cells, sites)) <= wire_length(cells));
         if (seed % 9 >= 4) CHECK(wire_length(moved(cells, sites)) < wire_length(cells));
     }
+}
+
+TEST_CASE("a netlist's cells are wired as its text says") {
+    const TestFolder folder;
+    std::ofstream(folder / "a.json") << R"({"modules": {"top": {"attributes": {"x": 9}, "cells": {
+        "u_a": {"type": "LUT4", "connections": {"A": [ 2 ], "B": [ "0" ], "Z": [ 17, 3 ]}, "hide_name": 1},
+        "u_b": {"type": "LUT4", "connections": {}}}}}})";
+    std::vector<std::vector<int>> nets;
+    REQUIRE(read_cells(folder / "a.json", [&](const Cell& cell) { nets.push_back(cell.nets); }));
+    CHECK(nets == std::vector<std::vector<int>>{{2, 17, 3}, {}});
 }
 
 TEST_CASE("a netlist gets anchors as attributes, and nothing else changes") {

@@ -35,3 +35,12 @@ mutant(chip_route_loses_its_seed FILE sim/chip/route.cpp TEST chip "a route that
 mutant(chip_names_tell_the_folder FILE sim/synth/yosys.cpp TEST chip "a netlist is the same*"
   OLD [[const fs::path name = fs::path("rtl") / source.name;]]
   NEW [[const fs::path name = path_ / "rtl" / source.name;]])
+mutant(chip_anchors_take_a_site_twice FILE sim/chip/anchor.cpp TEST chip "anchors are the sites*"
+  OLD [[std::swap(takes[i], takes[j]);]]
+  NEW [[takes[j] = takes[i];]])
+mutant(chip_anchors_see_no_height FILE sim/chip/anchor.cpp TEST chip "half the perimeter*"
+  OLD [[right - left + bottom - top;]]
+  NEW [[right - left;]])
+mutant(chip_anchors_overlook_nets FILE sim/chip/cells.cpp TEST chip "a netlist's cells are wired*"
+  OLD [[cell_.nets.push_back(int(number));]]
+  NEW [[if (cell_.nets.empty()) cell_.nets.push_back(int(number));]])
