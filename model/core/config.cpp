@@ -216,7 +216,11 @@ void make_shaded(Config& c) {
     c.raygen_queue = 8;
     c.box_queue = 16;
     set_cache(c.surf_sets, c.surf_ways, c.surf_mshrs, 128, 1, 4);
-    c.node_mshrs = c.prim_mshrs = 4;
+    set_cache(c.node_sets, c.node_ways, c.node_mshrs, 512, 1, 4);
+    set_cache(c.prim_sets, c.prim_ways, c.prim_mshrs, 512, 1, 4);
+    c.t_frac_bits = 1;
+    c.recip_bits = 12;
+    c.origin_bits = 10;
     c.addr_bits = 19;   // the board's 32 MB
     c.prim_bits = 20;
     c.pixel_bits = 10;
