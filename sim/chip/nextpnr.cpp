@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <string_view>
 #include <thread>
 
@@ -25,6 +26,7 @@ namespace {
 
 constexpr const char* tried = "0.11.1";
 constexpr double least = 0.11;   // older ones were never tried, and 0.4 of Debian 12 has another report
+constexpr int tiles_for_detours = 16;
 constexpr const char* cure = "./bootstrap chip installs one";
 
 fs::path program() {
@@ -162,26 +164,52 @@ RouteEnd run_once(const fs::path& folder, const Device& device, const Methods& m
     throw UserError("nextpnr-ecp5 failed: " + printable(error));
 }
 
+/// A placed chip, with settings for router2 that no option of nextpnr's names: by itself it looks for a
+/// detour no more than three tiles beyond a net's bounding box, and in a full chip finds none.
+void write_roomy(const fs::path& placed, const fs::path& to) {
+    std::ifstream in(placed);
+    std::ofstream out(to);
+    bool begun = false;
+    for (std::string line; std::getline(in, line);) {
+        out << line << '\n';
+        if (begun || line.find("\"settings\": {") == std::string::npos) continue;
+        for (const char* axis : {"x", "y"})
+            out << fmt::format("\"router2/bbMargin/{}\": \"{}\",\n", axis, tiles_for_detours);
+        begun = true;
+    }
+    out.close();
+    if (!in.eof() || !out || !begun)
+        throw UserError(to.filename().string() + " cannot be written whole; is the disk full?");
+}
+
 }   // namespace
 
 // Files by their names within the folder: a tool compiled to WebAssembly sees no others.
 RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
                      const Tell& tell) {
+    const auto run = [&](std::vector<const char*> files) {
+        return run_once(folder, device, methods, seed, files, tell);
+    };
+    const std::vector<const char*> placing{"--no-route", "--write", "placed.json"};
+    std::vector<const char*> routing{"--report",    "report.json", "--write",
+                                     "placed.json", "--sdf",       "delays.sdf"};
+    const auto on = [](const char* netlist, std::vector<const char*> words) {
+        words.insert(words.begin(), {"--json", netlist});
+        return words;
+    };
     const char* netlist = "netlist.json";
     for (int placement = 1; placement < methods.placements; ++placement) {
-        const RouteEnd end = run_once(folder, device, methods, seed,
-                                      {"--json", netlist, "--no-route", "--write", "placed.json"},
-                                      [&](const std::string& what, int) {
-                                          if (tell) tell(what + " beforehand", 10);
-                                      });
-        if (end != RouteEnd::done) return end;
+        if (const RouteEnd end = run(on(netlist, placing)); end != RouteEnd::done) return end;
         netlist = "anchored.json";
         write_anchored(folder / "netlist.json", folder / netlist, anchors_of(folder / "placed.json"));
     }
-    return run_once(
-        folder, device, methods, seed,
-        {"--json", netlist, "--report", "report.json", "--write", "placed.json", "--sdf", "delays.sdf"},
-        tell);
+    if (methods.router == "router2") {
+        if (const RouteEnd end = run(on(netlist, placing)); end != RouteEnd::done) return end;
+        netlist = "roomy.json";
+        write_roomy(folder / "placed.json", folder / netlist);
+        routing.insert(routing.begin(), {"--no-pack", "--no-place"});
+    }
+    return run(on(netlist, routing));
 }
 
 }   // namespace rayclock::chip

@@ -98,21 +98,24 @@ TEST_CASE("chip routes each seed once, reports the fastest, and answers from wha
     CHECK(fake.run({"--fresh"}).code == 0);
     CHECK(fake.routed() == 5);
     const Outcome other = fake.run({"--placer", "static", "--router", "router2"});   // likewise other methods
-    CHECK(fake.routed() == 6);
+    CHECK(fake.routed() == 7);   // placed first, and then routed with settings of router2's own
     CHECK_THAT(other.out, Catch::Contains("with seed 1, placer static, router2\n"));
-    CHECK_THAT(bytes_of(fake.calls()),
-               Catch::Contains("--timing-allow-fail --placer static --router router2"));
+    CHECK_THAT(
+        bytes_of(fake.calls()),
+        Catch::Contains(
+            "--timing-allow-fail --placer static --router router2 --json netlist.json --no-route") &&
+            Catch::Contains("--router router2 --json roomy.json --no-pack --no-place --report report.json"));
     CHECK(fake.run({"--placer", "heap", "--router", "router1"}).code == 0);
-    CHECK(fake.routed() == 6);
+    CHECK(fake.routed() == 7);
     CHECK_THAT(fake.run({"--placements", "3"}).out, Catch::Contains("with seed 1, placed 3 times\n"));
-    CHECK(fake.routed() == 9);   // the first two only place
+    CHECK(fake.routed() == 10);   // the first two only place
     const std::string all = bytes_of(fake.calls());
     CHECK_THAT(all, Catch::Contains("--json netlist.json --no-route --write placed.json") &&
                         Catch::Contains("--json anchored.json --no-route --write placed.json") &&
                         Catch::Contains("--json anchored.json --report report.json"));
     fake.replace("true", "nextpnr-0.12");   // and another router another clock
     CHECK(fake.run().code == 0);
-    CHECK(fake.routed() == 10);
+    CHECK(fake.routed() == 11);
 }
 
 TEST_CASE("an interrupted chip keeps its netlist and its seeds, and goes on after them") {
