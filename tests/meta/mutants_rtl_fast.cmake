@@ -67,9 +67,9 @@ mutant(raygen_divides_what_is_not_there FILE rtl/raygen/rc_raygen.sv TEST unit [
 mutant(raygen_is_idle_while_it_rests FILE rtl/rc_pipeline.sv TEST unit "model and rtl of the machine count the same"
   OLD [[raygen_rests || raygen_begins ?]]
   NEW [[(raygen_rests && ray_valid) || raygen_begins ?]])
-mutant(beside_one_place_forgets FILE rtl/prim/rc_beside.sv TEST unit [raygen][interval]
+mutant(beside_one_place_forgets FILE rtl/prim/rc_beside.sv TEST unit [raygen][shading]
   OLD [[if (come_i) data_q <= data_i;]]
-  NEW [[if (!come_i) data_q <= data_i;]])
+  NEW [[data_q <= come_i || !leave_i ? data_i : data_q;]])
 mutant(tri_rests_a_cycle_less QUICK FILE rtl/isect/rc_tri.sv TEST unit [tri][interval]
   OLD [[|valid_q[Interval-2:0];]]
   NEW [[|valid_q[(Interval-1)/2:0];]])
