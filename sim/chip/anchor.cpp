@@ -6,8 +6,6 @@
 #include <string_view>
 
 #include "model/base/error.hpp"
-#include "sim/chip/cells.hpp"
-#include "sim/files/input.hpp"
 
 namespace rayclock::chip {
 
@@ -40,7 +38,7 @@ struct Bounds {
 /// Cells by number, where they are, and the cells of each net.
 class Wiring {
 public:
-    explicit Wiring(const std::vector<Placed>& cells) {
+    explicit Wiring(const std::vector<Cell>& cells) {
         for (std::size_t c = 0; c < cells.size(); ++c) {
             Point at;
             std::sscanf(cells[c].bel.c_str(), "X%d/Y%d/", &at.x, &at.y);
@@ -63,7 +61,7 @@ public:
         return sum;
     }
     /// What the wires of a cell would add at each of these places, all others being where they are.
-    std::vector<long long> costs(const Placed& placed, std::size_t cell,
+    std::vector<long long> costs(const Cell& placed, std::size_t cell,
                                  const std::vector<Point>& places) const {
         std::vector<long long> sums(places.size());
         for (const int net : placed.nets) {
@@ -107,12 +105,12 @@ std::string_view opened(std::string_view line) {
 
 }   // namespace
 
-long long wire_length(const std::vector<Placed>& cells) { return Wiring(cells).length(); }
+long long wire_length(const std::vector<Cell>& cells) { return Wiring(cells).length(); }
 
-std::map<std::string, std::string> anchors(const std::vector<Placed>& cells) {
+std::map<std::string, std::string> anchors(const std::vector<Cell>& cells) {
     Wiring wiring(cells);
     std::vector<std::string> bels;
-    for (const Placed& cell : cells) bels.push_back(cell.bel);
+    for (const Cell& cell : cells) bels.push_back(cell.bel);
     std::map<std::string, std::string> sites;
     for (int round = 0; round < rounds; ++round)
         for (const char* kind : kinds) {
@@ -125,18 +123,23 @@ std::map<std::string, std::string> anchors(const std::vector<Placed>& cells) {
             std::vector<std::vector<long long>> cost;
             for (const std::size_t c : movable) cost.push_back(wiring.costs(cells[c], c, places));
             const std::vector<std::size_t> takes = exchanged(cost);
+            const long long before = wiring.length();
+            for (std::size_t i = 0; i < movable.size(); ++i) wiring.move(movable[i], places[takes[i]]);
+            // Two that are wired to each other may both have gone where the other was.
+            const bool better = wiring.length() < before;
             for (std::size_t i = 0; i < movable.size(); ++i) {
-                wiring.move(movable[i], places[takes[i]]);
-                bels[movable[i]] = sites[cells[movable[i]].name] = names[takes[i]];
+                const std::size_t place = better ? takes[i] : i;
+                wiring.move(movable[i], places[place]);
+                bels[movable[i]] = sites[cells[movable[i]].name] = names[place];
             }
         }
     return sites;
 }
 
 std::map<std::string, std::string> anchors_of(const fs::path& placed) {
-    std::vector<Placed> cells;
+    std::vector<Cell> cells;
     const bool whole = read_cells(placed.string(), [&](const Cell& cell) {
-        if (!cell.bel.empty()) cells.push_back({cell.name, cell.type, cell.bel, cell.nets});
+        if (!cell.bel.empty()) cells.push_back(cell);
     });
     if (!whole)
         throw UserError(placed.filename().string() + " of nextpnr-ecp5 is not whole; is the disk full?");

@@ -8,17 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "sim/chip/cells.hpp"
+
 namespace rayclock::chip {
 
-/// What lies somewhere, and is wired to others.
-struct Placed {
-    std::string name, type, bel;   ///< "X107/Y74/MULT18_0"
-    std::vector<int> nets;
-};
-
-/// Sites of all multipliers and block memories, by the cells' names: exchanged among those of one kind as
+/// Sites of all multipliers and block memories of placed cells, by name: exchanged among those of one kind as
 /// long as that makes wires shorter, by half the perimeter of a net's bounding box.
-std::map<std::string, std::string> anchors(const std::vector<Placed>& cells);
+std::map<std::string, std::string> anchors(const std::vector<Cell>& cells);
 
 /// The same of the cells in a file that nextpnr wrote. Throws UserError if it is not whole.
 std::map<std::string, std::string> anchors_of(const std::filesystem::path& placed);
@@ -29,6 +25,6 @@ void write_anchored(const std::filesystem::path& netlist, const std::filesystem:
                     const std::map<std::string, std::string>& sites);
 
 /// Sum of all nets' half perimeters, in tiles.
-long long wire_length(const std::vector<Placed>& cells);
+long long wire_length(const std::vector<Cell>& cells);
 
 }   // namespace rayclock::chip

@@ -44,3 +44,6 @@ mutant(chip_anchors_see_no_height FILE sim/chip/anchor.cpp TEST chip "half the p
 mutant(chip_anchors_overlook_nets FILE sim/chip/cells.cpp TEST chip "a netlist's cells are wired*"
   OLD [[cell_.nets.push_back(int(number));]]
   NEW [[if (cell_.nets.empty()) cell_.nets.push_back(int(number));]])
+mutant(chip_anchors_pass_each_other FILE sim/chip/anchor.cpp TEST chip "anchors are the sites*"
+  OLD [[const bool better = wiring.length() < before;]]
+  NEW [[const bool better = wiring.length() < before + (1 << 30);]])
