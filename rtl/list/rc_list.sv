@@ -98,30 +98,55 @@ module rc_list (
     assign unused = came.closer;
   end
 
+  // What is kept of an answer is written, in a fast chip, a cycle after it came (it), since a few
+  // hundred cells take it: it is asked for when the ray's next primitive is, or later.
+  localparam int unsigned BestW  = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
+  localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1 - (rc_pkg::Homes == 1 ? A : 0);
+  logic              it_fires, it_closer;
+  logic [I-1:0]      it_ray;
+  logic [TB-1:0]     it_came_t;
+  logic [BestW-1:0]  it_best;
+  logic [FoundW-1:0] came_found, it_found;
+  if (rc_pkg::Shading != 0) begin : gen_side   // the side seen comes first
+    assign came_found = {came.back, came.prim, came.t, came.u, came.v};
+  end else begin : gen_no_side
+    assign came_found = {came.prim, came.t, came.u, came.v};
+  end
+  rc_event u_it_fires (.clk_i, .rst_ni, .fires_i(came_fires), .fires_o(it_fires));
+  rc_event u_it_closer (.clk_i, .rst_ni, .fires_i(closer), .fires_o(it_closer));
+  rc_cut #(.Width(I + TB + BestW + FoundW)) u_it_kept (
+    .clk_i, .data_i({came.ray, came.t, came.num, came.det, came.prim, came_found}),
+    .data_o({it_ray, it_came_t, it_best, it_found}));
+
   // ---- Best hits. found says whether the memories hold one for a ray; any_hit, which rays
   // any hit ends.
   logic [I-1:0] start_ray;
   logic [T-1:0] found, any_hit;
-  logic         blocked;
-  assign start_ray = start_i.ray;
-  assign blocked   = closer && any_hit[came.ray];
+  logic         ends_at_any, it_blocked;
+  assign start_ray  = start_i.ray;
+  assign it_blocked = it_closer && ends_at_any;
   rc_flags #(.Flags(T)) u_is_found (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
-    .set_i(closer), .set_at_i(came.ray), .flags_o(found));
+    .set_i(it_closer), .set_at_i(it_ray), .flags_o(found));
   if (rc_pkg::Shading != 0) begin : gen_kinds
-    logic ends_at_any;
-    assign ends_at_any = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
+    logic to_light;
+    assign to_light = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
     rc_mark #(.Marks(T)) u_any (
-      .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(ends_at_any),
+      .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(to_light),
       .marks_o(any_hit));
+    rc_pick #(.Flags(T)) u_ends_at_any (
+      .clk_i, .flags_i(any_hit), .index_i(came.ray), .flag_o(ends_at_any));
   end else begin : gen_camera
-    assign any_hit = '0;
+    assign any_hit     = '0;
+    assign ends_at_any = 1'b0;
+    logic unused;
+    assign unused = ^any_hit;
   end
 
   logic [TB-1:0] old_t;   // of came, or in a fast chip of a cycle later
   rc_reach u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
-    .write_i(closer), .write_ray_i(came.ray), .write_t_i(came.t),
+    .write_i(it_closer), .write_ray_i(it_ray), .write_t_i(it_came_t),
     .read_ray_i(came.ray), .read_t_o(old_t));
 
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
@@ -146,23 +171,20 @@ module rc_list (
     .read_addr_i(came.ray), .read_data_o(cursor));
   rc_flags #(.Flags(T)) u_moved (
     .clk_i, .rst_ni, .clear_i(in_fires), .clear_at_i(in.ray),
-    .set_i(came_fires), .set_at_i(came.ray), .flags_o(moved));
+    .set_i(it_fires), .set_at_i(it_ray), .flags_o(moved));
   rc_pick #(.Flags(T)) u_was_moved (
     .clk_i, .flags_i(moved), .index_i(came.ray), .flag_o(was_moved));
 
   // ---- Tri's answer: the next triangle of the leaf, the next leaf, or the last was tested. In a
   // fast chip what is known of the ray is read, in two cycles, compared and sent on in one each.
-  logic [I-1:0]    it_ray;
-  logic            it_blocked, it_closer, end_blocked;
-  logic [TB-1:0]   it_came_t, it_t, end_t;
+  logic            end_blocked;
+  logic [TB-1:0]   it_t, end_t;
   logic [A-1:0]    group_base, end_base;
   logic [G-1:0]    group_leaves;
   logic [W*TB-1:0] group_near;
   logic [W*O-1:0]  group_offset;
   logic [W*C-1:0]  group_count;
-  rc_cut #(.Width(I + 2 + TB + S + C)) u_it (
-    .clk_i, .data_i({came.ray, blocked, closer, came.t, cursor}),
-    .data_o({it_ray, it_blocked, it_closer, it_came_t, it_cursor}));
+  rc_cut #(.Width(S + C)) u_it (.clk_i, .data_i(cursor), .data_o(it_cursor));
   assign it_t = it_closer ? it_came_t : old_t;
   assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
   rc_cut #(.Width(GroupW), .Stages(2 * rc_pkg::Cut)) u_it_group (
@@ -202,16 +224,7 @@ module rc_list (
              cursor_triangle, this_offset, next_offset}),
     .data_o({end_ray, end_blocked, end_more_triangles, end_more_leaves, end_t, end_base, end_leaf,
              end_triangle, end_this_offset, end_next_offset}));
-  if (rc_pkg::Cut == 0) begin : gen_end_now
-    assign end_fires = came_fires;
-  end else begin : gen_end_late   // two registers
-    logic it_fires_q, end_fires_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) {it_fires_q, end_fires_q} <= '0;
-      else         {it_fires_q, end_fires_q} <= {came_fires, it_fires_q};
-    end
-    assign end_fires = end_fires_q;
-  end
+  rc_event u_end_fires (.clk_i, .rst_ni, .fires_i(it_fires), .fires_o(end_fires));
   assign next_leaf     = end_more_triangles ? end_leaf : end_leaf + S'(1);
   assign next_triangle = end_more_triangles ? end_triangle + C'(1) : '0;
   assign end_offset    = end_more_triangles ? end_this_offset : end_next_offset;
@@ -253,7 +266,6 @@ module rc_list (
 
   // ---- Triangle, ray and hit to beat, together to tri. What tri wants of a ray is in ray_t
   // and in tri_req_t under the same names.
-  localparam int unsigned BestW = rc_pkg::NumBits + rc_pkg::EdgeBits + rc_pkg::PrimBits;
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;
   logic               keep;
   logic [I-1:0]       keep_ray;
@@ -316,8 +328,7 @@ module rc_list (
     .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(ray_for_tri),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
   rc_ram #(.Width(BestW), .Depth(T)) u_best (
-    .clk_i, .write_i(closer), .write_addr_i(came.ray),
-    .write_data_i({came.num, came.det, came.prim}),
+    .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
     .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_best));
   // Whether a ray has a hit to beat does not change while its primitive is asked for. A fast chip
   // looks at its flag then, and keeps it with what is read in the end. So a primitive must not
@@ -365,30 +376,24 @@ module rc_list (
                       tri_found ? tri_best : {BestW{1'b0}}};
 
   // ---- The answer for a ray that trav has finished.
-  localparam int unsigned FoundW = rc_pkg::ClosestW - I - 1 - (rc_pkg::Homes == 1 ? A : 0);
-  logic [FoundW-1:0] new_found, end_found;
+  logic [FoundW-1:0] end_found;
   logic              is_found;
   rc_ram #(.Width(FoundW), .Depth(T)) u_found (
-    .clk_i, .write_i(closer), .write_addr_i(came.ray),
-    .write_data_i(new_found),
+    .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_found),
     .read_addr_i(done_i.ray), .read_data_o(end_found));
   if (rc_pkg::Homes == 1) begin : gen_place   // of the instance that the ray is in
-    logic [A-1:0] here, end_place;
+    logic [A-1:0] here, it_here, end_place;
+    rc_cut #(.Width(A)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
     rc_ram #(.Width(A), .Depth(T)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
       .read_addr_i(came.ray), .read_data_o(here));
     rc_ram #(.Width(A), .Depth(T)) u_place (
-      .clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),
+      .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
       .read_addr_i(done_i.ray), .read_data_o(end_place));
     assign closest_o = {done_i.ray, is_found ? end_place : {A{1'b0}}, is_found,
                         is_found ? end_found : {FoundW{1'b0}}};
   end else begin : gen_no_place
     assign closest_o = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
-  end
-  if (rc_pkg::Shading != 0) begin : gen_side   // the side seen comes first
-    assign new_found = {came.back, came.prim, came.t, came.u, came.v};
-  end else begin : gen_no_side
-    assign new_found = {came.prim, came.t, came.u, came.v};
   end
   assign is_found        = found[done_i.ray];
   assign closest_valid_o = done_valid_i;

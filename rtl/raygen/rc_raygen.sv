@@ -181,9 +181,10 @@ module rc_raygen (
     logic [3*OW-1:0] given_o, camera_o, new_o, dir_o_q, end_o;
     logic [3*RD-1:0] given_d;
     logic            is_camera;
+    // A pixel's ray has neither: it may have those of a ray that waits, which costs no gates.
     rc_aside #(.Width(2 + 3 * (OW + RD)), .Stages(Dir - 1), .Every(Every)) u_given (
       .clk_i, .rst_ni, .valid_i(moves[Dir-2:0]), .there_i(valid[Dir-2:0]),
-      .data_i({req.kind, req.o, req.d}),
+      .data_i({req.kind, spawn_i.o, spawn_i.d}),
       .data_o({kind, given_o, given_d}));
     assign is_camera = kind == rc_pkg::RayCamera;
     for (genvar k = 0; k < 3; k++) begin : gen_eye

@@ -40,18 +40,28 @@ module rc_sched (
   localparam int unsigned AW = K == 0 ? 1 : 2 * K;
 
   // The pixel at hand: at_q counts through the tile, its even bits go to x, its odd to y.
+  // Whether a tile lies inside the picture in x and in y, or on its edge, is found when it comes.
   logic          tile_valid, last, in_frame, at_hand, pass, give;
+  logic [P:0]    width, height;
+  logic [3:0]    tile_lies, lies;
   rc_pkg::tile_t tile;
   logic [AW-1:0] at_q;
-  rc_fifo #(.Width(rc_pkg::TileW), .Depth(2)) u_tiles (
+  assign width     = frame_i.width;
+  assign height    = frame_i.height;
+  assign tile_lies = {{1'b0, tile_i.x} < width[P:K], {1'b0, tile_i.x} == width[P:K],
+                      {1'b0, tile_i.y} < height[P:K], {1'b0, tile_i.y} == height[P:K]};
+  rc_fifo #(.Width(rc_pkg::TileW + 4), .Depth(2)) u_tiles (
     .clk_i, .rst_ni(rst_ni && !start_i),
-    .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i(tile_i),
-    .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o(tile));
+    .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies}),
+    .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies}));
   logic [P-1:0] x, y;
   if (K == 0) begin : gen_single
-    assign x    = tile.x;
-    assign y    = tile.y;
-    assign last = 1'b1;
+    assign x        = tile.x;
+    assign y        = tile.y;
+    assign last     = 1'b1;
+    assign in_frame = lies[3] && lies[1];
+    logic unused;
+    assign unused = ^lies;
   end else begin : gen_morton
     for (genvar i = 0; i < K; i++) begin : gen_bit
       assign x[i] = at_q[2*i];
@@ -60,8 +70,9 @@ module rc_sched (
     assign x[P-1:K] = tile.x;
     assign y[P-1:K] = tile.y;
     assign last     = at_q == '1;
+    assign in_frame = (lies[3] || (lies[2] && x[K-1:0] < width[K-1:0]))
+                   && (lies[1] || (lies[0] && y[K-1:0] < height[K-1:0]));
   end
-  assign in_frame = {1'b0, x} < frame_i.width && {1'b0, y} < frame_i.height;
   assign at_hand  = tile_valid && in_frame && !start_i;
   assign pass     = tile_valid && !in_frame;
   always_ff @(posedge clk_i) begin

@@ -1,8 +1,8 @@
 // What shade keeps of every context: its camera ray or bounce, its last answer, the state
 // between two passes, and the refracted rays that wait. Part of rc_shade, which never has
 // two passes of a context under way. With read_i everything about read_ray_i is read, and comes
-// in the same cycle, or in the next one with a ShadeInterval above 1; what is written is seen
-// from the next cycle on.
+// in the same cycle, or in the next one with a ShadeInterval above 1, top_o in the one after; what
+// is written is seen from the next cycle on.
 `default_nettype none
 module rc_contexts #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -67,10 +67,16 @@ module rc_contexts #(
     .write_data_i({ray_i.o, d}), .read_i, .read_addr_i(read_ray_i),
     .read_data_o({o_o, d_o}));
 
-  // ---- Its answer.
+  // ---- Its answer, in a fast chip a cycle later: nobody looks at it before.
+  logic            answers;
+  logic [I-1:0]    answer_ray;
+  logic [HitW-1:0] answer;
+  rc_cut #(.Width(I + HitW)) u_answer (
+    .clk_i, .data_i({closest_ray_i, closest_hit_i}), .data_o({answer_ray, answer}));
+  rc_event u_answers (.clk_i, .rst_ni, .fires_i(closest_fires_i), .fires_o(answers));
   rc_kept #(.Width(HitW), .Depth(T)) u_hit (
-    .clk_i, .write_i(closest_fires_i), .write_addr_i(closest_ray_i),
-    .write_data_i(closest_hit_i), .read_i, .read_addr_i(read_ray_i), .read_data_o(hit_o));
+    .clk_i, .write_i(answers), .write_addr_i(answer_ray),
+    .write_data_i(answer), .read_i, .read_addr_i(read_ray_i), .read_data_o(hit_o));
 
   // ---- The instance that was hit last.
   if (rc_pkg::Homes == 1) begin : gen_place
@@ -169,21 +175,28 @@ module rc_contexts #(
   if (rc_pkg::Refraction == 1) begin : gen_stack
     localparam int unsigned Up = $clog2(rc_pkg::Bounces);
     localparam int unsigned AW = I + Up;
+    logic         reads;      // where passes come every few cycles: a cycle after the state
+    logic [I-1:0] reads_ray;
     if (rc_pkg::ShadeInterval == 1) begin : gen_top_now
-      assign top_at = state.waiting - 4'd1;
-    end else begin : gen_top_known   // the stack is read when the state is
-      logic [3:0] waiting;
-      rc_ram #(.Width(4), .Depth(T)) u_waiting (
-        .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(write_state_i.waiting),
-        .read_addr_i(read_ray_i), .read_data_o(waiting));
-      assign top_at = waiting - 4'd1;
+      assign reads     = read_i;
+      assign reads_ray = read_ray_i;
+    end else begin : gen_top_next
+      logic         reads_q;
+      logic [I-1:0] reads_ray_q;
+      always_ff @(posedge clk_i) begin
+        reads_q     <= rst_ni && read_i;
+        reads_ray_q <= read_ray_i;
+      end
+      assign reads     = reads_q;
+      assign reads_ray = reads_ray_q;
     end
     logic [AW-1:0] write_at, read_at;
+    assign top_at   = state.waiting - 4'd1;
     assign write_at = AW'(write_ray_i) << Up | AW'(new_top_at);
-    assign read_at  = AW'(read_ray_i) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
+    assign read_at  = AW'(reads_ray) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
     rc_kept #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
       .clk_i, .write_i(write_i && push_i), .write_addr_i(write_at), .write_data_i(pushed_i),
-      .read_i, .read_addr_i(read_at), .read_data_o(top_o));
+      .read_i(reads), .read_addr_i(read_at), .read_data_o(top_o));
   end else begin : gen_no_stack
     assign top_o  = '0;
     assign top_at = '0;

@@ -37,7 +37,8 @@ module rc_pass #(
   input  logic [3*P-1:0]       o_i,        // of the last camera ray or bounce
   input  logic [3*M-1:0]       d_i,
   input  rc_pkg::surface_t     surface_i,  // if it arrives now, having hit something
-  input  rc_pkg::waiting_t     top_i,      // of the rays that wait
+  input  rc_pkg::waiting_t     top_i,      // of the rays that wait; if a pass stays for more than a
+                                           // cycle it comes a cycle after the others
   input  logic [PlaceW-1:0]    place_i,    // with two levels: the instance that was hit, line 0
                                            // if a ray is the same in it
   // To rc_contexts
@@ -92,8 +93,10 @@ module rc_pass #(
       .clk_i, .valid_i, .data_i(state_i), .data_o(state));
     rc_delay #(.Width(rc_pkg::SurfaceW), .Stages(1)) u_surface (
       .clk_i, .valid_i, .data_i(surface_i), .data_o(surface));
-    rc_delay #(.Width(rc_pkg::WaitingW + PlaceW), .Stages(1)) u_kept (
-      .clk_i, .valid_i, .data_i({top_i, place_i}), .data_o({top_came, place}));
+    rc_delay #(.Width(PlaceW), .Stages(1)) u_place (
+      .clk_i, .valid_i, .data_i(place_i), .data_o(place));
+    rc_delay #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
+      .clk_i, .valid_i(valid), .data_i(top_i), .data_o(top_came));
   end
 
   // ---- s0: what the pass is for.
@@ -160,11 +163,15 @@ module rc_pass #(
   logic [I-1:0]                end_ray;
   rc_pkg::shade_state_t        was;
   rc_pkg::waiting_t            top;
+  // It is there before the first stage ends, and goes on before the rest: fewer cells are told at
+  // once.
+  logic goes_on;
+  assign goes_on = Every > 2 ? turn[Every < 2 ? 0 : Every-2] : ends[0];
   rc_beside #(.Width(KnownW), .Stages(L), .Late(Cut)) u_known (
-    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i({ray, known}),
+    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[L]), .data_i({ray, known}),
     .data_o(waited_known));
   rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L), .Late(Cut)) u_top (
-    .clk_i, .rst_ni, .come_i(ends[0]), .leave_i(ends[L]), .data_i(top_came),
+    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[L]), .data_i(top_came),
     .data_o(waited_top));
   rc_cut #(.Width(KnownW), .Stages(rc_pkg::ShadeCut)) u_was (
     .clk_i, .data_i(waited_known), .data_o({end_ray, was}));

@@ -26,8 +26,8 @@ module rc_start #(
   logic [TB-1:0] t;
   logic [U-1:0]  u, v;
   assign {found, back, prim, t, u, v} = hit_i;
-  assign arrives = valid_i && state_i.purpose == rc_pkg::EventArrive;
-  assign surf_o    = arrives && found;
+  assign arrives   = state_i.purpose == rc_pkg::EventArrive;
+  assign surf_o    = valid_i && arrives && found;
   assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
   assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
   assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
@@ -58,7 +58,7 @@ module rc_start #(
       known_o.u     = u;
       known_o.v     = v;
     end
-    if (surf_o) begin
+    if (arrives && found) begin
       known_o.diffuse   = surface_i.diffuse;
       known_o.highlight = surface_i.highlight;
       known_o.mirror    = surface_i.mirror;

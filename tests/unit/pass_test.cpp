@@ -43,7 +43,6 @@ void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
     put_vector(rtl, "o", in.o, c.origin_width());
     put_vector(rtl, "d", in.d, c.dir_bits);
     set_data(rtl.port("surface"), in.surface, c);
-    set_data(rtl.port("top"), in.top, c);
 }
 
 template <class P> void compare(const RtlModule& rtl, const char* name, const P& expected, const Config& c) {
@@ -88,6 +87,9 @@ void run(const Config& c, unsigned seed, int count, bool idle, std::map<int, int
         under_way.push_back(valid ? std::optional(random_pass(draw, frame, c)) : std::nullopt);
         put(rtl, "valid", valid);
         if (valid) drive(rtl, *under_way.back(), c);
+        // Where a pass stays for more than a cycle its waiting ray comes in the next one, and not before.
+        const std::optional<PassIn>& asks = under_way[under_way.size() - (c.shade_interval == 1 ? 1 : 2)];
+        set_data(rtl.port("top"), asks ? asks->top : Waiting{}, c);
         rtl.settle();
         const std::optional<PassIn> due = under_way.front();
         under_way.pop_front();
