@@ -84,9 +84,9 @@ mutant(rtl_list_forgets_the_first_number FILE rtl/list/rc_list.sv TEST system "m
   NEW [[prim_rsp_i.prim | first_number;]])
 mutant(rtl_list_starts_where_a_ray_changes FILE rtl/list/rc_list.sv TEST system "model and RTL walk instances alike"
   OLD [[.clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
-    .set_i(closer)]]
+    .set_i(it_closer)]]
   NEW [[.clk_i, .rst_ni, .clear_i(start_fires_i || change_fires_i),
-    .clear_at_i(change_fires_i ? change_i.ray : start_ray), .set_i(closer)]])
+    .clear_at_i(change_fires_i ? change_i.ray : start_ray), .set_i(it_closer)]])
 mutant(rtl_direction_without_opposite FILE rtl/raygen/rc_direction.sv TEST unit "a camera ray of two levels has an opposite"
   OLD [[s1_up = s1_moved[G-M-1] || s1_whole ==]]
   NEW [[s1_up = s1_moved[G-M-1] && s1_whole ==]])
@@ -171,8 +171,8 @@ mutant(judge_of_levels_takes_any_sphere FILE sim/judge/answer.cpp TEST system "a
 
 # ---- The same in RTL.
 mutant(rtl_list_forgets_the_instance_that_was_hit FILE rtl/list/rc_list.sv TEST system "model and RTL draw instances alike"
-  OLD [[.clk_i, .write_i(closer), .write_addr_i(came.ray), .write_data_i(here),]]
-  NEW [[.clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here | (here & {A{1'b0}})),]])
+  OLD [[.clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),]]
+  NEW [[.clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here | (it_here & {A{1'b0}})),]])
 mutant(rtl_surface_is_turned_where_it_is_the_same FILE rtl/shade/rc_turnout.sv TEST system "model and RTL draw planes and true spheres*"
   OLD [[if (home_i != '0) begin]]
   NEW [[if (home_i != '1) begin]])

@@ -129,8 +129,11 @@ mutant(sched_frees_another_context QUICK FILE rtl/sched/rc_sched.sv TEST unit [s
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
   NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
 mutant(sched_one_row_more FILE rtl/sched/rc_sched.sv TEST unit [sched]
-  OLD [[{1'b0, y} < frame_i.height;]]
-  NEW [[{1'b0, y} <= frame_i.height;]])
+  OLD [[y[K-1:0] < height[K-1:0]));]]
+  NEW [[y[K-1:0] <= height[K-1:0]));]])
+mutant(sched_edge_tile_is_outside FILE rtl/sched/rc_sched.sv TEST unit [sched]
+  OLD [[{1'b0, tile_i.x} == width[P:K],]]
+  NEW [[{1'b0, tile_i.x} > width[P:K],]])
 mutant(sched_order_transposed FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[      assign x[i] = at_q[2*i];
       assign y[i] = at_q[2*i+1];]]

@@ -113,8 +113,17 @@ mutant(shade_rests_a_cycle_less FILE rtl/shade/rc_shade.sv TEST unit [shade][int
   OLD [[|entered_q;]]
   NEW [[|entered_q[(Every-1)/2:0];]])
 mutant(contexts_top_of_the_last_state FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
-  OLD [[assign top_at = waiting - 4'd1;]]
-  NEW [[assign top_at = (fresh ? waiting : state.waiting) - 4'd1;]])
+  OLD [[assign reads     = reads_q;]]
+  NEW [[assign reads     = read_i && (reads_q || 1'b1);]])
+mutant(pass_keeps_a_waiting_ray_before_it_came FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
+  OLD [[turn[Every < 2 ? 0 : Every-2] : ends[0];]]
+  NEW [[turn[0] : ends[0];]])
+mutant(list_keeps_an_answer_for_another_ray FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+  OLD [[.clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),]]
+  NEW [[.clk_i, .write_i(it_closer), .write_addr_i(came.ray), .write_data_i(it_best),]])
+mutant(contexts_answer_for_another_ray FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
+  OLD [[.write_i(answers), .write_addr_i(answer_ray),]]
+  NEW [[.write_i(answers), .write_addr_i(closest_ray_i),]])
 mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
   OLD [[if (read_i) read_fresh_q <= all_fresh[read_ray_i];]]
   NEW [[if (read_i) read_fresh_q <= all_fresh[write_ray_i];]])
