@@ -8,7 +8,9 @@ Pipeline::Pipeline(const Config& config, Traffic traffic, int number)
     : shading_(config.shading != 0),
       levels_(config.has_instances()),
       lists_(config.is_list()),
-      decides_(node_unit(config)),
+      upper_(node_unit(config.engine())),
+      lower_(node_unit(config.lower_engine())),
+      box_is_low_(config.has_two_engines() && config.lower_engine() == Structure::bvh),
       sched_(config),
       raygen_(config.raygen_latency(), config.raygen_queue),
       raygen_rests_(std::uint32_t(config.raygen_interval - 1)),
@@ -71,7 +73,7 @@ void Pipeline::clock_in_order(std::uint64_t now, const SharedMoves& shared,
             case Unit::shade:
                 if (shading_) levels_ ? clock_shade<true>(moves_, now) : clock_shade<false>(moves_, now);
                 break;
-            default: break;   // treelet, globe and slant are clocked as box is: one of them is there
+            default: break;   // treelet, globe and slant are clocked as box is, which stands for them
         }
     account_caches();
 }
@@ -158,8 +160,8 @@ std::string Pipeline::where(std::uint32_t ray, std::uint64_t now) const {
         return "surf_cache: " + place;
     if (std::string place = node_cache_.where(ray); !place.empty()) return "node_cache: " + place;
     if (std::string place = prim_cache_.where(ray); !place.empty()) return "prim_cache: " + place;
-    return raygen_.contains(RayNumber(ray))                ? "raygen"
-           : box_.contains(RayNumber(ray), now)            ? unit_infos[index(decides_.unit)].name
+    return raygen_.contains(RayNumber(ray))     ? "raygen"
+           : box_.contains(RayNumber(ray), now) ? unit_infos[index((is_low(ray) ? lower_ : upper_).unit)].name
            : xform_.contains(RayNumber(ray), now)          ? "xform"
            : tri_.contains(RayNumber(ray), now)            ? "tri"
            : late_ && boxed_.contains(RayNumber(ray), now) ? "trav: looks at a node's answer"
@@ -177,7 +179,7 @@ Accounts Pipeline::accounts() const {
         add(Unit::sched, i & 3, units_[i]);
         add(Unit::raygen, i >> 2 & 3, units_[i]);
         add(Unit::trav, i >> 4 & 3, units_[i]);
-        if (!lists_) add(decides_.unit, i >> 6 & 3, units_[i]);
+        if (!lists_) add(upper_.unit, i >> 6 & 3, units_[i]);
         add(Unit::list, i >> 8 & 1, units_[i]);
         add(Unit::tri, i >> 9 & 3, units_[i]);
     }
@@ -186,6 +188,8 @@ Accounts Pipeline::accounts() const {
         add(Unit::prim_cache, i >> 3, caches_[i]);
     }
     for (std::uint32_t i = 0; i < xforms_.size(); ++i) add(Unit::xform, i, xforms_[i]);
+    for (std::uint32_t i = 0; lower_.unit != upper_.unit && i < lowers_.size(); ++i)
+        add(lower_.unit, i, lowers_[i]);
     for (std::uint32_t i = 0; i < shades_.size(); ++i) {
         add(Unit::surf_cache, i & 7, shades_[i]);
         add(Unit::shade, i >> 3, shades_[i]);

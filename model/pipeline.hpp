@@ -33,6 +33,7 @@ public:
     void start(const Frame& frame, const Trace& trace) {
         sched_.start(frame);
         trace_ = &trace;
+        meshes_ = trace.meshes;
         rays_.assign(rays_.size(), {});   // no word of the last frame's trace is looked at again
     }
 
@@ -90,7 +91,7 @@ public:
         units_[last_units_] += cycles;
         caches_[last_caches_] += cycles;
         if (shading_) shades_[last_shades_] += cycles;
-        if (levels_) xforms_[last_xform_] += cycles;
+        if (levels_) xforms_[last_xform_] += cycles, lowers_[last_lower_] += cycles;
     }
 
     Accounts accounts() const;
@@ -116,11 +117,12 @@ private:
     /// All links inside in a cycle. Those to what the pipelines share are in SharedMoves.
     struct Moves {
         std::array<LinkInside, pipeline_links> links;
-        OnLink boxed, tried;    // box's and tri's answers as far as trav and list are
-        bool step = false;      // inside trav, of a ray that was tested or has no leaves
-        bool read = false;      // node_cache's answer is taken
-        bool placing = false;   // surf_cache's answer is an instance
-        std::uint32_t shade_code = 0, xform_code = 0;   // of units.hpp
+        OnLink boxed, tried;                        // box's and tri's answers as far as trav and list are
+        bool step = false;                          // inside trav, of a ray that was tested or has no leaves
+        bool read = false;                          // node_cache's answer is taken
+        bool placing = false;                       // surf_cache's answer is an instance
+        bool low_asks = false, low_tells = false;   // box's links are those of the lower engine's unit
+        std::uint32_t shade_code = 0, xform_code = 0, lower_code = 0;   // of units.hpp
         const LinkInside& operator[](Link link) const { return links[index(link)]; }
         void offer(Link link, bool offered, bool ready, std::uint32_t ray) {
             links[index(link)] = {offered, bool(offered & ready), ray};
@@ -128,13 +130,25 @@ private:
         /// Whether one of them moves.
         template <class... Links> bool any(Links... some) const { return (links[index(some)].fires | ...); }
     };
-    /// box's links are those of the unit that decides nodes, whichever it is.
+    /// box's links are those of the unit that decides nodes, whichever it is. If there are two, one of them
+    /// is asked in a cycle, and one answers, since the quicker one's answers wait as long as the other's.
     static constexpr Link inside(Link link) {
         return asks_of_node(link) ? Link::box_req : tells_of_node(link) ? Link::box_rsp : link;
     }
     /// And as they are called outside.
     Link outside(Link link) const {
-        return link == Link::box_req ? decides_.req : link == Link::box_rsp ? decides_.rsp : link;
+        return link == Link::box_req   ? (moves_.low_asks ? lower_ : upper_).req
+               : link == Link::box_rsp ? (moves_.low_tells ? lower_ : upper_).rsp
+                                       : link;
+    }
+    /// Whether the lower engine walks the ray's node; false if there is one engine.
+    bool is_low(std::uint32_t ray) const { return node_addr(ray) >= meshes_; }
+    /// Of one engine, or the upper or lower of two.
+    std::uint32_t decide_code(const Moves& m, bool low) const {
+        const LinkInside& req = m[Link::box_req];
+        const bool own = m.low_asks == low;
+        if (box_rest_ > 0 && box_is_low_ == low) return 0;
+        return test_codes[std::size_t((own & req.valid) + (own & req.fires) + 3 * node_cache_.waits())];
     }
     template <bool shades, bool levels> void settle(Moves& m, std::uint64_t now) const;
     template <bool shades, bool levels>
@@ -163,7 +177,9 @@ private:
     template <bool levels> void clock_shade(const Moves& m, std::uint64_t now);
 
     bool shading_, levels_, lists_;   // levels_: there are instances; lists_: there are no nodes
-    NodeUnit decides_;                // what node is met
+    NodeUnit upper_, lower_;          // what decides nodes of the scene's tree, and of meshes
+    std::uint32_t meshes_ = ~0u;      // line from which on lower_ does
+    bool box_is_low_;                 // of two units lower_ takes a node every few cycles, not upper_
     const Trace* trace_ = nullptr;
     Sched sched_;
     Pipe<RayNumber> raygen_;
@@ -204,6 +220,8 @@ private:
     std::array<std::uint64_t, 1 << 5> shades_{};   // surf_cache, shade
     std::uint32_t last_xform_ = 0;
     std::array<std::uint64_t, 3> xforms_{};
+    std::uint32_t last_lower_ = 0;
+    std::array<std::uint64_t, 4> lowers_{};   // of the lower engine's unit
 };
 
 }   // namespace rayclock

@@ -16,7 +16,10 @@ template <bool shades, bool levels>
             trav_.node_ray<levels>());
     const std::uint32_t read = node_cache_.answer();
     const bool enters = levels && Trace::enters(rays_[read].head);
-    m.offer(Link::box_req, node_cache_.valid() & !enters, box_.ready() & (box_rest_ == 0), read);
+    m.low_asks = levels && is_low(read);
+    m.offer(Link::box_req, node_cache_.valid() & !enters,
+            box_.ready() & ((box_rest_ == 0) | (m.low_asks != box_is_low_)), read);
+    if constexpr (levels) m.lower_code = decide_code(m, true);
     m.read = m[Link::box_req].fires;
     if constexpr (levels) {
         const OnLink changed = xform_.answer(now);
@@ -26,6 +29,7 @@ template <bool shades, bool levels>
         m.xform_code = (m[Link::xform_req].valid | (xform_rest_ > 0)) ? 0 : node_cache_.waits() ? 1 : 2;
     }
     const OnLink boxed = box_.answer(now), tried = tri_.answer(now);
+    m.low_tells = levels && is_low(boxed.ray);
     m.boxed = late_ ? boxed_.answer(now) : boxed;
     if (lists_) m.boxed = {trav_.node_valid(), trav_.node_ray()};   // a page needs no memory
     m.tried = late_ ? tried_.answer(now) : tried;
@@ -58,11 +62,7 @@ template <bool shades> [[gnu::always_inline]] inline void Pipeline::account_unit
     const std::size_t turn = trav_.step_valid(m[Link::tested].valid), free = trav_.step_ready();
     const std::uint32_t sched = sched_codes[std::size_t(sched_.pixel_valid() + progress(Link::slot))],
                         raygen = raygen_rest_ > 0 ? 0u : raygen_codes[std::size_t(asked + begun)],
-                        trav = trav_codes[turn + 2 * free],
-                        box =
-                            box_rest_ > 0
-                                ? 0u
-                                : test_codes[std::size_t(progress(Link::box_req) + 3 * node_cache_.waits())],
+                        trav = trav_codes[turn + 2 * free], box = decide_code(m, false),
                         list = !(m[Link::leaves].fires | m[Link::tri_rsp].fires),
                         tri =
                             tri_rest_ > 0
@@ -145,7 +145,8 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
 
 [[gnu::always_inline]] inline void Pipeline::clock_box(const Moves& m, std::uint64_t now) {
     box_.clock(now, m[Link::box_req]);
-    box_rest_ = select(m[Link::box_req].fires, box_rests_, box_rest_ - (box_rest_ > 0));
+    box_rest_ =
+        select(m[Link::box_req].fires & (m.low_asks == box_is_low_), box_rests_, box_rest_ - (box_rest_ > 0));
     if (late_) boxed_.clock(now, m[Link::box_rsp]);
 }
 
@@ -172,6 +173,8 @@ template <bool shades, bool levels> [[gnu::always_inline]] inline void Pipeline:
     const LinkInside& req = m[Link::xform_req];
     last_xform_ = m.xform_code;
     ++xforms_[last_xform_];
+    last_lower_ = m.lower_code;
+    ++lowers_[last_lower_];
     xform_.clock(now, req);
     xform_rest_ = select(req.fires, xform_rests_, xform_rest_ - (xform_rest_ > 0));
 }

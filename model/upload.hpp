@@ -35,6 +35,7 @@ struct Upload {
 inline MemoryImage without_words(const MemoryImage& image) {
     MemoryImage shape;
     shape.lattice = image.lattice;
+    shape.meshes = image.meshes;
     shape.surfaces = image.surfaces;
     shape.primitives = image.primitives;
     shape.listed = image.listed;

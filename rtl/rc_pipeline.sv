@@ -76,7 +76,7 @@ module rc_pipeline (
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
-  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause;
+  logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
 
   rc_sched u_sched (
     .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
@@ -110,7 +110,7 @@ module rc_pipeline (
     assign {node_req_valid, node_req_ready, node_req} = '0;
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
-    assign {decide_cause, xform_cause, change_fires, change} = '0;
+    assign {decide_cause, mesh_cause, xform_cause, change_fires, change} = '0;
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
         node_rsp, node_waits, node_miss_ready_i, node_fill_fires_i, node_fill_i};
@@ -124,7 +124,7 @@ module rc_pipeline (
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause), .decide_cause_o(decide_cause),
+      .trav_cause_o(trav_cause), .decide_cause_o(decide_cause), .mesh_cause_o(mesh_cause),
       .change_fires_o(change_fires), .change_o(change), .xform_cause_o(xform_cause));
   end
 
@@ -211,11 +211,12 @@ module rc_pipeline (
       tri_cause = prim_waits ? rc_pkg::TriStarvedMemory : rc_pkg::TriStarvedList;
     end
   end
-  // The units that decide nodes have a place each, and one of them is there: causes_o has its cause
-  // at rc_pkg::DecideUnit, and none of the others'.
+  // The units that decide nodes have a place each, and one or two of them are there: causes_o has
+  // their causes at rc_pkg::DecideUnit and MeshUnit, and none of the others'.
   localparam int unsigned C = 3 * rc_pkg::PipelineUnits;
   logic [C-1:0] decide_at, xform_at;
-  assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit;
+  assign decide_at = C'(decide_cause) << 3 * rc_pkg::DecideUnit
+                   | C'(mesh_cause) << 3 * rc_pkg::MeshUnit;
   assign xform_at  = C'(xform_cause) << 3 * rc_pkg::XformUnit;
   assign causes_o  = decide_at | xform_at
                    | C'({shade_cause, surf_cause, tri_cause, prim_cause, list_cause, 3'd0,

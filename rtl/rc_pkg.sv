@@ -11,6 +11,7 @@ package rc_pkg;
   localparam int unsigned PrimitiveTest = 0;
   localparam int unsigned Structure = 0;
   localparam int unsigned Levels = 1;
+  localparam int unsigned MeshStructure = 0;
   localparam int unsigned NodeWidth = 8;
   localparam int unsigned Contexts = 64;
   localparam int unsigned StackDepth = 16;
@@ -99,8 +100,10 @@ package rc_pkg;
   localparam int unsigned GlobeBits = 12;
   localparam int unsigned TowardBits = 18;
   localparam int unsigned NodeBits = 501;
+  localparam int unsigned MeshNodeBits = 501;
   localparam int unsigned NodePartBits = 501;
   localparam int unsigned NodeReqBits = 630;
+  localparam int unsigned MeshReqBits = 630;
   localparam int unsigned LineKindBits = 2;
   localparam int unsigned MapFrac = 21;
   localparam int unsigned MapBits = 23;
@@ -148,6 +151,8 @@ package rc_pkg;
   localparam int unsigned TreeletLatency = 7;
   localparam int unsigned GlobeLatency = 9;
   localparam int unsigned SlantLatency = 17;
+  localparam int unsigned NodePad = 0;
+  localparam int unsigned MeshPad = 0;
   localparam int unsigned XformLatency = 13;
   localparam int unsigned TriLatency = 18;
   localparam int unsigned ShadeStages = 28;
@@ -416,12 +421,12 @@ package rc_pkg;
   localparam int unsigned RegParameters = 32;
   localparam int unsigned RegFrame = 1024;
   localparam int unsigned RegCounters = 4096;
-  localparam int unsigned Parameters = 26;
-  localparam logic [831:0] ParameterValues = {
+  localparam int unsigned Parameters = 27;
+  localparam logic [863:0] ParameterValues = {
     32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0, 32'd0,
-    32'd0, 32'd0, 32'd24, 32'd125, 32'd4, 32'd14, 32'd32, 32'd24,
-    32'd1, 32'd64, 32'd16, 32'd8, 32'd8, 32'd0, 32'd16, 32'd4,
-    32'd20, 32'd18};
+    32'd0, 32'd0, 32'd0, 32'd24, 32'd125, 32'd4, 32'd14, 32'd32,
+    32'd24, 32'd1, 32'd64, 32'd16, 32'd8, 32'd8, 32'd0, 32'd16,
+    32'd4, 32'd20, 32'd18};
   localparam int unsigned FrameWords = 24;
   localparam logic [383:0] FrameAt = {
     16'd100, 16'd68, 16'd66, 16'd34, 16'd32, 16'd0, 16'd202, 16'd170,
@@ -435,6 +440,7 @@ package rc_pkg;
   localparam int unsigned PipelineUnits = 14;
   localparam int unsigned XformUnit = 13;
   localparam int unsigned DecideUnit = 4;
+  localparam int unsigned MeshUnit = 4;
   localparam int unsigned SharedUnits = 3;
   localparam logic [13:0] PipelineUnitsThere = {
     1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd0, 1'd1, 1'd1,

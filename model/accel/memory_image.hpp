@@ -63,6 +63,8 @@ struct LevelLattices {
 struct MemoryImage {
     std::vector<std::uint32_t> words;   ///< 16 words a line, little-endian
     Lattice lattice;
+    std::uint32_t meshes = 0;                   ///< of two levels: where the lower structures begin; the
+                                                ///< scene's trees and its instances lie before
     std::uint32_t surfaces = 0;                 ///< line of primitive 0's surface, if the chip shades
     std::uint32_t primitives = 0;               ///< the numbers of all lie below
     std::uint32_t listed = 0;                   ///< primitives of a list; 0 if there is a tree

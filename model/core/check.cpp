@@ -58,7 +58,8 @@ void check_config(const Config& c, const std::string& where) {
         refuse("structure=" + structure_names()[std::size_t(c.structure)] +
                " needs primitive_test=exact or sheared: only of these it is known how far a hit may lie from "
                "its primitive");
-    if (c.is_octree() && Straddlers(c.straddlers) == Straddlers::stop)
+    const auto has = [&](Structure s) { return Structure(c.structure) == s || c.lower_structure() == s; };
+    if (has(Structure::octree) && Straddlers(c.straddlers) == Straddlers::stop)
         refuse(
             "structure=octree has straddlers=leaves or inner: its planes lie where they lie, and stop is of "
             "bsp");
@@ -74,11 +75,15 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
             "known of these alone");
-    if (c.has_instances() && node_bits(c) > line_bits - line_kind_bits)
-        refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
-               structure_names()[std::size_t(c.structure)] + " leaves " +
-               std::to_string(line_bits - node_bits(c)) +
-               " of its 512 free: coord_bits or addr_bits must be smaller");
+    if (!c.has_instances() && c.mesh_structure != 0)
+        refuse("mesh_structure=" + mesh_structure_names()[std::size_t(c.mesh_structure)] +
+               " needs levels=2: with one level there is no structure below the scene's");
+    for (const Structure s : {Structure(c.structure), c.lower_structure()})
+        if (c.has_instances() && node_bits(c, Config::engine_of(s)) > line_bits - line_kind_bits)
+            refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +
+                   structure_names()[std::size_t(s)] + " leaves " +
+                   std::to_string(line_bits - node_bits(c, Config::engine_of(s))) +
+                   " of its 512 free: coord_bits or addr_bits must be smaller");
     const std::pair<const char*, int> units[] = {{"spheres", c.spheres},
                                                  {"planes", c.planes},
                                                  {"smooth", c.smooth},

@@ -1,6 +1,7 @@
 #include "model/core/config.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 
@@ -10,6 +11,33 @@
 #include "model/mem/dram_parts.hpp"
 
 namespace rayclock {
+
+namespace {
+constexpr std::array mesh_structures{Structure::bvh, Structure::kd, Structure::octree, Structure::spheres,
+                                     Structure::bsp};   // of mesh_structure_names() after the first
+}   // namespace
+Structure Config::lower_structure() const {
+    return has_instances() && mesh_structure > 0 ? mesh_structures[std::size_t(mesh_structure - 1)]
+                                                 : Structure(structure);
+}
+Config Config::upper() const {
+    Config level = *this;
+    level.mesh_structure = 0;
+    return level;
+}
+Config Config::lower() const {
+    Config level = upper();
+    level.structure = int(lower_structure());
+    return level;
+}
+int Config::node_latency(Structure engine) const {
+    switch (engine) {
+        case Structure::kd: return treelet_latency();
+        case Structure::spheres: return globe_latency();
+        case Structure::bsp: return slant_latency();
+        default: return box_latency();
+    }
+}
 
 int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
 int Config::edge_bits() const {
@@ -70,6 +98,15 @@ const std::vector<std::string>& structure_names() {
     return names;
 }
 
+const std::vector<std::string>& mesh_structure_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"same"};
+        for (const Structure s : mesh_structures) all.push_back(structure_names()[std::size_t(s)]);
+        return all;
+    }();
+    return names;
+}
+
 const std::vector<std::string>& straddlers_names() {
     static const std::vector<std::string> names{"leaves", "inner", "stop"};
     return names;
@@ -121,6 +158,9 @@ const std::vector<Parameter>& parameters() {
          "most references a primitive, in the mean, of kd, octree and bsp; fewer make a smaller image"},
         {"levels", &Config::levels, 1, 2, false,
          "2: instances are walked as such, by a tree over them and one for each mesh; 1: written out"},
+        {"mesh_structure", &Config::mesh_structure, 0, int(mesh_structure_names().size()) - 1, false,
+         "what holds each mesh, with levels=2: same (as structure), bvh, kd, octree, spheres, bsp",
+         &mesh_structure_names()},
         {"node_width", &Config::node_width, 2, 8, true, "W: children of a node"},
         {"leaf_size", &Config::leaf_size, 1, 6, false, "most primitives in a leaf"},
         {"contexts", &Config::contexts, 1, 1024, true, "T: rays in flight"},

@@ -78,11 +78,12 @@ struct Config {
     int origin_bits = 12;     ///< B: fraction bits of a secondary ray's origin, see docs/origins.md; with
                               ///< `shading` only
 
-    int structure = 0;    ///< what holds the scene in memory, see structure_names()
-    int straddlers = 0;   ///< of an octree and of bsp, see straddlers_names()
-    int splits = 0;       ///< of bvh, see splits_names()
-    int references = 8;   ///< of kd, octree and bsp: the most that a primitive has in the mean, 1..64
-    int levels = 1;       ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
+    int structure = 0;        ///< what holds the scene in memory, see structure_names()
+    int straddlers = 0;       ///< of an octree and of bsp, see straddlers_names()
+    int splits = 0;           ///< of bvh, see splits_names()
+    int references = 8;       ///< of kd, octree and bsp: the most that a primitive has in the mean, 1..64
+    int levels = 1;           ///< 2: a tree over instances, and one below it for each mesh (docs/motion.md)
+    int mesh_structure = 0;   ///< of these the lower ones, see mesh_structure_names(): as `structure` (same)
 
     // Shape: counts, depths, latencies.
     int node_width = 8;        ///< W: children of a node, 2, 4 or 8
@@ -151,16 +152,27 @@ struct Config {
     bool has_splits() const { return is_bvh() && splits != 0; }
     bool is_bvh() const { return Structure(structure) == Structure::bvh; }
     bool is_list() const { return Structure(structure) == Structure::none; }
-    bool has_treelets() const { return engine() == Structure::kd; }
-    bool has_planes() const { return has_treelets() || has_slants(); }
-    bool has_globes() const { return Structure(structure) == Structure::spheres; }
-    bool has_slants() const { return Structure(structure) == Structure::bsp; }
+    bool is_octree() const { return Structure(structure) == Structure::octree; }
     bool has_instances() const { return levels == 2; }
     bool has_homes() const { return has_instances() && shading; }   ///< rays start from instances
-    bool is_octree() const { return Structure(structure) == Structure::octree; }
-    Structure engine() const {
-        return is_octree() ? Structure::kd : Structure(structure);
-    }   ///< the structure for which the RTL is built
+    /// Of meshes; that of the scene if there is one level.
+    Structure lower_structure() const;
+    /// The structure for which the RTL is built: an octree's nodes are those of a kd-tree.
+    static Structure engine_of(Structure s) { return s == Structure::octree ? Structure::kd : s; }
+    Structure engine() const { return engine_of(Structure(structure)); }
+    Structure lower_engine() const { return engine_of(lower_structure()); }
+    /// Nodes of the scene's tree are decided by one unit, those of meshes by another.
+    bool has_two_engines() const { return engine() != lower_engine(); }
+    /// What one level is: a configuration with its structure alone. Its has_boxes() and so on, which tell
+    /// whether any level has them, tell of that one.
+    Config upper() const;
+    Config lower() const;
+    bool has_boxes() const { return is_walked(Structure::bvh); }
+    bool has_treelets() const { return is_walked(Structure::kd); }
+    bool has_globes() const { return is_walked(Structure::spheres); }
+    bool has_slants() const { return is_walked(Structure::bsp); }
+    bool has_planes() const { return has_treelets() || has_slants(); }
+    bool is_walked(Structure by) const { return engine() == by || lower_engine() == by; }
     /// What lies beside the chip; null if it is the ideal memory.
     const DramPart* dram_part() const;
     bool is_sheared() const { return test() == PrimitiveTest::sheared; }
@@ -199,17 +211,15 @@ struct Config {
     int raygen_latency() const;
     int box_latency() const;
     int box_interval() const {
-        return is_bvh() ? std::max(1, node_width / box_lanes) : 1;
+        return has_boxes() ? std::max(1, node_width / box_lanes) : 1;
     }   ///< cycles from a node that box takes to the next
     int treelet_latency() const;
     int globe_latency() const;
     int slant_latency() const;
     int node_latency() const {
-        return has_treelets() ? treelet_latency()
-               : has_globes() ? globe_latency()
-               : has_slants() ? slant_latency()
-                              : box_latency();
-    }                                                 ///< of the unit that decides a node
+        return std::max(node_latency(engine()), node_latency(lower_engine()));
+    }   ///< of the unit that decides a node; of two the slower one's, for which the other's answers wait
+    int node_latency(Structure engine) const;
     int map_frac() const { return coord_bits + 3; }   ///< K: fraction bits of an instance's map
     int map_bits() const { return map_frac() + 2; }   ///< of an entry of it, signed; 1 is possible
     int xform_latency() const;
@@ -251,6 +261,8 @@ const std::vector<std::string>& dram_names();
 
 /// What holds the scene in memory, by the value of Config::structure.
 const std::vector<std::string>& structure_names();
+/// What holds each mesh, by the value of Config::mesh_structure.
+const std::vector<std::string>& mesh_structure_names();
 
 /// What becomes of what a plane cuts, by the value of Config::straddlers.
 const std::vector<std::string>& straddlers_names();

@@ -102,15 +102,17 @@ struct GlobeNode {
     }
 };
 
-/// Calls `work` with an empty node of the kind that a configuration's structure is made of.
-template <class Work> decltype(auto) with_node(const Config& c, Work&& work) {
-    if (c.has_treelets()) return work(Treelet{});
-    if (c.has_globes()) return work(GlobeNode{});
-    if (c.has_slants()) return work(Slant{});
-    return work(Node{});
+/// Calls `work` with an empty node of the kind that a structure is made of.
+template <class Work> decltype(auto) with_node(Structure engine, Work&& work) {
+    switch (engine) {
+        case Structure::kd: return work(Treelet{});
+        case Structure::spheres: return work(GlobeNode{});
+        case Structure::bsp: return work(Slant{});
+        default: return work(Node{});
+    }
 }
-inline int node_bits(const Config& c) {
-    return with_node(c, [&]<class N>(const N&) { return bits_of<N>(c); });
+inline int node_bits(const Config& c, Structure engine) {
+    return with_node(engine, [&]<class N>(const N&) { return bits_of<N>(c); });
 }
 
 /// An instance as it lies in a memory line of 64 bytes (right-aligned): x' = A x + b takes a point of the

@@ -122,11 +122,14 @@ constexpr bool tells_of_node(Link link) {
         if (u.rsp == link) return true;
     return false;
 }
-/// That of a configuration; box if there are no nodes.
-constexpr NodeUnit node_unit(const Config& config) {
-    for (const NodeUnit& u : node_units)
-        if (is_there(unit_infos[index(u.unit)].when, config)) return u;
-    return node_units[0];
+/// That of an engine; box if there are no nodes.
+constexpr NodeUnit node_unit(Structure engine) {
+    switch (engine) {
+        case Structure::kd: return node_units[1];
+        case Structure::spheres: return node_units[2];
+        case Structure::bsp: return node_units[3];
+        default: return node_units[0];
+    }
 }
 
 constexpr std::size_t link_count = link_infos.size();

@@ -1,6 +1,7 @@
 #pragma once
 // The payloads of links to memory and back: requests of trav, list and shade, what their caches answer, and
 // lines between caches and the DRAM. Symbols as in payloads.hpp.
+#include <algorithm>
 #include <cstdint>
 
 #include "model/core/config.hpp"
@@ -31,7 +32,8 @@ struct PrimReq {
 struct NodeRsp {
     std::uint32_t ray = 0;
     std::uint32_t what = 0;                          ///< LineKind, if there are instances
-    std::array<std::uint32_t, line_bits> beyond{};   ///< bit by bit: what an instance has beyond a node
+    std::array<std::uint32_t, line_bits> beyond{};   ///< bit by bit: what an instance, or a mesh's node, has
+                                                     ///< beyond a node of the scene's tree, which follows
     Node node;
     Treelet treelet;    ///< takes the place of node in a kd-tree
     GlobeNode globes;   ///< likewise in a hierarchy of bounding spheres
@@ -40,17 +42,16 @@ struct NodeRsp {
         v("ray", ray, c.ray_bits());
         if (c.has_instances()) {
             v("what", what, line_kind_bits);
-            const int more = bits_of<Placement>(c) - node_bits(c);
+            const int most = std::max(bits_of<Placement>(c), node_bits(c, c.lower_engine()));
+            const int more = most - node_bits(c, c.engine());
             if (more > 0) v("beyond", beyond, 1, more);
         }
-        if (c.has_treelets())
-            treelet.fields(v, c);
-        else if (c.has_globes())
-            globes.fields(v, c);
-        else if (c.has_slants())
-            slant.fields(v, c);
-        else
-            node.fields(v, c);
+        switch (c.engine()) {
+            case Structure::kd: return treelet.fields(v, c);
+            case Structure::spheres: return globes.fields(v, c);
+            case Structure::bsp: return slant.fields(v, c);
+            default: return node.fields(v, c);
+        }
     }
 };
 

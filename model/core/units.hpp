@@ -42,7 +42,7 @@ constexpr bool is_there(When when, const Config& config) {
         case When::shading: return config.shading != 0;
         case When::shared_cache: return config.l2_sets > 0;
         case When::nodes: return !config.is_list();
-        case When::boxes: return config.is_bvh();
+        case When::boxes: return config.has_boxes();
         case When::treelets: return config.has_treelets();
         case When::globes: return config.has_globes();
         case When::slants: return config.has_slants();

@@ -16,8 +16,10 @@ public:
     Decoder(const MemoryImage& image, const Config& config)
         : image_(image),
           config_(config),
+          upper_(config.engine()),
+          lower_(config.lower_engine()),
           read_node_(config),
-          nodes_(config.is_bvh() ? image.lines() : 0),
+          nodes_(config.has_boxes() ? image.lines() : 0),
           treelets_(config.has_treelets() ? image.lines() : 0),
           globes_(config.has_globes() ? image.lines() : 0),
           slants_(config.has_slants() ? image.lines() : 0),
@@ -30,6 +32,10 @@ public:
     }
     /// With two levels: what a line holds, and an instance.
     LineKind kind(std::uint32_t line) const { return line_kind(image_.line(line)); }
+    /// The engine that walks the tree of the node in a line.
+    Structure engine(std::uint32_t line) const {
+        return config_.has_instances() && kind(line) == LineKind::mesh_node ? lower_ : upper_;
+    }
     const Placement& placement(std::uint32_t line) const {
         return placements_.get(line, [&] { return unpack<Placement>(image_.line(line), config_); });
     }
@@ -50,10 +56,12 @@ public:
     }
     /// Of any tree: what the node in a line says of its children, where they lie and how many there are.
     const WideNode& below(std::uint32_t line) const {
-        return config_.has_treelets() ? treelet(line).exits
-               : config_.has_globes() ? globes(line).children
-               : config_.has_slants() ? slant(line).exits
-                                      : node(line);
+        switch (engine(line)) {
+            case Structure::kd: return treelet(line).exits;
+            case Structure::spheres: return globes(line).children;
+            case Structure::bsp: return slant(line).exits;
+            default: return node(line);
+        }
     }
     /// How many children or exits the node in a line has; an instance has none.
     std::uint32_t children(std::uint32_t line) const {
@@ -77,6 +85,7 @@ public:
 private:
     const MemoryImage& image_;
     Config config_;
+    Structure upper_, lower_;
     NodeReader read_node_;
     LineCache<WideNode> nodes_;
     LineCache<WideTreelet> treelets_;

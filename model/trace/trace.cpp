@@ -28,6 +28,7 @@ struct Recording::Work {
           record(record_block()) {
         if (config.shading) decoder = std::make_unique<Decoder>(image, config);
         trace.width = frame.width;
+        trace.meshes = config.has_two_engines() ? image.meshes : ~0u;
         trace.height = frame.height;
         trace.rays.assign(std::size_t(frame.width) * frame.height, nullptr);
         trace.hits.resize(trace.rays.size());

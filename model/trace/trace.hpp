@@ -39,6 +39,7 @@ struct Trace {
                                    prim_mask = (2u << max_addr_bits) - 1;
 
     std::uint32_t width = 0, height = 0;
+    std::uint32_t meshes = ~0u;   ///< line from which on nodes are the lower engine's, if there are two
     std::vector<const std::uint32_t*> rays;              ///< [y * width + x]: into chunks
     std::vector<Closest> hits;                           ///< likewise; `ray` is 0
     std::vector<std::array<std::uint32_t, 3>> colours;   ///< likewise, if the chip shades: as in Pixel

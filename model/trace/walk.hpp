@@ -25,8 +25,8 @@ struct UnitWay {
     void start(const Ray& ray_) {
         ray = ray_;
         from = box_ray(ray);
-        if (config.has_globes()) toward = globe_ray(ray, config);
-        if (config.has_slants()) along = aligned(ray, config);
+        if (config.engine() == Structure::spheres) toward = globe_ray(ray, config);
+        if (config.engine() == Structure::bsp) along = aligned(ray, config);
         hit = {{ray.ray, ray.kind}, reach_of(RayKind(ray.kind), config)};
     }
     const WideNode& boxes(std::uint32_t line, std::uint32_t* t_near, std::uint32_t& hits) {
@@ -38,24 +38,28 @@ struct UnitWay {
         }
         inside.enters = config.has_instances() && decoder.kind(line) == LineKind::placement;
         if (inside.enters) return inside.enter(ray, decoder.placement(line), config, t_near, hits);
-        if (config.has_treelets()) {
-            const WideTreelet& treelet = decoder.treelet(line);
-            hits = treelet_exits(from_at(line), treelet, config, t_near);
-            return treelet.exits;
+        switch (decoder.engine(line)) {
+            case Structure::kd: {
+                const WideTreelet& treelet = decoder.treelet(line);
+                hits = treelet_exits(from_at(line), treelet, config, t_near);
+                return treelet.exits;
+            }
+            case Structure::spheres: {
+                const WideGlobes& globes = decoder.globes(line);
+                hits = globe_children(toward_at(line), globes, config, t_near);
+                return globes.children;
+            }
+            case Structure::bsp: {
+                const WideSlant& slant = decoder.slant(line);
+                hits = slant_exits(from_at(line), along_at(line), slant, config, t_near);
+                return slant.exits;
+            }
+            default: {
+                const WideNode& node = decoder.node(line);
+                hits = box_children(from_at(line), node, config, t_near);
+                return node;
+            }
         }
-        if (config.has_globes()) {
-            const WideGlobes& globes = decoder.globes(line);
-            hits = globe_children(toward_at(line), globes, config, t_near);
-            return globes.children;
-        }
-        if (config.has_slants()) {
-            const WideSlant& slant = decoder.slant(line);
-            hits = slant_exits(from_at(line), along_at(line), slant, config, t_near);
-            return slant.exits;
-        }
-        const WideNode& node = decoder.node(line);
-        hits = box_children(from_at(line), node, config, t_near);
-        return node;
     }
     bool enters() const { return inside.enters; }
     /// The ray as the units that decide nodes want it, in the space of the node in a line.

@@ -25,8 +25,8 @@ struct InsideRay {
         from = box_ray(change);
         moved.kind = ray.kind, moved.o = change.o, moved.d = change.d;
         moved.self = ray.self, moved.inside = ray.inside, moved.finite = ray.finite;
-        if (config.has_globes()) toward = globe_ray(moved, config);
-        if (config.has_slants()) along = aligned(moved, config);
+        if (config.lower_engine() == Structure::spheres) toward = globe_ray(moved, config);
+        if (config.lower_engine() == Structure::bsp) along = aligned(moved, config);
         entry.base = change.root;
         entry.children = entry.children_mask = entry.inner_mask = 1;
         t_near[0] = 0;

@@ -8,6 +8,7 @@
 `default_nettype none
 module rc_answer #(
   parameter  int unsigned Latency = rc_pkg::BoxLatency,   // of the unit, without its queue
+  parameter  bit          Exits   = 1'b0,                 // of rc_rank
   localparam int unsigned W  = rc_pkg::NodeWidth,
   localparam int unsigned T  = rc_pkg::TBits,
   localparam int unsigned C  = rc_pkg::CountBits,
@@ -60,7 +61,7 @@ module rc_answer #(
 
   logic [G-1:0]        end_inner, end_leaves;
   logic [W*EntryW-1:0] end_entries;
-  rc_rank u_rank (
+  rc_rank #(.Exits(Exits)) u_rank (
     .clk_i, .valid_i(moves_i[L-1:Rank]),
     .s0_hit_i(hit_q), .s0_near_i(near_q), .s0_kind_i(rank_kind),
     .inner_o(end_inner), .leaves_o(end_leaves), .entries_o(end_entries));

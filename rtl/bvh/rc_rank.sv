@@ -7,6 +7,7 @@
 // a stage, in a fast one a level in each. Model: the end of box_children() in model/bvh/box.cpp.
 `default_nettype none
 module rc_rank #(
+  parameter  bit          Exits  = 1'b0,   // of treelets and slants, which come in any order
   localparam int unsigned W      = rc_pkg::NodeWidth,
   localparam int unsigned T      = rc_pkg::TBits,
   localparam int unsigned C      = rc_pkg::CountBits,
@@ -27,9 +28,6 @@ module rc_rank #(
   localparam int unsigned Levels = W == 2 ? 1 : W == 4 ? 3 : 6;
   localparam int unsigned Middle = W == 2 ? 0 : 2; // level with a register in every chip
   localparam int unsigned Cut    = rc_pkg::Cut;
-  // Exits of treelets and slants come in any order.
-  localparam bit Exits = rc_pkg::Structure == rc_pkg::StructureKd
-      || rc_pkg::Structure == rc_pkg::StructureBsp;
 
   // Where each child lies in the block, and how many of each kind are hit.
   logic [W*O-1:0] s0_offset;

@@ -16,7 +16,9 @@
 // With two levels an instance that comes back goes on to xform, with the ray as it came. The ray
 // that xform makes of it is kept beside that one, and goes on to the root of the mesh before new
 // rays start; stack and distance to beat stay. Which of the two box gets is said by the line that
-// was read: whether it is a node of the scene's tree or of a mesh's.
+// was read: whether it is a node of the scene's tree or of a mesh's. If these are of two
+// structures each has its unit, which gets the node with its ray (decide, mesh). Their answers come
+// by one way.
 //
 // Model: model/bvh/trav.hpp. The compiled scene must not need more
 // than StackDepth groups.
@@ -45,6 +47,10 @@ module rc_trav (
   input  logic              decide_rsp_valid_i,
   output logic              decide_rsp_ready_o,
   input  rc_pkg::box_rsp_t  decide_rsp_i,
+  // With two structures: to that of meshes
+  output logic              mesh_req_valid_o,
+  input  logic              mesh_req_ready_i,
+  output logic [rc_pkg::MeshReqBits-1:0] mesh_req_o,
   // To and from list
   output logic              leaves_fires_o,
   output rc_pkg::leaves_t   leaves_o,
@@ -78,7 +84,7 @@ module rc_trav (
   logic ray_fires, keep;
   logic [3*M-1:0]     ray_d;
   logic [I-1:0]       keep_ray;
-  logic [BoxRayW-1:0] keep_data, kept_ray, box_ray;
+  logic [BoxRayW-1:0] keep_data, kept_ray;
   assign ray_fires = ray_valid_i && ray_ready_o;
   assign ray_d     = ray_i.d;
   // Of DirBits only: shadow rays fill RayDirBits.
@@ -98,12 +104,12 @@ module rc_trav (
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
   assign node_rsp  = node_rsp_i;
   if (rc_pkg::Levels == 1) begin : gen_nodes
-    assign box_ray          = kept_ray;
+    assign decide_req_o       = {node_rsp_i.ray, kept_ray, node_rsp[rc_pkg::NodeBits-1:0]};
     assign decide_req_valid_o = node_rsp_valid_i;
     assign node_rsp_ready_o   = decide_req_ready_i;
-    assign {xform_req_valid_o, xform_req_o} = '0;
+    assign {xform_req_valid_o, xform_req_o, mesh_req_valid_o, mesh_req_o} = '0;
     logic unused;
-    assign unused = xform_req_ready_i;
+    assign unused = xform_req_ready_i ^ mesh_req_ready_i;
   end else begin : gen_instances
     logic               is_instance;
     // What xform wants of a ray beside its origin: its direction, and if the chip shades what it is
@@ -111,10 +117,11 @@ module rc_trav (
     localparam int unsigned KeptW = rc_pkg::XformReqW - I - rc_pkg::PlacementW
                                   - 3 * rc_pkg::OriginWidth;
     localparam int unsigned Home  = KeptW - 3 * M;
-    logic [KeptW-1:0]   keep_way, kept_way;
-    logic               changed, changed_short;
-    logic [I-1:0]       changed_at;
-    logic [BoxRayW-1:0] change_data, changed_ray;
+    localparam int unsigned MeshRayW = rc_pkg::MeshReqBits - rc_pkg::MeshNodeBits - I;
+    logic [KeptW-1:0]    keep_way, kept_way;
+    logic                changed, changed_short, in_mesh;
+    logic [I-1:0]        changed_at;
+    logic [MeshRayW-1:0] change_data, changed_ray;
     if (rc_pkg::Homes == 1) begin : gen_homes
       assign keep_way      = {ray_i.kind, ray_i.home, ray_i.home_o, ray_i.home_d, ray_d};
       assign changed_short = change_i.kind != rc_pkg::RayShadow;
@@ -122,21 +129,35 @@ module rc_trav (
       assign keep_way      = ray_d;
       assign changed_short = 1'b1;
     end
-    rc_wanted u_change (
+    rc_wanted #(.Structure(rc_pkg::MeshStructure), .KeptW(MeshRayW)) u_change (
       .clk_i, .rst_ni, .valid_i(change_fires_i), .ray_i(change_i.ray), .o_i(change_i.o),
       .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
       .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
     rc_ram #(.Width(KeptW), .Depth(T)) u_direction (
       .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
       .read_addr_i(node_rsp_i.ray), .read_data_o(kept_way));
-    rc_ram #(.Width(BoxRayW), .Depth(T)) u_changed (
+    rc_ram #(.Width(MeshRayW), .Depth(T)) u_changed (
       .clk_i, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
       .read_addr_i(node_rsp_i.ray), .read_data_o(changed_ray));
-    assign box_ray           = node_rsp_i.what == rc_pkg::LineMeshNode ? changed_ray : kept_ray;
+    assign in_mesh           = node_rsp_i.what == rc_pkg::LineMeshNode;
     assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
-    assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
-    assign node_rsp_ready_o  = is_instance ? xform_req_ready_i : decide_req_ready_i;
+    if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_same
+      assign decide_req_o       = {node_rsp_i.ray, in_mesh ? changed_ray : kept_ray,
+                                   node_rsp[rc_pkg::NodeBits-1:0]};
+      assign decide_req_valid_o = node_rsp_valid_i && !is_instance;
+      assign node_rsp_ready_o   = is_instance ? xform_req_ready_i : decide_req_ready_i;
+      assign {mesh_req_valid_o, mesh_req_o} = '0;
+      logic unused;
+      assign unused = mesh_req_ready_i;
+    end else begin : gen_own
+      assign decide_req_o       = {node_rsp_i.ray, kept_ray, node_rsp[rc_pkg::NodeBits-1:0]};
+      assign mesh_req_o         = {node_rsp_i.ray, changed_ray, node_rsp[rc_pkg::MeshNodeBits-1:0]};
+      assign decide_req_valid_o = node_rsp_valid_i && !is_instance && !in_mesh;
+      assign mesh_req_valid_o   = node_rsp_valid_i && in_mesh;
+      assign node_rsp_ready_o   = is_instance ? xform_req_ready_i
+                                : in_mesh     ? mesh_req_ready_i : decide_req_ready_i;
+    end
     logic [3*rc_pkg::OriginWidth-1:0] kept_o;
     assign kept_o = kept_ray[BoxRayW-1 -: 3*rc_pkg::OriginWidth];
     if (Home == 0) begin : gen_request
@@ -151,8 +172,6 @@ module rc_trav (
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end
-  assign decide_req_o = {node_rsp_i.ray, box_ray, node_rsp[rc_pkg::NodeBits-1:0]};
-
   // Box's answer, and the ray's distance to beat.
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;

@@ -1,5 +1,8 @@
 // The engine that walks a ray through a tree: only wiring of trav and of the unit that decides
-// nodes, which depends on what a node is (rc_pkg::Structure).
+// nodes, which depends on what a node is (rc_pkg::Structure). With two levels meshes may be of
+// another structure (rc_pkg::MeshStructure): then there are two such units, and one of them is
+// asked in a cycle. The quicker one's answers wait as long as the other's, so that one comes in a
+// cycle.
 //
 // Its face is that of every engine (rtl/README.md). It takes rays, gives their leaves to list, gets
 // told when they are tested, asks for its nodes in memory, and says when nothing that is left can
@@ -7,8 +10,8 @@
 // are its own affair. What trav and its stack do with a kd-tree's exits or with globes is what they
 // do with boxes: those met come in order, leaves go to list, inner ones wait. That a ray in a
 // kd-tree ends early, when its hit lies before a cell, follows from the exits' t_near. Outside,
-// decide_req and decide_rsp have the names of the unit's links (model/core/links.hpp). Model:
-// model/bvh, model/kd, model/globe, model/bsp.
+// decide_req and decide_rsp have the names of the unit's links (model/core/links.hpp), and
+// so have mesh_req and mesh_rsp. Model: model/bvh, model/kd, model/globe, model/bsp.
 `default_nettype none
 module rc_tree (
   input  logic              clk_i,
@@ -40,6 +43,7 @@ module rc_tree (
   // What its units did; rc_pkg::trav_cause_e, decide_cause_e
   output logic [2:0]        trav_cause_o,
   output logic [2:0]        decide_cause_o,
+  output logic [2:0]        mesh_cause_o,    // of the second of two
   // With two levels: a ray changed, to list; rc_pkg::xform_cause_e
   output logic              change_fires_o,
   output rc_pkg::change_t   change_o,
@@ -48,7 +52,10 @@ module rc_tree (
   logic                           decide_req_valid, decide_req_ready;
   logic [rc_pkg::NodeReqBits-1:0] decide_req;
   logic                           decide_rsp_valid, decide_rsp_ready;
-  rc_pkg::box_rsp_t               decide_rsp;   // the form of all such units' answers
+  rc_pkg::box_rsp_t               decide_rsp, mesh_rsp, rsp;
+  logic                           mesh_req_valid, mesh_req_ready;
+  logic [rc_pkg::MeshReqBits-1:0] mesh_req;
+  logic                           mesh_rsp_valid, mesh_rsp_ready;
   logic                           xform_req_valid, xform_req_ready, change_fires;
   rc_pkg::xform_req_t             xform_req;
   rc_pkg::change_t                change;
@@ -58,39 +65,55 @@ module rc_tree (
     .node_req_valid_o, .node_req_ready_i, .node_req_o,
     .node_rsp_valid_i, .node_rsp_ready_o, .node_rsp_i,
     .decide_req_valid_o(decide_req_valid), .decide_req_ready_i(decide_req_ready),
-    .decide_req_o(decide_req), .decide_rsp_valid_i(decide_rsp_valid),
-    .decide_rsp_ready_o(decide_rsp_ready), .decide_rsp_i(decide_rsp),
+    .decide_req_o(decide_req), .decide_rsp_valid_i(decide_rsp_valid || mesh_rsp_valid),
+    .decide_rsp_ready_o(decide_rsp_ready), .decide_rsp_i(rsp),
+    .mesh_req_valid_o(mesh_req_valid), .mesh_req_ready_i(mesh_req_ready), .mesh_req_o(mesh_req),
     .leaves_fires_o, .leaves_o, .tested_valid_i, .tested_ready_o, .tested_i,
     .done_valid_o, .done_ready_i, .done_o, .cause_o(trav_cause_o),
     .xform_req_valid_o(xform_req_valid), .xform_req_ready_i(xform_req_ready),
     .xform_req_o(xform_req), .change_fires_i(change_fires), .change_i(change));
 
-  // What decides a node; a further structure has a branch here. Only box may take a node every few
-  // cycles, and rest in between.
-  logic decide_rests;
-  if (rc_pkg::Structure != rc_pkg::StructureBvh) begin : gen_never_rests
-    assign decide_rests = 1'b0;
-  end
-  if (rc_pkg::Structure == rc_pkg::StructureKd) begin : gen_treelet
-    rc_treelet u_treelet (
-      .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
-      .req_i(decide_req), .rsp_valid_o(decide_rsp_valid), .rsp_ready_i(decide_rsp_ready),
-      .rsp_o(decide_rsp));
-  end else if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_globe
-    rc_globe u_globe (
-      .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
-      .req_i(decide_req), .rsp_valid_o(decide_rsp_valid), .rsp_ready_i(decide_rsp_ready),
-      .rsp_o(decide_rsp));
-  end else if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_slant
-    rc_slant u_slant (
-      .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
-      .req_i(decide_req), .rsp_valid_o(decide_rsp_valid), .rsp_ready_i(decide_rsp_ready),
-      .rsp_o(decide_rsp));
-  end else begin : gen_box
-    rc_box u_box (
-      .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
-      .req_i(decide_req), .rests_o(decide_rests), .rsp_valid_o(decide_rsp_valid),
-      .rsp_ready_i(decide_rsp_ready), .rsp_o(decide_rsp));
+  // What decides a node. If there are two they share one door, which counts what is under way, so
+  // that their own are never closed.
+  logic open, decide_ready, decide_rests;
+  rc_decide #(.Pad(rc_pkg::NodePad)) u_decide (
+    .clk_i, .rst_ni, .req_valid_i(decide_req_valid && open), .req_ready_o(decide_ready),
+    .req_i(decide_req), .rests_o(decide_rests), .rsp_valid_o(decide_rsp_valid),
+    .rsp_o(decide_rsp));
+  assign decide_req_ready = decide_ready && open;
+  if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_one_structure
+    assign open = 1'b1;
+    assign rsp  = decide_rsp;
+    assign {mesh_req_ready, mesh_rsp_valid, mesh_rsp_ready, mesh_rsp, mesh_cause_o} = '0;
+    logic unused;
+    assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp};
+  end else begin : gen_two_structures
+    logic mesh_ready, mesh_rests;
+    rc_decide #(
+      .Structure(rc_pkg::MeshStructure), .ReqW(rc_pkg::MeshReqBits),
+      .Pad(rc_pkg::MeshPad)
+    ) u_mesh (
+      .clk_i, .rst_ni, .req_valid_i(mesh_req_valid && open), .req_ready_o(mesh_ready),
+      .req_i(mesh_req), .rests_o(mesh_rests), .rsp_valid_o(mesh_rsp_valid), .rsp_o(mesh_rsp));
+    assign mesh_req_ready = mesh_ready && open;
+    assign mesh_rsp_ready = decide_rsp_ready;
+    assign rsp            = mesh_rsp_valid ? mesh_rsp : decide_rsp;
+    rc_door #(.Credits(rc_pkg::BoxQueue)) u_door (
+      .clk_i, .rst_ni,
+      .admit_i((decide_req_valid && decide_req_ready) || (mesh_req_valid && mesh_req_ready)),
+      .leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));
+    always_comb begin
+      if (mesh_rests) mesh_cause_o = rc_pkg::DecideBusyWork;
+      else if (mesh_req_valid)
+        mesh_cause_o = mesh_req_ready ? rc_pkg::DecideBusyWork : rc_pkg::DecideStalledTrav;
+      else
+        mesh_cause_o = node_waits_i ? rc_pkg::DecideStarvedMemory : rc_pkg::DecideStarvedTrav;
+    end
+`ifndef SYNTHESIS
+    a_one_answer: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                   !(decide_rsp_valid && mesh_rsp_valid))
+      else $error("two nodes are decided in one cycle");
+`endif
   end
 
   // What takes an instance, if there are two levels.

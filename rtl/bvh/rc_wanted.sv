@@ -4,12 +4,13 @@
 // in a fast chip, else in the same cycle.
 `default_nettype none
 module rc_wanted #(
+  parameter  int unsigned Structure = rc_pkg::Structure,
+  parameter  int unsigned KeptW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits,
   localparam int unsigned I  = rc_pkg::RayBits,
   localparam int unsigned OW = rc_pkg::OriginWidth,
   localparam int unsigned M  = rc_pkg::RayDirBits,
   localparam int unsigned R1 = rc_pkg::RecipBits + 1,
-  localparam int unsigned E  = rc_pkg::ExpBits,
-  localparam int unsigned KeptW = rc_pkg::NodeReqBits - rc_pkg::NodeBits - rc_pkg::RayBits
+  localparam int unsigned E  = rc_pkg::ExpBits
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
@@ -24,13 +25,13 @@ module rc_wanted #(
   output logic [I-1:0]     ray_o,
   output logic [KeptW-1:0] kept_o    // the origin is highest
 );
-  if (rc_pkg::Structure == rc_pkg::StructureSpheres) begin : gen_toward
+  if (Structure == rc_pkg::StructureSpheres) begin : gen_toward
     rc_toward u_toward (
       .clk_i, .rst_ni, .valid_i, .ray_i, .o_i, .d_i, .short_i, .valid_o, .ray_o, .kept_o);
   end else begin : gen_now
     assign valid_o = valid_i;
     assign ray_o   = ray_i;
-    if (rc_pkg::Structure == rc_pkg::StructureBsp) begin : gen_along
+    if (Structure == rc_pkg::StructureBsp) begin : gen_along
       logic [3*M-1:0] along;
       for (genvar k = 0; k < 3; k++) begin : gen_axis
         assign along[k*M +: M] = d_i[k*M +: M] << (short_i ? M - rc_pkg::DirBits : 0);

@@ -76,7 +76,7 @@ module rc_treelet (
     .met_i(box_met), .met_o(met), .near_o(near_t));
 
   logic [rc_pkg::TreeletRspW-1:0] rsp;
-  rc_answer #(.Latency(L)) u_answer (
+  rc_answer #(.Latency(L), .Exits(1'b1)) u_answer (
     .clk_i, .rst_ni, .moves_i(valid[L-1:0]), .ray_i(in.ray), .base_i(in.base), .kind_i(in.kind),
     .met_i(met), .near_i(near_t), .end_valid_i(valid_q[L-1]),
     .rsp_valid_o, .rsp_ready_i, .rsp_o(rsp));

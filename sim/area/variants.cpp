@@ -22,7 +22,7 @@ bool shades(const Config& c) { return c.shading != 0; }
 bool has_l2(const Config& c) { return c.l2_sets > 0; }
 bool has_nodes(const Config& c) { return !c.is_list(); }
 bool lists(const Config& c) { return c.is_list(); }
-bool has_boxes(const Config& c) { return c.is_bvh(); }
+bool has_boxes(const Config& c) { return c.has_boxes(); }
 bool has_treelets(const Config& c) { return c.has_treelets(); }
 bool has_globes(const Config& c) { return c.has_globes(); }
 bool has_slants(const Config& c) { return c.has_slants(); }

@@ -80,9 +80,8 @@ Film::Film(Request request, const FramesOptions& options, bool view_is_asked, Fr
         prepare_flat();
     if (is_double_ && !levels_)
         throw UserError(
-            "--uploads double needs a scene's tree apart from what does not move: levels=2, and instances "
-            "that "
-            "are not sheared or flattened");
+            "--uploads double needs a scene's tree apart from what does not move: levels=2, instances that "
+            "are not sheared or flattened, and below planes no meshes that deform");
 }
 
 Camera Film::camera_of(std::size_t f, const std::optional<Camera>& moving) const {
@@ -101,7 +100,6 @@ void Film::prepare_levels() {
         for (const Deforming& deforming : placed_.motion.deforming)
             grow(shapes[deforming.mesh], placed_.meshes[deforming.mesh]);
     }
-    if (!placed_.motion.deforming.empty() && !Refit::serves(request_.config)) return;
     levels_ = MovingLevels::make(placed_, times, eyes, is_double_ ? 2 : 1, request_.config, shapes);
 }
 

@@ -80,7 +80,8 @@ std::string host_constants(const Config& config) {
         (u < pipeline_units ? pipeline : shared).push_back(is_there(Unit(u), config));
     text += constant("TallyBits", tally_bits) + constant("PipelineUnits", pipeline_units);
     text += constant("XformUnit", std::uint32_t(index(Unit::xform)));
-    text += constant("DecideUnit", std::uint32_t(index(node_unit(config).unit)));
+    text += constant("DecideUnit", std::uint32_t(index(node_unit(config.engine()).unit)));
+    text += constant("MeshUnit", std::uint32_t(index(node_unit(config.lower_engine()).unit)));
     text += constant("SharedUnits", shared_units) + list("PipelineUnitsThere", pipeline, 1);
     return text + list("SharedUnitsThere", shared, 1);
 }
@@ -111,8 +112,9 @@ public:
     void parameters() {
         for (const Parameter& p : rayclock::parameters())
             if (is_for_rtl(p.key))
-                constant(camel(p.key),
-                         p.member == &Config::structure ? int(config_.engine()) : config_.*p.member);
+                constant(camel(p.key), p.member == &Config::structure        ? int(config_.engine())
+                                       : p.member == &Config::mesh_structure ? int(config_.lower_engine())
+                                                                             : config_.*p.member);
         constant("NodeWords", config_.node_line / line_bytes);
         constant("PrimWords", config_.prim_line / line_bytes);
         constant("SurfWords", config_.surf_line / line_bytes);
@@ -229,11 +231,11 @@ void derived(Package& p, const Config& c) {
     p.constant("CountBits", count_bits);
     p.constant("GlobeBits", globe_bits);
     p.constant("TowardBits", toward_bits);
-    Config nodes = c;
-    nodes.levels = 1;
-    p.constant("NodeBits", bits_of<NodeRsp>(nodes) - c.ray_bits());
+    p.constant("NodeBits", node_bits(c, c.engine()));   // of the scene's tree, and of meshes'
+    p.constant("MeshNodeBits", node_bits(c, c.lower_engine()));
     p.constant("NodePartBits", bits_of<NodeRsp>(c) - c.ray_bits());   // of a line, in the node cache
-    p.constant("NodeReqBits", bits_on(node_unit(c).req, c));
+    p.constant("NodeReqBits", bits_on(node_unit(c.engine()).req, c));
+    p.constant("MeshReqBits", bits_on(node_unit(c.lower_engine()).req, c));
     p.constant("LineKindBits", line_kind_bits);
     p.constant("MapFrac", c.map_frac());
     p.constant("MapBits", c.map_bits());
@@ -282,6 +284,8 @@ void derived(Package& p, const Config& c) {
     p.constant("TreeletLatency", c.treelet_latency());
     p.constant("GlobeLatency", c.globe_latency());
     p.constant("SlantLatency", c.slant_latency());
+    p.constant("NodePad", c.node_latency() - c.node_latency(c.engine()));   // of answers that wait
+    p.constant("MeshPad", c.node_latency() - c.node_latency(c.lower_engine()));
     p.constant("XformLatency", c.xform_latency());
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeStages", stages.pass);

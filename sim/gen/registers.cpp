@@ -85,7 +85,8 @@ std::vector<HostParameter> host_parameters(const Config& c) {
             {"supersampling", u(c.supersampling)},
             {"lights", u(c.shading ? c.lights : 0)},
             {"bounces", u(c.shading ? c.bounces : 0)},
-            {"structure", u(int(c.engine()))}};
+            {"structure", u(int(c.engine()))},
+            {"mesh_structure", u(int(c.lower_engine()))}};
 }
 
 std::vector<FrameWord> frame_words(const Config& config) {

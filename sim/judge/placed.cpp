@@ -180,7 +180,7 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
         if (seen > image.lines()) return faults_.push_back("the scene's tree in memory does not end");
         const std::uint32_t* const words = image.line(at);
         if (line_kind(words) == LineKind::scene_node) {
-            with_node(config_, [&]<class Line>(const Line&) {
+            with_node(config_.engine(), [&]<class Line>(const Line&) {
                 const Line node = unpack<Line>(words, config_);
                 std::uint32_t next = node.base;
                 for (std::size_t i = 0; i < std::size_t(config_.node_width); ++i)
@@ -197,7 +197,7 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
         }
         of_line_[at] = std::uint32_t(placed - instances_.begin());
         // Cells of planes have each instance that reaches into them, and all its lines are alike.
-        if (config_.has_planes() && !placed->found.empty() && placed->found[0] == map) continue;
+        if (config_.upper().has_planes() && !placed->found.empty() && placed->found[0] == map) continue;
         placed->line = map.here;
         placed->found.push_back(map);
     }

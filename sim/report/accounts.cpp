@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "model/core/links.hpp"
 #include "model/mem/dram_parts.hpp"
 #include "model/mem/frame_buffer.hpp"
 
@@ -75,10 +76,11 @@ double peak_bytes_per_second(const Config& config, int khz) {
 
 Bound bound_of(const Config& config, int khz, const FrameRun& run) {
     Bound bound;
-    const std::uint64_t tested = (run.visits - entered(config, run)) * std::uint64_t(config.box_interval());
-    bound.nodes = double(std::max(run.visits, tested)) / config.pipelines;
     bound.triangles = double(run.triangle_tests) * config.tri_interval / config.pipelines;
     // They rest busily.
+    std::uint64_t nodes = run.visits;
+    for (const NodeUnit& u : node_units) nodes = std::max(nodes, run.accounts.units[index(u.unit)][0]);
+    bound.nodes = double(nodes) / config.pipelines;
     bound.passes = double(run.accounts.units[index(Unit::shade)][0]) / config.pipelines;
     bound.rays = double(run.accounts.units[index(Unit::raygen)][0]) / config.pipelines;
     // The screen takes its share of the memory's time; what the chip and its pixels ask for needs the rest.

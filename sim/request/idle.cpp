@@ -6,6 +6,8 @@ namespace rayclock {
 
 namespace {
 
+bool has_octree(const Config& c) { return c.upper().is_octree() || c.lower().is_octree(); }
+
 /// Parameters of a part that is there only if another parameter says so.
 struct Part {
     const char* decider;
@@ -20,13 +22,14 @@ const std::vector<Part>& parts() {
         {"structure",
          [](const Config& c) { return !c.is_list(); },
          {"node_sets", "node_ways", "node_line", "node_mshrs", "box_queue", "stack_depth"}},
-        {"structure", [](const Config& c) { return c.is_octree() || c.has_slants(); }, {"straddlers"}},
+        {"structure", [](const Config& c) { return has_octree(c) || c.has_slants(); }, {"straddlers"}},
         {"structure", [](const Config& c) { return c.has_planes(); }, {"references"}},
-        {"structure", [](const Config& c) { return c.is_bvh(); }, {"box_bits", "box_lanes", "splits"}},
+        {"structure", [](const Config& c) { return c.has_boxes(); }, {"box_bits", "box_lanes"}},
+        {"structure", [](const Config& c) { return c.is_bvh(); }, {"splits"}},
         {"structure",
-         [](const Config& c) { return c.is_bvh() || c.has_globes() || c.is_octree(); },
+         [](const Config& c) { return c.has_boxes() || c.has_globes() || has_octree(c); },
          {"leaf_size"}},
-        {"levels", [](const Config& c) { return c.has_instances(); }, {"xform_interval"}},
+        {"levels", [](const Config& c) { return c.has_instances(); }, {"xform_interval", "mesh_structure"}},
         {"shading",
          [](const Config& c) { return c.shading != 0; },
          {"origin_bits", "lights", "bounces", "shade_queue", "shade_interval", "surf_sets", "surf_ways",

@@ -34,13 +34,17 @@ std::string port_line(const std::string& module, const PortSpec& p) {
 }
 
 /// Where a pipeline's link shows: in the engine, under a name that does not depend on the unit that decides
-/// nodes, or in rc_pipeline, at a port if one end lies outside, else as a net.
-PortSpec pipeline_tap(const LinkInfo& link, const std::string& path, const std::string& index) {
+/// the nodes of a level, or in rc_pipeline, at a port if one end lies outside, else as a net.
+PortSpec pipeline_tap(const LinkInfo& link, const Config& config, const std::string& path,
+                      const std::string& index) {
     const bool inside = link.of_engine();
     const Link number = Link(&link - link_infos.data());
-    const std::string name = asks_of_node(number)    ? "decide_req"
-                             : tells_of_node(number) ? "decide_rsp"
-                                                     : link.name;
+    const NodeUnit upper = node_unit(config.engine()), lower = node_unit(config.lower_engine());
+    const std::string name = number == upper.req   ? "decide_req"
+                             : number == upper.rsp ? "decide_rsp"
+                             : number == lower.req ? "mesh_req"
+                             : number == lower.rsp ? "mesh_rsp"
+                                                   : link.name;
     const bool comes_in = !is_of_pipeline(link.from), goes_out = !is_of_pipeline(link.to);
     const std::string in = comes_in ? "_i" : goes_out ? "_o" : "", back = goes_out ? "_i" : "";
     const bool fires = link.flow == Flow::fires;
@@ -62,7 +66,7 @@ std::vector<PortSpec> taps_of_chip(const Config& config) {
                           path = fmt::format(".u_top.gen_pipeline[{}].u_pipeline", p);
         for (const LinkInfo& link : link_infos)
             if (link.of_pipeline() && is_there(link.when, config))
-                taps.push_back(pipeline_tap(link, path, index));
+                taps.push_back(pipeline_tap(link, config, path, index));
     }
     if (config.l2_sets == 0) return taps;
     const std::string l2 = ".u_top.gen_shared.u_l2";

@@ -38,9 +38,9 @@ mutant(model_sched_keeps_the_last_frames_pixel FILE model/sched/sched.hpp WITH t
   OLD [[        height_ = frame.height;
         look();]]
   NEW [[        height_ = frame.height;]])
-mutant(model_blames_trav FILE model/pipeline.inl WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
-  OLD [[progress(Link::box_req) + 3 * node_cache_.waits()]]
-  NEW [[progress(Link::box_req) + 3 * !node_cache_.waits()]])
+mutant(model_blames_trav FILE model/pipeline.hpp WITH tests/unit/machine_test.cpp model/machine.cpp model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
+  OLD [[(own & req.fires) + 3 * node_cache_.waits())]]
+  NEW [[(own & req.fires) + 3 * !node_cache_.waits())]])
 mutant(model_box_rests_too_long FILE model/pipeline.cpp TEST unit "model and rtl of the machine count the same"
   OLD [[box_rests_(std::uint32_t(config.box_interval() - 1))]]
   NEW [[box_rests_(std::uint32_t(config.box_interval()))]])

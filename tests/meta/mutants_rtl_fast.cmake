@@ -123,7 +123,7 @@ mutant(list_keeps_an_answer_for_another_ray FILE rtl/list/rc_list.sv TEST unit [
   NEW [[.clk_i, .write_i(it_closer), .write_addr_i(came.ray), .write_data_i(it_best),]])
 mutant(contexts_answer_for_another_ray FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
   OLD [[.write_i(answers), .write_addr_i(answer_ray),]]
-  NEW [[.write_i(answers), .write_addr_i(closest_ray_i),]])
+  NEW [[.write_i(answers), .write_addr_i(answer_ray & closest_ray_i),]])
 mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
   OLD [[if (read_i) read_fresh_q <= all_fresh[read_ray_i];]]
   NEW [[if (read_i) read_fresh_q <= all_fresh[write_ray_i];]])

@@ -177,6 +177,7 @@ TEST_CASE("machines without a tree that can be refitted make all of it anew, and
 
 TEST_CASE("model and RTL draw the same film of a mesh that deforms", "[motion][deform_rtl]") {
     std::vector<Config> all = chips();
+    std::erase_if(all, [](const Config& c) { return c.upper().has_planes(); });   // compiled anew
     all.push_back(quick_config("default"));
     all.push_back(quick_config("narrow"));
     const Config config = GENERATE_COPY(from_range(all));

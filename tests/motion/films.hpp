@@ -14,9 +14,12 @@ inline Config two(const std::string& name, int interval, const Values& more = {}
 
 /// Formats and paths; each its own RTL, and the same as those of two levels elsewhere.
 inline std::vector<Config> chips() {
-    return {two("default", 2), two("small", 4),
+    return {two("default", 2),
+            two("small", 4),
             two("small", 1, {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
-            two("narrow", 4), two("broad", 2)};
+            two("narrow", 4),
+            two("broad", 2),
+            two("small", 2, {{"structure", int(Structure::kd)}, {"mesh_structure", 1}})};   // over boxes
 }
 
 inline FramesOptions frames_of(int frames, double fps, const std::string& uploads = "between") {

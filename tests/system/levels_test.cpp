@@ -22,19 +22,34 @@ Config of(const std::string& name, Structure structure, int interval, Values mor
     return two(name, interval, more);
 }
 
+/// Value of mesh_structure.
+int mesh(Structure structure) {
+    const auto& names = mesh_structure_names();
+    return int(std::find(names.begin(), names.end(), structure_names()[std::size_t(structure)]) -
+               names.begin());
+}
+const Values fast{{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}};
+Config both(const std::string& name, Structure upper, Structure lower, int interval, Values more = {}) {
+    more.insert(more.begin(), {"mesh_structure", mesh(lower)});
+    return of(name, upper, interval, more);
+}
+
 /// Formats, structures, intervals and paths: each its own RTL.
 const std::vector<Config>& chips() {
     static const std::vector<Config> all{
         two("default", 2),
         two("small", 4),
-        two("small", 1, {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
+        two("small", 1, fast),
         two("narrow", 4),
         two("broad", 2),
         of("small", Structure::kd, 2),
         of("default", Structure::spheres, 1),
-        of("small", Structure::spheres, 4,
-           {{"timing", 1}, {"raygen_queue", 32}, {"box_queue", 32}, {"tri_queue", 64}}),
-        of("small", Structure::bsp, 2)};
+        of("small", Structure::spheres, 4, fast),
+        of("small", Structure::bsp, 2),
+        both("small", Structure::bvh, Structure::kd, 2, {{"box_lanes", 1}}),         // the upper unit rests,
+        both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // and the lower one
+        both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // a door that closes
+        both("small", Structure::bsp, Structure::spheres, 4, fast)};
     return all;
 }
 
@@ -48,7 +63,8 @@ TEST_CASE("the RTL of two levels builds", "[.build]") {
 
 TEST_CASE("model and RTL walk instances alike", "[levels]") {
     const Config config = GENERATE(from_range(chips()));
-    INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << ", every "
+    INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << " over "
+                     << structure_names()[std::size_t(config.lower_structure())] << ", every "
                      << config.xform_interval);
     const Shot shot = make_deep_shot("gearbox:1", {32, 24}, config);
     check_lockstep(shot.job);
@@ -57,20 +73,23 @@ TEST_CASE("model and RTL walk instances alike", "[levels]") {
     check_lockstep(make_deep_shot("teapot:3", small, config).job);   // one instance, the scene itself
 }
 
-TEST_CASE("two levels of any structure hit the same, bit for bit", "[levels]") {
-    const auto answers = [](Structure structure) {
-        return run_model(make_shot("gearbox:4", {40, 30}, of("default", structure, 2)).job).answers;
+TEST_CASE("two levels of any two structures hit the same, bit for bit", "[levels]") {
+    const auto answers = [](Structure upper, Structure lower) {
+        return run_model(make_shot("gearbox:4", {40, 30}, both("default", upper, lower, 2)).job).answers;
     };
-    const std::vector<Closest> right = answers(Structure::bvh);
-    for (const Structure structure : {Structure::kd, Structure::octree, Structure::spheres, Structure::bsp}) {
-        const std::vector<Closest> got = answers(structure);
+    const std::vector<Closest> right = answers(Structure::bvh, Structure::bvh);
+    const Structure upper =
+        GENERATE(Structure::bvh, Structure::kd, Structure::octree, Structure::spheres, Structure::bsp);
+    for (const Structure lower :
+         {Structure::bvh, Structure::kd, Structure::octree, Structure::spheres, Structure::bsp}) {
+        const std::vector<Closest> got = answers(upper, lower);
         REQUIRE(got.size() == right.size());
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < got.size(); ++i) {
             const Closest &a = got[i], &b = right[i];
             wrong += a.found != b.found || a.prim != b.prim || a.t != b.t || a.u != b.u || a.v != b.v;
         }
-        INFO(structure_names()[std::size_t(structure)]);
+        INFO(structure_names()[std::size_t(upper)] << " over " << structure_names()[std::size_t(lower)]);
         CHECK(wrong == 0);
     }
 }

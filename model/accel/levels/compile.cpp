@@ -23,18 +23,20 @@ public:
                    const std::string& name, LevelsImage& out)
         : parts_(parts), materials_(materials), config_(config), name_(name), out_(out), image_(out.image) {}
 
-    void run(int buffers) {
+    void run(int buffers, const UpperRoom& room) {
         buffers_ = std::max(buffers, 1);
         lowers_.resize(out_.maps.classes.size());
         out_.rooms.assign(lowers_.size(), 0), out_.surfaces.assign(lowers_.size(), 0);
         for (std::size_t c = 0; c < lowers_.size(); ++c) compile_class(c);
         gather_entries();
         if (buffers > 0) {   // room for as many trees, whatever they look like
-            out_.upper_lines = aligned(most_upper_lines(out_.entries.size()));
+            out_.upper_lines = aligned(room(out_.entries));
             image_.words.resize(std::size_t(out_.upper_lines) * std::size_t(buffers) * words_per_line, 0);
         }
         std::vector<PlacedEntry> placed;
-        const UpperReport report = write_upper(out_.entries, 0, true, config_, name_, image_.words, placed);
+        const UpperReport report =
+            write_upper(out_.entries, 0, true, config_.upper(), name_, image_.words, placed);
+        image_.meshes = image_.lines();
         append_lowers();
         image_.surfaces = image_.lines();
         for (std::size_t e = 0; e < out_.entries.size(); ++e) complete(out_.entries[e], out_.of_entry[e]);
@@ -88,7 +90,7 @@ private:
         if (made.deforms)
             out_.rooms[c] = aligned(std::uint32_t(
                 std::min<std::uint64_t>(Refit::most_lines(prims.size()), std::uint64_t(1) << max_addr_bits)));
-        if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_, name_);
+        if (!prims.empty()) lowers_[c] = compile_triangles(prims, config_.lower(), name_);
     }
 
     /// Lower structures behind the scene's tree.
@@ -100,7 +102,7 @@ private:
             check_lines(std::uint64_t(root) + lowers_[c].lines(), config_, name_);
             image_.words.insert(image_.words.end(), lowers_[c].words.begin(), lowers_[c].words.end());
             image_.report.nodes += lowers_[c].report.nodes;
-            with_node(config_, [&]<class Line>(const Line&) { move_nodes<Line>(root); });
+            with_node(config_.lower_engine(), [&]<class Line>(const Line&) { move_nodes<Line>(root); });
             make_room(c, root);
         }
     }
@@ -295,13 +297,13 @@ void check_levels(const PlacedScene& scene, const Config& config, const std::str
 }
 
 void compile_parts(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
-                   const std::string& name, int buffers, LevelsImage& out) {
+                   const std::string& name, int buffers, const UpperRoom& room, LevelsImage& out) {
     out.image.lattice = out.maps.lattice;
     auto lattices = std::make_shared<LevelLattices>();
     for (const MeshClass& made : out.maps.classes) lattices->classes.push_back({made.lattice, made.before});
     for (const InstanceMap& map : out.maps.instances) lattices->of_instance.push_back(map.mesh_class);
     out.image.levels = std::move(lattices);
-    LevelsCompiler(parts, materials, config, name, out).run(buffers);
+    LevelsCompiler(parts, materials, config, name, out).run(buffers, room);
     out.image.report.pitch = out.maps.lattice.pitch;
 }
 
@@ -320,7 +322,7 @@ LevelsImage compile_levels(const PlacedScene& scene, const glm::dvec3& eye, cons
     const LevelParts parts = parts_of(scene, own);
     LevelsImage out;
     out.maps = map_instances(parts, eye, config);
-    compile_parts(parts, scene.own.materials, config, name, 0, out);
+    compile_parts(parts, scene.own.materials, config, name, 0, {}, out);
     out.image.report.seconds = watch.seconds();
     return out;
 }

@@ -1,5 +1,7 @@
 #pragma once
 // Scene compilation in two levels: a tree over instances, and below it one for each mesh and class.
+#include <functional>
+
 #include "model/accel/levels/upper.hpp"
 
 namespace rayclock {
@@ -42,9 +44,11 @@ void check_need(int need, const Config& config, const std::string& name);
 std::vector<PrimData> snapped_triangles(const SharedMesh& mesh, const MeshClass& made, const Config& config);
 /// Their surfaces, as a scene whose unit is a step of the lattice.
 Scene class_surfaces(const SharedMesh& mesh, const MeshClass& made, const std::vector<Material>& materials);
+/// The most lines that the scene's tree over these entries will take.
+using UpperRoom = std::function<std::uint32_t(const std::vector<UpperEntry>&)>;
 /// The image of `out.maps`: `buffers` trees of the scene's level, of which the first is written, then the
-/// lower structures. 0 buffers: one tree, and no line too many.
+/// lower structures. 0 buffers: one tree, and no line too many; otherwise each has `room`.
 void compile_parts(const LevelParts& parts, const std::vector<Material>& materials, const Config& config,
-                   const std::string& name, int buffers, LevelsImage& out);
+                   const std::string& name, int buffers, const UpperRoom& room, LevelsImage& out);
 
 }   // namespace rayclock

@@ -1,6 +1,7 @@
 #include "model/accel/levels/moving.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "model/accel/encode.hpp"
 #include "model/accel/surfaces.hpp"
@@ -36,17 +37,35 @@ std::unique_ptr<MovingLevels> MovingLevels::make(const PlacedScene& scene, std::
     const std::string name = name_of(scene);
     const Config config = with_two_levels(given, name);
     check_levels(scene, config, name);
-    if (config.has_planes() || (!shapes.empty() && !Refit::serves(config))) return nullptr;
+    const bool deforms = !shapes.empty();
+    if (deforms && (config.upper().has_planes() || !Refit::serves(config.lower()))) return nullptr;
     const SharedMesh own = own_mesh(scene);
     std::optional<LevelMaps> maps = map_moving(parts_of(scene, own, shapes), times, eyes, config);
     if (!maps) return nullptr;
-    std::unique_ptr<MovingLevels> made(new MovingLevels(scene, std::move(*maps), buffers, config, shapes));
+    std::unique_ptr<MovingLevels> made(
+        new MovingLevels(scene, std::move(*maps), times, buffers, config, shapes));
     made->last_ = times[0];
     return made;
 }
 
-MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, int buffers, const Config& config,
-                           const ShapeBounds& shapes)
+/// A tree of boxes or globes has a bound. Of planes those of all frames are made: the largest is the room.
+std::uint32_t MovingLevels::room(const std::vector<UpperEntry>& entries, std::span<const Places> times) {
+    if (!config_.upper().has_planes()) return most_upper_lines(entries.size());
+    std::vector<InstanceMap>& maps = levels_.maps.instances;   // of which the entries tell
+    const std::vector<InstanceMap> now = maps;
+    std::uint32_t most = 0;
+    for (const Places& places : times) {
+        for (std::size_t i = 0; i < places.size(); ++i)
+            maps[i] = map_at(places[i], maps[i].mesh_class, levels_.maps, config_);
+        std::vector<std::uint32_t> words;
+        most = std::max(most, write_upper(entries, 0, false, config_.upper(), name_, words, placed_).lines);
+    }
+    std::copy(now.begin(), now.end(), maps.begin());
+    return most;
+}
+
+MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<const Places> times,
+                           int buffers, const Config& config, const ShapeBounds& shapes)
     : config_(config), name_(name_of(scene)), buffers_(buffers) {
     const Stopwatch watch;
     const SharedMesh own = own_mesh(scene);
@@ -59,9 +78,11 @@ MovingLevels::MovingLevels(const PlacedScene& scene, LevelMaps maps, int buffers
         const SharedMesh& mesh = *parts.meshes[made.mesh];
         take_shape(made, mesh, config_);
         followers_.push_back(
-            {c, made.mesh - before, std::uint32_t(mesh.triangles.size()), Refit(config_, name_)});
+            {c, made.mesh - before, std::uint32_t(mesh.triangles.size()), Refit(config_.lower(), name_)});
     }
-    compile_parts(parts, scene.own.materials, config_, name_, buffers, levels_);
+    compile_parts(
+        parts, scene.own.materials, config_, name_, buffers,
+        [&](const std::vector<UpperEntry>& entries) { return room(entries, times); }, levels_);
     levels_.image.report.seconds = watch.seconds();
     // What is there now comes with the first frame.
     std::fill_n(levels_.image.words.begin(), std::size_t(levels_.upper_lines) * words_per_line, 0u);
@@ -88,9 +109,12 @@ Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double
     }
     last_ = places;
     std::vector<std::uint32_t>& words = levels_.image.words;
-    const UpperReport report = write_upper(levels_.entries, root_, false, config_, name_, words, placed_);
+    const UpperReport report =
+        write_upper(levels_.entries, root_, false, config_.upper(), name_, words, placed_);
     write_entries(levels_.entries, placed_, config_, words);
     check_need(report.stack_need, config_, name_);
+    if (report.lines > levels_.upper_lines)
+        throw std::logic_error("a scene's tree takes more lines than any of its film");
     upload.nodes += report.nodes;
     upload.image = without_words(levels_.image);
     upload.image_lines = levels_.image.lines();

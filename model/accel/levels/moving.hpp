@@ -18,9 +18,10 @@ public:
     /// For frames at these times, in this order: where instances stand (places_of()) and the eye. With two
     /// buffers the scene's tree of a frame lies elsewhere than that of the frame before, which can be drawn
     /// while it is written. Null if an instance that moves is sheared or flattened so much that its mesh
-    /// would have to be written out, if planes cut the scene, for which no bound of the tree's lines is
-    /// known, and if meshes deform in globes, which are not refitted. Throws UserError as compile_levels()
-    /// does. `shapes`: by mesh of the scene, the bounds at these times if it deforms.
+    /// would have to be written out, and if meshes deform that are not held by boxes, which alone are
+    /// refitted, or that planes cut above, since it is not known what lines their scene's trees will take.
+    /// Throws UserError as compile_levels() does. `shapes`: by mesh of the scene, the bounds at these times
+    /// if it deforms.
     static std::unique_ptr<MovingLevels> make(const PlacedScene& scene, std::span<const Places> times,
                                               std::span<const glm::dvec3> eyes, int buffers,
                                               const Config& config, const ShapeBounds& shapes = {});
@@ -51,8 +52,9 @@ private:
         std::vector<std::uint32_t> held{};   ///< the words before
     };
 
-    MovingLevels(const PlacedScene& scene, LevelMaps maps, int buffers, const Config& config,
-                 const ShapeBounds& shapes);
+    MovingLevels(const PlacedScene& scene, LevelMaps maps, std::span<const Places> times, int buffers,
+                 const Config& config, const ShapeBounds& shapes);
+    std::uint32_t room(const std::vector<UpperEntry>& entries, std::span<const Places> times);
     void follow(const PlacedScene& scene, double rebuild, std::size_t buffer, Upload& upload);
     void draw(Follower& follower, const SharedMesh& mesh, const std::vector<Material>& materials,
               std::size_t buffer);

@@ -110,11 +110,16 @@ UpperReport write_upper(const std::vector<UpperEntry>& entries, std::uint32_t li
     for (const UpperEntry& entry : entries) boxes.push_back(entry.map->box);
     placed.clear();
     UpperLines lines(line, config, name, words);
-    if (config.has_planes()) return write_upper_cells(entries, boxes, lines, line, placed);
-    BinaryTree tree = build_tree(boxes);
-    if (thorough) optimise_tree(tree);
-    return config.has_globes() ? write_tree<Globes>(entries, tree, lines, line, placed)
-                               : write_tree<Boxes>(entries, tree, lines, line, placed);
+    const auto written = [&] {
+        if (config.has_planes()) return write_upper_cells(entries, boxes, lines, line, placed);
+        BinaryTree tree = build_tree(boxes);
+        if (thorough) optimise_tree(tree);
+        return config.has_globes() ? write_tree<Globes>(entries, tree, lines, line, placed)
+                                   : write_tree<Boxes>(entries, tree, lines, line, placed);
+    };
+    UpperReport report = written();
+    report.lines = lines.taken();
+    return report;
 }
 
 void write_entries(const std::vector<UpperEntry>& entries, const std::vector<PlacedEntry>& placed,

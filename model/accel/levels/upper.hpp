@@ -20,6 +20,7 @@ struct UpperEntry {
 struct UpperReport {
     std::uint64_t nodes = 0, leaves = 0;
     int depth = 0, stack_need = 0;   ///< with what is below
+    std::uint32_t lines = 0;
 };
 
 /// Where an entry stands.

@@ -11,10 +11,11 @@ public:
     /// Lines from `line` on; the root has the first.
     UpperLines(std::uint32_t line, const Config& config, const std::string& name,
                std::vector<std::uint32_t>& words)
-        : next_(line), config_(config), name_(name), words_(words) {
+        : first_(line), next_(line), config_(config), name_(name), words_(words) {
         take(1);
     }
     const Config& config() const { return config_; }
+    std::uint32_t taken() const { return next_ - first_; }
 
     /// So many lines more; returns the first.
     std::uint32_t take(std::size_t count) {
@@ -32,7 +33,7 @@ public:
     }
 
 private:
-    std::uint32_t next_;
+    std::uint32_t first_, next_;
     const Config& config_;
     const std::string& name_;
     std::vector<std::uint32_t>& words_;

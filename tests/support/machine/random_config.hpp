@@ -26,7 +26,7 @@ inline int most_of(const Parameter& p) {
 
 /// Legal configuration; every other value from a corner of its range. `single`: one that does not shade, on
 /// one pipeline. One pipeline, or one time in four two; a shared cache one time in three; two levels every
-/// other time where they can be.
+/// other time where they can be, of any two structures.
 inline Config random_config(std::uint64_t seed, bool single) {
     Rng rng(seed);
     const auto draw = [&](const Parameter& p, int hi) {
@@ -41,8 +41,9 @@ inline Config random_config(std::uint64_t seed, bool single) {
         Config config;
         config.name = "random " + std::to_string(seed);
         for (const Parameter& p : parameters())
-            if (p.member != &Config::levels && p.member != &Config::xform_interval &&
-                p.member != &Config::shade_interval && p.member != &Config::raygen_interval)
+            if (p.member != &Config::levels && p.member != &Config::mesh_structure &&
+                p.member != &Config::xform_interval && p.member != &Config::shade_interval &&
+                p.member != &Config::raygen_interval)
                 config.*p.member = draw(p, most_of(p));
         // Not below what the scenes need; from a source of their own.
         Rng widths(seed * 31 + 7);
@@ -64,6 +65,7 @@ inline Config random_config(std::uint64_t seed, bool single) {
         else
             config.spheres = config.planes = config.smooth = config.refraction = config.supersampling = 0;
         if (config.is_list() || config.is_sheared() || config.shading) config.levels = 1;
+        config.mesh_structure = config.has_instances() ? widths.below(int(mesh_structure_names().size())) : 0;
         try {
             check_config(config, config.name);
             return config;
