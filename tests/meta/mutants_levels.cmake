@@ -262,25 +262,25 @@ mutant(seams_may_be_a_tenth_apart FILE sim/cause/seam.cpp TEST system [cause][le
   NEW [[return share <= 0.1;]])
 
 # ---- Two structures: each level's nodes go to its own unit, and one answer comes in a cycle.
-mutant(rtl_mesh_node_goes_to_the_upper_unit FILE rtl/bvh/rc_trav.sv TEST system "model and RTL walk instances alike"
+mutant(rtl_mesh_node_goes_to_the_upper_unit FILE rtl/bvh/rc_trav.sv TEST system "model and RTL walk two structures alike"
   OLD [[assign mesh_req_valid_o   = node_rsp_valid_i && in_mesh;]]
   NEW [[assign mesh_req_valid_o   = node_rsp_valid_i && node_rsp_i.what == rc_pkg::LineSceneNode;]])
-mutant(rtl_quicker_unit_does_not_wait FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk instances alike"
+mutant(rtl_quicker_unit_does_not_wait FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk two structures alike"
   OLD [[.Pad(rc_pkg::MeshPad)]]
   NEW [[.Pad(rc_pkg::MeshPad / 2)]])
-mutant(rtl_two_units_have_two_doors FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk instances alike"
+mutant(rtl_two_units_have_two_doors FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk two structures alike"
   OLD [[.leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));]]
   NEW [[.leave_i(decide_rsp_valid), .open_o(open));]])
-mutant(rtl_both_units_rest FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk instances alike"
+mutant(rtl_both_units_rest FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk two structures alike"
   OLD [[assign mesh_req_ready = mesh_ready && open;]]
   NEW [[assign mesh_req_ready = mesh_ready && open && !decide_rests;]])
-mutant(rtl_exits_keep_the_order_of_boxes FILE rtl/bvh/rc_rank.sv TEST system "model and RTL walk instances alike"
+mutant(rtl_exits_keep_the_order_of_boxes FILE rtl/bvh/rc_rank.sv TEST system "model and RTL walk two structures alike"
   OLD [[Exits ? s0_lines : O'(2 * i)]]
   NEW [[(rc_pkg::Structure == rc_pkg::StructureKd) && Exits ? s0_lines : O'(2 * i)]])
-mutant(model_one_unit_rests_for_both FILE model/pipeline.inl TEST system "model and RTL walk instances alike"
+mutant(model_one_unit_rests_for_both FILE model/pipeline.inl TEST system "model and RTL walk two structures alike"
   OLD [[((box_rest_ == 0) | (m.low_asks != box_is_low_))]]
   NEW [[(box_rest_ == 0)]])
-mutant(model_counts_the_lower_unit_as_the_upper FILE model/pipeline.hpp TEST system "model and RTL walk instances alike"
+mutant(model_counts_the_lower_unit_as_the_upper FILE model/pipeline.hpp TEST system "model and RTL walk two structures alike"
   OLD [[const bool own = m.low_asks == low;]]
   NEW [[const bool own = m.low_asks == false || low;]])
 mutant(levels_compile_meshes_as_the_scene FILE model/accel/levels/compile.cpp TEST system "two levels of any two structures*"
@@ -289,3 +289,9 @@ mutant(levels_compile_meshes_as_the_scene FILE model/accel/levels/compile.cpp TE
 mutant(film_has_room_for_its_first_tree FILE model/accel/levels/moving.cpp TEST motion "frames of a film write*"
   OLD [[for (const Places& places : times) {]]
   NEW [[for (const Places& places : times.first(1)) {]])
+mutant(film_leaves_out_lines_of_zeros FILE model/accel/refit/flat.cpp TEST motion "the chip has what the host means*"
+  OLD [[{held.begin(), part(written_)}, upload);]]
+  NEW [[{held.begin(), part(tree)}, upload);]])
+mutant(film_writes_surfaces_once FILE model/accel/refit/flat.cpp TEST motion "a mesh that deforms has finished pictures*"
+  OLD [[take_differences(image_, tree_lines_,]]
+  NEW [[if (is_first) take_differences(image_, tree_lines_,]])

@@ -142,9 +142,13 @@ TEST_CASE("a mesh that deforms has finished pictures: its surfaces follow it", "
                                    with(named_config("default"), {{"levels", way.levels}}));
     request.finished = true;
     Film film(request, options(way.uploads, 1.5, 4), false, size);
+    MemoryImage memory;   // of the chip: what it was at the beginning, and what the host writes
     for (std::size_t f = 0; f < film.frames(); ++f) {
         film.next();
         const FrameTrace trace = film.record(1, {});
+        if (f == 0) memory = film.job().image;
+        apply(trace.upload, memory);
+        CHECK(record_trace(memory, trace.frame, film.job().config, 1).colours == trace.trace.colours);
         const WhittedFrame right =
             Reference(film.request().scene).whitted(film.camera(), size, request.settings, 1);
         Picture own{size, {}}, other{size, {}};

@@ -4,8 +4,11 @@
 
 #include "model/accel/decode.hpp"
 #include "model/accel/emit.hpp"
+#include "model/accel/encode.hpp"
+#include "model/accel/refit/flat.hpp"
 #include "model/accel/refit/refit.hpp"
 #include "model/accel/surfaces.hpp"
+#include "model/trace/decoder.hpp"
 #include "model/trace/record.hpp"
 #include "tests/accel/meshes.hpp"
 #include "tests/system/frames.hpp"
@@ -193,4 +196,55 @@ TEST_CASE("no tree takes more lines than there is room for", "[motion][refit]") 
             }
     }
     CHECK(Refit::most_lines(1) == 2);
+}
+
+namespace {
+
+/// Compares what a ray may read below a node: in the chip's memory as in the host's. Counts lines of zeros.
+void compare_below(std::uint32_t line, const Decoder& host, const MemoryImage& image,
+                   const MemoryImage& memory, std::size_t& zeros) {
+    REQUIRE(std::equal(image.line(line), image.line(line) + words_per_line, memory.line(line)));
+    const WideNode& node = host.below(line);
+    for (std::uint32_t i = 0; i < node.children; ++i) {
+        if (node.inner_mask >> i & 1) {
+            compare_below(node.base + node.offset[i] / 2, host, image, memory, zeros);
+            continue;
+        }
+        for (std::uint32_t k = 0; k < node.count[i]; ++k) {
+            const std::uint32_t prim = 2 * node.base + node.offset[i] + k, at = prim / 2;
+            REQUIRE(std::equal(image.half_line(prim), image.half_line(prim) + words_per_line / 2,
+                               memory.half_line(prim)));
+            zeros += std::all_of(image.line(at), image.line(at) + words_per_line,
+                                 [](std::uint32_t word) { return word == 0; });
+        }
+    }
+}
+
+}   // namespace
+
+TEST_CASE("the chip has what the host means, whatever its memory held, though a line be zeros",
+          "[motion][refit]") {
+    const Config config = named_config("default");
+    const Bounds box{glm::dvec3(-4), glm::dvec3(4)};
+    const glm::dvec3 eye(0);
+    std::size_t zeros = 0;
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+        INFO("seed " << seed);
+        Scene scene = soup(int(3 + seed % 20), 0.5, seed);
+        RefittedScene film(scene, box, std::span(&eye, 1), 0, config);
+        MemoryImage memory;
+        memory.words.assign(std::size_t(Refit::most_lines(scene.triangles.size())) * words_per_line,
+                            0x5a5a5a5a);
+        for (int f = 0; f < 4; ++f) {
+            const Upload upload = film.next(scene);
+            apply(upload, memory);
+            compare_below(0, Decoder(film.image(), config), film.image(), memory, zeros);
+            Draw draw{100 * seed + std::uint32_t(f)};
+            for (glm::dvec3& v : scene.vertices) v = 3.0 * draw.point();
+            // The lattice's centre, so that all numbers of the first triangle are 0.
+            for (const std::uint32_t v : scene.triangles[0].vertex)
+                scene.vertices[v] = film.image().lattice.centre;
+        }
+    }
+    CHECK(zeros > 3);
 }

@@ -51,6 +51,7 @@ const std::vector<Config>& chips() {
              {{"bary_bits", 12}, {"t_frac_bits", 2}, {"xform_interval", 4}, {"shade_interval", 8}}),
         chip("broad", false, {{"dir_bits", 20}}),
         chip("small", false, {{"structure", int(Structure::kd)}}),
+        chip("small", true, {{"structure", int(Structure::bvh)}, {"mesh_structure", 2}}),   // over kd
         chip("small", true, {{"structure", int(Structure::spheres)}}),
         chip("small", false,
              {{"structure", int(Structure::bsp)},

@@ -36,16 +36,21 @@ Config both(const std::string& name, Structure upper, Structure lower, int inter
 
 /// Formats, structures, intervals and paths: each its own RTL.
 const std::vector<Config>& chips() {
+    static const std::vector<Config> all{two("default", 2),
+                                         two("small", 4),
+                                         two("small", 1, fast),
+                                         two("narrow", 4),
+                                         two("broad", 2),
+                                         of("small", Structure::kd, 2),
+                                         of("default", Structure::spheres, 1),
+                                         of("small", Structure::spheres, 4, fast),
+                                         of("small", Structure::bsp, 2)};
+    return all;
+}
+
+/// Of two structures.
+const std::vector<Config>& two_engines() {
     static const std::vector<Config> all{
-        two("default", 2),
-        two("small", 4),
-        two("small", 1, fast),
-        two("narrow", 4),
-        two("broad", 2),
-        of("small", Structure::kd, 2),
-        of("default", Structure::spheres, 1),
-        of("small", Structure::spheres, 4, fast),
-        of("small", Structure::bsp, 2),
         both("small", Structure::bvh, Structure::kd, 2, {{"box_lanes", 1}}),         // the upper unit rests,
         both("default", Structure::octree, Structure::bvh, 1, {{"box_lanes", 2}}),   // and the lower one
         both("small", Structure::spheres, Structure::bsp, 2, {{"box_queue", 4}}),    // a door that closes
@@ -57,12 +62,13 @@ const std::vector<Config>& chips() {
 
 TEST_CASE("the RTL of two levels builds", "[.build]") {
     std::vector<RtlJob> jobs;
-    for (const Config& config : chips()) jobs.push_back({"rc_chip", config.name + ", two levels", config});
+    for (const auto& some : {chips(), two_engines()})
+        for (const Config& config : some) jobs.push_back({"rc_chip", config.name + ", two levels", config});
     REQUIRE_NOTHROW(build_all(jobs));
 }
 
-TEST_CASE("model and RTL walk instances alike", "[levels]") {
-    const Config config = GENERATE(from_range(chips()));
+namespace {
+void check_gearboxes(const Config& config) {
     INFO(config.name << ", " << structure_names()[std::size_t(config.structure)] << " over "
                      << structure_names()[std::size_t(config.lower_structure())] << ", every "
                      << config.xform_interval);
@@ -71,6 +77,15 @@ TEST_CASE("model and RTL walk instances alike", "[levels]") {
     const FrameSize small{12, 9};
     check_lockstep(make_deep_shot("gearbox:2", small, config).job, {9, 30, 77}, 77);
     check_lockstep(make_deep_shot("teapot:3", small, config).job);   // one instance, the scene itself
+}
+}   // namespace
+
+TEST_CASE("model and RTL walk instances alike", "[levels]") {
+    check_gearboxes(GENERATE(from_range(chips())));
+}
+
+TEST_CASE("model and RTL walk two structures alike", "[levels]") {
+    check_gearboxes(GENERATE(from_range(two_engines())));
 }
 
 TEST_CASE("two levels of any two structures hit the same, bit for bit", "[levels]") {

@@ -118,7 +118,7 @@ Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double
     upload.nodes += report.nodes;
     upload.image = without_words(levels_.image);
     upload.image_lines = levels_.image.lines();
-    for (const Region& region : regions_) take_region(region, upload);
+    for (const Region& region : regions_) take_region(region, buffer, upload);
     upload.beside = buffers_ > 1 && frame_ > 0;
     upload.resets = !upload.lines.empty() && is_read_[buffer];
     if (upload.resets) is_read_.fill(false);
@@ -131,28 +131,32 @@ Upload MovingLevels::next(const Places& places, const PlacedScene* scene, double
 /// What the memory holds where the frame's trees will lie.
 void MovingLevels::hold(std::size_t buffer) {
     const bool is_new = frame_ < std::size_t(buffers_);
-    const auto part = [&](std::uint32_t first, std::uint32_t lines, const Refit* tree) {
+    const auto part = [&](std::uint32_t first, std::uint32_t lines, Follower* follower) {
+        const std::uint32_t known = follower ? follower->written[buffer] : lines;
         const auto begin = levels_.image.words.begin() + std::ptrdiff_t(std::size_t(first) * words_per_line),
-                   end = begin + std::ptrdiff_t(std::size_t(lines) * words_per_line);
-        regions_.push_back({first, lines, is_new && first != root_, tree, {begin, end}});
+                   end = begin + std::ptrdiff_t(std::size_t(known) * words_per_line);
+        regions_.push_back({first, lines, is_new && first != root_, follower, {begin, end}});
     };
     regions_.clear();
     part(root_, levels_.upper_lines, nullptr);
-    for (const Follower& follower : followers_) {
+    for (Follower& follower : followers_) {
         const std::uint32_t c = follower.mesh_class, room = levels_.rooms[c], count = follower.triangles;
         if (levels_.roots[c] == 0) continue;
-        part(levels_.roots[c] + std::uint32_t(buffer) * room, room, &follower.tree);
+        part(levels_.roots[c] + std::uint32_t(buffer) * room, room, &follower);
         if (config_.shading) part(levels_.surfaces[c] + std::uint32_t(buffer) * count, count, nullptr);
     }
     std::sort(regions_.begin(), regions_.end(),
               [](const Region& a, const Region& b) { return a.first < b.first; });
 }
 
-/// What follows a mesh comes whole with the first frame that reads it, whatever the memory held; a line of it
-/// may be all zeros.
-void MovingLevels::take_region(const Region& region, Upload& upload) const {
-    const std::uint32_t lines =
-        region.is_new && region.tree ? std::uint32_t(region.tree->report().bytes / line_bytes) : region.lines;
+/// What follows a mesh comes whole with the first frame that reads it, whatever the memory held: a line of it
+/// may be all zeros. So do lines that only a longer tree reaches.
+void MovingLevels::take_region(const Region& region, std::size_t buffer, Upload& upload) const {
+    std::uint32_t lines = region.lines;
+    if (Follower* const follower = region.follower) {
+        std::uint32_t& written = follower->written[buffer];
+        lines = written = std::max(written, std::uint32_t(follower->tree.report().bytes / line_bytes));
+    }
     take_differences(levels_.image, region.first, lines,
                      region.is_new ? std::vector<std::uint32_t>{} : region.held, upload);
 }

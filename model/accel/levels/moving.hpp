@@ -43,12 +43,13 @@ private:
     struct Follower {
         std::uint32_t mesh_class = 0, mesh = 0, triangles = 0;   ///< mesh: of the scene
         Refit tree;
+        std::array<std::uint32_t, 2> written{};   ///< by buffer: lines from its root on that the memory has
     };
     /// Lines that a frame may write.
     struct Region {
         std::uint32_t first = 0, lines = 0;
         bool is_new = false;                 ///< the memory may hold anything there
-        const Refit* tree = nullptr;         ///< that lies there, if it follows a mesh
+        Follower* follower = nullptr;        ///< whose tree lies there, if it follows a mesh
         std::vector<std::uint32_t> held{};   ///< the words before
     };
 
@@ -59,7 +60,7 @@ private:
     void draw(Follower& follower, const SharedMesh& mesh, const std::vector<Material>& materials,
               std::size_t buffer);
     void hold(std::size_t buffer);
-    void take_region(const Region& region, Upload& upload) const;
+    void take_region(const Region& region, std::size_t buffer, Upload& upload) const;
     Upload next(const Places& places, const PlacedScene* scene, double rebuild);
 
     Config config_;

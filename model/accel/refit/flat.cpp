@@ -82,14 +82,17 @@ Upload RefittedScene::next(const Scene& given) {
     return upload;
 }
 
-/// What is not as it was. The first frame writes the tree and the surfaces, and leaves out the room behind
-/// the tree: nobody reads there.
-void RefittedScene::take_changes(const std::vector<std::uint32_t>& held, Upload& upload) const {
-    const auto room = std::ptrdiff_t(std::size_t(tree_lines_) * words_per_line);
+/// What is not as it was. A tree leaves out the room behind it: nobody reads there, and the memory may hold
+/// anything there until a tree reaches so far.
+void RefittedScene::take_changes(const std::vector<std::uint32_t>& held, Upload& upload) {
     const bool is_first = held.empty();
-    const auto tree = is_first ? std::uint32_t(tree_.report().bytes / line_bytes) : tree_lines_;
-    take_differences(image_, 0, tree, held, upload);
-    const std::vector<std::uint32_t> surfaces(is_first ? held.end() : held.begin() + room, held.end());
+    const auto part = [&](std::uint32_t line) {
+        return held.begin() + (is_first ? 0 : std::ptrdiff_t(std::size_t(line) * words_per_line));
+    };
+    const auto tree = std::max(written_, std::uint32_t(tree_.report().bytes / line_bytes));
+    take_differences(image_, 0, tree, {held.begin(), part(written_)}, upload);
+    written_ = tree;
+    const std::vector<std::uint32_t> surfaces(part(tree_lines_), held.end());
     take_differences(image_, tree_lines_, image_.lines() - tree_lines_, surfaces, upload);
 }
 

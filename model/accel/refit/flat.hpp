@@ -24,13 +24,14 @@ public:
 
 private:
     std::vector<PrimData> snapped(const Scene& scene) const;
-    void take_changes(const std::vector<std::uint32_t>& held, Upload& upload) const;
+    void take_changes(const std::vector<std::uint32_t>& held, Upload& upload);
 
     Config config_;
     std::string name_;
     double rebuild_;
     Refit tree_;
     std::uint32_t tree_lines_ = 0;   ///< room for any tree, so that surfaces stay where they are
+    std::uint32_t written_ = 0;      ///< lines from the first on that the memory has of trees
     MemoryImage image_;
     std::size_t frame_ = 0;
 };
