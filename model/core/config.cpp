@@ -30,14 +30,6 @@ Config Config::lower() const {
     level.structure = int(lower_structure());
     return level;
 }
-int Config::node_latency(Structure engine) const {
-    switch (engine) {
-        case Structure::kd: return treelet_latency();
-        case Structure::spheres: return globe_latency();
-        case Structure::bsp: return slant_latency();
-        default: return box_latency();
-    }
-}
 
 int Config::guard_dir_bits() const { return dir_bits + guard_bits; }
 int Config::edge_bits() const {

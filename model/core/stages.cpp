@@ -71,6 +71,14 @@ int Config::raygen_latency() const {
     return (supersampling ? 4 : 0) + stages.pixel + stages.direction + 1 +
            std::max(stages.recip, is_sheared() ? stages.slope : 0);
 }
+int Config::node_latency(Structure engine) const {
+    switch (engine) {
+        case Structure::kd: return treelet_latency();
+        case Structure::spheres: return globe_latency();
+        case Structure::bsp: return slant_latency();
+        default: return box_latency();
+    }
+}
 int Config::box_latency() const {
     const Stages stages(*this);
     return stages.cut + stages.slab + stages.meet + stages.rank;

@@ -71,9 +71,11 @@ module rc_slant (
   logic [Q-1:0]   turned, near, far;
   logic [Q*T-1:0] near_to, far_from;
   for (genvar i = 0; i < Q; i++) begin : gen_plane
+    logic signed [A-1:0] at;   // Yosys 0.23 refuses a whole vector as $signed at a port
+    assign at = in_at[A*i +: A];
     rc_crossing u_plane (
       .clk_i, .valid_i(valid[Meet-1:In]), .s0_o_i(in.o), .s0_along_i(in.along),
-      .s0_normal_i(in_normal[3*B*i +: 3*B]), .s0_at_i($signed(in_at[A*i +: A])),
+      .s0_normal_i(in_normal[3*B*i +: 3*B]), .s0_at_i(at),
       .turned_o(turned[i]), .near_o(near[i]), .far_o(far[i]),
       .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
   end

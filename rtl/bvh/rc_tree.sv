@@ -86,7 +86,7 @@ module rc_tree (
     assign rsp  = decide_rsp;
     assign {mesh_req_ready, mesh_rsp_valid, mesh_rsp_ready, mesh_rsp, mesh_cause_o} = '0;
     logic unused;
-    assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp};
+    assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp, decide_rsp_ready};
   end else begin : gen_two_structures
     logic mesh_ready, mesh_rests;
     rc_decide #(

@@ -60,10 +60,12 @@ module rc_treelet (
   logic [Q-1:0]   turned, near, far;
   logic [Q*T-1:0] near_to, far_from;
   for (genvar i = 0; i < Q; i++) begin : gen_plane
+    logic signed [N-1:0] at;   // Yosys 0.23 refuses a whole vector as $signed at a port
+    assign at = in_at[N*i +: N];
     rc_plane u_plane (
       .clk_i, .valid_i(valid[Meet-1:In]),
       .s0_o_i(in.o), .s0_neg_i(in.neg), .s0_recip_i(in.recip), .s0_len_i(in.len),
-      .s0_axis_i(in_axis[2*i +: 2]), .s0_at_i($signed(in_at[N*i +: N])),
+      .s0_axis_i(in_axis[2*i +: 2]), .s0_at_i(at),
       .turned_o(turned[i]), .near_o(near[i]), .far_o(far[i]),
       .near_to_o(near_to[i*T +: T]), .far_from_o(far_from[i*T +: T]));
   end
