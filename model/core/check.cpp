@@ -75,9 +75,6 @@ void check_config(const Config& c, const std::string& where) {
         refuse(
             "levels=2 needs a structure (not none) and primitive_test=exact: how a ray walks instances is "
             "known of these alone");
-    if (!c.has_instances() && c.mesh_structure != 0)
-        refuse("mesh_structure=" + mesh_structure_names()[std::size_t(c.mesh_structure)] +
-               " needs levels=2: with one level there is no structure below the scene's");
     for (const Structure s : {Structure(c.structure), c.lower_structure()})
         if (c.has_instances() && node_bits(c, Config::engine_of(s)) > line_bits - line_kind_bits)
             refuse("levels=2 says in two bits of a line what it holds, and a node of structure=" +

@@ -73,6 +73,7 @@ TEST_CASE("of every parameter it is known where it cannot matter, or that it alw
                                 {"box_lanes", {{"structure", "kd"}}, "structure=kd"},
                                 {"splits", {{"structure", "kd"}}, "structure=kd"},
                                 {"xform_interval", {}, "levels=1"},
+                                {"mesh_structure", {}, "levels=1"},
                                 {"l2_ways", {}, "l2_sets=0"},
                                 {"l2_line", {}, "l2_sets=0"},
                                 {"l2_mshrs", {}, "l2_sets=0"},

@@ -76,9 +76,9 @@ TEST_CASE("timing does not make another trace, every width does") {
                                    : key == "node_width" || key == "leaf_size" || key == "stack_depth" ||
                                          key == "primitive_test" || key == "structure" ||
                                          key == "straddlers" || key == "splits" || key == "references" ||
-                                         key == "levels" || key == "shading" || key == "spheres" ||
-                                         key == "planes" || key == "smooth" || key == "refraction" ||
-                                         key == "supersampling";
+                                         key == "levels" || key == "mesh_structure" || key == "shading" ||
+                                         key == "spheres" || key == "planes" || key == "smooth" ||
+                                         key == "refraction" || key == "supersampling";
         CHECK((sweep::trace_format(other) != sweep::trace_format(base)) == is_format);
     }
 }

@@ -210,5 +210,5 @@ TEST_CASE("closed surfaces seen through affine maps are watertight, and every de
 }
 
 TEST_CASE("closed surfaces seen through many affine maps are watertight", "[levels][affine][slow]") {
-    check(40, 4000);
+    check(54, 4000);   // 10^8 rays
 }
