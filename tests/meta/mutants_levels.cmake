@@ -277,10 +277,10 @@ mutant(rtl_both_units_rest FILE rtl/bvh/rc_tree.sv TEST system "model and RTL wa
 mutant(rtl_exits_keep_the_order_of_boxes FILE rtl/bvh/rc_rank.sv TEST system "model and RTL walk two structures alike"
   OLD [[Exits ? s0_lines : O'(2 * i)]]
   NEW [[(rc_pkg::Structure == rc_pkg::StructureKd) && Exits ? s0_lines : O'(2 * i)]])
-mutant(model_one_unit_rests_for_both FILE model/pipeline.inl TEST system "model and RTL walk two structures alike"
+mutant(model_one_unit_rests_for_both FILE model/pipeline.inl WITH model/machine.cpp model/pipeline.cpp TEST system "model and RTL walk two structures alike"
   OLD [[((box_rest_ == 0) | (m.low_asks != box_is_low_))]]
   NEW [[(box_rest_ == 0)]])
-mutant(model_counts_the_lower_unit_as_the_upper FILE model/pipeline.hpp TEST system "model and RTL walk two structures alike"
+mutant(model_counts_the_lower_unit_as_the_upper FILE model/pipeline.hpp WITH model/machine.cpp model/pipeline.cpp TEST system "model and RTL walk two structures alike"
   OLD [[const bool own = m.low_asks == low;]]
   NEW [[const bool own = m.low_asks == false || low;]])
 mutant(levels_compile_meshes_as_the_scene FILE model/accel/levels/compile.cpp TEST system "two levels of any two structures*"
