@@ -173,6 +173,7 @@ PlacedWorld::Made PlacedWorld::make(const PlacedScene& scene, const SharedMesh& 
 
 /// Every instance that the scene's tree leads to.
 void PlacedWorld::read_maps(const MemoryImage& image) {
+    const bool has_cells = config_.upper().has_planes();
     std::vector<std::uint32_t> lines{asked_.frame.root};
     for (std::size_t seen = 0; !lines.empty(); ++seen) {
         const std::uint32_t at = lines.back();
@@ -197,7 +198,7 @@ void PlacedWorld::read_maps(const MemoryImage& image) {
         }
         of_line_[at] = std::uint32_t(placed - instances_.begin());
         // Cells of planes have each instance that reaches into them, and all its lines are alike.
-        if (config_.upper().has_planes() && !placed->found.empty() && placed->found[0] == map) continue;
+        if (has_cells && !placed->found.empty() && placed->found[0] == map) continue;
         placed->line = map.here;
         placed->found.push_back(map);
     }
