@@ -45,6 +45,14 @@ std::int64_t refracted_cosine(const ShadeState& state) {
     return (std::int64_t(1) << 2 * unit_bits) - std::int64_t(bent);
 }
 
+/// With two levels: long enough for the instances' boxes to hold it, docs/motion.md, Secondary rays. A
+/// refracted direction is shorter than others if a corner normal faces away from the viewer.
+bool is_held(const Config& c, const Vec3i& d) {
+    const std::int32_t least = shortest_held(c);
+    return !c.has_homes() ||
+           std::any_of(d.begin(), d.end(), [&](std::int32_t k) { return std::abs(k) >= least; });
+}
+
 /// Where a ray along d leaves the surface: 1 on the side seen. With two levels its d' decides, exactly.
 int leaves(const Config& c, const ShadeState& state, const Placement& placement, BounceOut& out) {
     if (!c.has_homes()) return side_of(state.n, out.d);
@@ -90,7 +98,7 @@ BounceOut refract(const Config& c, const ShadeState& state, const Placement& pla
             along * state.normal[k] - (std::int64_t(state.ratio) * state.view[k] << (unit_bits - index_frac)),
             unit_bits);
     out.d = direction_of(within(bent), c);
-    out.goes = leaves(c, state, placement, out) < 0 && !out.total;
+    out.goes = leaves(c, state, placement, out) < 0 && !out.total && is_held(c, out.d);
     const std::int64_t share =
         state.schlick ? rounded(state.transmit * (one - schlick(state)), unit_bits) : state.transmit;
     out.weight = times(state.weight, share);

@@ -113,6 +113,21 @@ module rc_turnout #(
     .data_o({light, lit, unlit}));
   assign after = lit ? rc_pkg::EventLight : unlit;
 
+  // With two levels boxes hold a direction of which a component is a quarter of a unit vector.
+  logic held;
+  if (rc_pkg::Homes == 1) begin : gen_held
+    localparam logic signed [D-1:0] Quarter = D'(1) <<< (M - 4);
+    logic [2:0] holds;
+    for (genvar k = 0; k < 3; k++) begin : gen_component
+      logic signed [D-1:0] d;
+      assign d        = d_i[k*D +: D];
+      assign holds[k] = d >= Quarter || d <= -Quarter;
+    end
+    assign held = holds != '0;
+  end else begin : gen_all_held
+    assign held = 1'b1;
+  end
+
   // Whether a light counts, and which rays are sent.
   logic [5:0] lost, slack;   // what rounding takes from a weight at most, in units of 2^-17
   logic lights, sends, heavy, refracted, reflected;
@@ -124,7 +139,7 @@ module rc_turnout #(
   rc_cut #(.Width(1), .Stages(Cut)) u_heavy (
     .clk_i, .data_i({1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold}),
     .data_o(heavy));
-  assign refracted = is_refract && heavy && !total_i && below_i;
+  assign refracted = is_refract && heavy && !total_i && below_i && held;
   assign reflected = is_reflect && heavy && above_i;
   rc_cut #(.Width(7), .Stages(Cut)) u_decided (
     .clk_i,

@@ -92,6 +92,10 @@ void PathJudge::refract(const PassIn& in, const PassOut& out) {
     judge_refracted(d);
     if (dot(s.n, is_turned() ? home_of(s, d).d : d) >= 0)
         return demand(!out.push, "a refracted ray leaves on the side from which it came");
+    // Boxes of instances hold no shorter one: docs/motion.md, Secondary rays.
+    const std::int32_t quarter = std::int32_t(std::exp2(config_.dir_bits - 2)) / 4;
+    if (rules_.placed && std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) < quarter)
+        return demand(!out.push, "a refracted ray is sent that is too short");
     const std::optional<Vec3i> start = start_of(s, d);
     if (!start) {
         background(weight.promised, weight.exact);

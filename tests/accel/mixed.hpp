@@ -1,5 +1,7 @@
 #pragma once
 // Instances with mirrors, glass and shadows: what the tests of finished pictures in two levels look at.
+#include <cmath>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "model/scene/placed.hpp"
@@ -58,6 +60,22 @@ inline PlacedScene mixed_with_round(bool is_smooth) {
     own.materials[0].checkered = true;
     own.planes = {{{0.2, -1, 0.1}, {1.3, 0, 0}, {0, 0, -1.3}, 0}};
     own.spheres = {{{-0.9, -0.6, 2.9}, 0.4, 3}, {{1.4, 0.9, -0.4}, 0.5, 2}};
+    return scene;
+}
+
+/// Balls behind a pane of glass whose corner normals face away from the camera. Straight ahead its index
+/// makes a refracted direction of no length, and longer ones around that.
+inline PlacedScene behind_a_pane() {
+    PlacedScene scene = mixed(true);
+    scene.own.camera = Camera{{0, 1, 9}, {0, 0, 0}, {0, 1, 0}, 60};
+    Material glass = coloured({0.1, 0.1, 0.1}, 0.1, 0.8);
+    glass.index = std::sqrt(2.0);
+    scene.own.materials.push_back(glass);
+    SharedMesh pane{"pane", {{-4, -1, 0}, {4, -1, 0}, {4, 4, 0}, {-4, 4, 0}}, {}, {}};
+    pane.normals.assign(4, {0, 0, -1});
+    pane.triangles = {{{0, 1, 2}, 4}, {{0, 2, 3}, 4}};
+    scene.meshes.push_back(pane);
+    scene.instances.push_back({"pane", 1, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 4)), {}});
     return scene;
 }
 

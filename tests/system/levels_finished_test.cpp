@@ -93,6 +93,14 @@ TEST_CASE("model and RTL draw instances alike", "[levels]") {
     check_lockstep(job_of(scene, {10, 8}, config, settings), {9, 30, 77}, 77);
 }
 
+TEST_CASE("model and RTL send no refracted ray of instances that is too short", "[levels]") {
+    const Scene scene = flattened(behind_a_pane());
+    Whitted settings;
+    settings.depth = 4, settings.aa = 2;
+    const LockstepResult result = check_lockstep(job_of(scene, {16, 12}, chips()[0], settings));
+    CHECK(result.model.rays.refraction > 5);
+}
+
 TEST_CASE("model and RTL draw planes and true spheres beside instances alike", "[levels]") {
     const Config config = GENERATE(from_range(round_chips()));
     INFO(config.name << ", a pass every " << config.shade_interval);

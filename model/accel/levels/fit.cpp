@@ -9,6 +9,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/shade/bounce.hpp"
+
 namespace rayclock {
 namespace {
 
@@ -42,7 +44,8 @@ Extent exact_extent(const MeshClass& made, const glm::dvec3& row, const glm::dve
 /// it met it, and a little more.
 double off_of_secondary(const MeshClass& made, bool is_whole, double stretch, const Config& config) {
     const double frac = std::ldexp(1, -config.origin_bits), slope = is_whole ? 0 : 0.5,
-                 camera = std::ldexp(1, config.dir_bits - 2), bounce = 0.57 * camera;
+                 camera = std::ldexp(1, config.dir_bits - 2),
+                 bounce = config.refraction ? shortest_held(config) : 0.57 * camera;
     const auto reach = [&](double begin, double shortest) {   // S, of a ray that begins so far off
         return (2 * largest_of(config) + 2 + stretch * (1.25 + begin)) / (shortest - slope * stretch);
     };
