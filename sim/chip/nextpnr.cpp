@@ -133,6 +133,9 @@ RouteStep step_of_log(const std::string& log) {
         constexpr std::string_view twice = " overused=";
         if (const std::size_t at = line.find(twice); at != std::string::npos) {
             left = std::atof(line.c_str() + at + twice.size());
+            const bool is_better = arcs == 0 || long(left) < step.fewest_twice;
+            if (is_better) step.fewest_twice = long(left);
+            step.idle_rounds = is_better ? 0 : step.idle_rounds + 1;
             arcs = std::max(arcs, left);
         }
     }
@@ -153,9 +156,10 @@ RouteEnd run_once(const fs::path& folder, const Device& device, const Methods& m
     Process process({words, folder, folder / "log", folder});
     for (int ticks = 0; !interrupted() && !process.ended(); ++ticks) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        if (!tell || ticks % 50 != 0) continue;
+        if (ticks % 50 != 0) continue;
         const RouteStep step = step_of_log(read_if_there(folder / "log"));
-        tell(step.what, step.percent);
+        if (step.is_stuck()) return RouteEnd::does_not_route;   // the process ends with this function
+        if (tell) tell(step.what, step.percent);
     }
     if (interrupted()) return RouteEnd::interrupted;
     if (process.code() == 0) return RouteEnd::done;

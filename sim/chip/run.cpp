@@ -86,6 +86,12 @@ public:
             else
                 route(seed, result);
         }
+        if (result.fits() && result.routes.empty())
+            result.misfit = fmt::format(
+                "'{}' cannot be routed on {}: 100 rounds of router2 brought no better than {} wires that are "
+                "used twice; "
+                "another seed may do, or more placements",
+                printable(request_.config.name), request_.device.name, fewest_twice_);
         return result;
     }
 
@@ -209,15 +215,20 @@ private:
         const auto hear = [&](const std::string& what, int percent) {
             tell(fmt::format("seed {}, {}", seed, what), percent);
         };
-        const RouteEnd end = run_nextpnr(folder.path("netlist.json").parent_path(), request_.device,
-                                         request_.methods, seed, hear);
+        const fs::path place = folder.path("netlist.json").parent_path();
+        const RouteEnd end = run_nextpnr(place, request_.device, request_.methods, seed, hear);
         if (end == RouteEnd::interrupted) stopped();
+        if (end == RouteEnd::does_not_route) {   // another seed may be
+            const long fewest = step_of_log(read_if_there(place / "log")).fewest_twice;
+            fewest_twice_ = fewest_twice_ == 0 ? fewest : std::min(fewest_twice_, fewest);
+            return;
+        }
         if (end == RouteEnd::does_not_fit) {
             result.misfit = fmt::format("'{}' does not fit {}: the placer finds no place for all cells",
                                         printable(request_.config.name), request_.device.name);
             return;
         }
-        const Route route = read_route(folder.path("netlist.json").parent_path(), request_.top, seed);
+        const Route route = read_route(place, request_.top, seed);
         cache_.keep("chip-route", route_key(seed), route_json(route));
         hear("done", 100);
         result.routes.push_back(route);
@@ -227,6 +238,7 @@ private:
     jobs::Cache& cache_;
     const Progress& progress_;
     std::string harness_, modules_, units_, design_;
+    long fewest_twice_ = 0;   ///< of seeds that could not be routed
 };
 
 }   // namespace

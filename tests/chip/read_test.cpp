@@ -161,6 +161,16 @@ TEST_CASE("how far a run is stands in its log") {
                     "Info:     iter=2 wires=900 overused=250 overuse=260 archfail=NA\n");
     CHECK(half_again.what == "routing");
     CHECK(half_again.percent == 75);
+    CHECK(half_again.idle_rounds == 0);
+    std::string rounds = twice + "Info: Running router2...\n";
+    for (const int used_twice : {700, 40, 43, 40})
+        rounds += "Info:     iter=1 wires=900 overused=" + std::to_string(used_twice) + " overuse=900\n";
+    CHECK(step_of_log(rounds).idle_rounds == 2);
+    CHECK(step_of_log(rounds).fewest_twice == 40);
+    CHECK_FALSE(step_of_log(rounds).is_stuck());
+    for (int i = 0; i < 98; ++i) rounds += "Info:     iter=1 wires=900 overused=90 overuse=900\n";
+    CHECK(step_of_log(rounds).is_stuck());
+    CHECK_FALSE(step_of_log(rounds + "Info:     iter=1 wires=900 overused=39 overuse=900\n").is_stuck());
 }
 
 TEST_CASE("versions in what tools say") {

@@ -158,6 +158,26 @@ TEST_CASE("a router that fails is one sentence, and nothing of it is kept") {
     CHECK(fake.kept("yosys-") == 0);
 }
 
+TEST_CASE("a router that gets no further is stopped, and another seed may be routed") {
+    const FakeNextpnr fake;
+    const std::string stuck =
+        "echo 'Info: Running router2...'; for i in 1 2 3 4 5 6 7 8 9 10 11; do for k in 1 2 3 4 5 6 7 8 9 "
+        "10; do "
+        "echo 'Info:     iter=1 wires=900 overused=43 overuse=44 archfail=NA'; done; done; sleep 100";
+    fake.replace(stuck);
+    const Outcome none = fake.run();
+    CHECK(none.code == 1);
+    CHECK_THAT(none.out, Catch::Contains(
+                             "'small' cannot be routed on lfe5u-85: 100 rounds of router2 brought no better "
+                             "than 43 wires that are used twice; another seed may do"));
+    CHECK(fake.kept("chip-route-") == 0);
+    CHECK(fake.kept("yosys-") == 0);
+    fake.replace("case \"$*\" in *'--seed 1') " + stuck + ";; esac");
+    const Outcome second = fake.run({"--seeds", "1,2"});
+    CHECK(second.code == 0);
+    CHECK_THAT(second.out, Catch::Contains("with seed 2"));
+}
+
 namespace {
 
 /// A Yosys that has a chip of so many multipliers ready, in tri.
