@@ -75,6 +75,10 @@ module rc_pipeline (
   logic              pixel_valid, pixel_ready;
   rc_pkg::pixel_t    pixel;
   logic              node_waits, prim_waits;
+  // In a fast chip: an answer comes to the head of its queue, and whose.
+  logic              node_next_fires, prim_next_fires, done_next_fires;
+  logic [rc_pkg::RayBits-1:0] node_next, prim_next;
+  rc_pkg::done_t     done_next;
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
   logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
 
@@ -106,24 +110,28 @@ module rc_pipeline (
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
-      .trav_cause_o(trav_cause));
+      .done_next_fires_o(done_next_fires), .done_next_o(done_next), .trav_cause_o(trav_cause));
     assign {node_req_valid, node_req_ready, node_req} = '0;
     assign {node_rsp_valid, node_rsp_ready, node_rsp, node_waits} = '0;
+    assign {node_next_fires, node_next} = '0;
     assign {node_miss_valid_o, node_miss_o, node_cause} = '0;
     assign {decide_cause, mesh_cause, xform_cause, change_fires, change} = '0;
     logic unused;
     assign unused = ^{node_req_valid, node_req_ready, node_req, node_rsp_valid, node_rsp_ready,
-        node_rsp, node_waits, node_miss_ready_i, node_fill_fires_i, node_fill_i};
+        node_rsp, node_waits, node_next_fires, node_next, node_miss_ready_i,
+        node_fill_fires_i, node_fill_i};
   end else begin : gen_tree
     rc_tree u_tree (
       .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
       .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
       .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
       .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
+      .node_next_fires_i(node_next_fires), .node_next_i(node_next),
       .node_waits_i(node_waits),
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
       .done_valid_o(done_valid), .done_ready_i(done_ready), .done_o(done),
+      .done_next_fires_o(done_next_fires), .done_next_o(done_next),
       .trav_cause_o(trav_cause), .decide_cause_o(decide_cause), .mesh_cause_o(mesh_cause),
       .change_fires_o(change_fires), .change_o(change), .xform_cause_o(xform_cause));
   end
@@ -133,6 +141,7 @@ module rc_pipeline (
       .clk_i, .rst_ni,
       .req_valid_i(node_req_valid), .req_ready_o(node_req_ready), .req_i(node_req),
       .rsp_valid_o(node_rsp_valid), .rsp_ready_i(node_rsp_ready), .rsp_o(node_rsp),
+      .next_fires_o(node_next_fires), .next_ray_o(node_next),
       .miss_valid_o(node_miss_valid_o), .miss_ready_i(node_miss_ready_i), .miss_o(node_miss_o),
       .fill_fires_i(node_fill_fires_i), .fill_i(node_fill_i),
       .waits_o(node_waits), .deed_o(node_cause));
@@ -145,16 +154,19 @@ module rc_pipeline (
     .leaves_fires_i(leaves_fires), .leaves_i(leaves),
     .prim_req_valid_o(prim_req_valid), .prim_req_ready_i(prim_req_ready), .prim_req_o(prim_req),
     .prim_rsp_valid_i(prim_rsp_valid), .prim_rsp_ready_o(prim_rsp_ready), .prim_rsp_i(prim_rsp),
+    .prim_next_fires_i(prim_next_fires), .prim_next_i(prim_next),
     .tri_req_valid_o(tri_req_valid), .tri_req_ready_i(tri_req_ready), .tri_req_o(tri_req),
     .tri_rsp_valid_i(tri_rsp_valid), .tri_rsp_ready_o(tri_rsp_ready), .tri_rsp_i(tri_rsp),
     .tested_valid_o(tested_valid), .tested_ready_i(tested_ready), .tested_o(tested),
     .done_valid_i(done_valid), .done_ready_o(done_ready), .done_i(done),
+    .done_next_fires_i(done_next_fires), .done_next_i(done_next),
     .closest_valid_o(closest_valid), .closest_ready_i(closest_ready), .closest_o(closest));
 
   rc_prim_cache u_prim_cache (
     .clk_i, .rst_ni,
     .req_valid_i(prim_req_valid), .req_ready_o(prim_req_ready), .req_i(prim_req),
     .rsp_valid_o(prim_rsp_valid), .rsp_ready_i(prim_rsp_ready), .rsp_o(prim_rsp),
+    .next_fires_o(prim_next_fires), .next_ray_o(prim_next),
     .miss_valid_o(prim_miss_valid_o), .miss_ready_i(prim_miss_ready_i), .miss_o(prim_miss_o),
     .fill_fires_i(prim_fill_fires_i), .fill_i(prim_fill_i),
     .waits_o(prim_waits), .deed_o(prim_cause));

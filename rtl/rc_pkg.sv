@@ -117,6 +117,7 @@ package rc_pkg;
   localparam int unsigned ClientIdBits = 4;
   localparam int unsigned MemIdBits = 4;
   localparam int unsigned Cut = 0;
+  localparam int unsigned FarCut = 0;
   localparam int unsigned MulStages = 0;
   localparam int unsigned SlabPlanes = 2;
   localparam int unsigned SlabStages = 3;

@@ -22,6 +22,7 @@ int shift_levels(const Config& config) {
 Stages::Stages(const Config& config) {
     const bool fast = Timing(config.timing) == Timing::fast;
     cut = fast ? 1 : 0;
+    far = config.shading ? cut : 0;
     multiply = fast ? 3 : 0;
     quotient_bits = fast ? 1 : 2;
     slab_planes = 2 + 2 * cut;
@@ -35,7 +36,7 @@ Stages::Stages(const Config& config) {
     exits = 2 + 2 * cut;
     globe = 7 + 3 * multiply + 10 * cut;
     crossing = 4 + multiply + 7 * cut + divide(crossing_bits);
-    closest = cut;
+    closest = cut + far;
     cache = cut;
 
     cross_share = std::min(config.tri_interval, 3);
@@ -99,7 +100,7 @@ int Config::tri_latency() const {
     const Stages stages(*this);
     const int test = is_sheared() ? stages.shear : stages.edges;
     const int triangle = test + stages.compare + stages.hit_divide;
-    return stages.cut + (spheres ? std::max(triangle, stages.sphere) : triangle);
+    return stages.cut + stages.far + (spheres ? std::max(triangle, stages.sphere) : triangle);
 }
 int Config::xform_latency() const {
     const Stages stages(*this);

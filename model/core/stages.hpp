@@ -7,8 +7,9 @@ namespace rayclock {
 /// chip has few, a fast one has a register wherever a path would be longer than one addition and a choice
 /// (`rtl/prim/rc_cut.sv`), and three in every product (`rtl/fixed/rc_mul.sv`).
 struct Stages {
-    int cut = 0;             ///< of rc_cut
-    int multiply = 0;        ///< of rc_mul
+    int cut = 0;        ///< of rc_cut
+    int far = 0;        ///< of those beside it on the way between units of a chip that shades, which is full
+    int multiply = 0;   ///< of rc_mul
     int quotient_bits = 0;   ///< that rc_divide makes in a stage
     // The box test, rtl/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
     int slab_planes = 0;   ///< before a child's planes are multiplied

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <utility>
 
 #include "model/base/ring.hpp"
@@ -15,7 +16,7 @@ namespace rayclock {
 ///
 /// The pipeline takes surfaces first, then contexts that need another pass, then those whose ray hit nothing
 /// or was a shadow ray. Its answers are always taken: a context goes on to its next ray, to its pixel's end,
-/// or passes again. In a fast chip a ray's answer is looked at a cycle after it came. Mirror of
+/// or passes again. In a fast chip a ray's answer is looked at two cycles after it came. Mirror of
 /// rtl/shade/rc_shade.sv.
 class Shade {
 public:
@@ -29,7 +30,7 @@ public:
           spawns_(config.contexts),
           pixels_(config.contexts),
           pass_(config.shade_latency(), config.shade_queue),
-          late_(Stages(config).closest > 0),
+          late_(std::size_t(Stages(config).closest)),
           rests_(std::uint32_t(config.shade_interval - 1)) {}
 
     /// A surface is asked for, or an instance.
@@ -55,7 +56,8 @@ public:
     std::uint32_t pixel_ray() const { return pixels_.front(); }
     std::uint64_t due() const { return pass_.due(); }
     bool answers(std::uint64_t now) const { return pass_.valid(now); }
-    bool comes() const { return came_.there; }   ///< a ray's answer came in the cycle before, to a fast chip
+    /// A ray's answer came to a fast chip, and was not looked at yet.
+    bool comes() const { return came_[0].there | came_[1].there; }
 
     const char* where(std::uint32_t ray) const {
         const auto r = RayNumber(ray);
@@ -64,7 +66,7 @@ public:
                : pass_.contains(r)                          ? "shade: in a pass"
                : spawns_.contains(r)                        ? "shade: waits for raygen"
                : pixels_.contains(r)                        ? "shade: waits for its pixel to be taken"
-               : came_.there && came_.ray == ray            ? "shade: has just got its answer"
+               : is_coming(ray)                             ? "shade: has just got its answer"
                                                             : nullptr;
     }
 
@@ -75,9 +77,9 @@ public:
     template <bool levels = false, class Decide>
     void clock(std::uint64_t now, OnLink closest, Wants wants, OnLink surface, OnLink place, bool surf_taken,
                bool spawn_taken, bool pixel_taken, Decide&& turn) {
-        if (late_) {   // what came is looked at in the next cycle
-            std::swap(closest, came_);
-            std::swap(wants, came_wants_);
+        for (std::size_t i = 0; i < late_; ++i) {   // what came is looked at in a later cycle
+            std::swap(closest, came_[i]);
+            std::swap(wants, came_wants_[i]);
         }
         const bool open = ready(), again = !again_.empty(), arrived = !arrived_.empty();
         const bool answer = pass_.valid(now);
@@ -118,9 +120,13 @@ private:
     RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
     Pipe<RayNumber> pass_;
     Merge surf_link_;   // of fetch_ and places_
-    bool late_;
-    OnLink came_;
-    Wants came_wants_ = Wants::nothing;
+    bool is_coming(std::uint32_t ray) const {
+        return (came_[0].there && came_[0].ray == ray) || (came_[1].there && came_[1].ray == ray);
+    }
+
+    std::size_t late_;             // cycles until an answer is looked at,
+    std::array<OnLink, 2> came_;   // and those that came before, the last one first
+    std::array<Wants, 2> came_wants_{};
     std::uint32_t rests_, rest_ = 0;   // cycles after a pass in which it takes none; that are left
 };
 

@@ -40,6 +40,8 @@ module rc_trav (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
+  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and whose
+  input  logic [rc_pkg::RayBits-1:0] node_next_i,
   // To and from the unit that decides nodes, box or what stands in its place
   output logic              decide_req_valid_o,
   input  logic              decide_req_ready_i,
@@ -60,6 +62,8 @@ module rc_trav (
   output logic              done_valid_o,
   input  logic              done_ready_i,
   output rc_pkg::done_t     done_o,
+  output logic              done_next_fires_o,   // likewise
+  output rc_pkg::done_t     done_next_o,
   // What it did; rc_pkg::trav_cause_e
   output logic [2:0]        cause_o,
   // With two levels: to and from xform
@@ -98,9 +102,10 @@ module rc_trav (
     .clk_i, .rst_ni, .valid_i(ray_fires), .ray_i(ray_i.ray), .o_i(ray_i.o), .d_i(ray_d),
     .recip_i(ray_i.recip), .len_i(ray_i.len), .short_i(is_short),
     .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
-  rc_ram #(.Width(BoxRayW), .Depth(T)) u_ray (
+  rc_ram_ahead #(.Width(BoxRayW), .Depth(T)) u_ray (
     .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
-    .read_addr_i(node_rsp_i.ray), .read_data_o(kept_ray));
+    .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
+    .next_addr_i(node_next_i), .read_data_o(kept_ray));
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
   assign node_rsp  = node_rsp_i;
   if (rc_pkg::Levels == 1) begin : gen_nodes
@@ -133,12 +138,14 @@ module rc_trav (
       .clk_i, .rst_ni, .valid_i(change_fires_i), .ray_i(change_i.ray), .o_i(change_i.o),
       .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
       .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
-    rc_ram #(.Width(KeptW), .Depth(T)) u_direction (
+    rc_ram_ahead #(.Width(KeptW), .Depth(T)) u_direction (
       .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
-      .read_addr_i(node_rsp_i.ray), .read_data_o(kept_way));
-    rc_ram #(.Width(MeshRayW), .Depth(T)) u_changed (
+      .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
+      .next_addr_i(node_next_i), .read_data_o(kept_way));
+    rc_ram_ahead #(.Width(MeshRayW), .Depth(T)) u_changed (
       .clk_i, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
-      .read_addr_i(node_rsp_i.ray), .read_data_o(changed_ray));
+      .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
+      .next_addr_i(node_next_i), .read_data_o(changed_ray));
     assign in_mesh           = node_rsp_i.what == rc_pkg::LineMeshNode;
     assign is_instance       = node_rsp_i.what == rc_pkg::LinePlacement;
     assign xform_req_valid_o = node_rsp_valid_i && is_instance;
@@ -262,12 +269,6 @@ module rc_trav (
     else            cause_o = step_ready ? rc_pkg::TravStarvedList : rc_pkg::TravBusyWork;
   end
 
-  // Inner children of each ray's node.
-  logic [rc_pkg::ChildrenW-1:0] step_children;
-  rc_ram #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
-    .clk_i, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
-    .read_addr_i(step.ray), .read_data_o(step_children));
-
   // Stage 0: a returning ray before a new step. It has no new children and is not stopped.
   logic            again_q, step_fires;
   logic [I-1:0]    again_ray_q, s0_ray;
@@ -282,17 +283,23 @@ module rc_trav (
     again_tested.t_best = again_t_q;
   end
 
-  logic                         s1_valid_q;
+  logic                         s1_valid_q, s1_again_q;
   logic [rc_pkg::TestedW-1:0]   s1_tested_q, end_tested_flat;
-  logic [rc_pkg::ChildrenW-1:0] s1_children_q;
+  logic [rc_pkg::ChildrenW-1:0] kept_children, s1_children;   // inner ones of each ray's node
   rc_pkg::tested_t              s1_tested, end_tested;
-  assign s1_tested = s1_tested_q;
+  assign s1_tested   = s1_tested_q;
+  assign s1_children = s1_again_q ? '0 : kept_children;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) s1_valid_q <= 1'b0;
     else         s1_valid_q <= again_q || step_fires;
-    if (again_q)         {s1_tested_q, s1_children_q} <= {again_tested, {rc_pkg::ChildrenW{1'b0}}};
-    else if (step_fires) {s1_tested_q, s1_children_q} <= {step, step_children};
+    s1_again_q <= again_q;
+    if (again_q)         s1_tested_q <= again_tested;
+    else if (step_fires) s1_tested_q <= step;
   end
+  rc_ram_ahead #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
+    .clk_i, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
+    .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
+    .read_data_o(kept_children));
   rc_cut #(.Width(rc_pkg::TestedW), .Stages(rc_pkg::StackStages)) u_wait (
     .clk_i, .data_i(s1_tested_q), .data_o(end_tested_flat));
   assign end_tested = end_tested_flat;
@@ -303,7 +310,7 @@ module rc_trav (
   logic [S-1:0]  visit_slot;
   rc_stack u_stack (
     .clk_i, .rst_ni, .s0_valid_i(again_q || step_fires), .s0_ray_i(s0_ray),
-    .s1_valid_i(s1_valid_q), .s1_tested_i(s1_tested), .s1_children_i(s1_children_q),
+    .s1_valid_i(s1_valid_q), .s1_tested_i(s1_tested), .s1_children_i(s1_children),
     .visit_o(visit), .visit_base_o(visit_base), .visit_slot_o(visit_slot), .done_o(done),
     .again_o(again));
   always_ff @(posedge clk_i) begin
@@ -346,14 +353,18 @@ module rc_trav (
     .second_valid_i(root_valid), .second_ready_o(root_ready), .second_i(root_data),
     .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
-  rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(done), .data_i(end_tested.ray),
-    .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
+  logic done_place;
+  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+    .clk_i, .rst_ni, .valid_i(done), .ready_o(done_place), .data_i(end_tested.ray),
+    .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
+    .next_fires_o(done_next_fires_o), .next_o(done_next_o));
 
 `ifndef SYNTHESIS
   a_kept: assert property (@(posedge clk_i) disable iff (!rst_ni)
                            keep && node_rsp_valid_i |-> keep_ray != node_rsp_i.ray)
     else $error("a ray's node is there before the ray");
+  a_done_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni) done |-> done_place)
+    else $error("a queue that cannot overflow did");
 `endif
 
   logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
@@ -363,7 +374,7 @@ module rc_trav (
   assign ray_flat    = ray_i;
   assign frame_flat  = frame_i;
   assign change_flat = change_i;
-  assign unused      = ^{is_short, node_rsp, ray_flat, frame_flat, change_fires_i, change_flat,
-                         in_offset, end_tested, leaves_near};
+  assign unused      = ^{done_place, is_short, node_rsp, ray_flat, frame_flat, change_fires_i,
+                         change_flat, in_offset, end_tested, leaves_near};
 endmodule
 `default_nettype wire

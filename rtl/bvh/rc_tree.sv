@@ -30,6 +30,8 @@ module rc_tree (
   input  logic              node_rsp_valid_i,
   output logic              node_rsp_ready_o,
   input  rc_pkg::node_rsp_t node_rsp_i,
+  input  logic              node_next_fires_i,   // in a fast chip: the next one comes, and whose
+  input  logic [rc_pkg::RayBits-1:0] node_next_i,
   input  logic              node_waits_i,
   // To and from list
   output logic              leaves_fires_o,
@@ -40,6 +42,8 @@ module rc_tree (
   output logic              done_valid_o,
   input  logic              done_ready_i,
   output rc_pkg::done_t     done_o,
+  output logic              done_next_fires_o,   // likewise
+  output rc_pkg::done_t     done_next_o,
   // What its units did; rc_pkg::trav_cause_e, decide_cause_e
   output logic [2:0]        trav_cause_o,
   output logic [2:0]        decide_cause_o,
@@ -63,24 +67,24 @@ module rc_tree (
   rc_trav u_trav (
     .clk_i, .rst_ni, .frame_i, .start_fires_i, .start_i, .ray_valid_i, .ray_ready_o, .ray_i,
     .node_req_valid_o, .node_req_ready_i, .node_req_o,
-    .node_rsp_valid_i, .node_rsp_ready_o, .node_rsp_i,
+    .node_rsp_valid_i, .node_rsp_ready_o, .node_rsp_i, .node_next_fires_i, .node_next_i,
     .decide_req_valid_o(decide_req_valid), .decide_req_ready_i(decide_req_ready),
     .decide_req_o(decide_req), .decide_rsp_valid_i(decide_rsp_valid || mesh_rsp_valid),
     .decide_rsp_ready_o(decide_rsp_ready), .decide_rsp_i(rsp),
     .mesh_req_valid_o(mesh_req_valid), .mesh_req_ready_i(mesh_req_ready), .mesh_req_o(mesh_req),
     .leaves_fires_o, .leaves_o, .tested_valid_i, .tested_ready_o, .tested_i,
-    .done_valid_o, .done_ready_i, .done_o, .cause_o(trav_cause_o),
+    .done_valid_o, .done_ready_i, .done_o, .done_next_fires_o, .done_next_o,
+    .cause_o(trav_cause_o),
     .xform_req_valid_o(xform_req_valid), .xform_req_ready_i(xform_req_ready),
     .xform_req_o(xform_req), .change_fires_i(change_fires), .change_i(change));
 
   // What decides a node. If there are two they share one door, which counts what is under way, so
   // that their own are never closed.
-  logic open, decide_ready, decide_rests;
+  logic open;
   rc_decide #(.Pad(rc_pkg::NodePad)) u_decide (
-    .clk_i, .rst_ni, .req_valid_i(decide_req_valid && open), .req_ready_o(decide_ready),
-    .req_i(decide_req), .rests_o(decide_rests), .rsp_valid_o(decide_rsp_valid),
-    .rsp_o(decide_rsp));
-  assign decide_req_ready = decide_ready && open;
+    .clk_i, .rst_ni, .req_valid_i(decide_req_valid), .req_ready_o(decide_req_ready),
+    .req_i(decide_req), .open_i(open), .rsp_valid_o(decide_rsp_valid), .rsp_o(decide_rsp),
+    .node_waits_i, .cause_o(decide_cause_o));
   if (rc_pkg::MeshStructure == rc_pkg::Structure) begin : gen_one_structure
     assign open = 1'b1;
     assign rsp  = decide_rsp;
@@ -88,27 +92,19 @@ module rc_tree (
     logic unused;
     assign unused = ^{mesh_req_valid, mesh_req, mesh_rsp_ready, mesh_rsp, decide_rsp_ready};
   end else begin : gen_two_structures
-    logic mesh_ready, mesh_rests;
     rc_decide #(
       .Structure(rc_pkg::MeshStructure), .ReqW(rc_pkg::MeshReqBits),
       .Pad(rc_pkg::MeshPad)
     ) u_mesh (
-      .clk_i, .rst_ni, .req_valid_i(mesh_req_valid && open), .req_ready_o(mesh_ready),
-      .req_i(mesh_req), .rests_o(mesh_rests), .rsp_valid_o(mesh_rsp_valid), .rsp_o(mesh_rsp));
-    assign mesh_req_ready = mesh_ready && open;
+      .clk_i, .rst_ni, .req_valid_i(mesh_req_valid), .req_ready_o(mesh_req_ready),
+      .req_i(mesh_req), .open_i(open), .rsp_valid_o(mesh_rsp_valid), .rsp_o(mesh_rsp),
+      .node_waits_i, .cause_o(mesh_cause_o));
     assign mesh_rsp_ready = decide_rsp_ready;
     assign rsp            = mesh_rsp_valid ? mesh_rsp : decide_rsp;
     rc_door #(.Credits(rc_pkg::BoxQueue)) u_door (
       .clk_i, .rst_ni,
       .admit_i((decide_req_valid && decide_req_ready) || (mesh_req_valid && mesh_req_ready)),
       .leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));
-    always_comb begin
-      if (mesh_rests) mesh_cause_o = rc_pkg::DecideBusyWork;
-      else if (mesh_req_valid)
-        mesh_cause_o = mesh_req_ready ? rc_pkg::DecideBusyWork : rc_pkg::DecideStalledTrav;
-      else
-        mesh_cause_o = node_waits_i ? rc_pkg::DecideStarvedMemory : rc_pkg::DecideStarvedTrav;
-    end
 `ifndef SYNTHESIS
     a_one_answer: assert property (@(posedge clk_i) disable iff (!rst_ni)
                                    !(decide_rsp_valid && mesh_rsp_valid))
@@ -133,13 +129,5 @@ module rc_tree (
   end
   assign change_fires_o = change_fires;
   assign change_o       = change;
-
-  always_comb begin
-    if (decide_rests) decide_cause_o = rc_pkg::DecideBusyWork;
-    else if (decide_req_valid)
-      decide_cause_o = decide_req_ready ? rc_pkg::DecideBusyWork : rc_pkg::DecideStalledTrav;
-    else
-      decide_cause_o = node_waits_i ? rc_pkg::DecideStarvedMemory : rc_pkg::DecideStarvedTrav;
-  end
 endmodule
 `default_nettype wire

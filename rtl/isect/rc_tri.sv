@@ -42,7 +42,7 @@ module rc_tri (
   localparam int unsigned Interval = rc_pkg::TriInterval;
   // Stages: a triangle comes in, it is tested, compared, and a hit is divided; what is no sphere
   // is done, a sphere is done, both are.
-  localparam int unsigned In    = Cut;
+  localparam int unsigned In    = Cut + rc_pkg::FarCut;
   localparam int unsigned Front = In + (IsSheared ? rc_pkg::ShearStages : rc_pkg::EdgesStages);
   localparam int unsigned Wide  = Front + Mul + Pair;   // products to be compared are there
   localparam int unsigned Pre   = Wide + Cut + 1;
@@ -80,7 +80,8 @@ module rc_tri (
 
   rc_pkg::tri_req_t           in;
   logic [rc_pkg::TriReqW-1:0] in_flat;
-  rc_cut #(.Width(rc_pkg::TriReqW)) u_in (.clk_i, .data_i(req_i), .data_o(in_flat));
+  rc_cut #(.Width(rc_pkg::TriReqW), .Stages(In)) u_in (
+    .clk_i, .data_i(req_i), .data_o(in_flat));
   assign in = in_flat;
 
   logic [I-1:0] end_ray;

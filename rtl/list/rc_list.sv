@@ -40,6 +40,8 @@ module rc_list (
   input  logic              prim_rsp_valid_i,
   output logic              prim_rsp_ready_o,
   input  rc_pkg::prim_rsp_t prim_rsp_i,
+  input  logic              prim_next_fires_i,   // in a fast chip: the next one comes, and whose
+  input  logic [rc_pkg::RayBits-1:0] prim_next_i,
   // To and from tri
   output logic              tri_req_valid_o,
   input  logic              tri_req_ready_i,
@@ -54,6 +56,8 @@ module rc_list (
   input  logic              done_valid_i,
   output logic              done_ready_o,
   input  rc_pkg::done_t     done_i,
+  input  logic              done_next_fires_i,   // likewise
+  input  rc_pkg::done_t     done_next_i,
   // To sched, or shade
   output logic              closest_valid_o,
   input  logic              closest_ready_i,
@@ -80,23 +84,9 @@ module rc_list (
   assign in              = leaves_i;
   rc_cut #(.Width(rc_pkg::TriRspW)) u_came (.clk_i, .data_i(tri_rsp_i), .data_o(came_flat));
   assign came = came_flat;
-  if (rc_pkg::Cut == 0) begin : gen_come_now
-    assign came_fires = tri_rsp_valid_i;
-    assign closer     = came_fires && came.closer;
-  end else begin : gen_come_late
-    logic came_fires_q, closer_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) {came_fires_q, closer_q} <= '0;
-      else begin
-        came_fires_q <= tri_rsp_valid_i;
-        closer_q     <= tri_rsp_valid_i && tri_rsp_i.closer;
-      end
-    end
-    assign came_fires = came_fires_q;
-    assign closer     = closer_q;
-    logic unused;
-    assign unused = came.closer;
-  end
+  rc_event u_came_fires (.clk_i, .rst_ni, .fires_i(tri_rsp_valid_i), .fires_o(came_fires));
+  rc_event u_closer (
+    .clk_i, .rst_ni, .fires_i(tri_rsp_valid_i && tri_rsp_i.closer), .fires_o(closer));
 
   // What is kept of an answer is written, in a fast chip, a cycle after it came (it), since a few
   // hundred cells take it: it is asked for when the ray's next primitive is, or later.
@@ -139,8 +129,6 @@ module rc_list (
   end else begin : gen_camera
     assign any_hit     = '0;
     assign ends_at_any = 1'b0;
-    logic unused;
-    assign unused = ^any_hit;
   end
 
   logic [TB-1:0] old_t;   // of came, or in a fast chip of a cycle later
@@ -152,10 +140,10 @@ module rc_list (
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
   logic [GroupW-1:0] tri_group;
-  rc_ram #(.Width(GroupW), .Depth(T)) u_group (
+  rc_ram_ahead #(.Width(GroupW), .Depth(T)) u_group (
     .clk_i, .write_i(in_fires), .write_addr_i(in.ray),
-    .write_data_i({in.base, in.leaves, in.t_near, in.offset, in.count}),
-    .read_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
+    .write_data_i({in.base, in.leaves, in.t_near, in.offset, in.count}), .head_addr_i(came.ray),
+    .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
 
   // ---- Cursors: leaf and triangle under way per ray; 0, 0 until tri has answered once.
   logic [T-1:0] moved;
@@ -187,7 +175,7 @@ module rc_list (
   rc_cut #(.Width(S + C)) u_it (.clk_i, .data_i(cursor), .data_o(it_cursor));
   assign it_t = it_closer ? it_came_t : old_t;
   assign {cursor_leaf, cursor_triangle} = was_moved ? it_cursor : '0;
-  rc_cut #(.Width(GroupW), .Stages(2 * rc_pkg::Cut)) u_it_group (
+  rc_cut #(.Width(GroupW)) u_it_group (
     .clk_i, .data_i(tri_group),
     .data_o({group_base, group_leaves, group_near, group_offset, group_count}));
 
@@ -257,9 +245,7 @@ module rc_list (
     .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i),
     .data_o({tested_ray, tested_t_best}));
   if (rc_pkg::Shading != 0) begin : gen_stop
-    logic stop;
-    assign stop     = any_hit[tested_ray] && found[tested_ray];
-    assign tested_o = {tested_ray, stop, tested_t_best};
+    assign tested_o = {tested_ray, any_hit[tested_ray] && found[tested_ray], tested_t_best};
   end else begin : gen_go_on
     assign tested_o = {tested_ray, tested_t_best};
   end
@@ -278,8 +264,6 @@ module rc_list (
   end else begin : gen_change
     assign keep     = change_fires_i;
     assign keep_ray = change_i.ray;
-    logic unused;
-    assign unused = ray_fires_i;
   end
   if (rc_pkg::Homes == 1) begin : gen_changed_ray_with_kind
     // Which primitives the ray asks does not change, and is kept as it came.
@@ -324,12 +308,14 @@ module rc_list (
   end else begin : gen_ray_of_triangles
     assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
   end
-  rc_ram #(.Width(TriRayW), .Depth(T)) u_ray (
+  rc_ram_ahead #(.Width(TriRayW), .Depth(T)) u_ray (
     .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(ray_for_tri),
-    .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_ray));
-  rc_ram #(.Width(BestW), .Depth(T)) u_best (
+    .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
+    .read_data_o(tri_ray));
+  rc_ram_ahead #(.Width(BestW), .Depth(T)) u_best (
     .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
-    .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_best));
+    .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
+    .read_data_o(tri_best));
   // Whether a ray has a hit to beat does not change while its primitive is asked for. A fast chip
   // looks at its flag then, and keeps it with what is read in the end. So a primitive must not
   // come in the cycle after it was asked for; no cache is that quick.
@@ -361,9 +347,10 @@ module rc_list (
     assign prim_number = prim_rsp_i.prim;
   end else begin : gen_scene_number
     logic [rc_pkg::PrimBits-1:0] first_number;
-    rc_ram #(.Width(rc_pkg::PrimBits), .Depth(T)) u_first_number (
+    rc_ram_ahead #(.Width(rc_pkg::PrimBits), .Depth(T)) u_first_number (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.first),
-      .read_addr_i(prim_rsp_i.ray), .read_data_o(first_number));
+      .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i),
+      .next_addr_i(prim_next_i), .read_data_o(first_number));
     assign prim_number = prim_rsp_i.prim + first_number;
   end
   if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kinds_of_primitives
@@ -376,20 +363,28 @@ module rc_list (
                       tri_found ? tri_best : {BestW{1'b0}}};
 
   // ---- The answer for a ray that trav has finished.
-  logic [FoundW-1:0] end_found;
-  logic              is_found;
-  rc_ram #(.Width(FoundW), .Depth(T)) u_found (
-    .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_found),
-    .read_addr_i(done_i.ray), .read_data_o(end_found));
+  // It is asked for much later, and lies far from what else is kept of a hit.
+  logic              kept, is_found;
+  logic [I-1:0]      kept_ray;
+  logic [FoundW-1:0] kept_found, end_found;
+  rc_event #(.Stages(rc_pkg::FarCut)) u_is_kept (
+    .clk_i, .rst_ni, .fires_i(it_closer), .fires_o(kept));
+  rc_cut #(.Width(I + FoundW), .Stages(rc_pkg::FarCut)) u_kept (
+    .clk_i, .data_i({it_ray, it_found}), .data_o({kept_ray, kept_found}));
+  rc_ram_ahead #(.Width(FoundW), .Depth(T)) u_found (
+    .clk_i, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_found),
+    .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
+    .read_data_o(end_found));
   if (rc_pkg::Homes == 1) begin : gen_place   // of the instance that the ray is in
     logic [A-1:0] here, it_here, end_place;
     rc_cut #(.Width(A)) u_it_here (.clk_i, .data_i(here), .data_o(it_here));
     rc_ram #(.Width(A), .Depth(T)) u_here (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
       .read_addr_i(came.ray), .read_data_o(here));
-    rc_ram #(.Width(A), .Depth(T)) u_place (
+    rc_ram_ahead #(.Width(A), .Depth(T)) u_place (
       .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
-      .read_addr_i(done_i.ray), .read_data_o(end_place));
+      .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
+      .read_data_o(end_place));
     assign closest_o = {done_i.ray, is_found ? end_place : {A{1'b0}}, is_found,
                         is_found ? end_found : {FoundW{1'b0}}};
   end else begin : gen_no_place
@@ -400,6 +395,6 @@ module rc_list (
   assign done_ready_o    = closest_ready_i;
 
   logic unused;
-  assign unused = ^{ray_i, change_fires_i, change_i};   // what only trav uses of a ray
+  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, came, any_hit};
 endmodule
 `default_nettype wire

@@ -42,6 +42,8 @@ module rc_cache #(
   output logic                             rsp_valid_o,
   input  logic                             rsp_ready_i,
   output logic [IdBits+PartW-1:0]          rsp_o,          // {id, part of a word}
+  output logic                             next_fires_o,   // in a fast chip: an answer comes to the
+  output logic [IdBits-1:0]                next_id_o,      // head, and whose
   // To and from memory
   output logic                             miss_valid_o,
   input  logic                             miss_ready_i,
@@ -256,9 +258,12 @@ module rc_cache #(
     end
     assign end_valid = end_valid_q;
   end
-  rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+  logic [IdBits+PartW-1:0] next_answer;
+  rc_fifo_ahead #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(rsp_place), .data_i(end_answer),
-    .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
+    .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o), .next_fires_o,
+    .next_o(next_answer));
+  assign next_id_o = next_answer[PartW +: IdBits];
 
 `ifndef SYNTHESIS
   a_answer_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
@@ -283,6 +288,6 @@ module rc_cache #(
 `endif
 
   logic unused;
-  assign unused = ^{rsp_place, next_line};
+  assign unused = ^{rsp_place, next_line, next_answer};
 endmodule
 `default_nettype wire

@@ -25,6 +25,8 @@ module rc_l2 (
   output logic             waits_o,
   output logic [2:0]       deed_o
 );
+  logic                            next_fires;   // nobody reads anything by its answers
+  logic [rc_pkg::ClientIdBits-1:0] next_id;
   rc_cache #(
     .IdBits(rc_pkg::ClientIdBits), .AddrBits(rc_pkg::AddrBits), .Parts(1),
     .PartW(rc_pkg::LineBits), .Sets(rc_pkg::L2Sets < 1 ? 1 : rc_pkg::L2Sets),
@@ -32,7 +34,11 @@ module rc_l2 (
     .Queue(rc_pkg::CacheQueue)
   ) u_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
+    .next_fires_o(next_fires), .next_id_o(next_id),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
     .fill_word_i(fill_i.line), .waits_o, .deed_o);
+
+  logic unused;
+  assign unused = ^{next_fires, next_id};
 endmodule
 `default_nettype wire

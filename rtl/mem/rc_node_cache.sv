@@ -14,6 +14,8 @@ module rc_node_cache (
   output logic               rsp_valid_o,
   input  logic               rsp_ready_i,
   output rc_pkg::node_rsp_t  rsp_o,
+  output logic               next_fires_o,   // in a fast chip: an answer comes to the head, whose
+  output logic [rc_pkg::RayBits-1:0] next_ray_o,
   // To and from memory
   output logic               miss_valid_o,
   input  logic               miss_ready_i,
@@ -41,6 +43,7 @@ module rc_node_cache (
     .Mshrs(rc_pkg::NodeMshrs), .Queue(rc_pkg::CacheQueue)
   ) u_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
+    .next_fires_o, .next_id_o(next_ray_o),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
     .fill_word_i(word), .waits_o, .deed_o);
 

@@ -28,16 +28,19 @@ module rc_surf_cache (
   logic [SurfaceW-1:0]                      word;     // a surface takes the lowest bits of a word
   logic [rc_pkg::LineBits-SurfaceW-1:0]     beyond;
   assign {beyond, word} = fill_i.line;
+  logic                       next_fires;   // what takes surfaces reads nothing by them
+  logic [rc_pkg::RayBits-1:0] next_ray;
   rc_cache #(
     .IdBits(rc_pkg::RayBits), .AddrBits(rc_pkg::AddrBits), .Parts(1), .PartW(SurfaceW),
     .Sets(rc_pkg::SurfSets), .Ways(rc_pkg::SurfWays), .Words(rc_pkg::SurfWords),
     .Mshrs(rc_pkg::SurfMshrs), .Queue(rc_pkg::CacheQueue)
   ) u_cache (
     .clk_i, .rst_ni, .req_valid_i, .req_ready_o, .req_i, .rsp_valid_o, .rsp_ready_i, .rsp_o,
+    .next_fires_o(next_fires), .next_id_o(next_ray),
     .miss_valid_o, .miss_ready_i, .miss_o, .fill_fires_i, .fill_id_i(fill_i.id),
     .fill_word_i(word), .waits_o, .deed_o);
 
   logic unused;
-  assign unused = ^beyond;
+  assign unused = ^{beyond, next_fires, next_ray};
 endmodule
 `default_nettype wire

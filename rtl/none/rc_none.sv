@@ -23,6 +23,8 @@ module rc_none (
   output logic            done_valid_o,
   input  logic            done_ready_i,
   output rc_pkg::done_t   done_o,
+  output logic            done_next_fires_o,   // in a fast chip: the next one comes, and whose
+  output rc_pkg::done_t   done_next_o,
   // What it did; rc_pkg::trav_cause_e
   output logic [2:0]      trav_cause_o
 );
@@ -109,9 +111,16 @@ module rc_none (
   end
   assign leaves_o = {ray, base, leaves, {(W*TB){1'b0}}, offset, count};
 
-  rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(s1_valid_q && !more), .data_i(s1_ray_q),
-    .valid_o(done_valid_o), .pop_i(done_valid_o && done_ready_i), .data_o(done_o));
+  logic done_place;
+  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+    .clk_i, .rst_ni, .valid_i(s1_valid_q && !more), .ready_o(done_place), .data_i(s1_ray_q),
+    .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
+    .next_fires_o(done_next_fires_o), .next_o(done_next_o));
+`ifndef SYNTHESIS
+  a_done_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                                      s1_valid_q && !more |-> done_place)
+    else $error("a queue that cannot overflow did");
+`endif
 
   logic [rc_pkg::RayW-1:0]    ray_flat;   // what tri alone uses, or the host said of the picture
   logic [rc_pkg::FrameW-1:0]  frame_flat;
@@ -120,6 +129,6 @@ module rc_none (
   assign ray_flat    = ray_i;
   assign frame_flat  = frame_i;
   assign tested_flat = tested_i;
-  assign unused      = ^{ray_flat, frame_flat, tested_flat, next[A+1], first[0], left};
+  assign unused      = ^{done_place, ray_flat, frame_flat, tested_flat, next[A+1], first[0], left};
 endmodule
 `default_nettype wire

@@ -4,9 +4,10 @@
 // from registers only, so this cuts every combinational path between the sides.
 // With Cut the entry at the head is in a register as well, and so are ready_o and valid_o
 // themselves: a unit that reads its own memories by what a queue offers has the whole cycle.
-// No cycle is different. Model: model/base/ring.hpp (Ring).
+// No cycle is different. It also tells what comes to the head at the end of a cycle: block RAM is
+// read by that (rc_ram_ahead). Model: model/base/ring.hpp (Ring).
 `default_nettype none
-module rc_fifo #(
+module rc_fifo_ahead #(
   parameter  int unsigned Width  = 1,
   parameter  int unsigned Depth  = 4,
   parameter  int unsigned Cut    = rc_pkg::Cut,
@@ -19,13 +20,16 @@ module rc_fifo #(
   input  logic [Width-1:0] data_i,
   output logic             valid_o,
   input  logic             ready_i,
-  output logic [Width-1:0] data_o
+  output logic [Width-1:0] data_o,
+  // With Cut: an entry comes to the head, and which
+  output logic             next_fires_o,
+  output logic [Width-1:0] next_o
 );
   if (Width < 1) begin : gen_refuse
-    $error("rc_fifo: Width must be at least 1");
+    $error("rc_fifo_ahead: Width must be at least 1");
   end
   if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_refuse_2
-    $error("rc_fifo: Depth must be a power of two, at least 2");
+    $error("rc_fifo_ahead: Depth must be a power of two, at least 2");
   end
   logic [Width-1:0] mem [Depth];
   logic [IndexW:0]  head_q, tail_q;  // one wrap bit above the index
@@ -34,6 +38,7 @@ module rc_fifo #(
     assign valid_o = head_q != tail_q;
     assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};
     assign data_o  = mem[head_q[IndexW-1:0]];
+    assign {next_fires_o, next_o} = '0;
   end else begin : gen_ahead
     // The next entry comes from the memory, or from the input if the memory has no other.
     // That it has one is in a register, which has hundreds of loads: many_q, two or more entries.
@@ -49,6 +54,8 @@ module rc_fifo #(
     assign valid_o   = valid_q;
     assign ready_o   = ready_q;
     assign data_o    = data_q;
+    assign next_o       = more ? mem[next_q[IndexW-1:0]] : data_i;
+    assign next_fires_o = (!valid_q || ready_i) && (more || comes);
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
         valid_q <= 1'b0;
@@ -61,7 +68,7 @@ module rc_fifo #(
         many_q  <= goes ? (comes ? many_q : third) : many_q || (comes && valid_q);
         if (goes) next_q <= next_q + 1'b1;
       end
-      if (!valid_q || ready_i) data_q <= more ? mem[next_q[IndexW-1:0]] : data_i;
+      if (!valid_q || ready_i) data_q <= next_o;
     end
   end
 

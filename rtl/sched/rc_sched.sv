@@ -40,8 +40,10 @@ module rc_sched (
   localparam int unsigned AW = K == 0 ? 1 : 2 * K;
 
   // The pixel at hand: at_q counts through the tile, its even bits go to x, its odd to y.
-  // Whether a tile lies inside the picture in x and in y, or on its edge, is found when it comes.
+  // Whether a tile lies inside the picture in x and in y, or on its edge, is found when it comes;
+  // whether a pixel of it does, while the one before it is at hand, since much depends on it.
   logic          tile_valid, last, in_frame, at_hand, pass, give;
+  logic          tile_begins, begins;   // a tile's first pixel lies inside
   logic [P:0]    width, height;
   logic [3:0]    tile_lies, lies;
   rc_pkg::tile_t tile;
@@ -50,16 +52,17 @@ module rc_sched (
   assign height    = frame_i.height;
   assign tile_lies = {{1'b0, tile_i.x} < width[P:K], {1'b0, tile_i.x} == width[P:K],
                       {1'b0, tile_i.y} < height[P:K], {1'b0, tile_i.y} == height[P:K]};
-  rc_fifo #(.Width(rc_pkg::TileW + 4), .Depth(2)) u_tiles (
+  rc_fifo #(.Width(rc_pkg::TileW + 5), .Depth(2)) u_tiles (
     .clk_i, .rst_ni(rst_ni && !start_i),
-    .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies}),
-    .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies}));
+    .valid_i(tile_fires_i), .ready_o(tile_ready_o), .data_i({tile_i, tile_lies, tile_begins}),
+    .valid_o(tile_valid), .ready_i((give || pass) && last), .data_o({tile, lies, begins}));
   logic [P-1:0] x, y;
   if (K == 0) begin : gen_single
     assign x        = tile.x;
     assign y        = tile.y;
     assign last     = 1'b1;
-    assign in_frame = lies[3] && lies[1];
+    assign in_frame = begins;
+    assign tile_begins = tile_lies[3] && tile_lies[1];
     logic unused;
     assign unused = ^lies;
   end else begin : gen_morton
@@ -70,8 +73,24 @@ module rc_sched (
     assign x[P-1:K] = tile.x;
     assign y[P-1:K] = tile.y;
     assign last     = at_q == '1;
-    assign in_frame = (lies[3] || (lies[2] && x[K-1:0] < width[K-1:0]))
-                   && (lies[1] || (lies[0] && y[K-1:0] < height[K-1:0]));
+    logic [AW-1:0] next;
+    logic [K-1:0]  next_x, next_y;
+    logic          first_q, inside_q;
+    for (genvar i = 0; i < K; i++) begin : gen_next_bit
+      assign next_x[i] = next[2*i];
+      assign next_y[i] = next[2*i+1];
+    end
+    assign next        = at_q + 1'b1;
+    assign in_frame    = first_q ? begins : inside_q;
+    assign tile_begins = (tile_lies[3] || (tile_lies[2] && width[K-1:0] != '0))
+                      && (tile_lies[1] || (tile_lies[0] && height[K-1:0] != '0));
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni || start_i) first_q <= 1'b1;
+      else if (give || pass)  first_q <= last;
+      if (give || pass)
+        inside_q <= (lies[3] || (lies[2] && next_x < width[K-1:0]))
+                 && (lies[1] || (lies[0] && next_y < height[K-1:0]));
+    end
   end
   assign at_hand  = tile_valid && in_frame && !start_i;
   assign pass     = tile_valid && !in_frame;

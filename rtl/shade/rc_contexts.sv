@@ -67,13 +67,15 @@ module rc_contexts #(
     .write_data_i({ray_i.o, d}), .read_i, .read_addr_i(read_ray_i),
     .read_data_o({o_o, d_o}));
 
-  // ---- Its answer, in a fast chip a cycle later: nobody looks at it before.
+  // ---- Its answer, as late as rc_shade looks at it.
+  localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
   logic            answers;
   logic [I-1:0]    answer_ray;
   logic [HitW-1:0] answer;
-  rc_cut #(.Width(I + HitW)) u_answer (
+  rc_cut #(.Width(I + HitW), .Stages(Late)) u_answer (
     .clk_i, .data_i({closest_ray_i, closest_hit_i}), .data_o({answer_ray, answer}));
-  rc_event u_answers (.clk_i, .rst_ni, .fires_i(closest_fires_i), .fires_o(answers));
+  rc_event #(.Stages(Late)) u_answers (
+    .clk_i, .rst_ni, .fires_i(closest_fires_i), .fires_o(answers));
   rc_kept #(.Width(HitW), .Depth(T)) u_hit (
     .clk_i, .write_i(answers), .write_addr_i(answer_ray),
     .write_data_i(answer), .read_i, .read_addr_i(read_ray_i), .read_data_o(hit_o));

@@ -85,16 +85,13 @@ module rc_pass #(
     assign top_came = top_i;
     assign place    = place_i;
   end else begin : gen_held
-    localparam int unsigned RayW = I + HitW + 3 * P + 3 * M;
+    localparam int unsigned RayW = I + HitW + 3 * P + 3 * M + PlaceW;
     always_ff @(posedge clk_i) valid <= rst_ni && valid_i;
     rc_delay #(.Width(RayW), .Stages(1)) u_ray (
-      .clk_i, .valid_i, .data_i({ray_i, hit_i, o_i, d_i}), .data_o({ray, hit, o, d}));
-    rc_delay #(.Width(rc_pkg::ShadeStateW), .Stages(1)) u_state (
-      .clk_i, .valid_i, .data_i(state_i), .data_o(state));
-    rc_delay #(.Width(rc_pkg::SurfaceW), .Stages(1)) u_surface (
-      .clk_i, .valid_i, .data_i(surface_i), .data_o(surface));
-    rc_delay #(.Width(PlaceW), .Stages(1)) u_place (
-      .clk_i, .valid_i, .data_i(place_i), .data_o(place));
+      .clk_i, .valid_i, .data_i({ray_i, hit_i, o_i, d_i, place_i}),
+      .data_o({ray, hit, o, d, place}));
+    rc_delay #(.Width(rc_pkg::ShadeStateW + rc_pkg::SurfaceW), .Stages(1)) u_state (
+      .clk_i, .valid_i, .data_i({state_i, surface_i}), .data_o({state, surface}));
     rc_delay #(.Width(rc_pkg::WaitingW), .Stages(1)) u_top_came (
       .clk_i, .valid_i(valid), .data_i(top_i), .data_o(top_came));
   end
@@ -158,14 +155,12 @@ module rc_pass #(
 
   // ---- The state as far as it is known waits for the end.
   localparam int unsigned KnownW = I + rc_pkg::ShadeStateW;
+  logic                        goes_on;   // before the first stage ends: fewer are told then
   logic [KnownW-1:0]           waited_known;
   logic [rc_pkg::WaitingW-1:0] waited_top;
   logic [I-1:0]                end_ray;
   rc_pkg::shade_state_t        was;
   rc_pkg::waiting_t            top;
-  // It is there before the first stage ends, and goes on before the rest: fewer cells are told at
-  // once.
-  logic goes_on;
   assign goes_on = Every > 2 ? turn[Every < 2 ? 0 : Every-2] : ends[0];
   rc_beside #(.Width(KnownW), .Stages(L), .Late(Cut)) u_known (
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[L]), .data_i({ray, known}),
@@ -173,10 +168,8 @@ module rc_pass #(
   rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L), .Late(Cut)) u_top (
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[L]), .data_i(top_came),
     .data_o(waited_top));
-  rc_cut #(.Width(KnownW), .Stages(rc_pkg::ShadeCut)) u_was (
-    .clk_i, .data_i(waited_known), .data_o({end_ray, was}));
-  rc_cut #(.Width(rc_pkg::WaitingW), .Stages(rc_pkg::ShadeCut)) u_waited (
-    .clk_i, .data_i(waited_top), .data_o(top));
+  rc_cut #(.Width(KnownW + rc_pkg::WaitingW), .Stages(rc_pkg::ShadeCut)) u_was (
+    .clk_i, .data_i({waited_known, waited_top}), .data_o({end_ray, was, top}));
 
   // What others take from it on the way.
   logic [3*AB-1:0] s13_normal, s13_view;

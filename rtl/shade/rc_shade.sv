@@ -63,19 +63,26 @@ module rc_shade (
   logic [1:0]                  kind;
   assign closest         = closest_i;
   assign closest_ready_o = 1'b1;
-  // In a fast chip what it wants is looked at a cycle later.
-  logic         answers;
-  logic [A-1:0] closest_place;
+  // In a fast chip what it wants is looked at later: it is a cycle on its way, and then one here.
+  localparam int unsigned Late = rc_pkg::Cut + rc_pkg::FarCut;
+  logic          answers, way_found;
+  logic [I-1:0]  way_ray;
+  logic [PB-1:0] way_prim;
+  logic [A-1:0]  closest_place;
   if (rc_pkg::Homes == 1) begin : gen_place_of_hit
-    rc_cut #(.Width(A)) u_place_of_hit (
+    rc_cut #(.Width(A), .Stages(Late)) u_place_of_hit (
       .clk_i, .data_i(closest_i.place), .data_o(closest_place));
   end else begin : gen_no_place_of_hit
     assign closest_place = '0;
   end
+  rc_cut #(.Width(I + PB + 1), .Stages(rc_pkg::FarCut)) u_way (
+    .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found}),
+    .data_o({way_ray, way_prim, way_found}));
   rc_cut #(.Width(I + PB + 1)) u_answer (
-    .clk_i, .data_i({closest_i.ray, closest_i.prim, closest_i.found && !any_hit}),
+    .clk_i, .data_i({way_ray, way_prim, way_found && !any_hit}),
     .data_o({closest_ray, closest_prim, wants_surface}));
-  rc_event u_answers (.clk_i, .rst_ni, .fires_i(closest_valid_i), .fires_o(answers));
+  rc_event #(.Stages(Late)) u_answers (
+    .clk_i, .rst_ni, .fires_i(closest_valid_i), .fires_o(answers));
   assign ends_at_any     = kind == rc_pkg::RayShadow || kind == rc_pkg::RayAway;
   // In a fast chip it is written a cycle later, beside the memory.
   logic         starts, starts_any;
@@ -84,7 +91,7 @@ module rc_shade (
     .clk_i, .data_i({ray_i.ray, ends_at_any}), .data_o({starts_ray, starts_any}));
   rc_ram #(.Width(1), .Depth(T)) u_any (
     .clk_i, .write_i(starts), .write_addr_i(starts_ray), .write_data_i(starts_any),
-    .read_addr_i(closest_i.ray), .read_data_o(any_hit));
+    .read_addr_i(way_ray), .read_data_o(any_hit));
   rc_event u_ray_starts (.clk_i, .rst_ni, .fires_i(ray_fires_i), .fires_o(starts));
 `ifndef SYNTHESIS
   a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)

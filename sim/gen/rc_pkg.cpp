@@ -250,6 +250,7 @@ void derived(Package& p, const Config& c) {
     p.constant("MemIdBits", c.mem_id_bits());
     const Stages stages(c);
     p.constant("Cut", stages.cut);
+    p.constant("FarCut", stages.far);
     p.constant("MulStages", stages.multiply);
     p.constant("SlabPlanes", stages.slab_planes);
     p.constant("SlabStages", stages.slab);

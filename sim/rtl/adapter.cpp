@@ -122,7 +122,7 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         std::vector<PortSpec> ports{
             {"frame", fixed}, {"start", listen},   {"ray", in},        {"node_req", out},
             {"node_rsp", in}, {"decide_req", out}, {"decide_rsp", in}, {"leaves", PortKind::fires},
-            {"tested", in},   {"done", out},       {"cause", plain}};
+            {"tested", in},   {"done", out},       {"cause", plain},   {"node_next", listen}};
         if (config.has_instances()) ports.push_back({"xform_req", out}), ports.push_back({"change", listen});
         return ports;
     }
@@ -131,9 +131,10 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
         module == "rc_tri")
         return {{"req", in}, {"rsp", out}};
     if (module == "rc_list") {
-        std::vector<PortSpec> ports{
-            {"start", listen}, {"ray", listen}, {"leaves", listen}, {"prim_req", out}, {"prim_rsp", in},
-            {"tri_req", out},  {"tri_rsp", in}, {"tested", out},    {"done", in},      {"closest", out}};
+        std::vector<PortSpec> ports{{"start", listen}, {"ray", listen},       {"leaves", listen},
+                                    {"prim_req", out}, {"prim_rsp", in},      {"tri_req", out},
+                                    {"tri_rsp", in},   {"tested", out},       {"done", in},
+                                    {"closest", out},  {"prim_next", listen}, {"done_next", listen}};
         if (config.has_instances()) ports.push_back({"change", listen});
         return ports;
     }

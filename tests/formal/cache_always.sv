@@ -117,29 +117,29 @@ module cache_always (
   end
 
   // ---- Ties to the inside, as an induction needs them. First the queues, each first to last.
-  (* hierconn *) wire [1:0] \u_dut.gen_at_once.u_in.head_q , \u_dut.gen_at_once.u_in.tail_q , \u_dut.u_answers.head_q , \u_dut.u_answers.tail_q ;
-  (* hierconn *) wire [3:0] \u_dut.gen_at_once.u_in.mem[0] , \u_dut.gen_at_once.u_in.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.gen_at_once.u_in.u_fifo.head_q , \u_dut.gen_at_once.u_in.u_fifo.tail_q , \u_dut.u_answers.head_q , \u_dut.u_answers.tail_q ;
+  (* hierconn *) wire [3:0] \u_dut.gen_at_once.u_in.u_fifo.mem[0] , \u_dut.gen_at_once.u_in.u_fifo.mem[1] ;
   (* hierconn *) wire [2:0] \u_dut.u_answers.mem[0] , \u_dut.u_answers.mem[1] ;
-  (* hierconn *) wire [1:0] \u_dut.u_misses.u_fifo.head_q , \u_dut.u_misses.u_fifo.tail_q ;
-  (* hierconn *) wire [2:0] \u_dut.u_misses.u_fifo.mem[0] , \u_dut.u_misses.u_fifo.mem[1] ;
-  (* hierconn *) wire [1:0] \u_dut.u_mshr.u_filled.u_fifo.head_q , \u_dut.u_mshr.u_filled.u_fifo.tail_q ;
-  (* hierconn *) wire [2:0] \u_dut.u_mshr.u_filled.u_fifo.mem[0] , \u_dut.u_mshr.u_filled.u_fifo.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.u_misses.u_fifo.u_fifo.head_q , \u_dut.u_misses.u_fifo.u_fifo.tail_q ;
+  (* hierconn *) wire [2:0] \u_dut.u_misses.u_fifo.u_fifo.mem[0] , \u_dut.u_misses.u_fifo.u_fifo.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.u_mshr.u_filled.u_fifo.u_fifo.head_q , \u_dut.u_mshr.u_filled.u_fifo.u_fifo.tail_q ;
+  (* hierconn *) wire [2:0] \u_dut.u_mshr.u_filled.u_fifo.u_fifo.mem[0] , \u_dut.u_mshr.u_filled.u_fifo.u_fifo.mem[1] ;
   logic [1:0] in_n, ans_n, miss_n, fill_n;
   logic [7:0] in_q;
   logic [5:0] ans_q, miss_q, fill_q;
-  assign in_n   = \u_dut.gen_at_once.u_in.tail_q - \u_dut.gen_at_once.u_in.head_q ;
+  assign in_n   = \u_dut.gen_at_once.u_in.u_fifo.tail_q - \u_dut.gen_at_once.u_in.u_fifo.head_q ;
   assign ans_n  = \u_dut.u_answers.tail_q - \u_dut.u_answers.head_q ;
-  assign miss_n = \u_dut.u_misses.u_fifo.tail_q - \u_dut.u_misses.u_fifo.head_q ;
-  assign fill_n = \u_dut.u_mshr.u_filled.u_fifo.tail_q - \u_dut.u_mshr.u_filled.u_fifo.head_q ;
-  assign in_q   = \u_dut.gen_at_once.u_in.head_q [0] ? {\u_dut.gen_at_once.u_in.mem[0] , \u_dut.gen_at_once.u_in.mem[1] }
-                                         : {\u_dut.gen_at_once.u_in.mem[1] , \u_dut.gen_at_once.u_in.mem[0] };
+  assign miss_n = \u_dut.u_misses.u_fifo.u_fifo.tail_q - \u_dut.u_misses.u_fifo.u_fifo.head_q ;
+  assign fill_n = \u_dut.u_mshr.u_filled.u_fifo.u_fifo.tail_q - \u_dut.u_mshr.u_filled.u_fifo.u_fifo.head_q ;
+  assign in_q   = \u_dut.gen_at_once.u_in.u_fifo.head_q [0] ? {\u_dut.gen_at_once.u_in.u_fifo.mem[0] , \u_dut.gen_at_once.u_in.u_fifo.mem[1] }
+                                         : {\u_dut.gen_at_once.u_in.u_fifo.mem[1] , \u_dut.gen_at_once.u_in.u_fifo.mem[0] };
   assign ans_q  = \u_dut.u_answers.head_q [0] ? {\u_dut.u_answers.mem[0] , \u_dut.u_answers.mem[1] }
                                               : {\u_dut.u_answers.mem[1] , \u_dut.u_answers.mem[0] };
-  assign miss_q = \u_dut.u_misses.u_fifo.head_q [0] ? {\u_dut.u_misses.u_fifo.mem[0] , \u_dut.u_misses.u_fifo.mem[1] }
-                                                    : {\u_dut.u_misses.u_fifo.mem[1] , \u_dut.u_misses.u_fifo.mem[0] };
-  assign fill_q = \u_dut.u_mshr.u_filled.u_fifo.head_q [0]
-      ? {\u_dut.u_mshr.u_filled.u_fifo.mem[0] , \u_dut.u_mshr.u_filled.u_fifo.mem[1] }
-      : {\u_dut.u_mshr.u_filled.u_fifo.mem[1] , \u_dut.u_mshr.u_filled.u_fifo.mem[0] };
+  assign miss_q = \u_dut.u_misses.u_fifo.u_fifo.head_q [0] ? {\u_dut.u_misses.u_fifo.u_fifo.mem[0] , \u_dut.u_misses.u_fifo.u_fifo.mem[1] }
+                                                    : {\u_dut.u_misses.u_fifo.u_fifo.mem[1] , \u_dut.u_misses.u_fifo.u_fifo.mem[0] };
+  assign fill_q = \u_dut.u_mshr.u_filled.u_fifo.u_fifo.head_q [0]
+      ? {\u_dut.u_mshr.u_filled.u_fifo.u_fifo.mem[0] , \u_dut.u_mshr.u_filled.u_fifo.u_fifo.mem[1] }
+      : {\u_dut.u_mshr.u_filled.u_fifo.u_fifo.mem[1] , \u_dut.u_mshr.u_filled.u_fifo.u_fifo.mem[0] };
 
   // Every open request is in one place: queue, chain, s1 or answers; with the right address or data.
   (* hierconn *) wire       \u_dut.s1_valid_q , \u_dut.gen_part[0].u_data.read_q ;

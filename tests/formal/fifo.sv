@@ -1,4 +1,4 @@
-// What rc_fifo promises, for any traffic on both sides: what goes in comes out, once, in order and unchanged; nothing
+// What rc_fifo_ahead promises, and so rc_fifo, for any traffic on both sides: what goes in comes out, once, in order and unchanged; nothing
 // else comes out; ready and an offer stay until they are used.
 //
 // One entry is followed, any: `pick_i` says which. `ahead_q` entries leave before it. Ties to the inside, as an
@@ -17,10 +17,11 @@ module fifo #(
   input logic             pick_i
 );
   logic             ready_o, valid_o;
-  logic [Width-1:0] data_o;
-  rc_fifo #(.Width(Width), .Depth(Depth), .Cut(Cut)) u_dut (
+  logic [Width-1:0] data_o, next_data;
+  logic             next_fires;
+  rc_fifo_ahead #(.Width(Width), .Depth(Depth), .Cut(Cut)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(valid_i), .ready_o(ready_o), .data_i(data_i),
-    .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o));
+    .valid_o(valid_o), .ready_i(ready_i), .data_o(data_o), .next_fires_o(next_fires), .next_o(next_data));
   (* hierconn *) wire [IndexW:0] \u_dut.head_q ;
   (* hierconn *) wire [IndexW:0] \u_dut.tail_q ;
 
@@ -38,7 +39,8 @@ module fifo #(
   logic [IndexW:0] inside;
   assign inside = \u_dut.tail_q - \u_dut.head_q ;
 
-  logic             enters, leaves, follows_q, stalled_q, open_q;
+  logic             enters, leaves, follows_q, stalled_q, open_q, told_q, gone_q;   // told ahead; no head stayed
+  logic [Width-1:0] told_data_q;
   logic [IndexW:0]  count_q, ahead_q;
   logic [Width-1:0] token_q, shown_q;
   assign enters = valid_i && ready_o;
@@ -63,6 +65,9 @@ module fifo #(
       end
     end
     shown_q <= data_o;
+    told_q  <= rst_ni && next_fires;
+    gone_q  <= rst_ni && (!valid_o || ready_i);
+    told_data_q <= next_data;
   end
 
 `ifdef Cut_1
@@ -97,5 +102,9 @@ module fifo #(
     a_next:    assert (next == 1'b1);
     a_many:    assert (many == (count_q > 1));
     a_open:    assert (!open_q || ready_o);
+`ifdef Cut_1
+    a_told:    assert (!told_q || (valid_o && data_o == told_data_q));
+    a_tells:   assert (told_q || !gone_q || !valid_o);
+`endif
   end
 endmodule

@@ -115,8 +115,8 @@ module mshr #(
   (* hierconn *) wire [1:0] \u_dut.u_last.mem[0] , \u_dut.u_last.mem[1] ;
   (* hierconn *) wire [1:0] \u_dut.u_next.mem[0] , \u_dut.u_next.mem[1] , \u_dut.u_next.mem[2] , \u_dut.u_next.mem[3] ;
   (* hierconn *) wire [1:0] \u_dut.u_place.mem[0] , \u_dut.u_place.mem[1] ;
-  (* hierconn *) wire [1:0] \u_dut.u_filled.u_fifo.head_q , \u_dut.u_filled.u_fifo.tail_q ;
-  (* hierconn *) wire [2:0] \u_dut.u_filled.u_fifo.mem[0] , \u_dut.u_filled.u_fifo.mem[1] ;
+  (* hierconn *) wire [1:0] \u_dut.u_filled.u_fifo.u_fifo.head_q , \u_dut.u_filled.u_fifo.u_fifo.tail_q ;
+  (* hierconn *) wire [2:0] \u_dut.u_filled.u_fifo.u_fifo.mem[0] , \u_dut.u_filled.u_fifo.u_fifo.mem[1] ;
   logic [1:0] in_busy, in_set, in_way, in_words, in_count, in_queue;
   logic [3:0] in_head, in_tail, in_place;
   logic [7:0] in_next;
@@ -128,8 +128,8 @@ module mshr #(
   assign in_tail   = {\u_dut.u_tail.mem[1] , \u_dut.u_tail.mem[0] };
   assign in_next   = {\u_dut.u_next.mem[3] , \u_dut.u_next.mem[2] , \u_dut.u_next.mem[1] , \u_dut.u_next.mem[0] };
   assign in_place  = {\u_dut.u_place.mem[1] , \u_dut.u_place.mem[0] };
-  assign in_filled = {\u_dut.u_filled.u_fifo.mem[1] , \u_dut.u_filled.u_fifo.mem[0] };
-  assign in_count  = \u_dut.u_filled.u_fifo.tail_q - \u_dut.u_filled.u_fifo.head_q ;
+  assign in_filled = {\u_dut.u_filled.u_fifo.u_fifo.mem[1] , \u_dut.u_filled.u_fifo.u_fifo.mem[0] };
+  assign in_count  = \u_dut.u_filled.u_fifo.u_fifo.tail_q - \u_dut.u_filled.u_fifo.u_fifo.head_q ;
 `ifdef Words_1
   assign in_words = words_q;
 `else
@@ -140,7 +140,7 @@ module mshr #(
   // The filled lines, first to last: {mshr, set, way}.
   logic [2:0] first, second;
   logic       top;
-  assign top    = \u_dut.u_filled.u_fifo.head_q [0];
+  assign top    = \u_dut.u_filled.u_fifo.u_fifo.head_q [0];
   assign first  = in_filled[3*top +: 3];
   assign second = in_filled[3*!top +: 3];
   always @* if (begun_q && rst_ni) begin

@@ -22,31 +22,37 @@ prove(mutant:formal_door_forgets_who_came_as_one_left TOP door RTL rc_pkg.sv pri
 
 # ---- Queues.
 foreach(depth IN ITEMS 2 4)
-  prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
-  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Depth=${depth} Cut=1 INDUCTION 4)
+  prove(formal:fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:fast_fifo_of_${depth} TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Depth=${depth} Cut=1 INDUCTION 4)
 endforeach()
-prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = 1'b1;]])
-prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fast_fifo_forgets_what_follows TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[valid_q <= (valid_q && !ready_i) || more || comes;]]
   NEW [[valid_q <= (valid_q && !ready_i) || comes;]])
-prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fast_fifo_counts_no_third TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[many_q  <= goes ? (comes ? many_q : third)]]
   NEW [[many_q  <= goes ? (comes ? many_q : third && 1'b0)]])
-prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fast_fifo_ready_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[(ready_q && !(valid_i && one_place));]]
   NEW [[ready_q;]])
-prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fast_fifo_tells_nothing_of_what_has_just_come TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
+  OLD [[(!valid_q || ready_i) && (more || comes);]]
+  NEW [[(!valid_q || ready_i) && more;]])
+prove(mutant:formal_fast_fifo_tells_what_stays_behind TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv WITH Cut=1 CYCLES 10 FILE prim/rc_fifo_ahead.sv
+  OLD [[(!valid_q || ready_i) && (more || comes);]]
+  NEW [[(!valid_q || ready_i) && (more || comes) || more;]])
+prove(mutant:formal_fifo_writes_when_full TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[if (valid_i && ready_o) mem[tail_q]]
   NEW [[if (valid_i) mem[tail_q]])
-prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv prim/rc_fifo.sv CYCLES 10 FILE prim/rc_fifo.sv
+prove(mutant:formal_fifo_pops_when_empty TOP fifo RTL rc_pkg.sv prim/rc_fifo_ahead.sv CYCLES 10 FILE prim/rc_fifo_ahead.sv
   OLD [[if (valid_o && ready_i) head_q]]
   NEW [[if (ready_i) head_q]])
 foreach(depth IN ITEMS 1 2 4)
-  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=${depth} INDUCTION 4)
+  prove(formal:queue_of_${depth} TOP queue RTL rc_pkg.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_fifo_ahead.sv WITH Depth=${depth} INDUCTION 4)
 endforeach()
-prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv prim/rc_queue.sv prim/rc_fifo.sv WITH Depth=4 CYCLES 10 FILE prim/rc_queue.sv
+prove(mutant:formal_queue_half_as_deep TOP queue RTL rc_pkg.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_fifo_ahead.sv WITH Depth=4 CYCLES 10 FILE prim/rc_queue.sv
   OLD [[.valid_i(push_i), .ready_o(ready), .data_i,]]
   NEW [[.valid_i(push_i && !valid_o), .ready_o(ready), .data_i,]])
 
@@ -75,7 +81,7 @@ prove(mutant:formal_arbiter_grants_two TOP arbiter RTL mem/rc_arbiter.sv CYCLES 
   NEW [[{{(Sources-1){1'b0}}, valid_o && ready_i} << source_o | {valid_i[Sources-1] && valid_i[0] && ready_i, {(Sources-1){1'b0}}};]])
 
 # ---- The caches' control.
-set(mshr rc_pkg.sv mem/rc_mshr.sv prim/rc_ram.sv prim/rc_queue.sv prim/rc_fifo.sv)
+set(mshr rc_pkg.sv mem/rc_mshr.sv prim/rc_ram.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_fifo_ahead.sv)
 foreach(words IN ITEMS 1 2)
   prove(formal:mshr_of_${words}_words TOP mshr RTL ${mshr} WITH Words=${words} INDUCTION 3)
 endforeach()
@@ -107,7 +113,7 @@ prove(mutant:formal_tags_last_used_goes TOP tags RTL ${tags} CYCLES 8 FILE mem/r
 prove(mutant:formal_tags_clear_one_set TOP tags RTL ${tags} CYCLES 8 FILE mem/rc_tags.sv
   OLD [[clear_q <= clear_q + 1'b1;]]
   NEW [[clear_q <= '0;]])
-set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_door.sv)
+set(cache ${tags} mem/rc_cache.sv mem/rc_mshr.sv prim/rc_queue.sv prim/rc_fifo.sv prim/rc_fifo_ahead.sv prim/rc_door.sv)
 prove(formal:cache TOP cache_always RTL ${cache} INDUCTION 3)
 prove(formal:cache_of_2_words_to_9_cycles TOP cache RTL ${cache} WITH Words=2 CYCLES 9)
 prove(formal:cache_to_11_cycles TOP cache RTL ${cache} CYCLES 11 SLOW)

@@ -18,13 +18,13 @@ module queue #(
   rc_queue #(.Width(Width), .Depth(Depth)) u_dut (
     .clk_i(clk_i), .rst_ni(rst_ni), .push_i(push_i), .data_i(data_i), .valid_o(valid_o), .pop_i(pop_i), .data_o(data_o));
   (* hierconn *) wire            \u_dut.ready ;
-  (* hierconn *) wire [IndexW:0] \u_dut.u_fifo.head_q ;
-  (* hierconn *) wire [IndexW:0] \u_dut.u_fifo.tail_q ;
-  (* hierconn *) wire [Width-1:0] \u_dut.u_fifo.mem[0] , \u_dut.u_fifo.mem[1] ;
+  (* hierconn *) wire [IndexW:0] \u_dut.u_fifo.u_fifo.head_q ;
+  (* hierconn *) wire [IndexW:0] \u_dut.u_fifo.u_fifo.tail_q ;
+  (* hierconn *) wire [Width-1:0] \u_dut.u_fifo.u_fifo.mem[0] , \u_dut.u_fifo.u_fifo.mem[1] ;
 `ifdef Depth_4
-  (* hierconn *) wire [Width-1:0] \u_dut.u_fifo.mem[2] , \u_dut.u_fifo.mem[3] ;
+  (* hierconn *) wire [Width-1:0] \u_dut.u_fifo.u_fifo.mem[2] , \u_dut.u_fifo.u_fifo.mem[3] ;
 `else
-  wire [Width-1:0] \u_dut.u_fifo.mem[2] = '0, \u_dut.u_fifo.mem[3] = '0;
+  wire [Width-1:0] \u_dut.u_fifo.u_fifo.mem[2] = '0, \u_dut.u_fifo.u_fifo.mem[3] = '0;
 `endif
 
   logic begun_q = 1'b0;
@@ -34,7 +34,7 @@ module queue #(
   logic             follows_q;
   logic [IndexW:0]  count_q, ahead_q, inside;
   logic [Width-1:0] token_q;
-  assign inside = \u_dut.u_fifo.tail_q - \u_dut.u_fifo.head_q ;
+  assign inside = \u_dut.u_fifo.u_fifo.tail_q - \u_dut.u_fifo.u_fifo.head_q ;
   always @* if (rst_ni) begin
     assume (!push_i || count_q < Depth);
     assume (!pop_i || valid_o);
@@ -59,8 +59,8 @@ module queue #(
   logic [IndexW-1:0]  place;
   logic [4*Width-1:0] all;
   logic [Width-1:0]   kept;
-  assign place = \u_dut.u_fifo.head_q [IndexW-1:0] + ahead_q[IndexW-1:0];
-  assign all   = {\u_dut.u_fifo.mem[3] , \u_dut.u_fifo.mem[2] , \u_dut.u_fifo.mem[1] , \u_dut.u_fifo.mem[0] };
+  assign place = \u_dut.u_fifo.u_fifo.head_q [IndexW-1:0] + ahead_q[IndexW-1:0];
+  assign all   = {\u_dut.u_fifo.u_fifo.mem[3] , \u_dut.u_fifo.u_fifo.mem[2] , \u_dut.u_fifo.u_fifo.mem[1] , \u_dut.u_fifo.u_fifo.mem[0] };
   assign kept  = all[place*Width +: Width];
 
   always @* if (begun_q && rst_ni) begin

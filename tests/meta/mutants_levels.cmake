@@ -238,7 +238,21 @@ mutant(judge_levels_material_of_the_mesh FILE model/accel/levels/compile.cpp TES
   OLD [[entry.material = material_of(*own);]]
   NEW [[entry.material = 0 * material_of(*own);]])
 
+# ---- A refracted ray that boxes do not hold.
+mutant(short_refracted_ray_goes FILE model/shade/bounce.cpp TEST unit [bounce]
+  OLD [[&& is_held(c, out.d);]]
+  NEW [[&& (is_held(c, out.d) || c.has_homes());]])
+mutant(rtl_short_refracted_ray_goes FILE rtl/shade/rc_turnout.sv TEST system "model and RTL send no refracted ray*"
+  OLD [[assign held = holds != '0;]]
+  NEW [[assign held = holds != '1;]])
+mutant(judge_of_levels_misses_short_refracted_rays FILE sim/judge/path_bounce.cpp TEST system "every ray and colour of a sound picture of instances*"
+  OLD [[if (rules_.placed && std::max(]]
+  NEW [[if (!rules_.placed && std::max(]])
+
 # ---- The judge itself, its oracle and its causes.
+mutant(oracle_of_levels_has_no_margin FILE model/oracle/placed.cpp TEST system "a small mesh is found*"
+  OLD [[whole_above(reach * (1 + std::max<Int128>(longest, 1)), 2) + 1;]]
+  NEW [[whole_above(reach * (1 + std::max<Int128>(longest, 1)), 1 << 20) + 1;]])
 mutant(oracle_of_levels_rounds_down FILE model/oracle/placed.cpp TEST system "the oracle of two levels*"
   OLD [[2 * n + (Int128(1) << bits)]]
   NEW [[2 * n]])
@@ -272,8 +286,8 @@ mutant(rtl_two_units_have_two_doors FILE rtl/bvh/rc_tree.sv TEST system "model a
   OLD [[.leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));]]
   NEW [[.leave_i(decide_rsp_valid), .open_o(open));]])
 mutant(rtl_both_units_rest FILE rtl/bvh/rc_tree.sv TEST system "model and RTL walk two structures alike"
-  OLD [[assign mesh_req_ready = mesh_ready && open;]]
-  NEW [[assign mesh_req_ready = mesh_ready && open && !decide_rests;]])
+  OLD [[.req_i(mesh_req), .open_i(open),]]
+  NEW [[.req_i(mesh_req), .open_i(open && decide_req_ready),]])
 mutant(rtl_exits_keep_the_order_of_boxes FILE rtl/bvh/rc_rank.sv TEST system "model and RTL walk two structures alike"
   OLD [[Exits ? s0_lines : O'(2 * i)]]
   NEW [[(rc_pkg::Structure == rc_pkg::StructureKd) && Exits ? s0_lines : O'(2 * i)]])

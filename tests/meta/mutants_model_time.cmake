@@ -51,8 +51,11 @@ mutant(model_shade_rests_too_long FILE model/shade/unit.hpp WITH tests/unit/shad
   OLD [[rests_(std::uint32_t(config.shade_interval - 1))]]
   NEW [[rests_(std::uint32_t(config.shade_interval))]])
 mutant(model_shade_looks_at_an_answer_at_once FILE model/shade/unit.hpp WITH tests/unit/shade_test.cpp TEST unit [shade][interval]
-  OLD [[        if (late_) {]]
-  NEW [[        if (late_ && !closest.there) {]])
+  OLD [[i < late_; ++i)]]
+  NEW [[i < late_ && !(i == 0 && closest.there); ++i)]])
+mutant(model_shade_looks_a_cycle_early FILE model/core/stages.cpp TEST unit [shade][interval]
+  OLD [[    closest = cut + far;]]
+  NEW [[    closest = cut;]])
 mutant(model_sleeps_through_an_answer QUICK FILE model/machine.cpp TEST unit "idle cycles that are passed over*"
   OLD [[wake = std::min(wake, memory_.quiet_until());]]
   NEW [[wake = std::min(wake, memory_.quiet_until() + 1);]])

@@ -129,8 +129,14 @@ mutant(sched_frees_another_context QUICK FILE rtl/sched/rc_sched.sv TEST unit [s
   OLD [[.push_i(freed), .data_i(pixel_i.ray)]]
   NEW [[.push_i(freed), .data_i(pixel_i.ray ^ I'(1))]])
 mutant(sched_one_row_more FILE rtl/sched/rc_sched.sv TEST unit [sched]
-  OLD [[y[K-1:0] < height[K-1:0]));]]
-  NEW [[y[K-1:0] <= height[K-1:0]));]])
+  OLD [[next_y < height[K-1:0]));]]
+  NEW [[next_y <= height[K-1:0]));]])
+mutant(sched_tile_begins_inside FILE rtl/sched/rc_sched.sv TEST unit [sched]
+  OLD [[(tile_lies[0] && height[K-1:0] != '0));]]
+  NEW [[tile_lies[0]);]])
+mutant(sched_begins_a_frame_within_a_tile FILE rtl/sched/rc_sched.sv TEST unit [sched]
+  OLD [[if (!rst_ni || start_i) first_q <= 1'b1;]]
+  NEW [[if (!rst_ni) first_q <= 1'b1;]])
 mutant(sched_edge_tile_is_outside FILE rtl/sched/rc_sched.sv TEST unit [sched]
   OLD [[{1'b0, tile_i.x} == width[P:K],]]
   NEW [[{1'b0, tile_i.x} > width[P:K],]])
@@ -171,9 +177,9 @@ mutant(top_never_serves_primitives FILE rtl/rc_top.sv TEST unit [machine][lockst
 mutant(sched_loses_hits_of_used_contexts FILE rtl/sched/rc_sched.sv TEST unit [machine][lockstep]
   OLD [[assign hit_valid_o   = pixel_valid_i;]]
   NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])
-mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_tree.sv TEST unit "model and rtl of the machine count the same"
-  OLD [[decide_cause_o = node_waits_i ?]]
-  NEW [[decide_cause_o = !node_waits_i ?]])
+mutant(tally_of_box_blames_trav QUICK FILE rtl/bvh/rc_decide.sv TEST unit "model and rtl of the machine count the same"
+  OLD [[cause_o = node_waits_i ?]]
+  NEW [[cause_o = !node_waits_i ?]])
 mutant(tally_skips_a_cause FILE rtl/prim/rc_tally.sv TEST unit "model and rtl of the machine count the same"
   OLD [[counts_q ? count_o + 1'b1 : '0;]]
   NEW [[counts_q ? count_o + {{(rc_pkg::TallyBits-1){1'b0}}, cause_q != 3'd5} : '0;]])
@@ -188,7 +194,7 @@ mutant(sched_cause_blames_dispatch FILE rtl/sched/rc_sched.sv TEST unit [sched]
   NEW [[: !at_hand ? rc_pkg::SchedStarvedContexts]])
 
 # ---- doors and queues.
-mutant(fifo_full_one_early FILE rtl/prim/rc_fifo.sv TEST unit [box][lockstep]
+mutant(fifo_full_one_early FILE rtl/prim/rc_fifo_ahead.sv TEST unit [box][lockstep]
   OLD [[assign ready_o = head_q != {~tail_q[IndexW], tail_q[IndexW-1:0]};]]
   NEW [[assign ready_o = tail_q - head_q < (IndexW+1)'(Depth - 1);]])
 mutant(door_one_credit_more QUICK FILE rtl/prim/rc_door.sv TEST unit [tri][lockstep]
@@ -251,16 +257,16 @@ mutant(tri_one_cycle_late FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
   rc_fifo #(.Width(rc_pkg::TriRspW), .Depth(rc_pkg::TriQueue)) u_queue (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
 mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[  rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(done), .data_i(end_tested.ray),]]
+  OLD [[  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+    .clk_i, .rst_ni, .valid_i(done), .ready_o(done_place), .data_i(end_tested.ray),]]
   NEW [[  logic late_q;
   logic [I-1:0] late_ray_q;
   always_ff @(posedge clk_i) begin
     late_q     <= rst_ni && done;
     late_ray_q <= end_tested.ray;
   end
-  rc_queue #(.Width(I), .Depth(T)) u_done (
-    .clk_i, .rst_ni, .push_i(late_q), .data_i(late_ray_q),]])
+  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
+    .clk_i, .rst_ni, .valid_i(late_q), .ready_o(done_place), .data_i(late_ray_q),]])
 mutant(leafless_ray_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
     .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_beat}),]]
@@ -297,7 +303,7 @@ mutant(arbiter_one_cycle_late FILE rtl/mem/rc_arbiter.sv TEST unit [machine][loc
 
 # ---- caches: who waits, which line goes, what is read.
 mutant(cache_one_cycle_late FILE rtl/mem/rc_cache.sv TEST unit "a hit is answered exactly*"
-  OLD [[  rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+  OLD [[  rc_fifo_ahead #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(end_valid), .ready_o(rsp_place), .data_i(end_answer),]]
   NEW [[  logic late_q;
   logic [IdBits+PartW-1:0] late_data_q;
@@ -305,7 +311,7 @@ mutant(cache_one_cycle_late FILE rtl/mem/rc_cache.sv TEST unit "a hit is answere
     late_q      <= rst_ni && end_valid;
     late_data_q <= end_answer;
   end
-  rc_fifo #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
+  rc_fifo_ahead #(.Width(IdBits + PartW), .Depth(Queue)) u_answers (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(rsp_place), .data_i(late_data_q),]])
 mutant(cache_line_filled_one_cycle_late FILE rtl/mem/rc_mshr.sv TEST unit "a miss asks memory*"
   OLD [[  rc_queue #(.Width(MshrW + SetW + WayW), .Depth(Mshrs)) u_filled (

@@ -10,8 +10,8 @@ mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][f
   NEW [[rc_cut #(.Width(M + E + 3), .Stages(0)) u_coarse]])
 
 mutant(list_fast_loses_a_stage FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[.Stages(2 * rc_pkg::Cut)) u_it_group]]
-  NEW [[.Stages(rc_pkg::Cut)) u_it_group]])
+  OLD [[rc_cut #(.Width(GroupW)) u_it_group]]
+  NEW [[rc_cut #(.Width(GroupW), .Stages(0)) u_it_group]])
 mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[.write_addr_i(late_addr), .write_data_i(late_group),]]
   NEW [[.write_addr_i(write_addr | (late_addr & '0)), .write_data_i(late_group),]])
@@ -104,6 +104,9 @@ mutant(list_ignores_t_best_after_the_first_leaf FILE rtl/list/rc_list.sv TEST un
 mutant(list_takes_the_first_leaf_for_all FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[was_moved ? more_after_it : more_after_first;]]
   NEW [[was_moved && !it_leaf[0] ? more_after_it : more_after_first;]])
+mutant(list_reads_the_ray_before FILE rtl/prim/rc_ram_ahead.sv TEST unit [list][lockstep]
+  OLD [[if (next_fires_i) read_q]]
+  NEW [[if (next_fires_i && next_addr_i != head_addr_i) read_q]])
 mutant(mark_stays FILE rtl/prim/rc_mark.sv TEST unit [list][lockstep]
   OLD [[at == IndexW'(m)) mark_q <= mark;]]
   NEW [[at == IndexW'(m)) mark_q <= mark || mark_q;]])

@@ -14,8 +14,8 @@ mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [l
   OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
   NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[stop     = any_hit[tested_ray] && found[tested_ray];]]
-  NEW [[stop     = any_hit[tested_ray] && found[tested_ray] && !tested_ray[0];]])
+  OLD [[any_hit[tested_ray] && found[tested_ray],]]
+  NEW [[any_hit[tested_ray] && found[tested_ray] && !tested_ray[0],]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
   OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
   NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
@@ -222,8 +222,8 @@ mutant(wait_one_cycle_less FILE rtl/prim/rc_wait.sv TEST unit [pass][all]
   OLD [[at_q == IndexW'(Stages - 1))]]
   NEW [[at_q == IndexW'(Stages - 2))]])
 mutant(shade_shadow_hit_fetches_its_surface FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
-  OLD [[closest_i.found && !any_hit}]]
-  NEW [[closest_i.found && !(any_hit && kind[0])}]])
+  OLD [[way_found && !any_hit}]]
+  NEW [[way_found && !(any_hit && kind[0])}]])
 mutant(shade_arrived_before_again FILE rtl/shade/rc_shade.sv TEST unit [shade][all]
   OLD [[open && !came && !again_valid && arrived_valid;]]
   NEW [[open && !came && (!again_valid || push) && arrived_valid;]])

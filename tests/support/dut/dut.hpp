@@ -201,6 +201,12 @@ public:
     void settle() { rtl_.settle(); }
     void clock() { rtl_.clock(); }
 
+    /// Tells a unit whose ray comes to the head of a queue by the next edge: that which the test offers after
+    /// it.
+    template <class P> void drive_next(const char* name, const Wire<P>& link) {
+        drive_listen(name, link.offer ? std::optional(Done{link.offer->ray}) : std::nullopt);
+    }
+
     // ---- Signals without a valid.
     void drive_plain(const char* name, std::uint32_t value) {
         const RcPort& port = rtl_.port(name);

@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "model/bvh/box.hpp"
 #include "model/bvh/trav.hpp"
 #include "tests/support/dut/dut.hpp"
@@ -108,6 +110,7 @@ public:
         links_.reset();
     }
     void eval() {
+        pass_edge();
         drive();
         links_.settle();
         links_.read_in("ray", ray);
@@ -120,7 +123,7 @@ public:
         links_.read_out("done", done);
         cause = links_.plain("cause");
     }
-    void commit() { links_.clock(); }
+    void commit() { is_due_ = true; }
 
 private:
     void drive() {
@@ -133,6 +136,14 @@ private:
         links_.drive_out("decide_req", box_req);
         links_.drive_out("done", done);
     }
+    /// The edge of the cycle before: a fast chip is told before it what the next cycle offers.
+    void pass_edge() {
+        if (!std::exchange(is_due_, false)) return;
+        links_.drive_next("node_next", node_rsp);
+        links_.settle();
+        links_.clock();
+    }
+    bool is_due_ = false;
     RtlLinks links_;
 };
 
