@@ -63,19 +63,19 @@ inline PlacedScene mixed_with_round(bool is_smooth) {
     return scene;
 }
 
-/// Balls behind a pane of glass whose corner normals face away from the camera. Straight ahead its index
-/// makes a refracted direction of no length, and longer ones around that.
-inline PlacedScene behind_a_pane() {
+/// Balls under a pane of glass that is seen at a grazing angle, with corner normals that lean away from the
+/// camera: its refracted directions have a quarter of the usual length, more or less.
+inline PlacedScene under_a_pane() {
     PlacedScene scene = mixed(true);
     scene.own.camera = Camera{{0, 1, 9}, {0, 0, 0}, {0, 1, 0}, 60};
     Material glass = coloured({0.1, 0.1, 0.1}, 0.1, 0.8);
     glass.index = std::sqrt(2.0);
     scene.own.materials.push_back(glass);
-    SharedMesh pane{"pane", {{-4, -1, 0}, {4, -1, 0}, {4, 4, 0}, {-4, 4, 0}}, {}, {}};
-    pane.normals.assign(4, {0, 0, -1});
+    SharedMesh pane{"pane", {{-4, 0, -2}, {-4, 0, 5}, {4, 0, 5}, {4, 0, -2}}, {}, {}};
+    pane.normals.assign(4, glm::normalize(glm::dvec3(0, 0.2, -1)));
     pane.triangles = {{{0, 1, 2}, 4}, {{0, 2, 3}, 4}};
     scene.meshes.push_back(pane);
-    scene.instances.push_back({"pane", 1, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 4)), {}});
+    scene.instances.push_back({"pane", 1, glm::translate(glm::dmat4(1), glm::dvec3(0, 0.3, 0)), {}});
     return scene;
 }
 

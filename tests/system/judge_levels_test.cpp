@@ -111,7 +111,7 @@ TEST_CASE("every ray and colour of a sound picture of instances is right, and al
     for (const bool is_smooth : {false, true})
         check_sound(Case(mixed(is_smooth), true, named_config("default"), 5));
     check_sound(Case(mixed(true), true, named_config("small"), 3, 2));
-    check_sound(Case(behind_a_pane(), true, named_config("default"), 4));   // rays that are too short
+    check_sound(Case(under_a_pane(), true, named_config("default"), 4));   // rays that are too short
     for (const auto& [n, m, b] :
          std::vector<std::tuple<int, int, int>>{{12, 14, 12}, {16, 18, 12}, {20, 20, 10}}) {
         INFO("N " << n << " M " << m);

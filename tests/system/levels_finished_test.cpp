@@ -94,7 +94,7 @@ TEST_CASE("model and RTL draw instances alike", "[levels]") {
 }
 
 TEST_CASE("model and RTL send no refracted ray of instances that is too short", "[levels]") {
-    const Scene scene = flattened(behind_a_pane());
+    const Scene scene = flattened(under_a_pane());
     Whitted settings;
     settings.depth = 4, settings.aa = 2;
     const LockstepResult result = check_lockstep(job_of(scene, {16, 12}, chips()[0], settings));

@@ -22,22 +22,22 @@ struct Format {
     int coord_bits, dir_bits, origin_bits;
 };
 
-/// Meshes, one of them small, and instances whose rows sum to 1 at most: some as large, some tiny, some
-/// sheared.
+/// Meshes, the last of them `small` steps large or so, and instances whose rows sum to 1 at most: some as
+/// large, some tiny, some sheared.
 struct World {
     std::vector<std::vector<oracle::Corners>> meshes;
     std::vector<oracle::SolidPlace> places;
     int frac;
 };
 
-World random_world(Draw& draw, const Format& f) {
+World random_world(Draw& draw, const Format& f, int small = 6) {
     World w{{}, {}, f.coord_bits + 3};
     const std::int64_t one = std::int64_t(1) << w.frac;
     for (int m = 0; m < 3; ++m) {
         std::vector<oracle::Corners>& mesh = w.meshes.emplace_back();
         const Vec3i middle = draw.vector(f.coord_bits - 2);   // of the last, which is small
         for (int i = 0; i < 6; ++i) {
-            const int reach = m == 2 ? 6 : 1 << draw.below(f.coord_bits - 1), bits = f.coord_bits - 1;
+            const int reach = m == 2 ? small : 1 << draw.below(f.coord_bits - 1), bits = f.coord_bits - 1;
             oracle::Corners t;
             t.a = m == 2 ? draw.near(middle, reach, bits) : draw.vector(bits);
             t.b = draw.near(t.a, reach, bits);
@@ -203,8 +203,8 @@ TEST_CASE("a small mesh is found where rounding has brought the ray to it", "[le
     const Format f = GENERATE(values<Format>({{16, 12, 12}, {20, 18, 10}}));
     Draw draw{unsigned(f.coord_bits)};
     int hits = 0;
-    for (int n = 0; n < 40; ++n) {
-        World w = random_world(draw, f);
+    for (int n = 0; n < 60; ++n) {   // smaller than what rounding moves a ray by
+        World w = random_world(draw, f, 2);
         for (oracle::SolidPlace& place : w.places) place.mesh = 2;
         const oracle::PlacedSolids solids = solids_of(w, f);
         for (int i = 0; i < 60; ++i) {

@@ -167,6 +167,22 @@ TEMPLATE_TEST_CASE("sched passes over a pixel outside the picture in one cycle",
     REQUIRE(given == std::vector<int>{1, 65});
 }
 
+TEMPLATE_TEST_CASE("sched passes over a tile that lies outside the picture", "[sched]", SchedModel,
+                   SchedRtl) {
+    TestType dut{frame_of(16, 16), tiled(3)};
+    dut.slot.ready = true;
+    for (int cycle = 0; cycle < 130; ++cycle) {
+        dut.tile.offer.reset();
+        if (cycle == 0) dut.tile.offer = Tile{2, 1};
+        if (cycle == 1) dut.tile.offer = Tile{1, 2};
+        if (cycle == 70) dut.tile.offer = Tile{1, 1};
+        dut.eval();
+        INFO("cycle " << cycle);
+        REQUIRE(dut.slot.offer.has_value() == (cycle >= 129));
+        dut.commit();
+    }
+}
+
 TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's tiles", "[sched]",
                    SchedModel, SchedRtl) {
     TestType dut{frame_of(9, 9), tiled(3)};
@@ -178,7 +194,7 @@ TEMPLATE_TEST_CASE("sched begins a frame without what was left of the last one's
         dut.commit();
         return slot;
     };
-    for (const int passed : {0, 1, 7, 62}) {
+    for (const int passed : {0, 1, 3, 7, 9, 14, 15, 20, 31, 47, 62}) {
         dut.start(frame_of(9, 9));
         cycle(Tile{1, 1});
         const std::optional<Slot> first = cycle(Tile{1, 1});
