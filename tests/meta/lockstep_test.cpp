@@ -194,8 +194,7 @@ TEST_CASE("lockstep ends when the RTL never gives a pixel") {
 
 TEST_CASE("lockstep sees a unit that counts a cycle under a wrong cause") {
     const Job job = small_job();
-    const Mutant mutant("bvh/rc_tree.sv", "decide_cause_o = node_waits_i ?",
-                        "decide_cause_o = !node_waits_i ?");
+    const Mutant mutant("bvh/rc_decide.sv", "cause_o = node_waits_i ?", "cause_o = !node_waits_i ?");
     const LockstepResult result = run_lockstep(job);
     CHECK(result.account_mismatches == 1);
     CHECK_FALSE(result.agrees());
