@@ -59,8 +59,8 @@ mutant(aside_leaves_a_cycle_early FILE rtl/prim/rc_aside.sv TEST unit [tri][inte
   OLD [[.leave_i(there_i[Stages-1])]]
   NEW [[.leave_i(there_i[Stages-2])]])
 mutant(raygen_rests_a_cycle_less FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][interval]
-  OLD [[|valid[Every-2:0];]]
-  NEW [[|valid[(Every-1)/2:0];]])
+  OLD [[|valid_q[Every-2:0];]]
+  NEW [[|valid_q[(Every-1)/2:0];]])
 mutant(raygen_divides_what_is_not_there FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][interval]
   OLD [[valid_i(Every > 1 ? valid[Dir] :]]
   NEW [[valid_i(Every > 1 ? moves[Dir] :]])
