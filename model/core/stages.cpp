@@ -64,6 +64,9 @@ Stages::Stages(const Config& config) {
     map = cut + multiply + map_share - 1 + 2;
 
     pass_cut = config.shade_interval >= 8 ? cut : 0;
+    pass_out = pass - (pass_cut ? 1 : 0);
+    pass_parts = pass_cut ? 4 : 1;
+    pass_read = config.shade_interval == 1 ? 0 : pass_cut ? pass_cut + pass_parts + 1 : 1;
 }
 int Stages::divide(int bits) const { return (bits + quotient_bits - 1) / quotient_bits; }
 
@@ -109,8 +112,6 @@ int Config::xform_latency() const {
 int Config::pass_latency() const {   // what is held for several cycles is in a register to begin with
     return Stages(*this).pass * shade_interval + (shade_interval > 1);
 }
-int Config::shade_latency() const {   // and what is known of a context comes from block RAM then
-    return pass_latency() + (shade_interval > 1);
-}
+int Config::shade_latency() const { return pass_latency() + Stages(*this).pass_read; }
 
 }   // namespace rayclock

@@ -51,7 +51,10 @@ struct Stages {
     // A pass of shade, rtl/shade/rc_pass.sv: a pass stays in each of so many stages for shade_interval
     // cycles.
     int pass = 28;
-    int pass_cut = 0;   ///< registers on the way within a stage, where a pass stays long enough in it
+    int pass_cut = 0;     ///< registers on the way within a stage, where a pass stays long enough in it
+    int pass_out = 28;    ///< at whose end what a pass leads to is taken: the last one's, or when it is over
+    int pass_parts = 1;   ///< in which what waits beside a pass is written and read, a part a cycle
+    int pass_read = 0;    ///< until what is kept of a context is there
     // Units that keep what they know of a ray.
     int arrive = 0;    ///< more of trav's, from box's answer to its leaves
     int tried = 0;     ///< more of list's, from tri's answer on

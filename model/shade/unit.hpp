@@ -117,13 +117,13 @@ public:
     }
 
 private:
-    RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
-    Pipe<RayNumber> pass_;
-    Merge surf_link_;   // of fetch_ and places_
     bool is_coming(std::uint32_t ray) const {
         return (came_[0].there && came_[0].ray == ray) || (came_[1].there && came_[1].ray == ray);
     }
 
+    RayRing fetch_, places_, arrived_, again_, spawns_, pixels_;
+    Pipe<RayNumber> pass_;
+    Merge surf_link_;              // of fetch_ and places_
     std::size_t late_;             // cycles until an answer is looked at,
     std::array<OnLink, 2> came_;   // and those that came before, the last one first
     std::array<Wants, 2> came_wants_{};

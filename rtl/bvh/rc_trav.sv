@@ -103,7 +103,7 @@ module rc_trav (
     .recip_i(ray_i.recip), .len_i(ray_i.len), .short_i(is_short),
     .valid_o(keep), .ray_o(keep_ray), .kept_o(keep_data));
   rc_ram_ahead #(.Width(BoxRayW), .Depth(T)) u_ray (
-    .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
+    .clk_i, .rst_ni, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(keep_data),
     .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
     .next_addr_i(node_next_i), .read_data_o(kept_ray));
   logic [rc_pkg::NodeRspW-1:0] node_rsp;   // {ray, node}: what a node holds is not known here
@@ -139,11 +139,11 @@ module rc_trav (
       .d_i(change_i.d), .recip_i(change_i.recip), .len_i(change_i.len), .short_i(changed_short),
       .valid_o(changed), .ray_o(changed_at), .kept_o(change_data));
     rc_ram_ahead #(.Width(KeptW), .Depth(T)) u_direction (
-      .clk_i, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
+      .clk_i, .rst_ni, .write_i(ray_fires), .write_addr_i(ray_i.ray), .write_data_i(keep_way),
       .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
       .next_addr_i(node_next_i), .read_data_o(kept_way));
     rc_ram_ahead #(.Width(MeshRayW), .Depth(T)) u_changed (
-      .clk_i, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
+      .clk_i, .rst_ni, .write_i(changed), .write_addr_i(changed_at), .write_data_i(change_data),
       .head_addr_i(node_rsp_i.ray), .next_fires_i(node_next_fires_i),
       .next_addr_i(node_next_i), .read_data_o(changed_ray));
     assign in_mesh           = node_rsp_i.what == rc_pkg::LineMeshNode;
@@ -297,7 +297,7 @@ module rc_trav (
     else if (step_fires) s1_tested_q <= step;
   end
   rc_ram_ahead #(.Width(rc_pkg::ChildrenW), .Depth(T)) u_children (
-    .clk_i, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
+    .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(leaves.ray), .write_data_i(children),
     .head_addr_i(s1_tested.ray), .next_fires_i(step_fires), .next_addr_i(step.ray),
     .read_data_o(kept_children));
   rc_cut #(.Width(rc_pkg::TestedW), .Stages(rc_pkg::StackStages)) u_wait (

@@ -63,7 +63,7 @@ module rc_host #(
   // ---- The frame.
   typedef enum logic [1:0] {StPrepare, StIdle, StStart, StRun} state_e;
   state_e       state_q;
-  logic         wanted_q, done_q, goes, ends, is_idle;
+  logic         wanted_q, done_q, start_q, goes, ends, is_idle;
   logic [3:0]   step_q;
   logic [31:0]  left_q, left_less;   // pixels
   logic         some_q;              // there are any
@@ -71,7 +71,7 @@ module rc_host #(
   logic [3:0]   hits;
   assign is_idle = state_q == StIdle;
   assign goes    = writes && adr_q == 13'(rc_pkg::RegStart) && dat_q[0];
-  assign start_o = state_q == StStart && some_q;
+  assign start_o = start_q;   // in StStart, if there are pixels
   assign ends    = state_q == StStart ? !some_q : state_q == StRun && left_q == 32'(hits);
   always_comb begin
     hits = '0;
@@ -103,6 +103,8 @@ module rc_host #(
       end
     end
   end
+  always_ff @(posedge clk_i)
+    start_q <= rst_ni && state_q == StPrepare && step_q == '1 && wanted_q && some_q;
   always_ff @(posedge clk_i) begin   // the frame does not change while it is prepared
     some_q <= frame_o.width != '0 && frame_o.height != '0;
     rest_q <= state_q == StPrepare ? rest_q << 1 : {{(16-S){1'b0}}, frame_o.height};
@@ -115,9 +117,11 @@ module rc_host #(
   for (genvar w = 0; w < F; w++) begin : gen_word
     localparam int unsigned At   = 32'(rc_pkg::FrameAt[16*w +: 16]);
     localparam int unsigned Bits = 32'(rc_pkg::FrameBits[16*w +: 16]);
+    // It is written a cycle later, when dat_q still has it: the start is asked for after that.
+    logic write_q;
     always_ff @(posedge clk_i) begin
-      if (fires && we_q && is_idle && adr_q == 13'(rc_pkg::RegFrame + w))
-        frame_q[At +: Bits] <= dat_q[Bits-1:0];
+      write_q <= fires && we_q && is_idle && adr_q == 13'(rc_pkg::RegFrame + w);
+      if (write_q) frame_q[At +: Bits] <= dat_q[Bits-1:0];
     end
   end
 

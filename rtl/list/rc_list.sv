@@ -141,7 +141,7 @@ module rc_list (
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
   logic [GroupW-1:0] tri_group;
   rc_ram_ahead #(.Width(GroupW), .Depth(T)) u_group (
-    .clk_i, .write_i(in_fires), .write_addr_i(in.ray),
+    .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(in.ray),
     .write_data_i({in.base, in.leaves, in.t_near, in.offset, in.count}), .head_addr_i(came.ray),
     .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
 
@@ -309,11 +309,11 @@ module rc_list (
     assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
   end
   rc_ram_ahead #(.Width(TriRayW), .Depth(T)) u_ray (
-    .clk_i, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(ray_for_tri),
+    .clk_i, .rst_ni, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(ray_for_tri),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_ray));
   rc_ram_ahead #(.Width(BestW), .Depth(T)) u_best (
-    .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
+    .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_best));
   // Whether a ray has a hit to beat does not change while its primitive is asked for. A fast chip
@@ -348,9 +348,9 @@ module rc_list (
   end else begin : gen_scene_number
     logic [rc_pkg::PrimBits-1:0] first_number;
     rc_ram_ahead #(.Width(rc_pkg::PrimBits), .Depth(T)) u_first_number (
-      .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.first),
-      .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i),
-      .next_addr_i(prim_next_i), .read_data_o(first_number));
+      .clk_i, .rst_ni, .write_i(change_fires_i), .write_addr_i(change_i.ray),
+      .write_data_i(change_i.first), .head_addr_i(prim_rsp_i.ray),
+      .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i), .read_data_o(first_number));
     assign prim_number = prim_rsp_i.prim + first_number;
   end
   if (rc_pkg::Spheres != 0 || rc_pkg::Planes != 0) begin : gen_kinds_of_primitives
@@ -372,7 +372,7 @@ module rc_list (
   rc_cut #(.Width(I + FoundW), .Stages(rc_pkg::FarCut)) u_kept (
     .clk_i, .data_i({it_ray, it_found}), .data_o({kept_ray, kept_found}));
   rc_ram_ahead #(.Width(FoundW), .Depth(T)) u_found (
-    .clk_i, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_found),
+    .clk_i, .rst_ni, .write_i(kept), .write_addr_i(kept_ray), .write_data_i(kept_found),
     .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
     .read_data_o(end_found));
   if (rc_pkg::Homes == 1) begin : gen_place   // of the instance that the ray is in
@@ -382,7 +382,7 @@ module rc_list (
       .clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here),
       .read_addr_i(came.ray), .read_data_o(here));
     rc_ram_ahead #(.Width(A), .Depth(T)) u_place (
-      .clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
+      .clk_i, .rst_ni, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),
       .head_addr_i(done_i.ray), .next_fires_i(done_next_fires_i), .next_addr_i(done_next_i.ray),
       .read_data_o(end_place));
     assign closest_o = {done_i.ray, is_found ? end_place : {A{1'b0}}, is_found,

@@ -4,15 +4,20 @@
 //
 // If work stays long, and a cell of LUT RAM (16 words) does not hold the data, they lie in block
 // RAM, which Yosys 0.23 does not choose by itself. What is next is read in the cycle in which work
-// leaves: it is there in the next one, as from LUT RAM; or if it may come Late, in the one after.
+// leaves: it is there in the next one, as from LUT RAM.
+// With more than one of Parts, wide data lie in a block RAM as narrow as a part (rc_ram_parts).
+// They are written in the last Parts cycles up to that of come_i, in which they stand still, and
+// what is next is there, in registers, Parts + 2 cycles after work has left.
 `default_nettype none
 module rc_beside #(
-  parameter  int unsigned Width  = 1,
-  parameter  int unsigned Stages = 2,
-  parameter  int unsigned Every  = rc_pkg::ShadeInterval,
-  parameter  bit          Late   = 1'b0,
-  localparam int unsigned IndexW = Stages < 2 ? 1 : $clog2(Stages),
-  localparam bit          Block  = Every >= 4 && Stages > 16 && Width > 16
+  parameter  int unsigned Width   = 1,
+  parameter  int unsigned Stages  = 2,
+  parameter  int unsigned Every   = rc_pkg::ShadeInterval,
+  parameter  int unsigned Parts   = 1,
+  localparam bit          Block   = Every >= 4 && Stages > 16 && Width > 16,
+  localparam bit          InParts = Block && Parts > 1 && Width > 36,   // of a block RAM
+  localparam int unsigned Slots   = InParts ? Stages + 1 : Stages,   // one is being written
+  localparam int unsigned IndexW  = Slots < 2 ? 1 : $clog2(Slots)
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
@@ -33,7 +38,7 @@ module rc_beside #(
     logic unused;
     assign unused = ^{rst_ni, leave_i};
   end else begin : gen_ring   // Stages pieces of work at most lie in it
-    localparam logic [IndexW-1:0] Last = IndexW'(Stages - 1);
+    localparam logic [IndexW-1:0] Last = IndexW'(Slots - 1);
     logic [IndexW-1:0] in_q, out_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni)      in_q <= '0;
@@ -41,11 +46,28 @@ module rc_beside #(
       if (!rst_ni)      out_q <= '0;
       else if (leave_i) out_q <= out_q == Last ? '0 : out_q + 1'b1;
     end
-    if (Block) begin : gen_block
+    if (InParts) begin : gen_parts
+      logic [$clog2(Parts)-1:0] part_q;
+      always_ff @(posedge clk_i) part_q <= rst_ni ? part_q + 1'b1 : '0;
+      rc_ram_parts #(.Width(Width), .Depth(Slots), .Parts(Parts)) u_ram (
+        .clk_i, .write_i(1'b1), .write_addr_i(in_q), .write_part_i(part_q), .write_data_i(data_i),
+        .read_addr_i(out_q), .read_part_i(part_q), .read_data_o(data_o));
+`ifndef SYNTHESIS
+      logic [Width-1:0]         last_q;
+      logic [$clog2(Parts)-1:0] still, still_q;   // cycles that they have stood still, at most
+      assign still = data_i != last_q ? '0 : still_q == '1 ? '1 : still_q + 1'b1;
+      always_ff @(posedge clk_i) begin
+        last_q  <= data_i;
+        still_q <= still;
+      end
+      a_still: assert property (@(posedge clk_i) disable iff (!rst_ni) come_i |-> still == '1)
+        else $error("rc_beside: data have moved while their parts were written");
+`endif
+    end else if (Block) begin : gen_block
       (* no_rw_check, ram_style = "block" *) logic [Width-1:0] mem [Stages];
       logic [Width-1:0]  read_q;
       logic [IndexW-1:0] out_d;
-      assign out_d  = !leave_i || Late ? out_q : out_q == Last ? '0 : out_q + 1'b1;
+      assign out_d  = !leave_i ? out_q : out_q == Last ? '0 : out_q + 1'b1;
       assign data_o = read_q;
       always_ff @(posedge clk_i) begin
         if (come_i) mem[in_q] <= data_i;

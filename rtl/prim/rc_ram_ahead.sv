@@ -10,6 +10,7 @@ module rc_ram_ahead #(
   localparam bit          Block  = rc_pkg::Cut != 0 && Depth > 16 && Width > 16
 ) (
   input  logic              clk_i,
+  input  logic              rst_ni,      // during which anything may be asked and nothing is meant
   input  logic              write_i,
   input  logic [IndexW-1:0] write_addr_i,
   input  logic [Width-1:0]  write_data_i,
@@ -25,23 +26,18 @@ module rc_ram_ahead #(
     rc_ram #(.Width(Width), .Depth(Depth)) u_ram (
       .clk_i, .write_i, .write_addr_i, .write_data_i, .read_addr_i(head_addr_i), .read_data_o);
     logic unused;
-    assign unused = ^{next_fires_i, next_addr_i};
+    assign unused = ^{rst_ni, next_fires_i, next_addr_i};
   end else begin : gen_next
-    // Yosys 0.23 does not choose block RAM by itself.
-    (* no_rw_check, ram_style = "block" *) logic [Width-1:0] mem [Depth];
-    logic [Width-1:0] read_q;
-    assign read_data_o = read_q;
-    always_ff @(posedge clk_i) begin
-      if (write_i) mem[write_addr_i] <= write_data_i;
-      if (next_fires_i) read_q <= mem[next_addr_i];
-    end
+    rc_ram_sync #(.Width(Width), .Depth(Depth)) u_ram (
+      .clk_i, .write_i, .write_addr_i, .write_data_i, .read_i(next_fires_i),
+      .read_addr_i(next_addr_i), .read_data_o);
 `ifndef SYNTHESIS
-    a_apart: assert property (@(posedge clk_i)
+    a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
         !(write_i && next_fires_i && write_addr_i == next_addr_i))
       else $error("rc_ram_ahead: an entry is read while it is written");
 `endif
     logic unused;
-    assign unused = ^head_addr_i;
+    assign unused = ^{rst_ni, head_addr_i};
   end
 endmodule
 `default_nettype wire

@@ -85,7 +85,9 @@ module rc_raygen (
     else         valid_q <= valid[Latency-1:0];
   end
   if (Every > 1) begin : gen_rests
-    assign rests_o = |valid_q[Every-2:0];
+    logic rests_q;   // one of the last has begun: a register, since those that wait are far away
+    assign rests_o = rests_q;
+    always_ff @(posedge clk_i) rests_q <= rst_ni && |valid[Every-2:0];
   end else begin : gen_never
     assign rests_o = 1'b0;
   end

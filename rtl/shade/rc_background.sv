@@ -4,7 +4,6 @@
 `default_nettype none
 module rc_background #(
   localparam int unsigned VB    = rc_pkg::ValueBits,
-  localparam int unsigned L     = rc_pkg::ShadeStages,
   localparam int unsigned Every = rc_pkg::ShadeInterval
 ) (
   input  logic             clk_i,
@@ -17,7 +16,7 @@ module rc_background #(
   input  logic [VB-1:0]    s9_weight_i,   // which has this weight
   input  logic [3*VB-1:0]  colour_i,
   input  logic             s10_ends_i,
-  input  logic             end_i,         // the pass has come to its end
+  input  logic             end_i,         // what the pass leads to is taken
   output logic [3*VB-1:0]  end_colour_o
 );
   logic [3*VB-1:0]   s10_colour;
@@ -38,7 +37,7 @@ module rc_background #(
     logic unused;
     assign unused = ^{rounded[33], rounded[15:0]};
   end
-  rc_beside #(.Width(3 * VB), .Stages(L - 10), .Late(rc_pkg::ShadeCut != 0)) u_colour (
+  rc_beside #(.Width(3 * VB), .Stages(rc_pkg::ShadeOut - 10), .Parts(rc_pkg::ShadeParts)) u_colour (
     .clk_i, .rst_ni, .come_i(s10_ends_i), .leave_i(end_i), .data_i(s10_colour),
     .data_o(end_colour_o));
 endmodule

@@ -1,8 +1,8 @@
 // What shade keeps of every context: its camera ray or bounce, its last answer, the state
 // between two passes, and the refracted rays that wait. Part of rc_shade, which never has
-// two passes of a context under way. With read_i everything about read_ray_i is read, and comes
-// in the same cycle, or in the next one with a ShadeInterval above 1, top_o in the one after; what
-// is written is seen from the next cycle on.
+// two passes of a context under way. With read_i everything about read_ray_i is read, and is there
+// ShadeRead cycles later, with there_o; top_o in the one after if that is not at once. The state is
+// wide, and written and read in ShadeParts (rc_kept).
 `default_nettype none
 module rc_contexts #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -33,6 +33,7 @@ module rc_contexts #(
   // To rc_pass
   input  logic                         read_i,
   input  logic [I-1:0]                 read_ray_i,
+  output logic                         there_o,
   output logic [HitW-1:0]              hit_o,
   output logic [3*P-1:0]               o_o,
   output logic [3*M-1:0]               d_o,
@@ -46,6 +47,17 @@ module rc_contexts #(
   input  logic                         push_i,
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
 );
+  // ---- What is read. A fast chip whose passes are rare asks its memories from a register.
+  localparam int unsigned Parts = rc_pkg::ShadeParts;
+  logic         reads;
+  logic [I-1:0] reads_ray;
+  rc_cut #(.Width(I), .Stages(rc_pkg::ShadeCut)) u_reads_ray (
+    .clk_i, .data_i(read_ray_i), .data_o(reads_ray));
+  rc_event #(.Stages(rc_pkg::ShadeCut)) u_reads (
+    .clk_i, .rst_ni, .fires_i(read_i), .fires_o(reads));
+  rc_event #(.Stages(rc_pkg::ShadeRead)) u_there (
+    .clk_i, .rst_ni, .fires_i(read_i), .fires_o(there_o));
+
   // ---- The ray, unless it is a shadow ray or one away to a light.
   logic [rc_pkg::RayW-1:0] ray;
   logic [3*D-1:0]          ray_d;
@@ -63,8 +75,8 @@ module rc_contexts #(
     assign d[k*M +: M] = ray_d[k*D +: M];
   end
   rc_kept #(.Width(3 * P + 3 * M), .Depth(T)) u_ray (
-    .clk_i, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
-    .write_data_i({ray_i.o, d}), .read_i, .read_addr_i(read_ray_i),
+    .clk_i, .rst_ni, .write_i(ray_fires_i && is_kept), .write_addr_i(ray_i.ray),
+    .write_data_i({ray_i.o, d}), .read_i(reads), .read_addr_i(reads_ray),
     .read_data_o({o_o, d_o}));
 
   // ---- Its answer, as late as rc_shade looks at it.
@@ -77,14 +89,14 @@ module rc_contexts #(
   rc_event #(.Stages(Late)) u_answers (
     .clk_i, .rst_ni, .fires_i(closest_fires_i), .fires_o(answers));
   rc_kept #(.Width(HitW), .Depth(T)) u_hit (
-    .clk_i, .write_i(answers), .write_addr_i(answer_ray),
-    .write_data_i(answer), .read_i, .read_addr_i(read_ray_i), .read_data_o(hit_o));
+    .clk_i, .rst_ni, .write_i(answers), .write_addr_i(answer_ray),
+    .write_data_i(answer), .read_i(reads), .read_addr_i(reads_ray), .read_data_o(hit_o));
 
   // ---- The instance that was hit last.
   if (rc_pkg::Homes == 1) begin : gen_place
     rc_kept #(.Width(PlaceW), .Depth(T)) u_place (
-      .clk_i, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(place_i),
-      .read_i, .read_addr_i(read_ray_i), .read_data_o(place_o));
+      .clk_i, .rst_ni, .write_i(place_fires_i), .write_addr_i(place_ray_i), .write_data_i(place_i),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(place_o));
   end else begin : gen_no_place
     assign place_o = '0;
     logic unused;
@@ -113,29 +125,29 @@ module rc_contexts #(
     .clk_i, .data_i({slot_i.ray, slot_i.x, slot_i.y}), .data_o({begins_ray, begins_pixel}));
   rc_event u_pixel_begins (.clk_i, .rst_ni, .fires_i(slot_fires_i), .fires_o(begins));
   rc_kept #(.Width(PixelW), .Depth(T)) u_pixel (
-    .clk_i, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
-    .read_i, .read_addr_i(read_ray_i), .read_data_o(pixel));
-  rc_kept #(.Width(PlainW), .Depth(T)) u_plain (
-    .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_plain),
-    .read_i, .read_addr_i(read_ray_i), .read_data_o(plain));
+    .clk_i, .rst_ni, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
+    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(pixel));
+  rc_kept #(.Width(PlainW), .Depth(T), .Parts(Parts)) u_plain (
+    .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_plain),
+    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(plain));
   if (rc_pkg::Supersampling == 1) begin : gen_sample
-    rc_kept #(.Width(SampleW), .Depth(T)) u_sample (
-      .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_sample),
-      .read_i, .read_addr_i(read_ray_i), .read_data_o(sample));
+    rc_kept #(.Width(SampleW), .Depth(T), .Parts(Parts)) u_sample (
+      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_sample),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(sample));
   end else begin : gen_no_sample
     assign sample = '0;
   end
   if (rc_pkg::Refraction == 1) begin : gen_bend
-    rc_kept #(.Width(BendW), .Depth(T)) u_bend (
-      .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_bend),
-      .read_i, .read_addr_i(read_ray_i), .read_data_o(bend));
+    rc_kept #(.Width(BendW), .Depth(T), .Parts(Parts)) u_bend (
+      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_bend),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(bend));
   end else begin : gen_no_bend
     assign bend = '0;
   end
   if (rc_pkg::Spheres == 1) begin : gen_self
     rc_kept #(.Width(SelfW), .Depth(T)) u_self (
-      .clk_i, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_self),
-      .read_i, .read_addr_i(read_ray_i), .read_data_o(self));
+      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_self),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(self));
   end else begin : gen_no_self
     assign self = '0;
   end
@@ -144,10 +156,10 @@ module rc_contexts #(
   logic [T-1:0]         all_fresh;
   logic                 fresh;
   if (rc_pkg::ShadeInterval == 1) begin : gen_now
-    assign fresh = all_fresh[read_ray_i];
+    assign fresh = all_fresh[reads_ray];
   end else begin : gen_next
     logic read_fresh_q;
-    always_ff @(posedge clk_i) if (read_i) read_fresh_q <= all_fresh[read_ray_i];
+    always_ff @(posedge clk_i) if (reads) read_fresh_q <= all_fresh[reads_ray];
     assign fresh = read_fresh_q;
   end
   rc_pkg::shade_state_t state;
@@ -177,28 +189,21 @@ module rc_contexts #(
   if (rc_pkg::Refraction == 1) begin : gen_stack
     localparam int unsigned Up = $clog2(rc_pkg::Bounces);
     localparam int unsigned AW = I + Up;
-    logic         reads;      // where passes come every few cycles: a cycle after the state
-    logic [I-1:0] reads_ray;
+    logic [I-1:0] top_ray;   // where passes come every few cycles: a cycle after the state
     if (rc_pkg::ShadeInterval == 1) begin : gen_top_now
-      assign reads     = read_i;
-      assign reads_ray = read_ray_i;
+      assign top_ray = reads_ray;
     end else begin : gen_top_next
-      logic         reads_q;
-      logic [I-1:0] reads_ray_q;
-      always_ff @(posedge clk_i) begin
-        reads_q     <= rst_ni && read_i;
-        reads_ray_q <= read_ray_i;
-      end
-      assign reads     = reads_q;
-      assign reads_ray = reads_ray_q;
+      logic [I-1:0] top_ray_q;
+      assign top_ray = top_ray_q;
+      always_ff @(posedge clk_i) if (reads) top_ray_q <= reads_ray;
     end
     logic [AW-1:0] write_at, read_at;
     assign top_at   = state.waiting - 4'd1;
     assign write_at = AW'(write_ray_i) << Up | AW'(new_top_at);
-    assign read_at  = AW'(reads_ray) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
+    assign read_at  = AW'(top_ray) << Up | (AW'(top_at) & AW'((1 << Up) - 1));
     rc_kept #(.Width(rc_pkg::WaitingW), .Depth(1 << AW)) u_stack (
-      .clk_i, .write_i(write_i && push_i), .write_addr_i(write_at), .write_data_i(pushed_i),
-      .read_i(reads), .read_addr_i(read_at), .read_data_o(top_o));
+      .clk_i, .rst_ni, .write_i(write_i && push_i), .write_addr_i(write_at),
+      .write_data_i(pushed_i), .read_i(there_o), .read_addr_i(read_at), .read_data_o(top_o));
   end else begin : gen_no_stack
     assign top_o  = '0;
     assign top_at = '0;

@@ -91,12 +91,11 @@ module rc_light #(
   rc_beside #(.Width(3 * 34), .Stages(24)) u_strength (
     .clk_i, .rst_ni, .come_i(valid_i[2]), .leave_i(valid_i[26]), .data_i(s2_strength_q),
     .data_o(s26_strength));
-  logic [3*N+1:0] waited_place;
-  rc_beside #(.Width(3 * N + 2), .Stages(27), .Late(rc_pkg::ShadeCut != 0)) u_place (
-    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[28]),
-    .data_i({s1_lattice, s1_near_q, s1_clear_q}), .data_o(waited_place));
-  rc_cut #(.Width(3 * N + 2), .Stages(rc_pkg::ShadeCut)) u_waited (
-    .clk_i, .data_i(waited_place), .data_o({s28_place_o, s28_near_o, s28_clear_o}));
+  localparam int unsigned Out = rc_pkg::ShadeOut;   // then rc_turnout has taken it
+  rc_beside #(.Width(3 * N + 2), .Stages(Out - 1), .Parts(rc_pkg::ShadeParts)) u_place (
+    .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[Out]),
+    .data_i({s1_lattice, s1_near_q, s1_clear_q}),
+    .data_o({s28_place_o, s28_near_o, s28_clear_o}));
   rc_beside #(.Width(2), .Stages(14)) u_near (
     .clk_i, .rst_ni, .come_i(valid_i[1]), .leave_i(valid_i[15]), .data_i({s1_near_q, s1_far}),
     .data_o({s15_near, s15_far}));

@@ -60,8 +60,10 @@ module rc_pass #(
   localparam int unsigned LongW = V > NB ? V : NB;   // V also holds a sum of corner normals
   localparam int unsigned TurnW = rc_pkg::Homes == 1 ? rc_pkg::MapBits + AB + 2 : 0;
   localparam int unsigned UnitW = LongW > TurnW ? LongW : TurnW;
-  // What waits for the end is there long before it; the end is made up in registers on the way.
+  // What waits for the end is there before it; the end is made up in registers on the way, and
+  // taken by rc_turnout when the last stage is over: then the next may come from beside.
   localparam bit          Cut   = rc_pkg::ShadeCut != 0;
+  localparam int unsigned Out   = rc_pkg::ShadeOut;
   localparam int unsigned Side  = rc_pkg::Homes == 1 ? 19 : 15;   // stage in which n . d is begun
 
   // ---- What has come; it is held if a pass stays for more than a cycle.
@@ -156,20 +158,16 @@ module rc_pass #(
   // ---- The state as far as it is known waits for the end.
   localparam int unsigned KnownW = I + rc_pkg::ShadeStateW;
   logic                        goes_on;   // before the first stage ends: fewer are told then
-  logic [KnownW-1:0]           waited_known;
-  logic [rc_pkg::WaitingW-1:0] waited_top;
   logic [I-1:0]                end_ray;
   rc_pkg::shade_state_t        was;
   rc_pkg::waiting_t            top;
   assign goes_on = Every > 2 ? turn[Every < 2 ? 0 : Every-2] : ends[0];
-  rc_beside #(.Width(KnownW), .Stages(L), .Late(Cut)) u_known (
-    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[L]), .data_i({ray, known}),
-    .data_o(waited_known));
-  rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L), .Late(Cut)) u_top (
-    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[L]), .data_i(top_came),
-    .data_o(waited_top));
-  rc_cut #(.Width(KnownW + rc_pkg::WaitingW), .Stages(rc_pkg::ShadeCut)) u_was (
-    .clk_i, .data_i({waited_known, waited_top}), .data_o({end_ray, was, top}));
+  rc_beside #(.Width(KnownW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_known (
+    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i({ray, known}),
+    .data_o({end_ray, was}));
+  rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_top (
+    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
+    .data_o(top));
 
   // What others take from it on the way.
   logic [3*AB-1:0] s13_normal, s13_view;
@@ -195,15 +193,15 @@ module rc_pass #(
     .s5_o_o(s5_o), .s5_n_o(s5_n), .s5_toward_o(s5_toward), .s5_far_o(s5_far),
     .s5_lost_o(s5_lost),
     .s6_albedo_o(s6_albedo), .s7_ambient_o(s7_ambient));
-  rc_beside #(.Width(3 * PW + 3 * NB + 2), .Stages(L - 5), .Late(Cut)) u_point (
-    .clk_i, .rst_ni, .come_i(surf_at[5]), .leave_i(surf_at[L]),
+  rc_beside #(.Width(3 * PW + 3 * NB + 2), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts)) u_point (
+    .clk_i, .rst_ni, .come_i(surf_at[5]), .leave_i(surf_at[Out]),
     .data_i({s5_o, s5_n, s5_far, s5_lost}),
     .data_o({surf_o, surf_n, surf_far, surf_lost}));
-  rc_beside #(.Width(39), .Stages(L - 6), .Late(Cut)) u_albedo (
-    .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[L]), .data_i(s6_albedo),
+  rc_beside #(.Width(39), .Stages(Out - 6), .Parts(rc_pkg::ShadeParts)) u_albedo (
+    .clk_i, .rst_ni, .come_i(surf_at[6]), .leave_i(surf_at[Out]), .data_i(s6_albedo),
     .data_o(surf_albedo));
-  rc_beside #(.Width(3 * VB), .Stages(L - 7), .Late(Cut)) u_ambient (
-    .clk_i, .rst_ni, .come_i(surf_at[7]), .leave_i(surf_at[L]), .data_i(s7_ambient),
+  rc_beside #(.Width(3 * VB), .Stages(Out - 7), .Parts(rc_pkg::ShadeParts)) u_ambient (
+    .clk_i, .rst_ni, .come_i(surf_at[7]), .leave_i(surf_at[Out]), .data_i(s7_ambient),
     .data_o(surf_ambient));
 
   // ---- Unit vectors and cosines.
@@ -222,12 +220,12 @@ module rc_pass #(
     .s5_toward_i(s5_target), .s13_normal_i(s13_normal), .s13_view_i(s13_view),
     .s13_unit_o(s13_unit), .s13_view_o(s13_new_view), .s15_cosine_o(s15_cosine),
     .s15_mirror_o(s15_mirror));
-  rc_beside #(.Width(108), .Stages(L - 13), .Late(Cut)) u_surf_vectors (
-    .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[L]),
+  rc_beside #(.Width(108), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_surf_vectors (
+    .clk_i, .rst_ni, .come_i(face_at[13]), .leave_i(face_at[Out]),
     .data_i({s13_unit, s13_new_view}),
     .data_o({surf_normal, surf_view}));
-  rc_beside #(.Width(VB), .Stages(L - 15), .Late(Cut)) u_cosine (
-    .clk_i, .rst_ni, .come_i(face_at[15]), .leave_i(face_at[L]), .data_i(s15_cosine),
+  rc_beside #(.Width(VB), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_cosine (
+    .clk_i, .rst_ni, .come_i(face_at[15]), .leave_i(face_at[Out]), .data_i(s15_cosine),
     .data_o(surf_cosine));
 
   // ---- A light, a bounce.
@@ -251,11 +249,11 @@ module rc_pass #(
     .s0_refract_i(s0_refract), .s0_state_i(state),
     .s13_normal_i(s13_normal), .s13_view_i(s13_view), .s9_weight_o(s9_weight),
     .s13_total_o(s13_total), .s15_d_o(s15_bounce_d));
-  rc_beside #(.Width(VB), .Stages(L - 9), .Late(Cut)) u_weight (
-    .clk_i, .rst_ni, .come_i(bounce_at[9]), .leave_i(bounce_at[L]), .data_i(s9_weight),
+  rc_beside #(.Width(VB), .Stages(Out - 9), .Parts(rc_pkg::ShadeParts)) u_weight (
+    .clk_i, .rst_ni, .come_i(bounce_at[9]), .leave_i(bounce_at[Out]), .data_i(s9_weight),
     .data_o(bounce_weight));
-  rc_beside #(.Width(1), .Stages(L - 13), .Late(Cut)) u_total (
-    .clk_i, .rst_ni, .come_i(bounce_at[13]), .leave_i(bounce_at[L]), .data_i(s13_total),
+  rc_beside #(.Width(1), .Stages(Out - 13), .Parts(rc_pkg::ShadeParts)) u_total (
+    .clk_i, .rst_ni, .come_i(bounce_at[13]), .leave_i(bounce_at[Out]), .data_i(s13_total),
     .data_o(bounce_total));
 
   // ---- The background, of a ray that met nothing or of a bounce that is not traced.
@@ -266,7 +264,7 @@ module rc_pass #(
   rc_background u_background (
     .clk_i, .rst_ni, .begins_i(ends[0]), .s0_weight_i(state_weight), .s9_ends_i(ends[9]),
     .s9_turn_i(turn[9*Every +: Every]), .s9_bounce_i(bounce_q[9]), .s9_weight_i(s9_weight),
-    .colour_i(background), .s10_ends_i(ends[10]), .end_i(ends[L]), .end_colour_o(end_background));
+    .colour_i(background), .s10_ends_i(ends[10]), .end_i(ends[Out]), .end_colour_o(end_background));
 
   // ---- On which side of the surface a direction leaves, exactly.
   logic above, below, end_above, end_below, end_positive;
@@ -279,13 +277,13 @@ module rc_pass #(
     .clk_i, .valid_i((light_at[Side+1:Side] | bounce_at[Side+1:Side])),
     .turn_i(turn[Side*Every+rc_pkg::ShadeCut +: Every]), .n_i(side_n), .d_i(side_d),
     .above_o(above), .below_o(below));
-  rc_beside #(.Width(2), .Stages(L - Side - 2), .Late(Cut)) u_sides (
+  rc_beside #(.Width(2), .Stages(Out - Side - 2), .Parts(rc_pkg::ShadeParts)) u_sides (
     .clk_i, .rst_ni, .come_i(light_at[Side+2] || bounce_at[Side+2]),
-    .leave_i(light_at[L] || bounce_at[L]), .data_i({above, below}),
+    .leave_i(light_at[Out] || bounce_at[Out]), .data_i({above, below}),
     .data_o({end_above, end_below}));
-  rc_beside #(.Width(3 * D + 1), .Stages(L - 15), .Late(Cut)) u_d (
+  rc_beside #(.Width(3 * D + 1), .Stages(Out - 15), .Parts(rc_pkg::ShadeParts)) u_d (
     .clk_i, .rst_ni, .come_i(light_at[15] || bounce_at[15]),
-    .leave_i(light_at[L] || bounce_at[L]), .data_i({s15_d, s15_cosine != '0}),
+    .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s15_d, s15_cosine != '0}),
     .data_o({end_d, end_positive}));
 
   // ---- With two levels: from a mesh's space, and into it.
@@ -310,16 +308,16 @@ module rc_pass #(
       .s15_near_i(light_q[15] && s15_near), .s15_place_i(s15_place), .s15_d_i(s15_d),
       .s19_o_o(s19_home_o), .s19_d_o(s19_home_d));
     assign side_d = s19_home_d;
-    rc_beside #(.Width(3 * P), .Stages(L - 5), .Late(Cut)) u_turned (
-      .clk_i, .rst_ni, .come_i(turn_at[5]), .leave_i(turn_at[L]), .data_i(s5_turned_o),
+    rc_beside #(.Width(3 * P), .Stages(Out - 5), .Parts(rc_pkg::ShadeParts)) u_turned (
+      .clk_i, .rst_ni, .come_i(turn_at[5]), .leave_i(turn_at[Out]), .data_i(s5_turned_o),
       .data_o(turned_o));
-    rc_beside #(.Width(3 * (P + D)), .Stages(L - 19), .Late(Cut)) u_home (
+    rc_beside #(.Width(3 * (P + D)), .Stages(Out - 19), .Parts(rc_pkg::ShadeParts)) u_home (
       .clk_i, .rst_ni, .come_i(light_at[19] || bounce_at[19]),
-      .leave_i(light_at[L] || bounce_at[L]), .data_i({s19_home_o, s19_home_d}),
+      .leave_i(light_at[Out] || bounce_at[Out]), .data_i({s19_home_o, s19_home_d}),
       .data_o({end_home_o, end_home_d}));
-    rc_beside #(.Width(rc_pkg::AddrBits), .Stages(L), .Late(Cut)) u_here (
+    rc_beside #(.Width(rc_pkg::AddrBits), .Stages(Out), .Parts(rc_pkg::ShadeParts)) u_here (
       .clk_i, .rst_ni, .come_i(s0_light || s0_bounce || s0_turn),
-      .leave_i(light_at[L] || bounce_at[L] || turn_at[L]), .data_i(here), .data_o(end_home));
+      .leave_i(light_at[Out] || bounce_at[Out] || turn_at[Out]), .data_i(here), .data_o(end_home));
   end else begin : gen_one_space
     assign side_d    = s15_d;
     assign s5_turned = '0;
@@ -364,8 +362,8 @@ module rc_pass #(
       .s0_state_i(state), .s0_colour_i(colour),
       .s4_more_o(s4_more), .s4_sum_o(s4_sum), .s4_least_o(s4_least), .s4_most_o(s4_most),
       .s4_colour_o(s4_mean));
-    rc_beside #(.Width(1 + 69 + 3 * 3 * VB), .Stages(L - 4), .Late(Cut)) u_end (
-      .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[L]),
+    rc_beside #(.Width(1 + 69 + 3 * 3 * VB), .Stages(Out - 4), .Parts(rc_pkg::ShadeParts)) u_end (
+      .clk_i, .rst_ni, .come_i(end_at[4]), .leave_i(end_at[Out]),
       .data_i({s4_more, s4_sum, s4_least, s4_most, s4_mean}),
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample

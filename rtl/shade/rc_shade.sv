@@ -232,7 +232,7 @@ module rc_shade (
   end
 
   // ---- A pass. In every payload the context's number comes first, so the rest lies lowest. What
-  // comes in the cycle after a pass has entered, rc_contexts', goes with what came in it.
+  // comes ShadeRead cycles after a pass has entered, rc_contexts', goes with what came in it.
   logic [HitW-1:0]                   hit;
   logic [3*rc_pkg::OriginWidth-1:0]  o;
   logic [3*rc_pkg::DirBits-1:0]      d;
@@ -244,33 +244,29 @@ module rc_shade (
   logic                              push;
   logic [rc_pkg::SpawnW-1:0]         spawn;
   logic [rc_pkg::PixelW-1:0]         pixel;
-  logic                              passes;
+  logic                              passes;     // what rc_contexts keeps of it is there
   logic [I-1:0]                      pass_ray;
   logic [rc_pkg::SurfaceW-1:0]       surface;
   assign surf_rsp     = surf_rsp_i;
   assign surface_came  = rc_pkg::SurfaceW'(surf_rsp);
   assign instance_came = rc_pkg::PlacementW'(surf_rsp);
   if (Every == 1) begin : gen_at_once
-    assign passes   = enters;
     assign pass_ray = ray;
     assign surface  = surface_found;
   end else begin : gen_read
-    logic                        passes_q;
     logic [I-1:0]                ray_q;
     logic [rc_pkg::SurfaceW-1:0] surface_q;
     always_ff @(posedge clk_i) begin
-      passes_q  <= rst_ni && enters;
-      ray_q     <= ray;
-      surface_q <= surface_found;
+      if (enters) ray_q     <= ray;
+      if (enters) surface_q <= surface_found;
     end
-    assign passes   = passes_q;
     assign pass_ray = ray_q;
     assign surface  = surface_q;
   end
   rc_contexts u_contexts (
     .clk_i, .rst_ni, .slot_fires_i, .slot_i, .ray_fires_i, .ray_i, .kind_o(kind),
     .closest_fires_i(closest_valid_i), .closest_ray_i(closest_i.ray),
-    .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray),
+    .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray), .there_o(passes),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
     .write_i(end_valid),

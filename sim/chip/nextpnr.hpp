@@ -56,7 +56,8 @@ struct RouteStep {
     /// for a few.
     int idle_rounds = 0;
     long fewest_twice = 0;
-    bool is_stuck() const { return idle_rounds >= 100; }
+    static constexpr int most_idle_rounds = 100;
+    bool is_stuck() const { return idle_rounds >= most_idle_rounds; }
 };
 RouteStep step_of_log(const std::string& log);
 

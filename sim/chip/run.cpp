@@ -88,10 +88,10 @@ public:
         }
         if (result.fits() && result.routes.empty())
             result.misfit = fmt::format(
-                "'{}' cannot be routed on {}: 100 rounds of router2 brought no better than {} wires that are "
-                "used twice; "
-                "another seed may do, or more placements",
-                printable(request_.config.name), request_.device.name, fewest_twice_);
+                "'{}' cannot be routed on {}: {} rounds of router2 brought no better than {} wires that are "
+                "used twice; another seed may do, or more placements",
+                printable(request_.config.name), request_.device.name, RouteStep::most_idle_rounds,
+                fewest_twice_);
         return result;
     }
 

@@ -291,6 +291,9 @@ void derived(Package& p, const Config& c) {
     p.constant("TriLatency", c.tri_latency());
     p.constant("ShadeStages", stages.pass);
     p.constant("ShadeCut", stages.pass_cut);
+    p.constant("ShadeOut", stages.pass_out);
+    p.constant("ShadeParts", stages.pass_parts);
+    p.constant("ShadeRead", stages.pass_read);
     p.constant("ShadeLatency", c.shade_latency());
     p.constant("UnitStages", unit_stages);
     p.constant("PowerStages", power_stages);

@@ -171,8 +171,8 @@ mutant(judge_of_levels_takes_any_sphere FILE sim/judge/answer.cpp TEST system "a
 
 # ---- The same in RTL.
 mutant(rtl_list_forgets_the_instance_that_was_hit FILE rtl/list/rc_list.sv TEST system "model and RTL draw instances alike"
-  OLD [[.clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),]]
-  NEW [[.clk_i, .write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here | (it_here & {A{1'b0}})),]])
+  OLD [[.write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),]]
+  NEW [[.write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here | (it_here & {A{1'b0}})),]])
 mutant(rtl_surface_is_turned_where_it_is_the_same FILE rtl/shade/rc_turnout.sv TEST system "model and RTL draw planes and true spheres*"
   OLD [[if (home_i != '0) begin]]
   NEW [[if (home_i != '1) begin]])

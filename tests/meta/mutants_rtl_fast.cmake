@@ -59,8 +59,8 @@ mutant(aside_leaves_a_cycle_early FILE rtl/prim/rc_aside.sv TEST unit [tri][inte
   OLD [[.leave_i(there_i[Stages-1])]]
   NEW [[.leave_i(there_i[Stages-2])]])
 mutant(raygen_rests_a_cycle_less FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][interval]
-  OLD [[|valid_q[Every-2:0];]]
-  NEW [[|valid_q[(Every-1)/2:0];]])
+  OLD [[|valid[Every-2:0];]]
+  NEW [[|valid[(Every-1)/2:0];]])
 mutant(raygen_divides_what_is_not_there FILE rtl/raygen/rc_raygen.sv TEST unit [raygen][interval]
   OLD [[valid_i(Every > 1 ? valid[Dir] :]]
   NEW [[valid_i(Every > 1 ? moves[Dir] :]])
@@ -105,8 +105,8 @@ mutant(list_takes_the_first_leaf_for_all FILE rtl/list/rc_list.sv TEST unit [lis
   OLD [[was_moved ? more_after_it : more_after_first;]]
   NEW [[was_moved && !it_leaf[0] ? more_after_it : more_after_first;]])
 mutant(list_reads_the_ray_before FILE rtl/prim/rc_ram_ahead.sv TEST unit [list][lockstep]
-  OLD [[if (next_fires_i) read_q]]
-  NEW [[if (next_fires_i && next_addr_i != head_addr_i) read_q]])
+  OLD [[.read_i(next_fires_i),]]
+  NEW [[.read_i(next_fires_i && next_addr_i != head_addr_i),]])
 mutant(mark_stays FILE rtl/prim/rc_mark.sv TEST unit [list][lockstep]
   OLD [[at == IndexW'(m)) mark_q <= mark;]]
   NEW [[at == IndexW'(m)) mark_q <= mark || mark_q;]])
@@ -116,32 +116,41 @@ mutant(shade_rests_a_cycle_less FILE rtl/shade/rc_shade.sv TEST unit [shade][int
   OLD [[|entered_q;]]
   NEW [[|entered_q[(Every-1)/2:0];]])
 mutant(contexts_top_of_the_last_state FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
-  OLD [[assign reads     = reads_q;]]
-  NEW [[assign reads     = read_i && (reads_q || 1'b1);]])
+  OLD [[.write_data_i(pushed_i), .read_i(there_o),]]
+  NEW [[.write_data_i(pushed_i), .read_i(reads),]])
 mutant(pass_keeps_a_waiting_ray_before_it_came FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
   OLD [[turn[Every < 2 ? 0 : Every-2] : ends[0];]]
   NEW [[turn[0] : ends[0];]])
 mutant(list_keeps_an_answer_for_another_ray FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[.clk_i, .write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),]]
-  NEW [[.clk_i, .write_i(it_closer), .write_addr_i(came.ray), .write_data_i(it_best),]])
+  OLD [[.write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_best),]]
+  NEW [[.write_i(it_closer), .write_addr_i(came.ray), .write_data_i(it_best),]])
 mutant(contexts_answer_for_another_ray FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
   OLD [[.write_i(answers), .write_addr_i(answer_ray),]]
   NEW [[.write_i(answers), .write_addr_i(answer_ray & closest_ray_i),]])
 mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
-  OLD [[if (read_i) read_fresh_q <= all_fresh[read_ray_i];]]
-  NEW [[if (read_i) read_fresh_q <= all_fresh[write_ray_i];]])
+  OLD [[if (reads) read_fresh_q <= all_fresh[reads_ray];]]
+  NEW [[if (reads) read_fresh_q <= all_fresh[write_ray_i];]])
 mutant(shade_surface_of_the_next_pass FILE rtl/shade/rc_shade.sv TEST unit [shade][interval]
-  OLD [[      surface_q <= surface_found;]]
-  NEW [[      if (passes_q) surface_q <= surface_found;]])
+  OLD [[if (enters) surface_q <= surface_found;]]
+  NEW [[if (passes) surface_q <= surface_found;]])
 mutant(held_product_is_the_next_ones FILE rtl/fixed/rc_mul_held.sv TEST unit [pass][interval]
   OLD [[if (turn_i[i+Inside]) p_q <= p;]]
   NEW [[if (turn_i[i+1]) p_q <= p;]])
 mutant(beside_leaves_with_any_pass FILE rtl/shade/rc_pass.sv TEST unit [pass][interval]
-  OLD [[.come_i(surf_at[7]), .leave_i(surf_at[L])]]
-  NEW [[.come_i(surf_at[7]), .leave_i(ends[L])]])
+  OLD [[.come_i(surf_at[7]), .leave_i(surf_at[Out])]]
+  NEW [[.come_i(surf_at[7]), .leave_i(ends[Out])]])
 mutant(beside_reads_what_has_left FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
-  OLD [[assign out_d  = !leave_i || Late ? out_q :]]
-  NEW [[assign out_d  = !leave_i || Late || !Late ? out_q :]])
+  OLD [[assign out_d  = !leave_i ? out_q :]]
+  NEW [[assign out_d  = !leave_i || leave_i ? out_q :]])
+mutant(parts_are_kept_before_they_are_read FILE rtl/prim/rc_ram_parts.sv TEST unit [pass][interval]
+  OLD [[if (came_q == PartB'(p)) kept_q <= read_q;]]
+  NEW [[if ((came_q & read_part_i) == PartB'(p)) kept_q <= read_q;]])
+mutant(parts_are_written_over_what_still_waits FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
+  OLD [[InParts ? Stages + 1 : Stages,]]
+  NEW [[InParts ? Stages : Stages,]])
+mutant(kept_forgets_its_last_part FILE rtl/shade/rc_kept.sv TEST unit [shade][interval]
+  OLD [[(write_i || goes_on_q) && write_part != '1;]]
+  NEW [[(write_i || goes_on_q) && write_part + 1'b1 != '1;]])
 mutant(approach_steps_alike FILE rtl/shade/rc_approach.sv TEST unit [pass][interval]
   OLD [[comes ? twice[k*R +: R] : now[k*R +: R] >> 1;]]
   NEW [[comes ? twice[k*R +: R] : now[k*R +: R];]])

@@ -22,5 +22,8 @@ mutant(host_sees_one_pipeline FILE rtl/host/rc_host.sv TEST unit [host]
   OLD [[hits = hits + 4'(hit_fires_i[p]);]]
   NEW [[hits = 4'(hit_fires_i[p]);]])
 mutant(host_starts_an_empty_frame FILE rtl/host/rc_host.sv TEST unit [host]
-  OLD [[state_q == StStart && some_q;]]
-  NEW [[state_q == StStart;]])
+  OLD [[&& wanted_q && some_q;]]
+  NEW [[&& wanted_q;]])
+mutant(host_writes_a_running_frame FILE rtl/host/rc_host.sv TEST unit [host]
+  OLD [[write_q <= fires && we_q && is_idle && adr_q]]
+  NEW [[write_q <= fires && we_q && adr_q]])

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <deque>
 #include <optional>
+#include <utility>
 
 #include "model/base/ring.hpp"
 #include "model/isect/tri.hpp"
@@ -201,8 +202,16 @@ public:
     void settle() { rtl_.settle(); }
     void clock() { rtl_.clock(); }
 
-    /// Tells a unit whose ray comes to the head of a queue by the next edge: that which the test offers after
-    /// it.
+    /// The edge, as soon as it is known what the cycle after it offers: a fast chip is told that before it.
+    void clock_later() { is_due_ = true; }
+    /// Before anything is driven: `tell` drives what the unit is told, and the edge that is due passes.
+    template <class Tell> void pass_edge(const Tell& tell) {
+        if (!std::exchange(is_due_, false)) return;
+        tell();
+        settle();
+        clock();
+    }
+    /// Whose ray comes to the head of a queue by the edge.
     template <class P> void drive_next(const char* name, const Wire<P>& link) {
         drive_listen(name, link.offer ? std::optional(Done{link.offer->ray}) : std::nullopt);
     }
@@ -217,6 +226,7 @@ public:
 private:
     Config config_;
     RtlModule rtl_;
+    bool is_due_ = false;
 };
 
 template <class U> class Rtl {

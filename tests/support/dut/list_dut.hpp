@@ -1,6 +1,4 @@
 #pragma once
-#include <utility>
-
 #include "model/core/stages.hpp"
 #include "model/list/list.hpp"
 #include "model/list/ray_tests.hpp"
@@ -73,7 +71,10 @@ public:
         links_.reset();
     }
     void eval() {
-        pass_edge();
+        links_.pass_edge([&] {
+            links_.drive_next("prim_next", prim_rsp);
+            links_.drive_next("done_next", done);
+        });
         drive();
         links_.settle();
         links_.read_in("prim_rsp", prim_rsp);
@@ -84,7 +85,7 @@ public:
         links_.read_out("tested", tested);
         links_.read_out("closest", closest);
     }
-    void commit() { is_due_ = true; }
+    void commit() { links_.clock_later(); }
 
 private:
     void drive() {
@@ -99,15 +100,6 @@ private:
         links_.drive_out("tested", tested);
         links_.drive_out("closest", closest);
     }
-    /// The edge of the cycle before: a fast chip is told before it what the next cycle offers.
-    void pass_edge() {
-        if (!std::exchange(is_due_, false)) return;
-        links_.drive_next("prim_next", prim_rsp);
-        links_.drive_next("done_next", done);
-        links_.settle();
-        links_.clock();
-    }
-    bool is_due_ = false;
     RtlLinks links_;
 };
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <utility>
-
 #include "model/bvh/box.hpp"
 #include "model/bvh/trav.hpp"
 #include "tests/support/dut/dut.hpp"
@@ -110,7 +108,7 @@ public:
         links_.reset();
     }
     void eval() {
-        pass_edge();
+        links_.pass_edge([&] { links_.drive_next("node_next", node_rsp); });
         drive();
         links_.settle();
         links_.read_in("ray", ray);
@@ -123,7 +121,7 @@ public:
         links_.read_out("done", done);
         cause = links_.plain("cause");
     }
-    void commit() { is_due_ = true; }
+    void commit() { links_.clock_later(); }
 
 private:
     void drive() {
@@ -136,14 +134,6 @@ private:
         links_.drive_out("decide_req", box_req);
         links_.drive_out("done", done);
     }
-    /// The edge of the cycle before: a fast chip is told before it what the next cycle offers.
-    void pass_edge() {
-        if (!std::exchange(is_due_, false)) return;
-        links_.drive_next("node_next", node_rsp);
-        links_.settle();
-        links_.clock();
-    }
-    bool is_due_ = false;
     RtlLinks links_;
 };
 
