@@ -8,11 +8,9 @@
 
 namespace rayclock {
 
-/// Cycles that a reset of the chip takes: four more than its largest cache has sets, and sixteen in which it
-/// clears its counters (docs/chip.md).
-inline int reset_cycles(const Config& c) {
-    return 4 + std::max({c.node_sets, c.prim_sets, c.shading ? c.surf_sets : 0, c.l2_sets}) + 16;
-}
+/// Cycles that a reset of the chip takes: its caches are emptied, and in sixteen more it clears its counters
+/// (docs/chip.md).
+inline int reset_cycles(const Config& c) { return c.clear_cycles() + 16; }
 
 /// Lines that differ from what the memory holds, and what the host did to know them. Applied in their order,
 /// uploads give every frame the lines that it reads, whatever the image held before.

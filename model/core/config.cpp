@@ -67,6 +67,9 @@ int Config::least_addr_bits() const {
                               shading ? beside_tag(surf_sets, surf_line) : 0});
     return 1 + (l2_sets > 0 ? std::max(own, beside_tag(l2_sets, l2_line)) : own);
 }
+int Config::clear_cycles() const {
+    return 4 + std::max({node_sets, prim_sets, shading ? surf_sets : 0, l2_sets});
+}
 int Config::client_bits() const { return index_bits(clients() * pipelines); }
 int Config::client_id_bits() const {
     return client_bits() + std::max({node_miss_bits(), prim_miss_bits(), shading ? surf_miss_bits() : 0});

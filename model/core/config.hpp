@@ -230,6 +230,7 @@ struct Config {
     int tri_latency() const;
     int pass_latency() const;     ///< of a pass alone, rtl/shade/rc_pass.sv
     int shade_latency() const;    ///< and of reading what is kept of its context
+    int clear_cycles() const;     ///< of a reset, in which all caches are emptied: docs/chip.md
     int node_miss_bits() const;   ///< what tells the node cache's requests to memory apart: line on its way,
                                   ///< word in it
     int prim_miss_bits() const;

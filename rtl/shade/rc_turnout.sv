@@ -1,6 +1,7 @@
 // The end of a pass: the context's new state, and what leaves. Part of rc_pass. No registers,
 // unless a pass stays long in a stage (rc_pkg::ShadeCut): then all comes early in the last stage,
-// stays until its end, is decided in several cycles, and taken over with take_i.
+// stays until its end, is decided in several cycles, and taken over with take_i. What waits beside
+// in parts comes two cycles before that (rc_beside): no more than two registers may lie in a row.
 // Model: pass() and its parts in model/shade/pass.cpp.
 `default_nettype none
 module rc_turnout #(
@@ -129,13 +130,12 @@ module rc_turnout #(
   end
 
   // Whether a light counts, and which rays are sent.
-  logic [5:0] lost, slack;   // what rounding takes from a weight at most, in units of 2^-17
+  logic [5:0] slack;   // what rounding takes from a weight at most, in units of 2^-17
   logic lights, sends, heavy, refracted, reflected;
   logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
   assign lights    = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
   assign sends     = light_near_i ? !was_i.is_lost : starts;
-  assign lost      = 6'd3 * ({2'd0, was_i.depth} + 6'd1);
-  rc_cut #(.Width(6), .Stages(Cut)) u_slack (.clk_i, .data_i(lost), .data_o(slack));
+  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);
   rc_cut #(.Width(1), .Stages(Cut)) u_heavy (
     .clk_i, .data_i({1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold}),
     .data_o(heavy));

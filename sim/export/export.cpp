@@ -148,7 +148,7 @@ std::string bench(const Job& job, const Frame& frame, int settings, const Accoun
     constant("MostCycles", std::min<std::uint64_t>(10 * cycles + 100'000, 2'000'000'000));
     constant("MemLatency", std::uint64_t(c.mem_latency));
     constant("MemInterval", std::uint64_t(c.mem_interval));
-    constant("ResetCycles", std::uint64_t(4 + std::max({c.node_sets, c.prim_sets, c.surf_sets, c.l2_sets})));
+    constant("ResetCycles", std::uint64_t(c.clear_cycles()));
     const std::string mark = "// @settings@";
     std::string text = bench_text;
     return text.replace(text.find(mark), mark.size(), constants);

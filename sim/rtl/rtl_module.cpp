@@ -1,6 +1,5 @@
 #include "sim/rtl/rtl_module.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -29,7 +28,7 @@ struct Opened {
 }   // namespace
 
 RtlModule::RtlModule(const Config& config, const std::string& module, int seed, Waves waves)
-    : reset_cycles_(4 + std::max({config.node_sets, config.prim_sets, config.l2_sets})) {
+    : reset_cycles_(config.clear_cycles()) {
     RtlBuild build = build_rtl(config, module, waves);
     Opened opened(build);
     if (!opened.module && build.was_cached) {   // whole, but of another machine or of a program that went

@@ -30,6 +30,9 @@ mutant(gltf_rotations_begin_with_x FILE sim/load/gltf_motion.cpp TEST motion [mo
 mutant(film_keeps_old_maps FILE model/accel/levels/moving.cpp TEST motion [film]
   OLD [[        map = map_at(places[i], map.mesh_class, levels_.maps, config_);]]
   NEW [[        if (frame_ < 2) map = map_at(places[i], map.mesh_class, levels_.maps, config_);]])
+mutant(film_resets_leave_surfaces FILE model/core/config.cpp TEST motion "model and RTL draw the same finished film*"
+  OLD [[prim_sets, shading ? surf_sets : 0, l2_sets});]]
+  NEW [[prim_sets, l2_sets});]])
 mutant(film_never_resets_the_chip FILE model/accel/levels/moving.cpp TEST motion [film]
   OLD [[upload.resets = !upload.lines.empty() && is_read_[buffer];]]
   NEW [[upload.resets = false;]])

@@ -133,6 +133,10 @@ mutant(turnout_last_light_is_left_out FILE rtl/shade/rc_turnout.sv TEST unit [pa
 mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[+ 19'(slack) >= {1'b0, frame_i.threshold}]]
   NEW [[+ 19'(slack) > {1'b0, frame_i.threshold}]])
+mutant(turnout_slack_comes_late FILE rtl/shade/rc_turnout.sv TEST unit [pass][interval]
+  OLD [[  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);]]
+  NEW [[  rc_cut #(.Width(6), .Stages(Cut)) u_slack (
+    .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
 mutant(turnout_far_mirror_is_black FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[is_arrive || escapes]]
   NEW [[is_arrive || (escapes && 1'b0)]])

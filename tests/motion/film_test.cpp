@@ -1,5 +1,7 @@
 // Films: the upper structure is made anew for every frame and nothing else, every frame has the hits of its
 // own scene, and model and RTL do the same with the host's writes in between.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include <glm/geometric.hpp>
@@ -22,6 +24,7 @@ TEST_CASE("the RTL that draws films builds", "[.build]") {
     for (Config config : chips()) {
         jobs.push_back({"rc_chip", config.name + ", films", config});
     }
+    jobs.push_back({"rc_chip", "small, finished films", finished_request("flight:3").config});
     for (const char* name : {"default", "narrow"})   // of one level, for meshes that deform
         jobs.push_back({"rc_chip", std::string(name) + ", films of one level", quick_config(name)});
     REQUIRE_NOTHROW(build_all(jobs));
@@ -236,6 +239,18 @@ TEST_CASE("model and RTL draw the same film with the writes of the host in betwe
                 CHECK(runs[f].upload.cycles >= made.traces[f].upload.lines.size());
         }
     }
+}
+
+TEST_CASE("model and RTL draw the same finished film, and a reset empties the largest cache",
+          "[motion][film]") {
+    const Request request = finished_request("flight:3");
+    REQUIRE(request.config.surf_sets > std::max(request.config.node_sets, request.config.prim_sets));
+    Film film(request, frames_of(3, 4), false, {24, 18});
+    const Recorded made = recorded(film);
+    REQUIRE(made.traces[1].upload.resets);
+    CHECK(made.traces[0].trace.colours != made.traces[1].trace.colours);
+    check_lockstep(made.job, made.traces);
+    check_lockstep(made.job, made.traces, {9, 30, 77}, 77);
 }
 
 TEST_CASE("a scene of one level that moves is made anew for every frame, shadows and mirrors with it",

@@ -22,6 +22,16 @@ inline std::vector<Config> chips() {
             two("small", 2, {{"structure", int(Structure::kd)}, {"mesh_structure", 1}})};   // over boxes
 }
 
+/// Of two levels, finished pictures, and a surf_cache that is larger than the other caches.
+inline Request finished_request(const std::string& spec) {
+    Request request;
+    request.scene = load_scene(spec);
+    request.settings.depth = 2;
+    request.config = fitted_config(request.scene, request.settings, two("small", 2));
+    request.finished = true;
+    return request;
+}
+
 inline FramesOptions frames_of(int frames, double fps, const std::string& uploads = "between") {
     FramesOptions o;
     o.frames = frames;
