@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -68,11 +69,11 @@ glm::dvec3 facet_normal(const SharedMesh& mesh, const Triangle& t) {
 /// Unit vectors again; where shapes cancel each other the normal at rest stays, and any will do for a facet
 /// without area, since no ray meets it.
 void finish_normals(const Deforming& deforming, SharedMesh& mesh) {
-    if (deforming.is_faceted)
-        for (const Triangle& t : mesh.triangles) {
-            const glm::dvec3 normal = facet_normal(mesh, t);
-            for (const std::uint32_t v : t.vertex) mesh.normals[v] = normal;
-        }
+    for (const std::uint32_t facet : deforming.facets) {
+        const Triangle& t = mesh.triangles[facet];
+        const glm::dvec3 normal = facet_normal(mesh, t);
+        for (const std::uint32_t v : t.vertex) mesh.normals[v] = normal;
+    }
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         glm::dvec3 unit = unit_or_zero(mesh.normals[i]);
         if (unit == glm::dvec3(0)) unit = unit_or_zero(deforming.normals[i]);
@@ -125,23 +126,35 @@ std::vector<MorphTarget> keyed_shapes(const std::vector<double>& times,
     return targets;
 }
 
-void make_faceted(Deforming& deforming, SharedMesh& mesh) {
-    std::vector<std::uint32_t> from;
+void make_faceted(const std::vector<std::uint32_t>& facets, Deforming& deforming, SharedMesh& mesh) {
+    constexpr std::uint32_t none = ~0U;
+    std::vector<bool> is_facet(mesh.triangles.size(), false);
+    for (const std::uint32_t facet : facets) is_facet[facet] = true;
+    std::vector<std::uint32_t> from, shared(deforming.rest.size(), none);   // new vertices, and of old ones
     from.reserve(3 * mesh.triangles.size());
-    for (Triangle& t : mesh.triangles)
-        for (std::uint32_t& v : t.vertex) {
-            from.push_back(v);
-            v = std::uint32_t(from.size() - 1);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::uint32_t& v : mesh.triangles[i].vertex) {
+            const std::uint32_t old = v;
+            v = is_facet[i] ? none : shared[old];
+            if (v != none) continue;
+            v = std::uint32_t(from.size());
+            if (!is_facet[i]) shared[old] = v;
+            from.push_back(old);
         }
     const auto gathered = [&](const std::vector<glm::dvec3>& list) {
         std::vector<glm::dvec3> out;
         out.reserve(from.size());
-        for (const std::uint32_t v : from) out.push_back(list[v]);
+        for (const std::uint32_t v : from) out.push_back(list.empty() ? glm::dvec3(0) : list[v]);
         return out;
     };
     deforming.rest = gathered(deforming.rest);
+    deforming.normals = gathered(deforming.normals);
     mesh.vertices = gathered(mesh.vertices);
-    for (MorphTarget& target : deforming.targets) target.moves = gathered(target.moves), target.turns.clear();
+    mesh.normals = deforming.normals;
+    for (MorphTarget& target : deforming.targets) {
+        target.moves = gathered(target.moves);
+        if (!target.turns.empty()) target.turns = gathered(target.turns);
+    }
     if (!deforming.first_pull.empty()) {
         std::vector<std::uint32_t> first{0};
         std::vector<Pull> pulls;
@@ -152,10 +165,14 @@ void make_faceted(Deforming& deforming, SharedMesh& mesh) {
         }
         deforming.first_pull = std::move(first), deforming.pulls = std::move(pulls);
     }
-    deforming.is_faceted = true;
-    deforming.normals.assign(from.size(), glm::dvec3(0));
-    mesh.normals = deforming.normals;
+    deforming.facets = facets;
     finish_normals(deforming, mesh);
+}
+
+void make_faceted(Deforming& deforming, SharedMesh& mesh) {
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    make_faceted(all, deforming, mesh);
 }
 
 }   // namespace rayclock

@@ -43,7 +43,7 @@ struct Deforming {
     std::string name;                        ///< in sentences
     std::uint32_t mesh = 0;                  ///< index in PlacedScene::meshes
     std::vector<glm::dvec3> rest, normals;   ///< as in SharedMesh
-    bool is_faceted = false;   ///< no two triangles share a vertex, and normals are those of the facets
+    std::vector<std::uint32_t> facets;       ///< triangles that share no vertex and have their own normal
     std::vector<MorphTarget> targets;
     std::vector<Joint> joints;
     std::vector<std::uint32_t> first_pull;   ///< of each vertex, and the end; empty without joints
@@ -65,7 +65,9 @@ std::vector<MorphTarget> keyed_shapes(const std::vector<double>& times,
                                       std::vector<std::vector<glm::dvec3>> shapes,
                                       std::vector<std::vector<glm::dvec3>> normals);
 
-/// Gives each triangle corners of its own, which have the facet's normal from then on.
-void make_faceted(Deforming& deforming, SharedMesh& mesh);
+/// Gives each of these triangles corners of its own, which have the facet's normal from then on. Normals of
+/// the mesh may be empty if these are all of its triangles.
+void make_faceted(const std::vector<std::uint32_t>& facets, Deforming& deforming, SharedMesh& mesh);
+void make_faceted(Deforming& deforming, SharedMesh& mesh);   ///< all of them
 
 }   // namespace rayclock

@@ -182,7 +182,7 @@ module rc_trav (
   // Box's answer, and the ray's distance to beat.
   rc_pkg::box_rsp_t           in;
   logic [rc_pkg::BoxRspW-1:0] came, in_flat;
-  logic                       came_fires, in_fires, leaf_matters;
+  logic                       came_fires, in_fires;
   logic [TB-1:0]              in_t;
   assign came               = decide_rsp_i;
   assign came_fires         = decide_rsp_valid_i;
@@ -225,20 +225,37 @@ module rc_trav (
   rc_cut #(.Width(rc_pkg::LeavesW + rc_pkg::ChildrenW + TB)) u_moved (
     .clk_i, .data_i({in_leaves, in_children, in_t}), .data_o({leaves_flat, children, leaves_beat}));
   assign leaves = leaves_flat;
-  if (rc_pkg::Cut == 0) begin : gen_in_now
-    assign in_fires = came_fires;
-  end else begin : gen_in_late   // two registers
-    logic came_fires_q, in_fires_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) {came_fires_q, in_fires_q} <= '0;
-      else         {came_fires_q, in_fires_q} <= {came_fires, came_fires_q};
-    end
-    assign in_fires = in_fires_q;
-  end
+  // Leaves fire if the nearest can matter. In a fast chip all children are compared a cycle before,
+  // and the nearest leaf's comparison is taken: list, where a few hundred cells want it, has it
+  // from a register.
+  logic            leafless_fires;
   logic [W*TB-1:0] leaves_near;
-  assign leaves_near    = leaves.t_near;
-  assign leaf_matters   = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;
-  assign leaves_fires_o = in_fires && leaf_matters;
+  assign leaves_near = leaves.t_near;
+  if (rc_pkg::Cut == 0) begin : gen_in_now
+    logic matters;
+    assign matters        = leaves.leaves != '0 && leaves_near[TB-1:0] <= leaves_beat;
+    assign in_fires       = came_fires;
+    assign leaves_fires_o = in_fires && matters;
+    assign leafless_fires = in_fires && !matters;
+  end else begin : gen_in_late   // two registers
+    logic [W*TB-1:0] near;
+    logic            matters, came_fires_q, in_fires_q, leaves_fires_q, leafless_fires_q;
+    assign near = in.t_near;
+    always_comb begin
+      matters = 1'b0;
+      for (int i = 0; i < W; i++)
+        if (in_inner == S'(i) && near[i*TB +: TB] <= in_t) matters = in.leaves != '0;
+    end
+    always_ff @(posedge clk_i) begin
+      came_fires_q     <= rst_ni && came_fires;
+      in_fires_q       <= rst_ni && came_fires_q;
+      leaves_fires_q   <= rst_ni && came_fires_q && matters;
+      leafless_fires_q <= rst_ni && came_fires_q && !matters;
+    end
+    assign in_fires       = in_fires_q;
+    assign leaves_fires_o = leaves_fires_q;
+    assign leafless_fires = leafless_fires_q;
+  end
   assign leaves_o       = leaves;
 
   // Steps to take: rays whose leaves are tested, and rays without leaves.
@@ -247,7 +264,7 @@ module rc_trav (
   logic [TB-1:0]   leafless_t;
   rc_pkg::tested_t leafless;
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_beat}),
+    .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),
     .valid_o(leafless_valid), .pop_i(leafless_valid && leafless_ready),
     .data_o({leafless_ray, leafless_t}));
   always_comb begin

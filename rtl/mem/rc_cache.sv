@@ -228,14 +228,16 @@ module rc_cache #(
     if (admit) s1_id_q <= draining ? drain_id : id;
   end
 
-  // Each part has a memory of its own, and only the one that is wanted is read.
+  // Each part has a memory of its own, and only the one that is wanted is read. With Cut both are
+  // read in every cycle: that somebody wants their data is known late, and is told beside these.
   logic [PartW-1:0] s1_data;
   for (genvar p = 0; p < Parts; p++) begin : gen_part
     logic [PartW-1:0] data;
     rc_ram_sync #(.Width(PartW), .Depth(DataD)) u_data (
       .clk_i, .write_i(fill_fires_i), .write_addr_i(fill_at),
       .write_data_i(fill_word_i[p*PartW +: PartW]),
-      .read_i(admit && (Parts == 1 || read_select[0] == (p == 1))), .read_addr_i(read_at),
+      .read_i(Cut != 0 || (admit && (Parts == 1 || read_select[0] == (p == 1)))),
+      .read_addr_i(read_at),
       .read_data_o(data));
   end
   if (Parts == 1) begin : gen_whole

@@ -96,11 +96,12 @@ void GltfDeformer::add_primitive(const JsonValue& in, bool is_skinned, bool smoo
     if (!loading_.may_make((2 * sizeof(glm::dvec3)) * count * (to.targets.size() + 2)))
         in.refuse(loading_.too_much());
     append(to.rest, triples(attributes.at("POSITION"), count));
-    if (smooth) append(to.normals, triples(attributes.at("NORMAL"), count));
+    const std::vector<glm::dvec3> none(count, glm::dvec3(0));
+    const auto normals = attributes.find("NORMAL");
+    if (smooth) append(to.normals, normals ? triples(*normals, count) : none);
     for (std::size_t i = 0; i < to.targets.size(); ++i) {
         const JsonValue target = in.at("targets")[i].object();
         const auto moves = target.find("POSITION"), turns = target.find("NORMAL");
-        const std::vector<glm::dvec3> none(count, glm::dvec3(0));
         append(to.targets[i].moves, moves ? triples(*moves, count) : none);
         if (smooth) append(to.targets[i].turns, turns ? triples(*turns, count) : none);
     }

@@ -25,8 +25,8 @@ public:
     /// Whether a node's mesh has another shape than that in which it is stored.
     static bool deforms(const JsonValue& node, const JsonValue& mesh, const GltfTracks* tracks);
 
-    /// The mesh of the node: vertices of its primitives of triangles, one after the other. `smooth`: they all
-    /// have normals. Throws UserError.
+    /// The mesh of the node: vertices of its primitives of triangles, one after the other. `smooth`: some of
+    /// them have normals; the others' are 0. Throws UserError.
     Deforming make(const JsonValue& node, const JsonValue& mesh, const GltfTracks* tracks, bool smooth);
 
 private:

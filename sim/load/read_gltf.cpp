@@ -286,26 +286,28 @@ private:
     }
 
     /// A mesh of its own, all of whose triangles stay, because they may get an area later. Joints say where a
-    /// skin is, and not the node that has it.
+    /// skin is, and not the node that has it. Primitives without normals are facets where others have some.
     void deform(const Copy& copy) {
         const JsonValue node = in_.at("nodes")[copy.from];
         const std::vector<Primitive>& primitives = meshes_[copy.mesh];
-        const bool is_smooth = std::all_of(primitives.begin(), primitives.end(),
+        const bool is_smooth = std::any_of(primitives.begin(), primitives.end(),
                                            [](const Primitive& primitive) { return primitive.normals; });
         Deforming made = deformer_.make(node, in_.at("meshes")[copy.mesh], tracks_of(copy.from), is_smooth);
         SharedMesh mesh{fmt::format("meshes[{}]", copy.mesh), made.rest, made.normals, {}};
         if (!loading_.may_make(mesh_triangles_[copy.mesh] * sizeof(Triangle)))
             at_.refuse(loading_.too_much());
         std::uint32_t base = 0;
+        std::vector<std::uint32_t> facets;
         for (const Primitive& primitive : primitives) {
             const std::uint32_t own =
                 assembly_.material(primitive.material, [&] { return material(primitive.material); });
             each_triangle(primitive, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+                if (!primitive.normals) facets.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
                 mesh.triangles.push_back({{base + a, base + b, base + c}, own});
             });
             base += static_cast<std::uint32_t>(primitive.positions->size());
         }
-        if (has_normals_ && mesh.normals.empty()) make_faceted(made, mesh);
+        if (has_normals_ && !facets.empty()) make_faceted(facets, made, mesh);
         made.mesh = static_cast<std::uint32_t>(placed_.meshes.size());
         const Where where = made.joints.empty() ? copy.where : Where{};
         if (made.is_still())

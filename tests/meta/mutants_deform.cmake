@@ -22,10 +22,14 @@ mutant(deform_takes_corners_that_are_not_finite FILE model/scene/deform.cpp TEST
   OLD [[if (!(std::abs(mesh.vertices[i][k]) <= most))]]
   NEW [[if (false)]])
 mutant(deform_keeps_old_facets FILE model/scene/deform.cpp TEST motion [deform]
-  OLD [[    if (deforming.is_faceted)
-        for]]
-  NEW [[    if (deforming.is_faceted && mesh.normals[0] == glm::dvec3(0) && false)
-        for]])
+  OLD [[    for (const std::uint32_t facet : deforming.facets) {]]
+  NEW [[    for (const std::uint32_t facet : std::vector<std::uint32_t>{}) {]])
+mutant(deform_has_facets_share_corners FILE model/scene/deform.cpp TEST motion [deform]
+  OLD [[            if (!is_facet[i]) shared[old] = v;]]
+  NEW [[            shared[old] = v;]])
+mutant(gltf_facets_beside_smooth_parts_stay_smooth FILE sim/load/read_gltf.cpp TEST motion [deform]
+  OLD [[has_normals_ && !facets.empty()]]
+  NEW [[has_normals_ && mesh.normals.empty()]])
 mutant(shapes_jump_at_the_last_key FILE model/scene/deform.cpp TEST motion [deform]
   OLD [[if (k + 1 < times.size()) key(k + 1, 0);]]
   NEW [[if (k + 2 < times.size()) key(k + 1, 0);]])

@@ -87,7 +87,7 @@ mutant(rtl_list_starts_where_a_ray_changes FILE rtl/list/rc_list.sv TEST system 
     .set_i(it_closer)]]
   NEW [[.clk_i, .rst_ni, .clear_i(start_fires_i || change_fires_i),
     .clear_at_i(change_fires_i ? change_i.ray : start_ray), .set_i(it_closer)]])
-mutant(rtl_direction_without_opposite FILE rtl/raygen/rc_direction.sv TEST unit "a camera ray of two levels has an opposite"
+mutant(rtl_direction_without_opposite FILE rtl/raygen/rc_direction.sv TEST unit "a camera ray of two levels has an opposite*"
   OLD [[s1_up = s1_moved[G-M-1] || s1_whole ==]]
   NEW [[s1_up = s1_moved[G-M-1] && s1_whole ==]])
 

@@ -269,11 +269,11 @@ mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(done_place), .data_i(late_ray_q),]])
 mutant(leafless_ray_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (
-    .clk_i, .rst_ni, .push_i(in_fires && !leaf_matters), .data_i({leaves.ray, leaves_beat}),]]
+    .clk_i, .rst_ni, .push_i(leafless_fires), .data_i({leaves.ray, leaves_beat}),]]
   NEW [[  logic late_q;
   logic [I+TB-1:0] late_data_q;
   always_ff @(posedge clk_i) begin
-    late_q      <= rst_ni && in_fires && !leaf_matters;
+    late_q      <= rst_ni && leafless_fires;
     late_data_q <= {leaves.ray, leaves_beat};
   end
   rc_queue #(.Width(I + TB), .Depth(T)) u_leafless (

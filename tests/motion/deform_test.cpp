@@ -87,6 +87,20 @@ TEST_CASE("keyed shapes: normals go from key to key, and facets have their own i
     }
 }
 
+TEST_CASE("a facet takes no corner from the smooth triangle beside it", "[motion][deform]") {
+    Deforming deforming;
+    deforming.rest = {{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 0}};
+    deforming.normals.assign(4, glm::dvec3(0, 0, 1));
+    SharedMesh mesh{"two", deforming.rest, deforming.normals, {{{0, 1, 2}, 0}, {{0, 2, 3}, 0}}};
+    make_faceted({0}, deforming, mesh);
+    REQUIRE(mesh.vertices.size() == 6);
+    const glm::dvec3 across = glm::normalize(glm::dvec3(-1, 1, 1));
+    for (const std::uint32_t v : mesh.triangles[0].vertex)
+        CHECK(glm::length(mesh.normals[v] - across) < 1e-9);
+    for (const std::uint32_t v : mesh.triangles[1].vertex) CHECK(mesh.normals[v] == glm::dvec3(0, 0, 1));
+    CHECK(mesh.vertices[mesh.triangles[1].vertex[1]] == glm::dvec3(1, 1, 0));
+}
+
 TEST_CASE("keyed shapes that do not fit together are refused with the file and the value",
           "[motion][deform]") {
     const Folder folder;

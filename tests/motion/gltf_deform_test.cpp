@@ -54,6 +54,36 @@ TEST_CASE("glTF: normals of morph targets are added, and are unit vectors", "[mo
     }
 }
 
+TEST_CASE("glTF: a part without normals has facets beside a smooth one of the same mesh",
+          "[motion][deform]") {
+    Morphed file(true);
+    Json flat = file.json["meshes"][0]["primitives"][0];
+    flat["attributes"].erase("NORMAL"), flat["targets"][1].erase("NORMAL");
+    file.json["meshes"][0]["primitives"].push_back(flat);
+    file.channel(0, "weights", {0, 1}, {0, 0, 1, 1});
+    PlacedScene scene = file.load();
+    pose(scene, 0.5);
+    const SharedMesh& mesh = scene.meshes[0];
+    REQUIRE(mesh.triangles.size() == 16);
+    REQUIRE(mesh.vertices.size() == 6 + 3 * 8);
+    REQUIRE(mesh.normals.size() == mesh.vertices.size());
+    for (std::size_t t = 0; t < 16; ++t) {
+        std::array<glm::dvec3, 3> p{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t v = std::size_t(Octahedron().triangles[t % 8][k]);
+            p[k] = file.rest(v) + 0.5 * (file.triple(file.to, v) + file.triple(file.more, v));
+            CHECK(glm::length(mesh.vertices[mesh.triangles[t].vertex[k]] - p[k]) < 1e-9);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t v = std::size_t(Octahedron().triangles[t % 8][k]);
+            const glm::dvec3 right = t < 8 ? file.triple(file.normals, v) + 0.5 * file.triple(file.turns, v)
+                                           : glm::cross(p[1] - p[0], p[2] - p[0]);
+            const glm::dvec3 normal = mesh.normals[mesh.triangles[t].vertex[k]];
+            CHECK(glm::length(normal - glm::normalize(right)) < 1e-9);
+        }
+    }
+}
+
 TEST_CASE("glTF: joints carry a skin by their places and inverse binds, and its node does not",
           "[motion][deform]") {
     const Skinned file;
