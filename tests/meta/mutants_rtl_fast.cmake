@@ -38,6 +38,9 @@ mutant(tags_fast_tree_that_is_written FILE rtl/mem/rc_tags.sv TEST unit [cache][
 mutant(mshr_fast_new_line_is_not_waited_for FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
   OLD [[takes ? set_i == ahead_set_i : set_q == ahead_set_i;]]
   NEW [[set_q == ahead_set_i;]])
+mutant(trav_fast_keeps_leaves_exactly_as_far FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
+  OLD [[near[i*TB +: TB] <= in_t) matters]]
+  NEW [[near[i*TB +: TB] < in_t) matters]])
 mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
   OLD [[assign load        = !valid_q || pop;]]
   NEW [[assign load        = !valid_q || pop || full;]])
