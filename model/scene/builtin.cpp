@@ -36,7 +36,7 @@ template <Scene (*make)(int, Primitives, int)> Scene usual_form(int size, Primit
     return make(size, p, cone_sectors);
 }
 
-constexpr std::array<Builtin, 17> all{{
+constexpr std::array<Builtin, 19> all{{
     {"balls", 3, 5, "sphereflake: spheres of many sizes on a floor", balls_counts, make_balls},
     {"gears", 4, 25, "interlocked gears: hard-edged parts, half of them hidden",
      all_triangles<gears_triangles>, one_form<make_gears>},
@@ -63,6 +63,10 @@ constexpr std::array<Builtin, 17> all{{
      all_triangles<square_triangles>, one_form<make_square>},
     {"gearbox", 4, 25, "the gears again, placed: one gear and its instances", all_triangles<gears_triangles>,
      one_flat_form<make_gearbox>},
+    {"flake", 3, 5, "the balls again, placed: one ball and its instances", all_triangles<flake_triangles>,
+     one_flat_form<make_flake>},
+    {"boughs", 8, 15, "the tree again, placed: one cone, one ball and their instances",
+     all_triangles<boughs_triangles>, one_flat_form<make_boughs>},
     {"clockwork", 16, 132, "moving: a wall of gears that turn each other, once round in 4 s",
      all_triangles<clockwork_triangles>, one_flat_form<make_clockwork>},
     {"crowd", 10, 267, "moving: walkers of five parts each, two steps in 2 s, and the camera with them",
@@ -76,7 +80,9 @@ struct Placed {
     std::string_view name;
     PlacedScene (*make)(int size);
 };
-constexpr std::array<Placed, 4> placed{{{"gearbox", make_gearbox},
+constexpr std::array<Placed, 6> placed{{{"gearbox", make_gearbox},
+                                        {"flake", make_flake},
+                                        {"boughs", make_boughs},
                                         {"clockwork", make_clockwork},
                                         {"crowd", make_crowd},
                                         {"flight", make_flight}}};

@@ -228,7 +228,7 @@ module rc_cache #(
     if (admit) s1_id_q <= draining ? drain_id : id;
   end
 
-  // Each part has a memory of its own, and only the one that is wanted is read. With Cut both are
+  // Each part has a memory of its own, and only the one that is wanted is read. With Cut all are
   // read in every cycle: that somebody wants their data is known late, and is told beside these.
   logic [PartW-1:0] s1_data;
   for (genvar p = 0; p < Parts; p++) begin : gen_part

@@ -309,3 +309,11 @@ mutant(film_leaves_out_lines_of_zeros FILE model/accel/refit/flat.cpp TEST motio
 mutant(film_writes_surfaces_once FILE model/accel/refit/flat.cpp TEST motion "a mesh that deforms has finished pictures*"
   OLD [[take_differences(image_, tree_lines_,]]
   NEW [[if (is_first) take_differences(image_, tree_lines_,]])
+
+# ---- Scenes that are placed.
+mutant(boughs_have_their_cones_inside_out FILE model/scene/generate/tree.cpp TEST scene "The boughs are*"
+  OLD [[base_radius * ring.start, base_radius * ring.quarter]]
+  NEW [[base_radius * ring.quarter, base_radius * ring.start]])
+mutant(flake_has_balls_of_one_size FILE model/scene/generate/mesh_writer.cpp TEST scene "The flake is*"
+  OLD [[place{glm::dmat3(radius)};]]
+  NEW [[place{glm::dmat3(radius < 1 ? 0.5 : 1.0)};]])

@@ -46,21 +46,42 @@ glm::dmat3 turned_to(const glm::dvec3& u) {
     return turn;
 }
 
-void flake(MeshWriter& mesh, const Offsets& offsets, int depth, const glm::dvec3& centre, double radius,
-           const glm::dvec3& up) {
-    mesh.sphere(centre, radius);
+/// `use` gets the centre and the radius of every ball.
+template <class Use> void each_ball(const Offsets& offsets, int depth, const glm::dvec3& centre,
+                                    double radius, const glm::dvec3& up, const Use& use) {
+    use(centre, radius);
     if (depth == 0) return;
     const glm::dmat3 turn = turned_to(up);
     for (const glm::dvec3& offset : offsets) {
         const glm::dvec3 direction = turn * offset;
-        flake(mesh, offsets, depth - 1, centre + 4.0 / 3 * radius * direction, radius / 3, direction);
+        each_ball(offsets, depth - 1, centre + 4.0 / 3 * radius * direction, radius / 3, direction, use);
     }
+}
+template <class Use> void each_ball(int size, const Use& use) {
+    each_ball(child_directions(), size, glm::dvec3(0), 0.5, {0, 0, 1}, use);
 }
 
 std::uint64_t spheres(int size) {
     std::uint64_t nine_to_the = 9;
     for (int i = 0; i < size; ++i) nine_to_the *= 9;
     return (nine_to_the - 1) / 8;
+}
+
+constexpr std::uint32_t ball_material = 1;   // the floor has the one before
+
+/// All but the balls.
+void begin(Scene& scene, MeshWriter& mesh) {
+    scene.camera = Camera{{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}, 45};
+    scene.lights = white_lights({{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
+    mesh.material({.name = "floor", .colour{1, 0.75, 0.33}, .ambient = 0.2, .diffuse = 0.4});
+    mesh.flat({{12, 12, -0.5}, {-12, 12, -0.5}, {-12, -12, -0.5}, {12, -12, -0.5}});
+    mesh.material({.name = "balls",
+                   .colour{1, 0.9, 0.7},
+                   .ambient = 0.15,
+                   .diffuse = 0.5,
+                   .highlight = 0.5,
+                   .shine = shine_of(37),
+                   .mirror = 0.5});
 }
 
 }   // namespace
@@ -73,20 +94,23 @@ PrimitiveCounts balls_counts(int size, Primitives primitives) {
 Scene make_balls(int size, Primitives primitives) {
     const bool is_cut = primitives == Primitives::triangles;
     Scene scene;
-    scene.camera = Camera{{2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}, 45};
-    scene.lights = white_lights({{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
     MeshWriter mesh(scene, primitives);
     mesh.reserve((is_cut ? spheres(size) * sphere_vertices : 0) + 4, balls_counts(size, primitives), is_cut);
-    mesh.material({.name = "floor", .colour{1, 0.75, 0.33}, .ambient = 0.2, .diffuse = 0.4});
-    mesh.flat({{12, 12, -0.5}, {-12, 12, -0.5}, {-12, -12, -0.5}, {12, -12, -0.5}});
-    mesh.material({.name = "balls",
-                   .colour{1, 0.9, 0.7},
-                   .ambient = 0.15,
-                   .diffuse = 0.5,
-                   .highlight = 0.5,
-                   .shine = shine_of(37),
-                   .mirror = 0.5});
-    flake(mesh, child_directions(), size, glm::dvec3(0), 0.5, {0, 0, 1});
+    begin(scene, mesh);
+    each_ball(size, [&](const glm::dvec3& centre, double radius) { mesh.sphere(centre, radius); });
+    return scene;
+}
+
+std::uint64_t flake_triangles(int size) { return balls_counts(size, Primitives::triangles).triangles; }
+
+PlacedScene make_flake(int size) {
+    PlacedScene scene;
+    MeshWriter mesh(scene.own);
+    begin(scene.own, mesh);
+    scene.meshes.push_back(ball_mesh(ball_material));
+    each_ball(size, [&](const glm::dvec3& centre, double radius) {
+        scene.instances.push_back(ball_at(centre, radius, 0));
+    });
     return scene;
 }
 

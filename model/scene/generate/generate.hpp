@@ -19,6 +19,10 @@ Scene make_balls(int size, Primitives primitives);
 std::uint64_t gears_triangles(int size);
 Scene make_gears(int size);
 PlacedScene make_gearbox(int size);   ///< the same, of one gear
+std::uint64_t flake_triangles(int size);
+PlacedScene make_flake(int size);   ///< the balls, of one ball
+std::uint64_t boughs_triangles(int size);
+PlacedScene make_boughs(int size);   ///< the tree, of one cone and one ball
 
 // Scenes that move, for some seconds and then again from the beginning; each of instances of few meshes.
 

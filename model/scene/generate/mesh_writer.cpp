@@ -40,6 +40,27 @@ double shine_of(double degrees) {
     return std::log(0.5) / std::log(std::cos(degrees * std::numbers::pi / 180));
 }
 
+Ring ring_around(const glm::dvec3& axis) {
+    glm::dvec3 start = glm::cross(axis, {0, 0, 1});
+    if (glm::length(start) < 1e-9) start = glm::cross(axis, {1, 0, 0});
+    start = unit(start);
+    return {start, glm::cross(axis, start)};
+}
+
+SharedMesh ball_mesh(std::uint32_t material) {
+    Scene ball;
+    MeshWriter writer(ball);
+    writer.use_material(material);
+    writer.sphere(glm::dvec3(0), 1);
+    return {"ball", std::move(ball.vertices), std::move(ball.normals), std::move(ball.triangles)};
+}
+
+Instance ball_at(const glm::dvec3& centre, double radius, std::uint32_t mesh) {
+    glm::dmat4 place{glm::dmat3(radius)};
+    place[3] = glm::dvec4(centre, 1);
+    return {"a ball", mesh, place, {}};
+}
+
 MeshWriter::MeshWriter(Scene& scene, Primitives primitives, int sectors)
     : scene_(scene), primitives_(primitives), sectors_(sectors) {
     // Points of the (f+1)^3 lattice on the cube's surface; sides that meet in an edge find the same points.
@@ -119,10 +140,7 @@ void MeshWriter::cone(const glm::dvec3& base, double base_radius, const glm::dve
                       double apex_radius) {
     const double length = glm::length(apex - base);
     const glm::dvec3 axis = (apex - base) / length;
-    glm::dvec3 start = glm::cross(axis, {0, 0, 1});
-    if (glm::length(start) < 1e-9) start = glm::cross(axis, {1, 0, 0});
-    start = unit(start);
-    const glm::dvec3 quarter = glm::cross(axis, start);
+    const auto [start, quarter] = ring_around(axis);
 
     const auto first = static_cast<std::uint32_t>(scene_.vertices.size());
     for (const bool at_apex : {false, true})

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "model/scene/builtin.hpp"
+#include "model/scene/placed.hpp"
 #include "model/scene/scene.hpp"
 
 namespace rayclock {
@@ -59,6 +60,16 @@ private:
 };
 
 glm::dvec3 unit(const glm::dvec3& v);
+
+/// Unit vectors across a unit axis in which the ring of a cone begins, and which lies a quarter further on.
+struct Ring {
+    glm::dvec3 start, quarter;
+};
+Ring ring_around(const glm::dvec3& axis);
+
+/// A closed unit sphere, as sphere() cuts it, and an instance of it.
+SharedMesh ball_mesh(std::uint32_t material);
+Instance ball_at(const glm::dvec3& centre, double radius, std::uint32_t mesh);
 
 /// Numbers from 0 to below 1 that look like chance, the same everywhere.
 double chance(std::uint32_t i);
