@@ -317,3 +317,9 @@ mutant(boughs_have_their_cones_inside_out FILE model/scene/generate/tree.cpp TES
 mutant(flake_has_balls_of_one_size FILE model/scene/generate/mesh_writer.cpp TEST scene "The flake is*"
   OLD [[place{glm::dmat3(radius)};]]
   NEW [[place{glm::dmat3(radius < 1 ? 0.5 : 1.0)};]])
+mutant(reference_forgets_where_instances_stand FILE model/reference/instances.cpp TEST reference "Embree's instances*"
+  OLD [[placed.back * (origin - placed.origin), turned]]
+  NEW [[placed.back * origin, turned]])
+mutant(reference_numbers_instances_from_zero FILE model/reference/instances.cpp TEST reference "Embree's instances*"
+  OLD [[static_cast<std::uint32_t>(first),]]
+  NEW [[static_cast<std::uint32_t>(first * 0),]])
