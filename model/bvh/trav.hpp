@@ -13,7 +13,7 @@ namespace rayclock {
 /// node, or the ray's end, is decided. A dropped group costs the ray another turn through both stages
 /// (recirculation, which goes before new steps). New rays start at the root when no step waits; with two
 /// levels, rays that xform has changed go on to their mesh's root, before new ones. In a fast chip there are
-/// more stages between the two. Mirror of rtl/bvh/rc_trav.sv.
+/// more stages between the two, and an end is told a cycle later. Mirror of rtl/bvh/rc_trav.sv.
 class Trav {
 public:
     explicit Trav(const Config& config)
@@ -44,7 +44,9 @@ public:
     }
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done_ray() const { return done_.front(); }
-    bool idle() const { return !(again_ | s1_valid_ | (between_ != 0)); }   ///< nothing in the stages
+    bool idle() const {
+        return !(again_ | s1_valid_ | (between_ != 0) | ended_.there);
+    }   ///< nothing in the stages
 
     const char* where(std::uint32_t ray) const {
         return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"
@@ -90,7 +92,12 @@ public:
         const OnLink last = last_stage();
         const Turn::Flags went = decide(last.ray, last.there);
         nodes_.push(RayNumber(last.ray), went.visit);
-        done_.push(RayNumber(last.ray), went.done);
+        if (late_ == 0) {
+            done_.push(RayNumber(last.ray), went.done);
+        } else {   // told from a register: list reads what it has found far away
+            done_.push(RayNumber(ended_.ray), ended_.there);
+            ended_ = {went.done, last.ray};
+        }
         again_ = went.again;
         again_ray_ = last.ray;
         if (late_ != 0) pass_on();
@@ -115,7 +122,8 @@ private:
     bool is_decided(std::uint32_t ray) const {
         for (int i = 0; i < late_; ++i)
             if ((between_ >> i & 1) && waiting_[std::size_t(i)] == ray) return true;
-        return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray);
+        return (s1_valid_ && s1_ == ray) || (again_ && again_ray_ == ray) ||
+               (ended_.there && ended_.ray == ray);
     }
 
     int late_;   // stages between the second and the decision
@@ -126,6 +134,7 @@ private:
     Merge step_link_, node_link_, root_link_;   // root_link_: of changed_ and spawn_
     bool again_ = false, s1_valid_ = false;     // recirculation register, second stage
     std::uint32_t again_ray_ = 0, s1_ = 0;
+    OnLink ended_{};   // in a fast chip, before done_
 };
 
 }   // namespace rayclock

@@ -47,8 +47,10 @@ struct ShadeState {
     std::array<std::uint32_t, 3> share{};   ///< what it adds if nothing is in its way
     std::uint32_t total = 0;                ///< the refracted ray was totally reflected
     friend bool operator==(const ShadeState&, const ShadeState&) = default;
-    /// Those that only some chips need come last: of several samples, of refraction, of spheres. x and y are
-    /// kept apart.
+    /// In the groups that a chip keeps and writes apart (rtl/shade/rc_contexts.sv): the pixel; what every
+    /// pass changes; where a surface was hit and is seen; its sides and colours; a light's share; then what
+    /// only some chips need: of several samples, of refraction; the material, also for refraction and for
+    /// spheres.
     template <class V> void fields(V& v_, const Config& c) {
         v_("x", x, c.pixel_bits);
         v_("y", y, c.pixel_bits);
@@ -62,33 +64,37 @@ struct ShadeState {
         v_("colour", colour, unit_bits + 1, 3);
         v_("weight", weight, unit_bits + 1);
         v_("depth", depth, depth_bits);
+        v_("light", light, 7);
         v_("o", o, c.point_width(), 3);
-        if (c.has_homes()) v_("inner", inner, c.origin_width(), 3);
-        v_("n", n, c.normal_bits(), 3);
         v_("normal", normal, unit_bits + 2, 3);
         v_("view", view, unit_bits + 2, 3);
         v_("cosine", cosine, unit_bits + 1);
+        if (c.has_homes()) v_("inner", inner, c.origin_width(), 3);
+        v_("n", n, c.normal_bits(), 3);
         v_("is_far", far, 1);
         v_("is_lost", lost, 1);
         v_("albedo", albedo, share_bits + 1, 3);
-        v_("diffuse", diffuse, share_bits + 1);
-        v_("highlight", highlight, share_bits + 1);
-        v_("mirror", mirror, unit_bits + 1);
-        v_("shine", shine, shine_bits);
-        v_("light", light, 7);
         v_("share", share, unit_bits + 1, 3);
         v_("sample", sample, sample_bits);
         v_("sum", sum, unit_bits + 1 + sample_bits, 3);
         v_("least", least, unit_bits + 1, 3);
         v_("most", most, unit_bits + 1, 3);
         v_("waiting", waiting, depth_bits);
+        v_("total", total, 1);
+        v_("diffuse", diffuse, share_bits + 1);
+        v_("highlight", highlight, share_bits + 1);
+        v_("mirror", mirror, unit_bits + 1);
+        v_("shine", shine, shine_bits);
         v_("transmit", transmit, unit_bits + 1);
         v_("ratio", ratio, ratio_bits);
         v_("schlick", schlick, 1);
         v_("r0", r0, unit_bits + 1);
-        v_("total", total, 1);
         v_("self", self, c.prim_bits);
         v_("is_inside", inside, 1);
+    }
+    /// Of the material, from diffuse on.
+    static int look_bits(const Config& c) {
+        return 2 * (share_bits + 1) + 3 * (unit_bits + 1) + shine_bits + ratio_bits + 1 + c.prim_bits + 1;
     }
 };
 

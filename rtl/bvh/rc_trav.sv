@@ -370,9 +370,13 @@ module rc_trav (
     .second_valid_i(root_valid), .second_ready_o(root_ready), .second_i(root_data),
     .valid_o(node_req_valid_o), .ready_i(node_req_ready_i), .data_o(node_req_o));
 
-  logic done_place;
+  // A ray's end is told from a register: by it list reads what it has found, far away.
+  logic         done_place, ends;
+  logic [I-1:0] ends_ray;
+  rc_event u_ends (.clk_i, .rst_ni, .fires_i(done), .fires_o(ends));
+  rc_cut #(.Width(I)) u_ends_ray (.clk_i, .data_i(end_tested.ray), .data_o(ends_ray));
   rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
-    .clk_i, .rst_ni, .valid_i(done), .ready_o(done_place), .data_i(end_tested.ray),
+    .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
 
@@ -380,10 +384,9 @@ module rc_trav (
   a_kept: assert property (@(posedge clk_i) disable iff (!rst_ni)
                            keep && node_rsp_valid_i |-> keep_ray != node_rsp_i.ray)
     else $error("a ray's node is there before the ray");
-  a_done_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni) done |-> done_place)
+  a_done_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni) ends |-> done_place)
     else $error("a queue that cannot overflow did");
 `endif
-
   logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray
   logic [rc_pkg::FrameW-1:0] frame_flat;
   logic [rc_pkg::ChangeW-1:0] change_flat;

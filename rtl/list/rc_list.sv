@@ -136,7 +136,6 @@ module rc_list (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(it_closer), .write_ray_i(it_ray), .write_t_i(it_came_t),
     .read_ray_i(came.ray), .read_t_o(old_t));
-
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
   logic [GroupW-1:0] tri_group;
@@ -144,7 +143,6 @@ module rc_list (
     .clk_i, .rst_ni, .write_i(in_fires), .write_addr_i(in.ray),
     .write_data_i({in.base, in.leaves, in.t_near, in.offset, in.count}), .head_addr_i(came.ray),
     .next_fires_i(tri_rsp_valid_i), .next_addr_i(tri_rsp_i.ray), .read_data_o(tri_group));
-
   // ---- Cursors: leaf and triangle under way per ray; 0, 0 until tri has answered once.
   logic [T-1:0] moved;
   logic [S-1:0]   cursor_leaf, next_leaf;
@@ -253,11 +251,10 @@ module rc_list (
   // ---- Triangle, ray and hit to beat, together to tri. What tri wants of a ray is in ray_t
   // and in tri_req_t under the same names.
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;
-  logic               keep;
-  logic [I-1:0]       keep_ray;
-  logic [TriRayW-1:0] ray_for_tri, tri_ray;
-  logic [BestW-1:0] tri_best;
-  logic             tri_found;
+  logic               keep, keeps, tri_found;
+  logic [I-1:0]       keep_ray, keeps_ray;
+  logic [TriRayW-1:0] ray_for_tri, keeps_for_tri, tri_ray;
+  logic [BestW-1:0]   tri_best;
   if (rc_pkg::Levels == 1) begin : gen_ray
     assign keep     = ray_fires_i;
     assign keep_ray = ray_i.ray;
@@ -308,8 +305,12 @@ module rc_list (
   end else begin : gen_ray_of_triangles
     assign ray_for_tri = {ray_i.kind, ray_i.o, ray_i.d};
   end
+  // A fast chip writes it a cycle later: no primitive comes for a ray so soon after it.
+  rc_event u_keeps (.clk_i, .rst_ni, .fires_i(keep), .fires_o(keeps));
+  rc_cut #(.Width(I + TriRayW)) u_keeps_ray (
+    .clk_i, .data_i({keep_ray, ray_for_tri}), .data_o({keeps_ray, keeps_for_tri}));
   rc_ram_ahead #(.Width(TriRayW), .Depth(T)) u_ray (
-    .clk_i, .rst_ni, .write_i(keep), .write_addr_i(keep_ray), .write_data_i(ray_for_tri),
+    .clk_i, .rst_ni, .write_i(keeps), .write_addr_i(keeps_ray), .write_data_i(keeps_for_tri),
     .head_addr_i(prim_rsp_i.ray), .next_fires_i(prim_next_fires_i), .next_addr_i(prim_next_i),
     .read_data_o(tri_ray));
   rc_ram_ahead #(.Width(BestW), .Depth(T)) u_best (
@@ -393,7 +394,6 @@ module rc_list (
   assign is_found        = found[done_i.ray];
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
-
   logic unused;
   assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, came, any_hit};
 endmodule

@@ -1,8 +1,10 @@
 // What shade keeps of every context: its camera ray or bounce, its last answer, the state
 // between two passes, and the refracted rays that wait. Part of rc_shade, which never has
 // two passes of a context under way. With read_i everything about read_ray_i is read, and is there
-// ShadeRead cycles later, with there_o; top_o in the one after if that is not at once. The state is
-// wide, and written and read in ShadeParts (rc_kept).
+// ShadeRead cycles later, with there_o; top_o in the one after if that is not at once.
+//
+// The state is wide, and written and read in ShadeParts (rc_kept). A pass writes only what it has
+// changed: a surface's material when it begins, the rest when it ends.
 `default_nettype none
 module rc_contexts #(
   localparam int unsigned I  = rc_pkg::RayBits,
@@ -40,9 +42,14 @@ module rc_contexts #(
   output rc_pkg::shade_state_t         state_o,
   output logic [rc_pkg::WaitingW-1:0]  top_o,
   output logic [PlaceW-1:0]            place_o,
-  // From rc_pass
-  input  logic                         write_i,        // a pass has ended
+  // From rc_pass: one has begun with a surface, whose material this is
+  input  logic                         look_i,
+  input  logic [I-1:0]                 look_ray_i,
+  input  logic [rc_pkg::LookW-1:0]     look_state_i,
+  // One has ended, and has changed these groups besides that which every one changes
+  input  logic                         write_i,
   input  logic [I-1:0]                 write_ray_i,
+  input  logic [3:0]                   changes_i,      // point, inner, face, share
   input  rc_pkg::shade_state_t         write_state_i,
   input  logic                         push_i,
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
@@ -103,20 +110,39 @@ module rc_contexts #(
     assign unused = ^{place_fires_i, place_ray_i, place_i};
   end
 
-  // ---- The state: x and y, what all chips have, what only some have, in that order.
+  // ---- The state, in the groups of model/shade/state.hpp.
+  localparam int unsigned VB      = rc_pkg::ValueBits;
   localparam int unsigned PixelW  = 2 * rc_pkg::PixelBits;
-  localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 2 * rc_pkg::ValueBits);
-  localparam int unsigned BendW   = rc_pkg::DepthBits + rc_pkg::RatioBits
-                                  + 2 * (rc_pkg::ValueBits + 1);
+  localparam int unsigned EveryW  = 3 + 2 + 1 + PB + rc_pkg::TBits + 2 * rc_pkg::UvBits + 4 * VB
+                                  + rc_pkg::DepthBits + 7;
+  localparam int unsigned PointW  = 3 * rc_pkg::PointWidth + 6 * rc_pkg::AxisBits + VB;
+  localparam int unsigned InnerW  = rc_pkg::Homes == 1 ? 3 * P : 0;
+  localparam int unsigned FaceW   = 3 * rc_pkg::NormalBits + 2 + 3 * (rc_pkg::ShareBits + 1);
+  localparam int unsigned ShareW  = 3 * VB;
+  localparam int unsigned SampleW = rc_pkg::SampleBits + 3 * (23 + 2 * VB);
+  localparam int unsigned WaitsW  = rc_pkg::DepthBits + 1;
+  localparam int unsigned BendW   = VB + rc_pkg::RatioBits + 1 + VB;
   localparam int unsigned SelfW   = PB + 1;
-  localparam int unsigned PlainW  = rc_pkg::ShadeStateW - PixelW - SampleW - BendW - SelfW;
-  logic [PixelW-1:0]  pixel;
-  logic [PlainW-1:0]  plain, new_plain;
+  localparam int unsigned LookW   = rc_pkg::LookW - BendW - SelfW;   // of all materials
+  localparam int unsigned PlaceAt = FaceW + ShareW + SampleW + WaitsW + rc_pkg::LookW;
+  logic [PixelW-1:0]  pixel, new_pixel;
+  logic [EveryW-1:0]  every, new_every;
+  logic [PointW-1:0]  point, new_point;
+  logic [FaceW-1:0]   face, new_face;
+  logic [ShareW-1:0]  share, new_share;
   logic [SampleW-1:0] sample, new_sample;
+  logic [WaitsW-1:0]  waits, new_waits;
+  logic [LookW-1:0]   look, new_look;
   logic [BendW-1:0]   bend, new_bend;
   logic [SelfW-1:0]   self, new_self;
-  logic [PixelW-1:0]  new_pixel;
-  assign {new_pixel, new_plain, new_sample, new_bend, new_self} = write_state_i;
+  logic [rc_pkg::ShadeStateW-1:0] new_state, kept_state;
+  logic [rc_pkg::LookW-1:0]       end_look;   // was written when the pass began
+  logic                           writes_point, writes_inner, writes_face, writes_share;
+  assign {writes_point, writes_inner, writes_face, writes_share} = changes_i & {4{write_i}};
+  assign new_state = write_state_i;
+  assign {new_face, new_share, new_sample, new_waits, end_look} = new_state[PlaceAt-1:0];
+  assign {new_pixel, new_every, new_point} = new_state[rc_pkg::ShadeStateW-1:PlaceAt+InnerW];
+  assign {new_look, new_bend, new_self}    = look_state_i;
   // A pixel begins, for a fast chip a cycle later: its passes come much later.
   logic              begins;
   logic [I-1:0]      begins_ray;
@@ -127,9 +153,33 @@ module rc_contexts #(
   rc_kept #(.Width(PixelW), .Depth(T)) u_pixel (
     .clk_i, .rst_ni, .write_i(begins), .write_addr_i(begins_ray), .write_data_i(begins_pixel),
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(pixel));
-  rc_kept #(.Width(PlainW), .Depth(T), .Parts(Parts)) u_plain (
-    .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_plain),
-    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(plain));
+  if (rc_pkg::Refraction == 1) begin : gen_bend
+    rc_kept #(.Width(EveryW + WaitsW), .Depth(T), .Parts(Parts)) u_every (
+      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i({new_every, new_waits}),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o({every, waits}));
+    rc_kept #(.Width(LookW + BendW), .Depth(T), .Parts(Parts)) u_look (
+      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i),
+      .write_data_i({new_look, new_bend}), .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o({look, bend}));
+  end else begin : gen_no_bend
+    rc_kept #(.Width(EveryW), .Depth(T), .Parts(Parts)) u_every (
+      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_every),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(every));
+    rc_kept #(.Width(LookW), .Depth(T), .Parts(Parts)) u_look (
+      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i), .write_data_i(new_look),
+      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(look));
+    assign waits = '0;
+    assign bend  = '0;
+  end
+  rc_kept #(.Width(PointW), .Depth(T), .Parts(Parts)) u_point (
+    .clk_i, .rst_ni, .write_i(writes_point), .write_addr_i(write_ray_i), .write_data_i(new_point),
+    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(point));
+  rc_kept #(.Width(FaceW), .Depth(T), .Parts(Parts)) u_face (
+    .clk_i, .rst_ni, .write_i(writes_face), .write_addr_i(write_ray_i), .write_data_i(new_face),
+    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(face));
+  rc_kept #(.Width(ShareW), .Depth(T), .Parts(Parts)) u_share (
+    .clk_i, .rst_ni, .write_i(writes_share), .write_addr_i(write_ray_i), .write_data_i(new_share),
+    .read_i(reads), .read_addr_i(reads_ray), .read_data_o(share));
   if (rc_pkg::Supersampling == 1) begin : gen_sample
     rc_kept #(.Width(SampleW), .Depth(T), .Parts(Parts)) u_sample (
       .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_sample),
@@ -137,19 +187,25 @@ module rc_contexts #(
   end else begin : gen_no_sample
     assign sample = '0;
   end
-  if (rc_pkg::Refraction == 1) begin : gen_bend
-    rc_kept #(.Width(BendW), .Depth(T), .Parts(Parts)) u_bend (
-      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_bend),
-      .read_i(reads), .read_addr_i(reads_ray), .read_data_o(bend));
-  end else begin : gen_no_bend
-    assign bend = '0;
-  end
   if (rc_pkg::Spheres == 1) begin : gen_self
-    rc_kept #(.Width(SelfW), .Depth(T)) u_self (
-      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_self),
+    rc_kept #(.Width(SelfW), .Depth(T), .Parts(Parts)) u_self (
+      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i), .write_data_i(new_self),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(self));
   end else begin : gen_no_self
     assign self = '0;
+  end
+  assign kept_state[PlaceAt-1:0] = {face, share, sample, waits, look, bend, self};
+  if (rc_pkg::Homes == 1) begin : gen_inner
+    logic [InnerW-1:0] inner;
+    rc_kept #(.Width(InnerW), .Depth(T), .Parts(Parts)) u_inner (
+      .clk_i, .rst_ni, .write_i(writes_inner), .write_addr_i(write_ray_i),
+      .write_data_i(new_state[PlaceAt +: InnerW]), .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o(inner));
+    assign kept_state[rc_pkg::ShadeStateW-1:PlaceAt] = {pixel, every, point, inner};
+  end else begin : gen_no_inner
+    assign kept_state[rc_pkg::ShadeStateW-1:PlaceAt] = {pixel, every, point};
+    logic unused;
+    assign unused = writes_inner;
   end
 
   // A context that has just begun has nothing yet but a camera ray of full weight.
@@ -163,7 +219,7 @@ module rc_contexts #(
     assign fresh = read_fresh_q;
   end
   rc_pkg::shade_state_t state;
-  assign state = {pixel, plain, sample, bend, self};
+  assign state = kept_state;
   always_comb begin
     state_o = state;
     if (fresh) begin
@@ -212,6 +268,7 @@ module rc_contexts #(
   end
 
   logic unused;
-  assign unused = ^{ray, ray_d, slot_i, new_pixel, new_sample, new_bend, new_self};
+  assign unused = ^{ray, ray_d, slot_i, new_pixel, new_sample, new_waits, new_bend, new_self,
+                    end_look};
 endmodule
 `default_nettype wire

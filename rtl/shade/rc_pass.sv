@@ -41,10 +41,14 @@ module rc_pass #(
                                            // cycle it comes a cycle after the others
   input  logic [PlaceW-1:0]    place_i,    // with two levels: the instance that was hit, line 0
                                            // if a ray is the same in it
-  // To rc_contexts
+  // To rc_contexts: the material of a surface that was hit, when the pass begins, and its end
+  output logic                        look_valid_o,
+  output logic [I-1:0]                look_ray_o,
+  output logic [rc_pkg::LookW-1:0]    look_o,
   output logic                        end_valid_o,
   output logic [I-1:0]                end_ray_o,
   output rc_pkg::shade_state_t        end_state_o,
+  output logic [3:0]                  changes_o,   // of it
   output logic                        push_o,  // a ray is to wait
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
   // What leaves
@@ -105,13 +109,15 @@ module rc_pass #(
   logic [U-1:0]         u, v;
   logic [3*VB-1:0]      colour;
   rc_pkg::shade_state_t known;
-  logic                 hit_found;
+  logic                 hit_found, looks;
   logic [PB-1:0]        hit_prim;
   assign {hit_found, back, hit_prim, t, u, v} = hit;
   rc_start u_start (
     .valid_i(ends[0]), .state_i(state), .hit_i(hit), .surface_i(surface),
     .surf_o(s0_surf), .light_o(s0_light), .bounce_o(s0_bounce), .refract_o(s0_refract),
-    .turn_o(s0_turn), .end_o(s0_end), .colour_o(colour), .known_o(known));
+    .turn_o(s0_turn), .end_o(s0_end), .colour_o(colour), .looks_o(looks), .look_o, .known_o(known));
+  assign look_valid_o = valid && looks;   // at once: what stays for several cycles is held as long
+  assign look_ray_o   = ray;
 
   // In which cycle of which stage a pass is, s0 lowest. It is over in the last one's first cycle.
   logic [L*Every:0] turn;
@@ -156,15 +162,14 @@ module rc_pass #(
   assign face_at = surf_at | turn_at;
 
   // ---- The state as far as it is known waits for the end.
-  localparam int unsigned KnownW = I + rc_pkg::ShadeStateW;
-  logic                        goes_on;   // before the first stage ends: fewer are told then
-  logic [I-1:0]                end_ray;
-  rc_pkg::shade_state_t        was;
-  rc_pkg::waiting_t            top;
+  logic                 goes_on, mirrors, transmits;   // goes_on: before the first stage ends,
+  logic [I-1:0]         end_ray;                       // fewer are told then
+  rc_pkg::shade_state_t was;
+  rc_pkg::waiting_t     top;
   assign goes_on = Every > 2 ? turn[Every < 2 ? 0 : Every-2] : ends[0];
-  rc_beside #(.Width(KnownW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_known (
-    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i({ray, known}),
-    .data_o({end_ray, was}));
+  rc_known u_known (
+    .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .ray_i(ray), .known_i(known),
+    .ray_o(end_ray), .was_o(was), .mirrors_o(mirrors), .transmits_o(transmits));
   rc_beside #(.Width(rc_pkg::WaitingW), .Stages(L), .Parts(rc_pkg::ShadeParts)) u_top (
     .clk_i, .rst_ni, .come_i(goes_on), .leave_i(ends[Out]), .data_i(top_came),
     .data_o(top));
@@ -368,31 +373,28 @@ module rc_pass #(
       .data_o({end_more, end_sum, end_least, end_most, end_mean}));
   end else begin : gen_one_sample
     assign end_more = 1'b0;
-    assign {end_sum, end_least, end_most} = '0;
-    assign end_mean = '0;
+    assign {end_sum, end_least, end_most, end_mean} = '0;
     logic unused;
     assign unused = ^colour;
   end
   // ---- s28: all of it together.
   rc_turnout u_turnout (
-    .clk_i, .take_i(ends[L-1]), .frame_i, .ray_i(end_ray), .was_i(was), .top_i(top),
-    .surf_i(Cut ? surf_q[L-1] : surf_at[L]), .surf_o_i(surf_o), .surf_n_i(surf_n),
-    .surf_normal_i(surf_normal),
-    .surf_view_i(surf_view), .surf_cosine_i(surf_cosine), .surf_far_i(surf_far),
-    .surf_lost_i(surf_lost),
-    .surf_albedo_i(surf_albedo), .surf_ambient_i(surf_ambient), .background_i(end_background),
+    .clk_i, .take_i(ends[L-1]), .frame_i, .ray_i(end_ray), .was_i(was), .mirrors_i(mirrors),
+    .transmits_i(transmits), .top_i(top), .surf_o_i(surf_o), .surf_n_i(surf_n),
+    .surf_i(Cut ? surf_q[L-1] : surf_at[L]),
+    .surf_normal_i(surf_normal), .surf_view_i(surf_view), .surf_cosine_i(surf_cosine),
+    .surf_far_i(surf_far), .surf_lost_i(surf_lost), .surf_albedo_i(surf_albedo),
+    .surf_ambient_i(surf_ambient), .background_i(end_background),
     .turn_i(Cut ? turn_q_at[L-1] : turn_at[L]), .turn_o_i(turned_o), .home_i(end_home),
     .home_o_i(end_home_o), .home_d_i(end_home_d),
     .light_near_i(light_near), .light_clear_i(light_clear), .light_place_i(light_place),
-    .light_share_i(light_share),
-    .above_i(end_above), .below_i(end_below), .positive_i(end_positive), .d_i(end_d),
-    .enters_i(enters), .entry_i(entry),
+    .light_share_i(light_share), .above_i(end_above), .below_i(end_below),
+    .positive_i(end_positive), .d_i(end_d), .enters_i(enters), .entry_i(entry),
     .weight_i(bounce_weight), .total_i(bounce_total), .more_i(end_more), .sum_i(end_sum),
     .least_i(end_least), .most_i(end_most), .mean_i(end_mean),
-    .ray_o(end_ray_o), .state_o(end_state_o), .leave_o, .spawn_o, .pixel_o, .push_o, .pushed_o);
-
+    .ray_o(end_ray_o), .state_o(end_state_o), .changes_o, .leave_o, .spawn_o, .pixel_o, .push_o,
+    .pushed_o);
   logic unused;
-  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, turn_at,
-                    face_at};
+  assign unused = ^{hit_found, hit_prim, turn, ends, surf_at, light_at, bounce_at, end_at, face_at};
 endmodule
 `default_nettype wire

@@ -239,7 +239,10 @@ module rc_shade (
   logic [rc_pkg::ShadeStateW-1:0]    state, end_state;
   logic [rc_pkg::WaitingW-1:0]       top, pushed;
   logic [rc_pkg::SurfRspW-1:0]       surf_rsp;
-  logic [I-1:0]                      end_ray;
+  logic [I-1:0]                      end_ray, look_ray;
+  logic                              look_valid;
+  logic [rc_pkg::LookW-1:0]          look;
+  logic [3:0]                        changes;
   logic [1:0]                        leave;
   logic                              push;
   logic [rc_pkg::SpawnW-1:0]         spawn;
@@ -269,13 +272,15 @@ module rc_shade (
     .closest_hit_i(HitW'(closest)), .read_i(enters), .read_ray_i(ray), .there_o(passes),
     .place_fires_i(placed), .place_ray_i(surf_rsp_i.ray), .place_i(place_data),
     .hit_o(hit), .o_o(o), .d_o(d), .state_o(state), .top_o(top), .place_o(place),
-    .write_i(end_valid),
-    .write_ray_i(end_ray), .write_state_i(end_state), .push_i(push), .pushed_i(pushed));
+    .look_i(look_valid), .look_ray_i(look_ray), .look_state_i(look), .write_i(end_valid),
+    .write_ray_i(end_ray), .changes_i(changes), .write_state_i(end_state),
+    .push_i(push), .pushed_i(pushed));
   rc_pass u_pass (
     .clk_i, .rst_ni, .frame_i(shade_frame), .valid_i(passes), .ray_i(pass_ray), .state_i(state),
     .hit_i(hit), .o_i(o), .d_i(d), .surface_i(surface), .top_i(top), .place_i(place),
-    .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .leave_o(leave),
-    .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
+    .look_valid_o(look_valid), .look_ray_o(look_ray), .look_o(look),
+    .end_valid_o(end_valid), .end_ray_o(end_ray), .end_state_o(end_state), .changes_o(changes),
+    .leave_o(leave), .spawn_o(spawn), .pixel_o(pixel), .push_o(push), .pushed_o(pushed));
 
   // ---- What it leads to: again (C), a ray (D), the pixel (E). The rays' and pixels' data wait in
   // memories by their context, or where passes are rare in the queues.

@@ -19,6 +19,8 @@ module rc_start #(
   output logic                 turn_o,     // what was found in a mesh's space is turned
   output logic                 end_o,      // a ray that waits, or the sample's end
   output logic [3*VB-1:0]      colour_o,   // with what was pending
+  output logic                 looks_o,    // a surface has been hit, whatever valid_i is:
+  output logic [rc_pkg::LookW-1:0] look_o, // its material, as shade_state_t has it
   output rc_pkg::shade_state_t known_o
 );
   logic          arrives, found, back;   // arrives: a camera ray or bounce is done
@@ -27,7 +29,8 @@ module rc_start #(
   logic [U-1:0]  u, v;
   assign {found, back, prim, t, u, v} = hit_i;
   assign arrives   = state_i.purpose == rc_pkg::EventArrive;
-  assign surf_o    = valid_i && arrives && found;
+  assign looks_o   = arrives && found;
+  assign surf_o    = valid_i && looks_o;
   assign light_o   = valid_i && state_i.purpose == rc_pkg::EventLight;
   assign refract_o = rc_pkg::Refraction == 1 && state_i.purpose == rc_pkg::EventRefract;
   assign bounce_o  = valid_i && (refract_o || state_i.purpose == rc_pkg::EventReflect);
@@ -58,7 +61,7 @@ module rc_start #(
       known_o.u     = u;
       known_o.v     = v;
     end
-    if (arrives && found) begin
+    if (looks_o) begin
       known_o.diffuse   = surface_i.diffuse;
       known_o.highlight = surface_i.highlight;
       known_o.mirror    = surface_i.mirror;
@@ -71,6 +74,10 @@ module rc_start #(
       known_o.is_inside = back;
     end
   end
+
+  assign look_o = {known_o.diffuse, known_o.highlight, known_o.mirror, known_o.shine,
+                   known_o.transmit, known_o.ratio, known_o.schlick, known_o.r0, known_o.self,
+                   known_o.is_inside};
 
   logic unused;
   assign unused = ^surface_i;

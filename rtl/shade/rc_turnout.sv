@@ -19,9 +19,12 @@ module rc_turnout #(
   input  logic                 clk_i,
   input  logic                 take_i,
   input  rc_pkg::shade_frame_t frame_i,
-  // What the context was
+  // What the context was, and is as far as that is known when a pass begins; of its surface only
+  // where it was hit, and whether it has a mirror and lets light through
   input  logic [I-1:0]         ray_i,
   input  rc_pkg::shade_state_t was_i,
+  input  logic                 mirrors_i,
+  input  logic                 transmits_i,
   input  rc_pkg::waiting_t     top_i,
   // From rc_surf, rc_angles and the background
   input  logic            surf_i,  // a surface has arrived
@@ -65,6 +68,7 @@ module rc_turnout #(
   // What the context becomes, and what leaves
   output logic [I-1:0]                ray_o,
   output rc_pkg::shade_state_t        state_o,
+  output logic [3:0]                  changes_o,   // of it, as rc_contexts has them
   output logic                        push_o,
   output logic [rc_pkg::WaitingW-1:0] pushed_o,
   output logic [1:0]                  leave_o,  // rc_pkg::leave_e
@@ -106,8 +110,8 @@ module rc_turnout #(
   assign starts     = !far || (!was_i.is_lost && enters_i);
   assign next_light = surf_i || turn_i ? '0 : was_i.light + 7'd1;
   assign follows    = was_i.depth >= frame_i.depth ? rc_pkg::EventPop
-                    : rc_pkg::Refraction == 1 && was_i.transmit != '0 ? rc_pkg::EventRefract
-                    : was_i.mirror != '0 ? rc_pkg::EventReflect : rc_pkg::EventPop;
+                    : rc_pkg::Refraction == 1 && transmits_i ? rc_pkg::EventRefract
+                    : mirrors_i ? rc_pkg::EventReflect : rc_pkg::EventPop;
   logic [2:0] unlit;
   rc_cut #(.Width(11), .Stages(Cut)) u_after (
     .clk_i, .data_i({next_light, next_light < frame_i.lights, follows}),
@@ -155,36 +159,30 @@ module rc_turnout #(
     assign turned_o[k*PW +: PW] = PW'($signed(turn_o_i[k*P +: P]));
     assign inner[k*P +: P]      = found_o[k*PW +: P];
   end
+  // What has not changed is not written, and may be anything.
+  logic       turned;
+  logic [3:0] changes;   // point, inner, face, share
+  assign turned  = turn_i && home_i != '0;   // otherwise what was found in the scene's space stays
+  assign changes = {surf_i || turned, turn_i, surf_i, is_light};
   rc_pkg::shade_state_t next;
   always_comb begin
-    next = was_i;
-    if (surf_i) begin
-      next.o      = surf_o_i;
-      next.n      = surf_n_i;
-      next.normal = surf_normal_i;
-      next.view   = surf_view_i;
-      next.cosine = surf_cosine_i;
-      next.is_far   = surf_far_i;
-      next.is_lost  = surf_lost_i;
-      next.albedo = surf_albedo_i;
-      next.light  = '0;
-    end
+    next         = was_i;
+    next.o       = turn_i ? turned_o : surf_o_i;
+    next.normal  = surf_normal_i;
+    next.view    = surf_view_i;
+    next.cosine  = surf_cosine_i;
+    next.n       = surf_n_i;
+    next.is_far  = surf_far_i;
+    next.is_lost = surf_lost_i;
+    next.albedo  = surf_albedo_i;
+    next.share   = light_share_i;
+    if (surf_i || turn_i) next.light = '0;
     if (is_arrive) begin
       next.purpose = !surf_i ? rc_pkg::EventPop : rc_pkg::Homes == 1 ? rc_pkg::EventTurn : after;
     end
-    if (turn_i) begin
-      if (home_i != '0) begin   // what was found in the scene's space stays
-        next.o      = turned_o;
-        next.normal = surf_normal_i;
-        next.view   = surf_view_i;
-        next.cosine = surf_cosine_i;
-      end
-      next.light   = '0;
-      next.purpose = after;
-    end
+    if (turn_i) next.purpose = after;
     if (is_arrive || escapes) next.colour = colour;
     if (is_light) begin
-      next.share   = light_share_i;
       next.light   = light;
       next.purpose = after;
       next.pending = !counts ? rc_pkg::PendingNone
@@ -226,7 +224,7 @@ module rc_turnout #(
   if (rc_pkg::Homes == 1) begin : gen_inner
     always_comb begin
       now = next;
-      if (turn_i) now.inner = inner;
+      now.inner = inner;
     end
   end else begin : gen_no_inner
     assign now = next;
@@ -321,13 +319,13 @@ module rc_turnout #(
   end
 
   // In three parts: Verilator 5.006 makes no code of a thousand bits at once.
-  localparam int unsigned ContextW = I + rc_pkg::ShadeStateW + 1;
+  localparam int unsigned ContextW = I + rc_pkg::ShadeStateW + 4 + 1;
   localparam int unsigned RaysW    = rc_pkg::WaitingW + rc_pkg::SpawnW;
   localparam int unsigned EndW     = 2 + rc_pkg::PixelW;
   logic [ContextW-1:0] made_context, kept_context;
   logic [RaysW-1:0]    made_rays, kept_rays;
   logic [EndW-1:0]     made_end, kept_end;
-  assign made_context = {ray_i, now, pushes};
+  assign made_context = {ray_i, now, changes, pushes};
   assign made_rays    = {waiting, spawn};
   assign made_end     = {leave, pixel};
   if (Cut == 0) begin : gen_now
@@ -345,7 +343,7 @@ module rc_turnout #(
       end
     end
   end
-  assign {ray_o, state_o, push_o} = kept_context;
+  assign {ray_o, state_o, changes_o, push_o} = kept_context;
   assign {pushed_o, spawn_o}      = kept_rays;
   assign {leave_o, pixel_o}       = kept_end;
 

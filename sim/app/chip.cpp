@@ -8,6 +8,7 @@
 #include "model/base/error.hpp"
 #include "model/base/nearest.hpp"
 #include "sim/app/commands.hpp"
+#include "sim/app/methods.hpp"
 #include "sim/app/options.hpp"
 #include "sim/chip/estimate.hpp"
 #include "sim/chip/picture.hpp"
@@ -28,7 +29,7 @@ struct Options {
     ConfigChoice config;
     std::vector<std::string> units;
     std::string device = "lfe5u-85", seeds = "1", output, scene, size = default_size;
-    chip::Methods methods;
+    MethodOptions methods;
     bool fast = false, fresh = false;
     JsonOutput json;
 };
@@ -40,16 +41,7 @@ void declare(Parser& parser, Options& o) {
     parser.option("--device", o.device, "lfe5u-25, lfe5u-45 or lfe5u-85").with_default();
     parser.option("--seeds", o.seeds, "seeds of the placer, as 1,2,3 or 1:8; the fastest counts")
         .with_default();
-    parser.option("--placer", o.methods.placer, "nextpnr's placer, heap or static").with_default();
-    parser
-        .option("--router", o.methods.router,
-                "nextpnr's router, router1, or router2 for a chip that router1 does not bring to its end")
-        .with_default();
-    parser
-        .option("--placements", o.methods.placements,
-                "how often it is placed, each time after the first with multipliers and block memories "
-                "where the one before wants them")
-        .with_default();
+    method_options(parser, o.methods, "Place and route");
     parser.flag("--fast", o.fast,
                 "do not route, but estimate the chip from its units, which were routed before with --unit");
     parser.option(
@@ -79,12 +71,6 @@ std::vector<int> seeds_of(const std::string& typed) {
         if (seed < 1) throw UserError(fmt::format("--seeds: {} is not above 0, in {}", seed, shown(typed)));
     if (seeds.size() > 100) throw UserError(fmt::format("--seeds: {} seeds are more than 100", seeds.size()));
     return seeds;
-}
-
-void check_method(const char* option, const std::string& name, const std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), name) == names.end())
-        throw UserError(fmt::format("{}: nextpnr has no {} that is called {}{}", option, option + 2,
-                                    shown(name), did_you_mean(name, names)));
 }
 
 /// A folder that is there or can be made. If it was made and nothing came into it, it goes again.
@@ -207,24 +193,24 @@ int run(const Options& o) {
     catch_interrupts();
     const chip::Device& device = chip::device_of(o.device);
     const std::vector<int> seeds = seeds_of(o.seeds);
-    check_method("--placer", o.methods.placer, chip::placers());
-    check_method("--router", o.methods.router, chip::routers());
-    if (o.methods.placements < 1 || o.methods.placements > 9)
-        throw UserError(fmt::format("--placements: {} does not lie in 1..9", o.methods.placements));
     if (o.fast && !o.units.empty())
         throw UserError("--fast: an estimate is of the whole chip; leave out --unit");
     if (o.fast && !o.output.empty())
         throw UserError("--fast: an estimate has no pictures; leave out --output");
+    if (o.fast && !o.methods.first().empty())
+        throw UserError(fmt::format("--fast: an estimate routes nothing; leave out {}", o.methods.first()));
+    const chip::Methods of_chip = methods_of(o.methods, "chip");   // which says what is wrong with them
     o.json.check();
     const Progress progress = terminal_progress();
     const Asked asked = asked_of(o, progress);
     const std::vector<std::string> tops = tops_of(o, asked.config);
     const OutputFolder folder(o.output);
     jobs::Cache cache(rtl_cache() / "chip", o.fresh);
-    if (o.fast) return tell_estimate(o, {asked.config, "chip", device, seeds, o.methods}, cache, progress);
+    if (o.fast) return tell_estimate(o, {asked.config, "chip", device, seeds, of_chip}, cache, progress);
     std::vector<chip::Result> all;
     for (const std::string& top : tops)
-        all.push_back(chip::run({asked.config, top, device, seeds, o.methods}, cache, progress));
+        all.push_back(
+            chip::run({asked.config, top, device, seeds, methods_of(o.methods, top)}, cache, progress));
     const int code = tell(o, asked, all, progress);
     if (!cache.trouble().empty())
         fmt::print(stderr, "rayclock: warning: nothing is kept for the next run: {}\n", cache.trouble());

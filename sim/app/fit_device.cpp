@@ -28,7 +28,7 @@ std::string no_machine(const DeviceFit& fit) {
 
 void route(DeviceFit& fit, const Scene& scene, FrameSize size, int threads, const Progress& progress) {
     jobs::Cache cache(rtl_cache() / "chip", fit.goal.fresh);
-    fit.routed = chip::run({fit.config, "chip", fit.goal.device, {1}}, cache, progress);
+    fit.routed = chip::run({fit.config, "chip", fit.goal.device, {1}, fit.goal.methods}, cache, progress);
     if (!fit.routed->fits()) return;
     balance::SceneDoors at_routed(scene, size, int(1000 * fit.routed->best().fmax_mhz), threads,
                                   fit.goal.fresh, progress);
@@ -47,6 +47,7 @@ void device_options(Parser& parser, DeviceOptions& o) {
         .under(device_group);
     parser.option("--clock", o.clock, "clock at which machines are compared, in MHz; 66 by default")
         .under(device_group);
+    method_options(parser, o.methods, device_group);
     parser.flag("--no-route", o.no_route, "do not place and route what was found").under(device_group);
     parser.flag("--fresh", o.fresh, "work everything out again, and take no finished result from the cache")
         .under(device_group);
@@ -56,12 +57,18 @@ std::optional<DeviceGoal> device_goal(const DeviceOptions& o) {
     if (o.device.empty()) {
         for (const auto& [name, given] : {std::pair{"--fill", o.fill.has_value()},
                                           {"--clock", o.clock.has_value()},
+                                          {"--placer", o.methods.placer.has_value()},
+                                          {"--router", o.methods.router.has_value()},
+                                          {"--placements", o.methods.placements.has_value()},
                                           {"--no-route", o.no_route},
                                           {"--fresh", o.fresh}})
             if (given) throw UserError(fmt::format("{} has no effect without --device", name));
         return std::nullopt;
     }
-    DeviceGoal goal{chip::device_of(o.device), {}, default_khz, !o.no_route, o.fresh};
+    DeviceGoal goal{chip::device_of(o.device),    {}, default_khz, !o.no_route, o.fresh,
+                    methods_of(o.methods, "chip")};
+    if (o.no_route && !o.methods.first().empty())
+        throw UserError(o.methods.first() + " has no effect with --no-route");
     const double fill = parse_percent("--fill", o.fill.value_or(default_fill), false) / 100;
     for (const chip::Resource& resource : chip::resources())
         goal.room.*resource.member = std::uint64_t(fill * double(goal.device.has.*resource.member));

@@ -3,7 +3,7 @@
 // it.
 #include <optional>
 
-#include "sim/app/parser.hpp"
+#include "sim/app/methods.hpp"
 #include "sim/balance/search.hpp"
 #include "sim/chip/run.hpp"
 #include "sim/engine/engine.hpp"
@@ -14,6 +14,7 @@ namespace rayclock {
 struct DeviceOptions {
     std::string device;
     std::optional<std::string> fill, clock;
+    MethodOptions methods;
     bool no_route = false, fresh = false;
 };
 void device_options(Parser& parser, DeviceOptions& options);
@@ -23,6 +24,7 @@ struct DeviceGoal {
     chip::Use room;   ///< what the search may fill: the rest is for wiring, and for the placer
     int khz = default_khz;
     bool route = true, fresh = false;
+    chip::Methods methods{};   ///< by which it is routed
 };
 /// Nothing if no device was asked for. Throws UserError.
 std::optional<DeviceGoal> device_goal(const DeviceOptions& options);

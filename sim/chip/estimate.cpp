@@ -33,6 +33,7 @@ Estimate estimate(const Request& request, jobs::Cache& cache, const Progress& pr
         if (!row.is_there(request.config)) continue;
         Request alone = request;
         alone.top = row.name;
+        alone.methods = usual_methods(row.name);
         const std::optional<Result> found = kept(alone, cache);
         if (!found || !found->fits()) {
             missing.push_back(row.name);

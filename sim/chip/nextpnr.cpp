@@ -97,6 +97,10 @@ const Nextpnr& nextpnr() {
     return found;
 }
 
+Methods usual_methods(const std::string& top) {
+    return top == "chip" ? Methods{"static", "router2", 2} : Methods{};
+}
+
 const std::vector<std::string>& placers() {
     static const std::vector<std::string> names{"heap", "static"};
     return names;

@@ -32,6 +32,9 @@ struct Methods {
     std::string placer = "heap", router = "router1";
     int placements = 1;
 };
+/// What brings `top` to its end: nextpnr's own defaults for a unit alone; for the whole chip ("chip") a
+/// placer that makes shorter wires, router2, which always ends if they are short enough, and two placements.
+Methods usual_methods(const std::string& top);
 const std::vector<std::string>& placers();
 const std::vector<std::string>& routers();
 

@@ -219,8 +219,12 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
     CHECK(figures["fmax_mhz"].is_null());
     CHECK(figures["totals"]["dsp"] == 30);
     CHECK(fake.routed() == 0);
-    CHECK(chip("lfe5u-45").code == 0);
-    CHECK(fake.routed() == 1);
+    const Outcome fits = chip("lfe5u-45");
+    CHECK(fits.code == 0);
+    // A whole chip is placed twice and routed, by what brings one to its end; a unit alone by nextpnr's
+    // defaults.
+    CHECK_THAT(fits.out, Catch::Contains("with seed 1, placer static, router2, placed 2 times\n"));
+    CHECK(fake.routed() == 3);
 }
 
 TEST_CASE("an estimate is the sum of all units and the slowest clock, and is set beside the routed chip") {
@@ -331,6 +335,7 @@ TEST_CASE("chip refuses what makes no sense") {
     check_refused(chip({"--router", "3"}), {"--router", "'3'"});
     check_refused(chip({"--placements", "0"}), {"--placements", "0", "1..9"});
     check_refused(chip({"--fast", "--unit", "box"}), {"--fast", "--unit"});
+    check_refused(chip({"--fast", "--placements", "2"}), {"--fast", "leave out --placements"});
     check_refused(chip({"--fast"}), {"sched, raygen", "--unit sched,raygen"});
     check_refused(chip({"--scene", "tetr:2"}), {"'tetr'"});
     check_refused(chip({"--set", "primitive_test=woop"}), {"primitive_test=woop", "software only"});

