@@ -22,8 +22,10 @@ void check_method(const char* option, const std::string& name, const std::vector
 
 void method_options(Parser& parser, MethodOptions& o, const char* group) {
     parser
-        .option("--placer", o.placer,
-                "nextpnr's placer, heap or static; static for a chip, heap for a unit alone")
+        .option(
+            "--placer", o.placer,
+            "nextpnr's placer, heap or static, or mixed: static at first, then heap; mixed for a chip, heap "
+            "for a unit alone")
         .under(group);
     parser
         .option("--router", o.router,
@@ -45,6 +47,8 @@ chip::Methods methods_of(const MethodOptions& o, const std::string& top) {
     check_method("--router", methods.router, chip::routers());
     if (methods.placements < 1 || methods.placements > 9)
         throw UserError(fmt::format("--placements: {} does not lie in 1..9", methods.placements));
+    if (methods.placer == "mixed" && methods.placements == 1)
+        throw UserError("--placements: the placer mixed needs two placements at least, not 1");
     return methods;
 }
 

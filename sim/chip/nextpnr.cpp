@@ -98,11 +98,11 @@ const Nextpnr& nextpnr() {
 }
 
 Methods usual_methods(const std::string& top) {
-    return top == "chip" ? Methods{"static", "router2", 2} : Methods{};
+    return top == "chip" ? Methods{"mixed", "router2", 2} : Methods{};
 }
 
 const std::vector<std::string>& placers() {
-    static const std::vector<std::string> names{"heap", "static"};
+    static const std::vector<std::string> names{"heap", "static", "mixed"};
     return names;
 }
 const std::vector<std::string>& routers() {
@@ -110,12 +110,13 @@ const std::vector<std::string>& routers() {
     return names;
 }
 
-std::string nextpnr_options(const Device& device, const Methods& methods) {
+std::string nextpnr_options(const Device& device, const Methods& methods, bool later) {
     std::string options = fmt::format("{} --package {} --speed {} --freq {} --timing-allow-fail",
                                       device.option, package_name, speed_grade, asked_mhz);
     // What it does by itself is not named: what was kept before there was a choice stays good.
     const Methods usual;
-    if (methods.placer != usual.placer) options += " --placer " + methods.placer;
+    const std::string placer = methods.placer != "mixed" ? methods.placer : later ? "heap" : "static";
+    if (placer != usual.placer) options += " --placer " + placer;
     if (methods.router != usual.router) options += " --router " + methods.router;
     return options;
 }
@@ -151,10 +152,10 @@ namespace {
 
 using Tell = std::function<void(const std::string& what, int percent)>;
 
-RouteEnd run_once(const fs::path& folder, const Device& device, const Methods& methods, int seed,
+RouteEnd run_once(const fs::path& folder, const std::string& options, int seed,
                   const std::vector<const char*>& files, const Tell& tell) {
     std::vector<std::string> words{nextpnr().program.string()};
-    for (const std::string& word : split(nextpnr_options(device, methods), ' ')) words.push_back(word);
+    for (const std::string& word : split(options, ' ')) words.push_back(word);
     words.insert(words.end(), files.begin(), files.end());
     words.insert(words.end(), {"--seed", std::to_string(seed)});
     Process process({words, folder, folder / "log", folder});
@@ -195,8 +196,9 @@ void write_roomy(const fs::path& placed, const fs::path& to) {
 // Files by their names within the folder: a tool compiled to WebAssembly sees no others.
 RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
                      const Tell& tell) {
+    int placed = 0;
     const auto run = [&](std::vector<const char*> files) {
-        return run_once(folder, device, methods, seed, files, tell);
+        return run_once(folder, nextpnr_options(device, methods, placed > 0), seed, files, tell);
     };
     const std::vector<const char*> placing{"--no-route", "--write", "placed.json"};
     std::vector<const char*> routing{"--report",    "report.json", "--write",
@@ -208,6 +210,7 @@ RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods
     const char* netlist = "netlist.json";
     for (int placement = 1; placement < methods.placements; ++placement) {
         if (const RouteEnd end = run(on(netlist, placing)); end != RouteEnd::done) return end;
+        ++placed;
         netlist = "anchored.json";
         write_anchored(folder / "netlist.json", folder / netlist, anchors_of(folder / "placed.json"));
     }

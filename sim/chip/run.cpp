@@ -201,9 +201,11 @@ private:
 
     std::string route_key(int seed) const {
         const int placements = request_.methods.placements;
-        return fmt::format("{} nextpnr {} {} seed {} read 5{}", design_, nextpnr().version,
-                           nextpnr_options(request_.device, request_.methods), seed,
-                           placements == 1 ? "" : fmt::format(" placements {}", placements));
+        const std::string first = nextpnr_options(request_.device, request_.methods),
+                          later = nextpnr_options(request_.device, request_.methods, true);
+        return fmt::format("{} nextpnr {} {} seed {} read 5{}{}", design_, nextpnr().version, first, seed,
+                           placements == 1 ? "" : fmt::format(" placements {}", placements),
+                           later == first ? "" : " then " + later);
     }
 
     void route(int seed, Result& result) {

@@ -223,7 +223,10 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
     CHECK(fits.code == 0);
     // A whole chip is placed twice and routed, by what brings one to its end; a unit alone by nextpnr's
     // defaults.
-    CHECK_THAT(fits.out, Catch::Contains("with seed 1, placer static, router2, placed 2 times\n"));
+    CHECK_THAT(fits.out, Catch::Contains("with seed 1, placer mixed, router2, placed 2 times\n"));
+    CHECK_THAT(bytes_of(fake.calls()),
+               Catch::Contains("--placer static --router router2 --json netlist.json --no-route") &&
+                   Catch::Contains("--timing-allow-fail --router router2 --json anchored.json --no-route"));
     CHECK(fake.routed() == 3);
 }
 
@@ -334,6 +337,7 @@ TEST_CASE("chip refuses what makes no sense") {
     check_refused(chip({"--placer", "statik"}), {"--placer", "'statik'", "did you mean 'static'"});
     check_refused(chip({"--router", "3"}), {"--router", "'3'"});
     check_refused(chip({"--placements", "0"}), {"--placements", "0", "1..9"});
+    check_refused(chip({"--placements", "1"}), {"--placements", "mixed needs two"});
     check_refused(chip({"--fast", "--unit", "box"}), {"--fast", "--unit"});
     check_refused(chip({"--fast", "--placements", "2"}), {"--fast", "leave out --placements"});
     check_refused(chip({"--fast"}), {"sched, raygen", "--unit sched,raygen"});
