@@ -151,9 +151,9 @@ mutant(pass_tells_a_material_of_nothing FILE rtl/shade/rc_pass.sv TEST unit [pas
 mutant(known_forgets_the_mirror FILE rtl/shade/rc_known.sv TEST unit [pass][all]
   OLD [[known_i.mirror != '0,]]
   NEW [[known_i.mirror[16:1] != '0,]])
-mutant(known_swaps_far_and_lost FILE rtl/shade/rc_known.sv TEST unit [pass][all]
+mutant(known_is_far_only_if_lost FILE rtl/shade/rc_known.sv TEST unit [pass][all]
   OLD [[    was_o.is_far    = is_far;]]
-  NEW [[    was_o.is_far    = is_lost;]])
+  NEW [[    was_o.is_far    = is_far && is_lost;]])
 mutant(contexts_keep_an_old_face FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[.write_i(writes_face)]]
   NEW [[.write_i(writes_face && writes_share)]])
