@@ -44,9 +44,8 @@ public:
     }
     bool done_valid() const { return !done_.empty(); }
     std::uint32_t done_ray() const { return done_.front(); }
-    bool idle() const {
-        return !(again_ | s1_valid_ | (between_ != 0) | ended_.there);
-    }   ///< nothing in the stages
+    /// Nothing in the stages.
+    bool idle() const { return !(again_ | s1_valid_ | (between_ != 0) | ended_.there); }
 
     const char* where(std::uint32_t ray) const {
         return spawn_.contains(RayNumber(ray))      ? "trav: new, waits for the root's link"

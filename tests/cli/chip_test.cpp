@@ -228,6 +228,13 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
                Catch::Contains("--placer static --router router2 --json netlist.json --no-route") &&
                    Catch::Contains("--timing-allow-fail --router router2 --json anchored.json --no-route"));
     CHECK(fake.routed() == 3);
+    // The first placement of mixed is static's, and what is kept of one is not the other's.
+    const auto by_static =
+        run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placer", "static"}, environment);
+    CHECK_THAT(by_static.out, Catch::Contains("with seed 1, placer static, router2, placed 2 times\n"));
+    CHECK(fake.routed() == 6);
+    CHECK(chip("lfe5u-45").out == fits.out);
+    CHECK(fake.routed() == 6);
 }
 
 TEST_CASE("an estimate is the sum of all units and the slowest clock, and is set beside the routed chip") {

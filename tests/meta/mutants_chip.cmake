@@ -17,6 +17,12 @@ mutant(chip_source_is_an_instance FILE sim/chip/cells.cpp TEST chip "the source 
 mutant(chip_full_device_is_too_small FILE sim/chip/run.cpp TEST chip "what does not fit*"
   OLD [[if (needs <= has) continue;]]
   NEW [[if (needs < has) continue;]])
+mutant(chip_mixed_is_kept_as_static FILE sim/chip/run.cpp TEST cli "a chip that does not fit*"
+  OLD [[later == first ? "" : " then " + later]]
+  NEW [[later == first ? "" : ""]])
+mutant(chip_mixed_never_places_by_heap FILE sim/chip/nextpnr.cpp TEST cli "a chip that does not fit*"
+  OLD [[later ? "heap" : "static";]]
+  NEW [[later ? "static" : "static";]])
 mutant(balance_takes_what_is_too_large FILE sim/balance/search.cpp TEST sweep "what the search finds*"
   OLD [[return use.*resource.member <= room.*resource.member;]]
   NEW [[return use.*resource.member <= room.*resource.member + room.*resource.member / 8;]])
