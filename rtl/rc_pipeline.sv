@@ -82,14 +82,23 @@ module rc_pipeline (
   logic [2:0]        sched_cause, raygen_cause, trav_cause, node_cause, decide_cause, list_cause;
   logic [2:0]        prim_cause, tri_cause, surf_cause, shade_cause, xform_cause, mesh_cause;
 
+  // Each unit has a reset of its own.
+  logic sched_rst_n, raygen_rst_n, tree_rst_n, list_rst_n, prim_rst_n, tri_rst_n;
+  rc_reset u_sched_reset (.clk_i, .rst_ni, .rst_no(sched_rst_n));
+  rc_reset u_raygen_reset (.clk_i, .rst_ni, .rst_no(raygen_rst_n));
+  rc_reset u_tree_reset (.clk_i, .rst_ni, .rst_no(tree_rst_n));
+  rc_reset u_list_reset (.clk_i, .rst_ni, .rst_no(list_rst_n));
+  rc_reset u_prim_reset (.clk_i, .rst_ni, .rst_no(prim_rst_n));
+  rc_reset u_tri_reset (.clk_i, .rst_ni, .rst_no(tri_rst_n));
+
   rc_sched u_sched (
-    .clk_i, .rst_ni, .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
+    .clk_i, .rst_ni(sched_rst_n), .start_i, .frame_i, .tile_ready_o, .tile_fires_i, .tile_i,
     .slot_valid_o(slot_valid), .slot_ready_i(slot_ready), .slot_o(slot),
     .pixel_valid_i(pixel_valid), .pixel_ready_o(pixel_ready), .pixel_i(pixel),
     .hit_valid_o, .hit_ready_i, .hit_o, .cause_o(sched_cause));
 
   rc_raygen u_raygen (
-    .clk_i, .rst_ni, .frame_i,
+    .clk_i, .rst_ni(raygen_rst_n), .frame_i,
     .spawn_valid_i(spawn_valid), .spawn_ready_o(spawn_ready), .spawn_i(spawn),
     .slot_valid_i(slot_valid), .slot_ready_o(slot_ready), .slot_i(slot),
     .ray_valid_o(ray_valid), .ray_ready_i(ray_ready), .ray_o(ray), .rests_o(raygen_rests));
@@ -105,7 +114,7 @@ module rc_pipeline (
   // The engine: one of them is built.
   if (rc_pkg::Structure == rc_pkg::StructureNone) begin : gen_none
     rc_none u_none (
-      .clk_i, .rst_ni, .frame_i,
+      .clk_i, .rst_ni(tree_rst_n), .frame_i,
       .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
       .leaves_fires_o(leaves_fires), .leaves_o(leaves),
       .tested_valid_i(tested_valid), .tested_ready_o(tested_ready), .tested_i(tested),
@@ -122,7 +131,7 @@ module rc_pipeline (
         node_fill_fires_i, node_fill_i};
   end else begin : gen_tree
     rc_tree u_tree (
-      .clk_i, .rst_ni, .frame_i, .start_fires_i(start_fires), .start_i(start),
+      .clk_i, .rst_ni(tree_rst_n), .frame_i, .start_fires_i(start_fires), .start_i(start),
       .ray_valid_i(ray_valid), .ray_ready_o(ray_ready), .ray_i(ray),
       .node_req_valid_o(node_req_valid), .node_req_ready_i(node_req_ready), .node_req_o(node_req),
       .node_rsp_valid_i(node_rsp_valid), .node_rsp_ready_o(node_rsp_ready), .node_rsp_i(node_rsp),
@@ -137,8 +146,10 @@ module rc_pipeline (
   end
 
   if (rc_pkg::Structure != rc_pkg::StructureNone) begin : gen_nodes
+    logic node_rst_n;
+    rc_reset u_node_reset (.clk_i, .rst_ni, .rst_no(node_rst_n));
     rc_node_cache u_node_cache (
-      .clk_i, .rst_ni,
+      .clk_i, .rst_ni(node_rst_n),
       .req_valid_i(node_req_valid), .req_ready_o(node_req_ready), .req_i(node_req),
       .rsp_valid_o(node_rsp_valid), .rsp_ready_i(node_rsp_ready), .rsp_o(node_rsp),
       .next_fires_o(node_next_fires), .next_ray_o(node_next),
@@ -148,7 +159,7 @@ module rc_pipeline (
   end
 
   rc_list u_list (
-    .clk_i, .rst_ni, .start_fires_i(start_fires), .start_i(start),
+    .clk_i, .rst_ni(list_rst_n), .start_fires_i(start_fires), .start_i(start),
     .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
     .change_fires_i(change_fires), .change_i(change),
     .leaves_fires_i(leaves_fires), .leaves_i(leaves),
@@ -163,7 +174,7 @@ module rc_pipeline (
     .closest_valid_o(closest_valid), .closest_ready_i(closest_ready), .closest_o(closest));
 
   rc_prim_cache u_prim_cache (
-    .clk_i, .rst_ni,
+    .clk_i, .rst_ni(prim_rst_n),
     .req_valid_i(prim_req_valid), .req_ready_o(prim_req_ready), .req_i(prim_req),
     .rsp_valid_o(prim_rsp_valid), .rsp_ready_i(prim_rsp_ready), .rsp_o(prim_rsp),
     .next_fires_o(prim_next_fires), .next_ray_o(prim_next),
@@ -172,7 +183,7 @@ module rc_pipeline (
     .waits_o(prim_waits), .deed_o(prim_cause));
 
   rc_tri u_tri (
-    .clk_i, .rst_ni,
+    .clk_i, .rst_ni(tri_rst_n),
     .req_valid_i(tri_req_valid), .req_ready_o(tri_req_ready), .req_i(tri_req),
     .rests_o(tri_rests),
     .rsp_valid_o(tri_rsp_valid), .rsp_ready_i(tri_rsp_ready), .rsp_o(tri_rsp));
@@ -188,16 +199,19 @@ module rc_pipeline (
     assign unused = ^{surf_req_valid, surf_req_ready, surf_req, surf_rsp_valid,
         surf_rsp_ready, surf_rsp, surf_miss_ready_i, surf_fill_fires_i, surf_fill_i};
   end else begin : gen_shade
-    logic surf_waits;
+    logic surf_waits, surf_rst_n, shade_rst_n;
+    rc_reset u_surf_reset (.clk_i, .rst_ni, .rst_no(surf_rst_n));
+    rc_reset u_shade_reset (.clk_i, .rst_ni, .rst_no(shade_rst_n));
     rc_surf_cache u_surf_cache (
-      .clk_i, .rst_ni,
+      .clk_i, .rst_ni(surf_rst_n),
       .req_valid_i(surf_req_valid), .req_ready_o(surf_req_ready), .req_i(surf_req),
       .rsp_valid_o(surf_rsp_valid), .rsp_ready_i(surf_rsp_ready), .rsp_o(surf_rsp),
       .miss_valid_o(surf_miss_valid_o), .miss_ready_i(surf_miss_ready_i), .miss_o(surf_miss_o),
       .fill_fires_i(surf_fill_fires_i), .fill_i(surf_fill_i),
       .waits_o(surf_waits), .deed_o(surf_cause));
     rc_shade u_shade (
-      .clk_i, .rst_ni, .frame_i, .slot_fires_i(slot_valid && slot_ready), .slot_i(slot),
+      .clk_i, .rst_ni(shade_rst_n), .frame_i,
+      .slot_fires_i(slot_valid && slot_ready), .slot_i(slot),
       .ray_fires_i(ray_valid && ray_ready), .ray_i(ray),
       .closest_valid_i(closest_valid), .closest_ready_o(closest_ready), .closest_i(closest),
       .surf_req_valid_o(surf_req_valid), .surf_req_ready_i(surf_req_ready), .surf_req_o(surf_req),

@@ -129,6 +129,7 @@ package rc_pkg;
   localparam int unsigned GlobeStages = 7;
   localparam int unsigned CrossingStages = 13;
   localparam int unsigned QuotientBits = 2;
+  localparam int unsigned HitBits = 2;
   localparam int unsigned CrossShare = 1;
   localparam int unsigned DotShare = 1;
   localparam int unsigned PairShare = 1;

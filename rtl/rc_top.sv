@@ -1,6 +1,7 @@
 // The ray tracer: only wiring. Pipelines that share the picture's tiles and the memory.
 //
-// A frame begins in the cycle after start_i is high, with all rays of the last one done;
+// A frame begins in the cycle after start_i is high, with all rays of the last one done, and not
+// before the second cycle after a reset;
 // frame_i is kept until the last hit. Each pipeline gives out the hits of its tiles. The
 // memory image is read 64 bytes at a time, answers matched by id in any order and
 // always taken. Reset is held for as many cycles as the largest cache has sets.
@@ -35,11 +36,15 @@ module rc_top (
   localparam int unsigned K  = rc_pkg::Clients;
   localparam int unsigned UC = 3 * rc_pkg::PipelineUnits;
 
+  // What the pipelines share has a reset of its own, and so has each unit of a pipeline.
+  logic shared_rst_n;
+  rc_reset u_reset (.clk_i, .rst_ni, .rst_no(shared_rst_n));
+
   logic [P-1:0]  tile_ready, tile_fires;
   rc_pkg::tile_t tile;
   logic [2:0]    dispatch_cause;
   rc_dispatch u_dispatch (
-    .clk_i, .rst_ni, .start_i, .frame_i,
+    .clk_i, .rst_ni(shared_rst_n), .start_i, .frame_i,
     .want_i(tile_ready), .tile_fires_o(tile_fires), .tile_o(tile), .cause_o(dispatch_cause));
 
   // Caches are clients of memory: K p reads nodes, K p + 1 primitives, K p + 2 surfaces, if
@@ -92,7 +97,7 @@ module rc_top (
   logic [CB-1:0] client;
   logic [MB+A-1:0] client_miss;
   rc_arbiter #(.Sources(K * P), .Width(MB + A)) u_arbiter (
-    .clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
+    .clk_i, .rst_ni(shared_rst_n), .valid_i(miss_valid), .ready_o(miss_ready), .data_i(miss),
     .valid_o(client_valid), .ready_i(client_ready), .source_o(client), .data_o(client_miss));
   // Not a shift: that of 0 by an unknown number is unknown.
   for (genvar k = 0; k < K * P; k++) begin : gen_client
@@ -114,7 +119,7 @@ module rc_top (
   end else begin : gen_shared
     logic unused;
     rc_l2 u_l2 (
-      .clk_i, .rst_ni,
+      .clk_i, .rst_ni(shared_rst_n),
       .req_valid_i(client_valid), .req_ready_o(client_ready), .req_i({client, client_miss}),
       .rsp_valid_o(fill_valid), .rsp_ready_i(1'b1), .rsp_o(fill),
       .miss_valid_o(mem_req_valid_o), .miss_ready_i(mem_req_ready_i), .miss_o(mem_req_o),

@@ -52,7 +52,9 @@ Stages::Stages(const Config& config) {
     const int root = sphere_levels * cut + 1 + divide(root_bits) + 1 + 2 * cut;
     const int compare_t = multiply + 1 + (pair_parts ? 1 + cut : 0) + 1 + cut;
     sphere = decide + root + divide(config.t_bits()) + 2 * cut + compare_t;
-    hit_divide = std::max(divide(config.t_bits()), divide(config.uv_bits() - 1)) + 2 * cut;
+    hit_bits = fast ? 1 : 2;
+    const int hit_quotient = std::max(config.t_bits(), config.uv_bits() - 1);
+    hit_divide = (hit_quotient + hit_bits - 1) / hit_bits + 2 * cut;
 
     pixel = 1 + (fast ? multiply - 1 : 0);
     direction = 1 + 2 * cut;

@@ -11,6 +11,7 @@ struct Stages {
     int far = 0;        ///< of those beside it on the way between units of a chip that shades, which is full
     int multiply = 0;   ///< of rc_mul
     int quotient_bits = 0;   ///< that rc_divide makes in a stage
+    int hit_bits = 0;        ///< likewise in rc_hitdiv, whose operands are the widest
     // The box test, rtl/bvh/rc_slab.sv, rc_box.sv, rc_rank.sv.
     int slab_planes = 0;   ///< before a child's planes are multiplied
     int slab = 0;          ///< from a node to its children's intervals on an axis

@@ -187,10 +187,12 @@ module rc_trav (
   assign came               = decide_rsp_i;
   assign came_fires         = decide_rsp_valid_i;
   assign decide_rsp_ready_o = 1'b1;
-  rc_reach u_reach (
+  logic [W-1:0]               in_within;   // which children lie no farther
+  rc_reach #(.Nears(W)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(tested_valid_i && tested_ready_o), .write_ray_i(tested_i.ray),
-    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t));
+    .write_t_i(tested_i.t_best), .read_ray_i(decide_rsp_i.ray), .read_t_o(in_t),
+    .near_i(in.t_near), .within_o(in_within));
   rc_cut #(.Width(rc_pkg::BoxRspW)) u_came (.clk_i, .data_i(came), .data_o(in_flat));
   assign in = in_flat;
 
@@ -238,13 +240,11 @@ module rc_trav (
     assign leaves_fires_o = in_fires && matters;
     assign leafless_fires = in_fires && !matters;
   end else begin : gen_in_late   // two registers
-    logic [W*TB-1:0] near;
-    logic            matters, came_fires_q, in_fires_q, leaves_fires_q, leafless_fires_q;
-    assign near = in.t_near;
+    logic matters, came_fires_q, in_fires_q, leaves_fires_q, leafless_fires_q;
     always_comb begin
       matters = 1'b0;
       for (int i = 0; i < W; i++)
-        if (in_inner == S'(i) && near[i*TB +: TB] <= in_t) matters = in.leaves != '0;
+        if (in_inner == S'(i) && in_within[i]) matters = in.leaves != '0;
     end
     always_ff @(posedge clk_i) begin
       came_fires_q     <= rst_ni && came_fires;
@@ -395,6 +395,6 @@ module rc_trav (
   assign frame_flat  = frame_i;
   assign change_flat = change_i;
   assign unused      = ^{done_place, is_short, node_rsp, ray_flat, frame_flat, change_fires_i,
-                         change_flat, in_offset, end_tested, leaves_near};
+                         change_flat, in_offset, end_tested, leaves_near, in_within};
 endmodule
 `default_nettype wire

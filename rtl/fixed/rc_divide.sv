@@ -7,7 +7,8 @@
 //
 // Operands may come every Every cycles, with valid_i. Each stage of the pipeline makes as many
 // steps, one after the other. If Every is 1, a stage works only if valid_i came with its operands.
-// Proven: tests/formal/divide.sv.
+// Yosys makes one register of two dividers' that work on the same steps; if they lie far apart, one
+// of them keeps what it knows of its steps as a complement (Apart). Proven: tests/formal/divide.sv.
 `default_nettype none
 module rc_divide #(
   parameter  int unsigned Width  = 8,   // of den and rem
@@ -15,6 +16,7 @@ module rc_divide #(
   parameter  int unsigned Bits   = 2,   // of the quotient, a step
   parameter  int unsigned Every  = 1,
   parameter  int unsigned Lows   = Bits * Stages,
+  parameter  bit          Apart  = 0,
   localparam int unsigned QuoW   = Bits * Stages
 ) (
   input  logic             clk_i,
@@ -35,8 +37,8 @@ module rc_divide #(
   // valid[i]: step i is next.
   logic [Stages-1:0] valid_q;
   logic [Stages:0]   valid;
-  assign valid = {valid_q, valid_i};
-  always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0];
+  assign valid = {valid_q ^ {Stages{Apart}}, valid_i};
+  always_ff @(posedge clk_i) valid_q <= valid[Stages-1:0] ^ {Stages{Apart}};
 
   // What is left lies between -den and den: den is taken from twice of it if it is not negative,
   // and added if it is; a bit of the quotient is set if it is not negative then.

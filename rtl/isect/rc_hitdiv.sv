@@ -30,7 +30,7 @@ module rc_hitdiv #(
   output logic [V-1:0] v_o
 );
   localparam int unsigned Cut     = rc_pkg::Cut;
-  localparam int unsigned Bits    = rc_pkg::QuotientBits; // made in a stage
+  localparam int unsigned Bits    = rc_pkg::HitBits;      // made in a stage
   localparam int unsigned Stages  = L - 2 * Cut;          // of the division
   localparam int unsigned Every   = rc_pkg::TriInterval;
   localparam int unsigned Q       = Bits * Stages;        // quotient bits made, at least T and B
@@ -109,10 +109,14 @@ module rc_hitdiv #(
   rc_cut #(.Width(3 * D + 2 * R)) u_uv_first (
     .clk_i, .data_i({u_top ? '0 : u_above, v_top ? '0 : v_above, det_i, u_below, v_below}),
     .data_o({u_rem, v_rem, uv_den, u_low, v_low}));
-  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K)) u_u (
+  rc_divide #(
+    .Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K), .Apart(Cut == 1)
+  ) u_u (
     .clk_i, .valid_i(begins), .rem_i(u_rem), .low_i(u_low), .den_i(uv_den),
     .quo_o(u_quo), .inexact_o(u_inexact));
-  rc_divide #(.Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K)) u_v (
+  rc_divide #(
+    .Width(D), .Stages(Short), .Bits(Bits), .Every(Every), .Lows(K), .Apart(Cut == 1)
+  ) u_v (
     .clk_i, .valid_i(begins), .rem_i(v_rem), .low_i(v_low), .den_i(uv_den),
     .quo_o(v_quo), .inexact_o(v_inexact));
 

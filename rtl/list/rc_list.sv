@@ -14,10 +14,9 @@
 // first. One triangle of a ray is under way at a time. A triangle that comes back from
 // memory goes on to tri, with its ray, in the same cycle.
 //
-// A ray's start clears its hit; a ray that goes to trav, which is listened to, is only kept
-// for tri. Both are one event today. With two levels tri gets the ray in the space of the instance
-// that it entered last, and the number of that instance's first primitive is added to a
-// primitive's own. Model: model/list/list.hpp.
+// A ray's start clears its hit; when it goes to trav it is only kept for tri. With two levels tri
+// gets the ray in the space of the instance that it entered last, and the number of that instance's
+// first primitive is added to a primitive's own. Model: model/list/list.hpp.
 `default_nettype none
 module rc_list (
   input  logic              clk_i,
@@ -108,10 +107,9 @@ module rc_list (
     .clk_i, .data_i({came.ray, came.t, came.num, came.det, came.prim, came_found}),
     .data_o({it_ray, it_came_t, it_best, it_found}));
 
-  // ---- Best hits. found says whether the memories hold one for a ray; any_hit, which rays
-  // any hit ends.
+  // ---- Best hits. found says whether the memories hold one for a ray.
   logic [I-1:0] start_ray;
-  logic [T-1:0] found, any_hit;
+  logic [T-1:0] found;
   logic         ends_at_any, it_blocked;
   assign start_ray  = start_i.ray;
   assign it_blocked = it_closer && ends_at_any;
@@ -119,7 +117,8 @@ module rc_list (
     .clk_i, .rst_ni, .clear_i(start_fires_i), .clear_at_i(start_ray),
     .set_i(it_closer), .set_at_i(it_ray), .flags_o(found));
   if (rc_pkg::Shading != 0) begin : gen_kinds
-    logic to_light;
+    logic         to_light;
+    logic [T-1:0] any_hit;   // which rays any hit ends
     assign to_light = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;
     rc_mark #(.Marks(T)) u_any (
       .clk_i, .rst_ni, .write_i(start_fires_i), .write_at_i(start_ray), .mark_i(to_light),
@@ -127,15 +126,16 @@ module rc_list (
     rc_pick #(.Flags(T)) u_ends_at_any (
       .clk_i, .flags_i(any_hit), .index_i(came.ray), .flag_o(ends_at_any));
   end else begin : gen_camera
-    assign any_hit     = '0;
     assign ends_at_any = 1'b0;
   end
 
-  logic [TB-1:0] old_t;   // of came, or in a fast chip of a cycle later
-  rc_reach u_reach (
+  logic [TB-1:0]   old_t;   // of came, or in a fast chip of a cycle later
+  logic [2*TB-1:0] nears;   // where another leaf may follow
+  logic [1:0]      it_within, old_within;
+  rc_reach #(.Nears(2)) u_reach (
     .clk_i, .rst_ni, .start_fires_i, .start_i,
     .write_i(it_closer), .write_ray_i(it_ray), .write_t_i(it_came_t),
-    .read_ray_i(came.ray), .read_t_o(old_t));
+    .read_ray_i(came.ray), .read_t_o(old_t), .near_i(nears), .within_o(old_within));
   // ---- Leaves under way per ray, written by trav, read by tri's answer.
   localparam int unsigned GroupW = rc_pkg::LeavesW - I;
   logic [GroupW-1:0] tri_group;
@@ -182,11 +182,12 @@ module rc_list (
   logic         more_triangles, more_leaves, end_more_triangles, end_more_leaves;
   logic [O-1:0] this_offset, next_offset, end_this_offset, end_next_offset, end_offset;
   // Whether another leaf follows is found for both cursors, since it is known late which it is.
-  logic [TB-1:0] it_near, second_near;
+  logic [TB-1:0] it_near;
   logic          more_after_it, more_after_first;
   assign it_leaf     = it_cursor[C +: S];
   assign it_next     = it_leaf + S'(1);
-  assign second_near = group_near[TB +: TB];
+  assign nears       = {it_near, group_near[TB +: TB]};
+  assign it_within   = it_closer ? {it_near <= it_came_t, nears[TB-1:0] <= it_came_t} : old_within;
   always_comb begin
     leaf_count  = '0;
     this_offset = '0;
@@ -201,8 +202,8 @@ module rc_list (
   end
   assign at_next          = cursor_leaf + S'(1);
   assign more_triangles   = cursor_triangle + C'(1) < leaf_count;
-  assign more_after_it    = {{(G-S){1'b0}}, it_leaf} + G'(1) < group_leaves && it_near <= it_t;
-  assign more_after_first = group_leaves > G'(1) && second_near <= it_t;
+  assign more_after_it    = {{(G-S){1'b0}}, it_leaf} + G'(1) < group_leaves && it_within[1];
+  assign more_after_first = group_leaves > G'(1) && it_within[0];
   assign more_leaves      = was_moved ? more_after_it : more_after_first;
   rc_cut #(.Width(I + 3 + TB + A + S + C + 2 * O)) u_end (
     .clk_i,
@@ -236,20 +237,17 @@ module rc_list (
     .valid_o(prim_req_valid_o), .ready_i(prim_req_ready_i), .data_o(prim_req_o));
 
   // ---- Rays whose leaves are tested, back to trav.
-  logic [I-1:0]  tested_ray;
-  logic [TB-1:0] tested_t_best;
-  rc_queue #(.Width(I + TB), .Depth(T)) u_tested (
-    .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i({end_ray, end_t}),
-    .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i),
-    .data_o({tested_ray, tested_t_best}));
-  if (rc_pkg::Shading != 0) begin : gen_stop
-    assign tested_o = {tested_ray, any_hit[tested_ray] && found[tested_ray], tested_t_best};
+  logic [rc_pkg::TestedW-1:0] ended;
+  if (rc_pkg::Shading != 0) begin : gen_stop   // at the first hit of a ray that any hit ends
+    assign ended = {end_ray, end_blocked, end_t};
   end else begin : gen_go_on
-    assign tested_o = {tested_ray, tested_t_best};
+    assign ended = {end_ray, end_t};
   end
+  rc_queue #(.Width(rc_pkg::TestedW), .Depth(T)) u_tested (
+    .clk_i, .rst_ni, .push_i(end_fires && !tri_prim), .data_i(ended),
+    .valid_o(tested_valid_o), .pop_i(tested_valid_o && tested_ready_i), .data_o(tested_o));
 
-  // ---- Triangle, ray and hit to beat, together to tri. What tri wants of a ray is in ray_t
-  // and in tri_req_t under the same names.
+  // ---- Triangle, ray (what tri wants of it has the same names in ray_t) and hit to beat, to tri.
   localparam int unsigned TriRayW = rc_pkg::TriRayBits;
   logic               keep, keeps, tri_found;
   logic [I-1:0]       keep_ray, keeps_ray;
@@ -391,10 +389,12 @@ module rc_list (
   end else begin : gen_no_place
     assign closest_o = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
   end
-  assign is_found        = found[done_i.ray];
+  rc_pick_ahead #(.Flags(T)) u_was_best (
+    .clk_i, .flags_i(found), .head_i(done_i.ray), .next_fires_i(done_next_fires_i),
+    .next_i(done_next_i.ray), .flag_o(is_found));
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
   logic unused;
-  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, came, any_hit};
+  assign unused = ^{ray_fires_i, ray_i, change_fires_i, change_i, came};
 endmodule
 `default_nettype wire

@@ -2,10 +2,13 @@
 // kind gives: 2^(N+F) for a shadow ray, which ends at t = 2^-B, and all ones for the others.
 // Afterwards it is what was written last.
 //
-// Read in the same cycle; in a fast chip told in the next. A read sees what happened in earlier
-// cycles only. trav and list have one each. Model: reach_of() in model/core/frame.hpp.
+// Read in the same cycle; in a fast chip told in the next, and with it which of near_i, that come
+// then, are within it: what is read is chosen after they were compared. A read sees what happened
+// in earlier cycles only. trav and list have one each. Model: reach_of() in model/core/frame.hpp.
 `default_nettype none
-module rc_reach (
+module rc_reach #(
+  parameter int unsigned Nears = 1
+) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
   input  logic                       start_fires_i,
@@ -14,7 +17,9 @@ module rc_reach (
   input  logic [rc_pkg::RayBits-1:0] write_ray_i,
   input  logic [rc_pkg::TBits-1:0]   write_t_i,
   input  logic [rc_pkg::RayBits-1:0] read_ray_i,
-  output logic [rc_pkg::TBits-1:0]   read_t_o
+  output logic [rc_pkg::TBits-1:0]   read_t_o,
+  input  logic [Nears*rc_pkg::TBits-1:0] near_i,
+  output logic [Nears-1:0]           within_o
 );
   localparam int unsigned T  = rc_pkg::Contexts;
   localparam int unsigned TB = rc_pkg::TBits;
@@ -50,5 +55,10 @@ module rc_reach (
     .clk_i, .flags_i(written), .index_i(read_ray_i), .flag_o(was_written));
   rc_cut #(.Width(TB)) u_kept (.clk_i, .data_i(kept), .data_o(kept_then));
   assign read_t_o = was_written ? kept_then : was_shadow ? SurfaceT : '1;
+  for (genvar i = 0; i < Nears; i++) begin : gen_near
+    logic [TB-1:0] near;
+    assign near        = near_i[i*TB +: TB];
+    assign within_o[i] = was_written ? near <= kept_then : !was_shadow || near <= SurfaceT;
+  end
 endmodule
 `default_nettype wire

@@ -79,11 +79,12 @@ module rc_bounce #(
     logic signed [40:0] s14_normal_q;
     logic signed [34:0] s14_view_q;
     logic signed [41:0] s14_sum;
-    logic signed [25:0] s14_unit;
+    logic signed [25:0] s14_unit;     // in a fast chip a pass stays long enough for a register
     logic signed [AB-1:0] s15_unit_q;
     logic signed [M-1:0] d;
     assign s14_sum  = 42'(s14_normal_q) - (42'(s14_view_q) <<< 4) + 42'sh8000;
-    assign s14_unit = s14_sum[41:16];
+    rc_cut #(.Width(26), .Stages(rc_pkg::ShadeCut)) u_unit (
+      .clk_i, .data_i(s14_sum[41:16]), .data_o(s14_unit));
     always_ff @(posedge clk_i) begin
       if (valid_i[13]) begin
         s14_normal_q <= s13_along_normal[k*41 +: 41];

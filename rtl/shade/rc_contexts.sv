@@ -54,7 +54,8 @@ module rc_contexts #(
   input  logic                         push_i,
   input  logic [rc_pkg::WaitingW-1:0]  pushed_i
 );
-  // ---- What is read. A fast chip whose passes are rare asks its memories from a register.
+  // ---- What is read and written. A fast chip whose passes are rare asks its memories from a
+  // register, and tells them from another what to keep; what a pass leaves stays for as long.
   localparam int unsigned Parts = rc_pkg::ShadeParts;
   logic         reads;
   logic [I-1:0] reads_ray;
@@ -64,6 +65,15 @@ module rc_contexts #(
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(reads));
   rc_event #(.Stages(rc_pkg::ShadeRead)) u_there (
     .clk_i, .rst_ni, .fires_i(read_i), .fires_o(there_o));
+  logic                     looks, writes;
+  logic [I-1:0]             look_ray;
+  logic [rc_pkg::LookW-1:0] look_state;
+  rc_cut #(.Width(I + rc_pkg::LookW), .Stages(rc_pkg::ShadeCut)) u_look_state (
+    .clk_i, .data_i({look_ray_i, look_state_i}), .data_o({look_ray, look_state}));
+  rc_event #(.Stages(rc_pkg::ShadeCut)) u_looks (
+    .clk_i, .rst_ni, .fires_i(look_i), .fires_o(looks));
+  rc_event #(.Stages(rc_pkg::ShadeCut)) u_writes (
+    .clk_i, .rst_ni, .fires_i(write_i), .fires_o(writes));
 
   // ---- The ray, unless it is a shadow ray or one away to a light.
   logic [rc_pkg::RayW-1:0] ray;
@@ -138,11 +148,11 @@ module rc_contexts #(
   logic [rc_pkg::ShadeStateW-1:0] new_state, kept_state;
   logic [rc_pkg::LookW-1:0]       end_look;   // was written when the pass began
   logic                           writes_point, writes_inner, writes_face, writes_share;
-  assign {writes_point, writes_inner, writes_face, writes_share} = changes_i & {4{write_i}};
+  assign {writes_point, writes_inner, writes_face, writes_share} = changes_i & {4{writes}};
   assign new_state = write_state_i;
   assign {new_face, new_share, new_sample, new_waits, end_look} = new_state[PlaceAt-1:0];
   assign {new_pixel, new_every, new_point} = new_state[rc_pkg::ShadeStateW-1:PlaceAt+InnerW];
-  assign {new_look, new_bend, new_self}    = look_state_i;
+  assign {new_look, new_bend, new_self}    = look_state;
   // A pixel begins, for a fast chip a cycle later: its passes come much later.
   logic              begins;
   logic [I-1:0]      begins_ray;
@@ -155,18 +165,19 @@ module rc_contexts #(
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(pixel));
   if (rc_pkg::Refraction == 1) begin : gen_bend
     rc_kept #(.Width(EveryW + WaitsW), .Depth(T), .Parts(Parts)) u_every (
-      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i({new_every, new_waits}),
-      .read_i(reads), .read_addr_i(reads_ray), .read_data_o({every, waits}));
+      .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i),
+      .write_data_i({new_every, new_waits}), .read_i(reads), .read_addr_i(reads_ray),
+      .read_data_o({every, waits}));
     rc_kept #(.Width(LookW + BendW), .Depth(T), .Parts(Parts)) u_look (
-      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i),
+      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray),
       .write_data_i({new_look, new_bend}), .read_i(reads), .read_addr_i(reads_ray),
       .read_data_o({look, bend}));
   end else begin : gen_no_bend
     rc_kept #(.Width(EveryW), .Depth(T), .Parts(Parts)) u_every (
-      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_every),
+      .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_every),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(every));
     rc_kept #(.Width(LookW), .Depth(T), .Parts(Parts)) u_look (
-      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i), .write_data_i(new_look),
+      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_look),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(look));
     assign waits = '0;
     assign bend  = '0;
@@ -182,14 +193,14 @@ module rc_contexts #(
     .read_i(reads), .read_addr_i(reads_ray), .read_data_o(share));
   if (rc_pkg::Supersampling == 1) begin : gen_sample
     rc_kept #(.Width(SampleW), .Depth(T), .Parts(Parts)) u_sample (
-      .clk_i, .rst_ni, .write_i, .write_addr_i(write_ray_i), .write_data_i(new_sample),
+      .clk_i, .rst_ni, .write_i(writes), .write_addr_i(write_ray_i), .write_data_i(new_sample),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(sample));
   end else begin : gen_no_sample
     assign sample = '0;
   end
   if (rc_pkg::Spheres == 1) begin : gen_self
     rc_kept #(.Width(SelfW), .Depth(T), .Parts(Parts)) u_self (
-      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i), .write_data_i(new_self),
+      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray), .write_data_i(new_self),
       .read_i(reads), .read_addr_i(reads_ray), .read_data_o(self));
   end else begin : gen_no_self
     assign self = '0;

@@ -23,9 +23,11 @@ module rc_side #(
   rc_mul_held #(.AW(NB), .BW(D), .Products(3), .Late(rc_pkg::ShadeCut)) u_products (
     .clk_i, .turn_i, .a_i(n), .b_i(d), .p_o(product));
   always_ff @(posedge clk_i) if (valid_i[0]) product_q <= product;
-  logic signed [Q+1:0] sum;
-  assign sum = (Q+2)'($signed(product_q[0 +: Q])) + (Q+2)'($signed(product_q[Q +: Q]))
+  logic signed [Q+1:0] sum_now, sum;
+  assign sum_now = (Q+2)'($signed(product_q[0 +: Q])) + (Q+2)'($signed(product_q[Q +: Q]))
       + (Q+2)'($signed(product_q[2*Q +: Q]));
+  rc_cut #(.Width(Q + 2), .Stages(rc_pkg::ShadeCut)) u_sum (
+    .clk_i, .data_i(sum_now), .data_o(sum));
   always_ff @(posedge clk_i) begin
     if (valid_i[1]) begin
       above_o <= !sum[Q+1] && sum != '0;

@@ -139,7 +139,11 @@ module rc_turnout #(
   logic counts, asks, to_point, shadows, pushes, reflects, escapes;   // escapes: to the background
   assign lights    = positive_i && (light_near_i ? below_i : above_i) && (!far || light_clear_i);
   assign sends     = light_near_i ? !was_i.is_lost : starts;
-  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);
+  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
+    slack = '0;
+    for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
+      if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
+  end
   rc_cut #(.Width(1), .Stages(Cut)) u_heavy (
     .clk_i, .data_i({1'b0, weight_i, 1'b0} + 19'(slack) >= {1'b0, frame_i.threshold}),
     .data_o(heavy));

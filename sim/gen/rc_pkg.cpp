@@ -262,6 +262,7 @@ void derived(Package& p, const Config& c) {
     p.constant("GlobeStages", stages.globe);
     p.constant("CrossingStages", stages.crossing);
     p.constant("QuotientBits", stages.quotient_bits);
+    p.constant("HitBits", stages.hit_bits);
     p.constant("CrossShare", stages.cross_share);
     p.constant("DotShare", stages.dot_share);
     p.constant("PairShare", stages.pair_share);

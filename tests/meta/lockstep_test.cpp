@@ -221,8 +221,8 @@ TEST_CASE("lockstep ends when the RTL deadlocks, and names where it began") {
     const Job job = small_job();
     const Event event = first_event<PrimMiss>(job, Link::prim_miss, [](const PrimMiss&) { return true; });
     // One source of the memory port is never served: rays that need a triangle wait for ever.
-    const Mutant mutant("rc_top.sv", ".clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready)",
-                        ".clk_i, .rst_ni, .valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)");
+    const Mutant mutant("rc_top.sv", ".valid_i(miss_valid), .ready_o(miss_ready)",
+                        ".valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)");
     LockstepResult result;
     CHECK_NOTHROW(result = run_lockstep(job));
     REQUIRE(result.first);

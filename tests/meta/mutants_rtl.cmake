@@ -117,8 +117,8 @@ mutant(list_skips_last_triangle FILE rtl/list/rc_list.sv TEST unit [list][lockst
   OLD [[assign more_triangles   = cursor_triangle + C'(1) <]]
   NEW [[assign more_triangles   = cursor_triangle + C'(2) <]])
 mutant(list_ignores_t_best FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[&& it_near <= it_t;]]
-  NEW [[&& (it_near <= it_t || it_t != '0);]])
+  OLD [[&& it_within[1];]]
+  NEW [[&& (it_within[1] || it_t != '0);]])
 mutant(list_forgets_its_hit_when_a_ray_changes FILE rtl/list/rc_list.sv TEST unit [list]
   OLD [[.clear_i(start_fires_i), .clear_at_i(start_ray),]]
   NEW [[.clear_i(start_fires_i || ray_fires_i), .clear_at_i(ray_fires_i ? ray_i.ray : start_ray),]])
@@ -172,8 +172,8 @@ mutant(top_pops_without_asking FILE rtl/rc_pipeline.sv TEST system "model and RT
 
 # ---- What stands still, and what counts wrongly.
 mutant(top_never_serves_primitives FILE rtl/rc_top.sv TEST unit [machine][lockstep]
-  OLD [[.clk_i, .rst_ni, .valid_i(miss_valid), .ready_o(miss_ready)]]
-  NEW [[.clk_i, .rst_ni, .valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)]])
+  OLD [[.valid_i(miss_valid), .ready_o(miss_ready)]]
+  NEW [[.valid_i(miss_valid & {P{2'b01}}), .ready_o(miss_ready)]])
 mutant(sched_loses_hits_of_used_contexts FILE rtl/sched/rc_sched.sv TEST unit [machine][lockstep]
   OLD [[assign hit_valid_o   = pixel_valid_i;]]
   NEW [[assign hit_valid_o   = pixel_valid_i && fresh;]])

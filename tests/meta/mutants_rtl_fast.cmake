@@ -44,9 +44,15 @@ mutant(tags_fast_tree_that_is_written FILE rtl/mem/rc_tags.sv TEST unit [cache][
 mutant(mshr_fast_new_line_is_not_waited_for FILE rtl/mem/rc_mshr.sv TEST unit [cache][fast]
   OLD [[takes ? set_i == ahead_set_i : set_q == ahead_set_i;]]
   NEW [[set_q == ahead_set_i;]])
-mutant(trav_fast_keeps_leaves_exactly_as_far FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
-  OLD [[near[i*TB +: TB] <= in_t) matters]]
-  NEW [[near[i*TB +: TB] < in_t) matters]])
+mutant(trav_fast_keeps_leaves_exactly_as_far FILE rtl/prim/rc_reach.sv TEST unit [trav][lockstep]
+  OLD [[within_o[i] = was_written ? near <= kept_then]]
+  NEW [[within_o[i] = was_written ? near < kept_then]])
+mutant(trav_fast_takes_leaves_behind_the_light FILE rtl/prim/rc_reach.sv TEST unit [trav][shading]
+  OLD [[!was_shadow || near <= SurfaceT;]]
+  NEW [[!was_shadow || near <= SurfaceT || near != '0;]])
+mutant(trav_fast_takes_another_childs_distance FILE rtl/bvh/rc_trav.sv TEST unit [trav][lockstep]
+  OLD [[if (in_inner == S'(i) && in_within[i]) matters]]
+  NEW [[if (in_inner == S'(i) && in_within[W-1-i]) matters]])
 mutant(cache_fast_loads_while_one_waits FILE rtl/mem/rc_cache.sv TEST unit [cache][fast]
   OLD [[assign load        = !valid_q || pop;]]
   NEW [[assign load        = !valid_q || pop || full;]])
@@ -108,8 +114,14 @@ mutant(box_beats_are_gathered_backwards FILE rtl/bvh/rc_box.sv TEST unit [box][l
   NEW [[assign all_met  = {met_q, met};]])
 
 mutant(list_ignores_t_best_after_the_first_leaf FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
-  OLD [[&& second_near <= it_t;]]
-  NEW [[&& (second_near <= it_t || it_t != '0);]])
+  OLD [[&& it_within[0];]]
+  NEW [[&& (it_within[0] || it_t != '0);]])
+mutant(list_has_found_what_another_ray_has FILE rtl/prim/rc_pick_ahead.sv TEST unit [list][lockstep]
+  OLD [[flag_q <= flags_i[next_i];]]
+  NEW [[flag_q <= flags_i[next_i ^ {{(IndexW-1){1'b0}}, head_i[0]}];]])
+mutant(divide_forgets_what_is_kept_apart FILE rtl/fixed/rc_divide.sv TEST unit [tri][interval]
+  OLD [[valid_q <= valid[Stages-1:0] ^ {Stages{Apart}};]]
+  NEW [[valid_q <= valid[Stages-1:0];]])
 mutant(list_takes_the_first_leaf_for_all FILE rtl/list/rc_list.sv TEST unit [list][lockstep]
   OLD [[was_moved ? more_after_it : more_after_first;]]
   NEW [[was_moved && !it_leaf[0] ? more_after_it : more_after_first;]])
@@ -136,6 +148,15 @@ mutant(list_keeps_an_answer_for_another_ray FILE rtl/list/rc_list.sv TEST unit [
 mutant(contexts_answer_for_another_ray FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
   OLD [[.write_i(answers), .write_addr_i(answer_ray),]]
   NEW [[.write_i(answers), .write_addr_i(answer_ray & closest_ray_i),]])
+mutant(contexts_write_before_it_came FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
+  OLD [[  rc_event #(.Stages(rc_pkg::ShadeCut)) u_looks (]]
+  NEW [[  rc_event #(.Stages(0)) u_looks (]])
+mutant(bounce_unit_of_the_last_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][interval]
+  OLD [[    rc_cut #(.Width(26), .Stages(rc_pkg::ShadeCut)) u_unit (]]
+  NEW [[    rc_cut #(.Width(26), .Stages(9 * rc_pkg::ShadeCut)) u_unit (]])
+mutant(side_of_the_last_one FILE rtl/shade/rc_side.sv TEST unit [pass][interval]
+  OLD [[  rc_cut #(.Width(Q + 2), .Stages(rc_pkg::ShadeCut)) u_sum (]]
+  NEW [[  rc_cut #(.Width(Q + 2), .Stages(9 * rc_pkg::ShadeCut)) u_sum (]])
 mutant(contexts_begin_as_the_last_one FILE rtl/shade/rc_contexts.sv TEST unit [shade][interval]
   OLD [[if (reads) read_fresh_q <= all_fresh[reads_ray];]]
   NEW [[if (reads) read_fresh_q <= all_fresh[write_ray_i];]])

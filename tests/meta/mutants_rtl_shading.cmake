@@ -14,8 +14,8 @@ mutant(list_goes_on_behind_a_blocker QUICK FILE rtl/list/rc_list.sv TEST unit [l
   OLD [[(end_more_triangles || end_more_leaves) && !end_blocked;]]
   NEW [[end_more_triangles || (end_more_leaves && !end_blocked);]])
 mutant(list_forgets_to_stop FILE rtl/list/rc_list.sv TEST unit [list][shading]
-  OLD [[any_hit[tested_ray] && found[tested_ray],]]
-  NEW [[any_hit[tested_ray] && found[tested_ray] && !tested_ray[0],]])
+  OLD [[ended = {end_ray, end_blocked, end_t};]]
+  NEW [[ended = {end_ray, end_blocked && !end_ray[0], end_t};]])
 mutant(list_ends_a_ray_away_at_the_surface FILE rtl/prim/rc_reach.sv TEST unit [list][shading]
   OLD [[is_shadow = start_i.kind == rc_pkg::RayShadow;]]
   NEW [[is_shadow = start_i.kind == rc_pkg::RayShadow || start_i.kind == rc_pkg::RayAway;]])
@@ -134,9 +134,16 @@ mutant(turnout_threshold_is_not_enough FILE rtl/shade/rc_turnout.sv TEST unit [p
   OLD [[+ 19'(slack) >= {1'b0, frame_i.threshold}]]
   NEW [[+ 19'(slack) > {1'b0, frame_i.threshold}]])
 mutant(turnout_slack_comes_late FILE rtl/shade/rc_turnout.sv TEST unit [pass][interval]
-  OLD [[  assign slack     = 6'd3 * ({2'd0, was_i.depth} + 6'd1);]]
+  OLD [[  always_comb begin   // 3 (depth + 1), as a table: two additions before a comparison are long
+    slack = '0;
+    for (int i = 0; i < 1 << rc_pkg::DepthBits; i++)
+      if (was_i.depth == rc_pkg::DepthBits'(i)) slack = 6'(3 * i + 3);
+  end]]
   NEW [[  rc_cut #(.Width(6), .Stages(Cut)) u_slack (
     .clk_i, .data_i(6'd3 * ({2'd0, was_i.depth} + 6'd1)), .data_o(slack));]])
+mutant(turnout_slack_is_one_short FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
+  OLD [[slack = 6'(3 * i + 3);]]
+  NEW [[slack = 6'(3 * i + 2);]])
 mutant(turnout_writes_no_share FILE rtl/shade/rc_turnout.sv TEST unit [pass][all]
   OLD [[surf_i || turned, turn_i, surf_i, is_light}]]
   NEW [[surf_i || turned, turn_i, surf_i, is_arrive}]])
@@ -159,7 +166,7 @@ mutant(contexts_keep_an_old_face FILE rtl/shade/rc_contexts.sv TEST unit [shade]
   NEW [[.write_i(writes_face && writes_share)]])
 mutant(contexts_material_of_another_context FILE rtl/shade/rc_contexts.sv TEST unit [shade][all]
   OLD [[u_look (
-      .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(look_ray_i),
+      .clk_i, .rst_ni, .write_i(looks), .write_addr_i(look_ray),
       .write_data_i({new_look, new_bend})]]
   NEW [[u_look (
       .clk_i, .rst_ni, .write_i(look_i), .write_addr_i(write_ray_i),

@@ -284,6 +284,27 @@ TEMPLATE_TEST_CASE("trav gives a node's leaves to list at once, if the nearest c
     }
 }
 
+TEMPLATE_TEST_CASE("a fast trav gives leaves to list some cycles later, as far as the ray looks",
+                   "[trav][shading]", TravModel, TravRtl) {
+    const Config config = format("fast:shading:default");
+    Hand<TestType> hand{config};
+    const std::uint32_t most = (1u << config.t_bits()) - 1,
+                        surface = 1u << (config.coord_bits + config.t_frac_bits);
+    const auto are_given = [&](std::uint32_t near) {
+        bool given = hand.cycle(leaf_at(2, near)).leaves.has_value();
+        for (int i = 0; i < 20; ++i) given |= hand.cycle().leaves.has_value();
+        return given;
+    };
+    for (const std::uint32_t kind : {0, 2, 3}) {
+        hand.dut.start = Start{2, kind};
+        hand.cycle();
+        hand.dut.start.reset();
+        for (int i = 0; i < 4; ++i) hand.cycle();
+        REQUIRE(are_given(kind == 2 ? surface : most));
+        REQUIRE(are_given(surface + 1) == (kind != 2));
+    }
+}
+
 TEMPLATE_TEST_CASE("trav's rays that are tested go before those without leaves", "[trav]", TravModel,
                    TravRtl) {
     Hand<TestType> hand{format("default")};
@@ -341,7 +362,8 @@ TEMPLATE_TEST_CASE("trav decides a step in every cycle, and no step enters in a 
 }
 
 TEST_CASE("model and rtl of trav make the same moves in every cycle", "[trav][lockstep]") {
-    const Config config = format(GENERATE("default", "shading:default", "fast:small"));
+    const Config config =
+        format(GENERATE("default", "shading:default", "fast:small", "fast:shading:default"));
     for (const Flow& flow : flows)
         for (unsigned seed = 11; seed <= 13; ++seed) lockstep(config, seed, flow, 3000);
 }
