@@ -7,7 +7,8 @@
 // leaves: it is there in the next one, as from LUT RAM.
 // With more than one of Parts, wide data lie in a block RAM as narrow as a part (rc_ram_parts).
 // They are written in the last Parts cycles up to that of come_i, in which they stand still, and
-// what is next is there, in registers, Parts + 2 cycles after work has left.
+// what is next is there, in registers, Parts + 2 cycles after work has left. Data in block RAM that
+// are not so wide are in a register one cycle after they would be there.
 `default_nettype none
 module rc_beside #(
   parameter  int unsigned Width   = 1,
@@ -68,7 +69,8 @@ module rc_beside #(
       logic [Width-1:0]  read_q;
       logic [IndexW-1:0] out_d;
       assign out_d  = !leave_i ? out_q : out_q == Last ? '0 : out_q + 1'b1;
-      assign data_o = read_q;
+      rc_cut #(.Width(Width), .Stages(Parts > 1 ? 1 : 0)) u_read (
+        .clk_i, .data_i(read_q), .data_o(data_o));
       always_ff @(posedge clk_i) begin
         if (come_i) mem[in_q] <= data_i;
         if (!come_i || in_q != out_d) read_q <= mem[out_d];

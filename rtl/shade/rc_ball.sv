@@ -22,9 +22,13 @@ module rc_ball #(
   localparam int unsigned Drop = M - 1 + rc_pkg::TFracBits - rc_pkg::OriginBits;
   localparam int unsigned A    = (Q > P ? Q : P) + 1;
   localparam logic signed [A-1:0] Most = A'((65'(1) << (P - 1)) - 65'd1);
+  // Whether it is a sphere is told to many from a register, where a pass stays long enough in s0.
+  logic s0_sphere;
+  rc_cut #(.Width(1), .Stages(rc_pkg::ShadeCut)) u_sphere (
+    .clk_i, .data_i(sphere_i[0]), .data_o(s0_sphere));
   logic [3*P-1:0] s1_o;
   rc_delay #(.Width(3 * P), .Stages(1)) u_o (
-    .clk_i, .valid_i(valid_i[0] && sphere_i[0]), .data_i(s0_o_i), .data_o(s1_o));
+    .clk_i, .valid_i(valid_i[0] && s0_sphere), .data_i(s0_o_i), .data_o(s1_o));
   logic [3*Q-1:0] s0_way;
   rc_mul_held #(.AW(M), .BW(T + 1), .Products(3)) u_ways (
     .clk_i, .turn_i, .a_i(s0_d_i), .b_i({3{1'b0, s0_t_i}}), .p_o(s0_way));
@@ -33,7 +37,7 @@ module rc_ball #(
     logic signed [A-1:0] s2_at_q;
     assign s1_rounded = (s1_way_q + $signed(Q'(65'(1) << Drop >> 1))) >>> Drop;
     always_ff @(posedge clk_i) begin
-      if (valid_i[0] && sphere_i[0]) s1_way_q <= s0_way[k*Q +: Q];
+      if (valid_i[0] && s0_sphere) s1_way_q <= s0_way[k*Q +: Q];
       if (valid_i[1] && sphere_i[1]) s2_at_q <= A'($signed(s1_o[k*P +: P])) + A'(s1_rounded);
       if (valid_i[2] && sphere_i[2])
         s3_o_o[k*P +: P] <= s2_at_q > Most ? Most[P-1:0] : s2_at_q < -Most ? -Most[P-1:0]

@@ -20,13 +20,12 @@ module rc_harness (
   output wire serial_o
 );
   reg               rst_q;
-  reg  [{in}-1:0]   in_q, at_q;
+  reg  [{in}-1:0]   in_q;
   wire [{out}-1:0]  out;
   reg  [{out}-1:0]  out_q, sum_q;
   always @(posedge clk_i) begin
     rst_q <= rst_ni;
     in_q  <= {{in_q, serial_i}};
-    at_q  <= in_q;
     out_q <= out;
     sum_q <= {{sum_q, sum_q[{out}-1]}} ^ out_q;
   end
@@ -71,7 +70,7 @@ std::string harness_text(const Config& config, const std::string& top, const Fac
             ports.push_back(fmt::format(".{}({})", port.name, port.name == "clk_i" ? "clk_i" : "rst_q"));
         else
             ports.push_back(
-                fmt::format(".{}({}[{} +: {}])", port.name, port.is_input ? "at_q" : "out", at, port.width));
+                fmt::format(".{}({}[{} +: {}])", port.name, port.is_input ? "in_q" : "out", at, port.width));
         if (!is_clock(port)) at += port.width;
     }
     for (const auto& [name, value] : synth::parameters_of(config, top))

@@ -154,6 +154,12 @@ mutant(contexts_write_before_it_came FILE rtl/shade/rc_contexts.sv TEST unit [sh
 mutant(bounce_unit_of_the_last_one FILE rtl/shade/rc_bounce.sv TEST unit [pass][interval]
   OLD [[    rc_cut #(.Width(26), .Stages(rc_pkg::ShadeCut)) u_unit (]]
   NEW [[    rc_cut #(.Width(26), .Stages(9 * rc_pkg::ShadeCut)) u_unit (]])
+mutant(beside_gives_a_weight_too_late FILE rtl/prim/rc_beside.sv TEST unit [pass][interval]
+  OLD [[.Stages(Parts > 1 ? 1 : 0)) u_read (]]
+  NEW [[.Stages(Parts > 1 ? 9 : 0)) u_read (]])
+mutant(ball_is_what_the_last_one_was FILE rtl/shade/rc_ball.sv TEST unit [pass][interval]
+  OLD [[.Stages(rc_pkg::ShadeCut)) u_sphere (]]
+  NEW [[.Stages(9 * rc_pkg::ShadeCut)) u_sphere (]])
 mutant(side_of_the_last_one FILE rtl/shade/rc_side.sv TEST unit [pass][interval]
   OLD [[  rc_cut #(.Width(Q + 2), .Stages(rc_pkg::ShadeCut)) u_sum (]]
   NEW [[  rc_cut #(.Width(Q + 2), .Stages(9 * rc_pkg::ShadeCut)) u_sum (]])
