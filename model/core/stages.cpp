@@ -17,6 +17,9 @@ int shift_levels(const Config& config) {
     const int half = std::max(config.dir_bits + config.origin_width(), root_bits);
     return std::bit_width(unsigned(half - root_bits));
 }
+
+/// How many stages make a quotient of so many bits, with `in_each` of them in a stage.
+int stages_of_quotient(int bits, int in_each) { return (bits + in_each - 1) / in_each; }
 }   // namespace
 
 Stages::Stages(const Config& config) {
@@ -53,8 +56,7 @@ Stages::Stages(const Config& config) {
     const int compare_t = multiply + 1 + (pair_parts ? 1 + cut : 0) + 1 + cut;
     sphere = decide + root + divide(config.t_bits()) + 2 * cut + compare_t;
     hit_bits = fast ? 1 : 2;
-    const int hit_quotient = std::max(config.t_bits(), config.uv_bits() - 1);
-    hit_divide = (hit_quotient + hit_bits - 1) / hit_bits + 2 * cut;
+    hit_divide = stages_of_quotient(std::max(config.t_bits(), config.uv_bits() - 1), hit_bits) + 2 * cut;
 
     pixel = 1 + (fast ? multiply - 1 : 0);
     direction = 1 + 2 * cut;
@@ -70,7 +72,7 @@ Stages::Stages(const Config& config) {
     pass_parts = pass_cut ? 4 : 1;
     pass_read = config.shade_interval == 1 ? 0 : pass_cut ? pass_cut + pass_parts + 1 : 1;
 }
-int Stages::divide(int bits) const { return (bits + quotient_bits - 1) / quotient_bits; }
+int Stages::divide(int bits) const { return stages_of_quotient(bits, quotient_bits); }
 
 int Config::raygen_latency() const {
     const Stages stages(*this);

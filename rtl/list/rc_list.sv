@@ -390,8 +390,8 @@ module rc_list (
     assign closest_o = {done_i.ray, is_found, is_found ? end_found : {FoundW{1'b0}}};
   end
   rc_pick_ahead #(.Flags(T)) u_was_best (
-    .clk_i, .flags_i(found), .head_i(done_i.ray), .next_fires_i(done_next_fires_i),
-    .next_i(done_next_i.ray), .flag_o(is_found));
+    .clk_i, .rst_ni, .flags_i(found), .head_valid_i(done_valid_i), .head_i(done_i.ray),
+    .next_fires_i(done_next_fires_i), .next_i(done_next_i.ray), .flag_o(is_found));
   assign closest_valid_o = done_valid_i;
   assign done_ready_o    = closest_ready_i;
   logic unused;

@@ -7,7 +7,9 @@ module rc_pick_ahead #(
   localparam int unsigned IndexW = Flags < 2 ? 1 : $clog2(Flags)
 ) (
   input  logic              clk_i,
+  input  logic              rst_ni,
   input  logic [Flags-1:0]  flags_i,
+  input  logic              head_valid_i,
   input  logic [IndexW-1:0] head_i,
   input  logic              next_fires_i,   // in a fast chip: the head comes, and its number
   input  logic [IndexW-1:0] next_i,
@@ -19,13 +21,18 @@ module rc_pick_ahead #(
   if (rc_pkg::Cut == 0) begin : gen_now
     assign flag_o = flags_i[head_i];
     logic unused;
-    assign unused = ^{clk_i, next_fires_i, next_i};
+    assign unused = ^{clk_i, rst_ni, head_valid_i, next_fires_i, next_i};
   end else begin : gen_ahead
     logic flag_q;
     always_ff @(posedge clk_i) if (next_fires_i) flag_q <= flags_i[next_i];
     assign flag_o = flag_q;
+`ifndef SYNTHESIS
+    a_same: assert property (@(posedge clk_i) disable iff (!rst_ni)
+                             head_valid_i |-> flag_q == flags_i[head_i])
+      else $error("rc_pick_ahead: a flag has changed while its number is at the head");
+`endif
     logic unused;
-    assign unused = ^head_i;
+    assign unused = ^{rst_ni, head_valid_i, head_i};
   end
 endmodule
 `default_nettype wire

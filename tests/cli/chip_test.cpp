@@ -1,63 +1,15 @@
 // rayclock chip around a nextpnr that copies the files of a real run at once: what is kept, what goes on,
 // what is refused. Yosys is real, on a unit that takes it two seconds.
-#include <algorithm>
 #include <csignal>
-#include <filesystem>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/fake_nextpnr.hpp"
 
 using namespace rayclock::test;
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-namespace {
-
-class FakeNextpnr {
-public:
-    FakeNextpnr() { replace("true"); }
-
-    /// What it does before it copies the files; `version` is its own.
-    void replace(const std::string& script, const std::string& version = "nextpnr-0.11.1") const {
-        const std::string real = std::string(RAYCLOCK_SOURCE_DIR) + "/tests/chip/real";
-        folder_.write("nextpnr", "#!/bin/sh\n[ \"$1\" = --version ] && echo 'fake (Version " + version +
-                                     ")' && exit\necho \"$@\" >> '" + calls() + "'\n" + script +
-                                     " || exit 1\ncp '" + real + "'/report.json '" + real +
-                                     "'/placed.json '" + real + "'/delays.sdf .\n");
-        fs::permissions(folder_.name("nextpnr"), fs::perms::owner_all);
-    }
-    std::vector<std::string> environment() const {
-        return {"RAYCLOCK_NEXTPNR=" + folder_.name("nextpnr"), "RAYCLOCK_CACHE=" + folder_.name("cache")};
-    }
-    Outcome run(std::vector<std::string> more = {}) const {
-        return run_program(words(std::move(more)), environment());
-    }
-    static std::vector<std::string> words(std::vector<std::string> more) {
-        more.insert(more.begin(), {"chip", "--config", "small", "--unit", "dispatch"});
-        return more;
-    }
-    /// How often it was called to route.
-    int routed() const {
-        const std::string lines = bytes_of(calls());
-        return int(std::count(lines.begin(), lines.end(), '\n'));
-    }
-    std::string calls() const { return folder_.name("calls"); }
-    /// Names in the cache that begin so.
-    int kept(const std::string& begin) const {
-        int n = 0;
-        for (const auto& entry : fs::directory_iterator(folder_.name("cache/chip")))
-            n += entry.path().filename().string().starts_with(begin);
-        return n;
-    }
-    const Folder& folder() const { return folder_; }
-
-private:
-    Folder folder_;
-};
-
-}   // namespace
 
 TEST_CASE("chip routes each seed once, reports the fastest, and answers from what is kept") {
     const FakeNextpnr fake;
