@@ -145,12 +145,12 @@ std::vector<PortSpec> ports_of(const std::string& module, const Config& config) 
                 {"surf_rsp", in}, {"surf_waits", fixed}, {"spawn", out},  {"pixel", out},  {"cause", plain}};
     if (module == "rc_unit") return {{"valid", fixed}, {"v", fixed}, {"u", plain}};
     if (module == "rc_pass")
-        return {{"frame", fixed},     {"valid", fixed},      {"ray", fixed},       {"state", fixed},
-                {"hit", fixed},       {"o", fixed},          {"d", fixed},         {"surface", fixed},
-                {"top", fixed},       {"look_valid", plain}, {"look_ray", plain},  {"look", plain},
-                {"end_valid", plain}, {"end_ray", plain},    {"end_state", plain}, {"changes", plain},
-                {"leave", plain},     {"spawn", plain},      {"pixel", plain},     {"push", plain},
-                {"pushed", plain}};
+        return {{"frame", fixed},   {"valid", fixed},     {"ray", fixed},        {"state", fixed},
+                {"hit", fixed},     {"o", fixed},         {"d", fixed},          {"surface", fixed},
+                {"top", fixed},     {"place", fixed},     {"look_valid", plain}, {"look_ray", plain},
+                {"look", plain},    {"end_valid", plain}, {"end_ray", plain},    {"end_state", plain},
+                {"changes", plain}, {"leave", plain},     {"spawn", plain},      {"pixel", plain},
+                {"push", plain},    {"pushed", plain}};
     if (module == "rc_power") return {{"valid", fixed}, {"c", fixed}, {"n", fixed}, {"power", plain}};
     throw std::logic_error("no module of the RTL that can be built alone is called " + module);
 }

@@ -197,12 +197,15 @@ mutant(rtl_tri_drops_a_camera_rays_fraction FILE rtl/isect/rc_tri.sv TEST system
 mutant(rtl_shade_keeps_the_last_material FILE rtl/shade/rc_shade.sv TEST system "model and RTL draw instances alike"
   OLD [[lent_q[came_ray]  <= lends ||]]
   NEW [[lent_q[came_ray]  <= lent_q[came_ray] || lends ||]])
-mutant(rtl_homes_mix_rows_and_columns FILE rtl/shade/rc_homes.sv TEST system "model and RTL draw instances alike"
+mutant(rtl_homes_mix_rows_and_columns FILE rtl/shade/rc_homes.sv TEST unit "the rtl's pass is the model's with instances"
   OLD [[s0_a_i[(3*i+k)*E +: E];]]
   NEW [[s0_a_i[(3*k+i)*E +: E];]])
-mutant(rtl_homes_round_lights_down FILE rtl/shade/rc_homes.sv TEST system "model and RTL draw instances alike"
+mutant(rtl_homes_round_lights_down FILE rtl/shade/rc_homes.sv TEST unit "the rtl's pass is the model's with instances"
   OLD [[SW'($signed(s15_b[k*(N+K) +: N+K])) + Half : Half;]]
   NEW [[SW'($signed(s15_b[k*(N+K) +: N+K])) : Half;]])
+mutant(rtl_homes_tell_of_a_sphere_for_a_cycle FILE rtl/shade/rc_homes.sv TEST unit "the rtl's pass is the model's with instances"
+  OLD [[.sphere_i('1),]]
+  NEW [[.sphere_i(turn_valid_i[3:0]),]])
 
 # ---- What the judge of two levels must call a bug, without RTL and without a golden picture.
 set(gears_levels "gearbox:2 --depth 3 --set levels=2")

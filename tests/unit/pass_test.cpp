@@ -43,6 +43,14 @@ void drive(RtlModule& rtl, const PassIn& in, const Config& c) {
     put_vector(rtl, "o", in.o, c.origin_width());
     put_vector(rtl, "d", in.d, c.dir_bits);
     set_data(rtl.port("surface"), in.surface, c);
+    if (!c.has_homes()) return;
+    const int map_bits = 9 * c.map_bits() + 3 * (c.coord_bits + c.map_frac()), bits = c.addr_bits + map_bits;
+    Words words(std::size_t(bits + 31) / 32, 0);
+    PackVisitor pack{words, bits};
+    pack("here", in.placement.home(), c.addr_bits);
+    pack("a", in.placement.a, c.map_bits(), 9);
+    pack("b", in.placement.b, c.coord_bits + c.map_frac(), 3);
+    copy_words(rtl.port("place"), words);
 }
 
 /// What rc_contexts writes of the state when a pass ends, as the port `changes` names it.
@@ -156,6 +164,7 @@ void check(const char* name, unsigned first_seed, int frames, int count) {
     REQUIRE(times(ShadeEvent::pop, pixel) > 5);
     if (c.refraction)
         REQUIRE((times(ShadeEvent::refract, again) > 20 && pushes > 5 && times(ShadeEvent::pop, spawn) > 20));
+    if (c.has_homes()) REQUIRE(times(ShadeEvent::turn, again) > 50);
 }
 
 }   // namespace
@@ -174,6 +183,11 @@ TEST_CASE("the rtl's pass is the model's without units that are not needed, and 
 TEST_CASE("the rtl's pass is the model's if it stays in each stage for several cycles",
           "[pass][lockstep][interval]") {
     check("every8:fast:all", 1, 4, 400);   // the most registers there are
+}
+
+TEST_CASE("the rtl's pass is the model's with instances", "[pass][lockstep][levels]") {
+    const auto name = GENERATE("levels:mirror", "every8:fast:levels:all");
+    check(name, 1, 4, 400);
 }
 
 TEST_CASE("the rtl's pass is the model's if it stays for two, four or eight cycles, in every format",

@@ -56,6 +56,8 @@ TEST_CASE("the units' rtl is built", "[.build]") {
                         {"rc_pass", "all", test::shaded_format},
                         {"rc_pass", "plain", test::shaded_format},
                         {"rc_pass", "narrow", test::shaded_format},
+                        {"rc_pass", "levels:mirror", test::shaded_format},
+                        {"rc_pass", "every8:fast:levels:all", test::shaded_format},
                         {"rc_shade", "all", test::shaded_format},
                         {"rc_shade", "plain", test::shaded_format},
                         {"rc_pass", "every4:fast:all", test::shaded_format},

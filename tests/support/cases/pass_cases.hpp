@@ -4,20 +4,23 @@
 #include "model/shade/bounce.hpp"
 #include "model/shade/pass.hpp"
 #include "model/shade/unit_vector.hpp"
-#include "tests/support/cases/draw.hpp"
+#include "tests/support/cases/placement_cases.hpp"
 
 namespace rayclock::test {
 
 /// "all" has every unit of default, "plain" none but shading itself, "mirror" all but refraction; "narrow"
 /// and "broad" are at the ends of the lattice, "short" has directions shorter than a unit vector's
 /// components.
-/// Also as "everyK:..." of a chip whose shade makes a pass every K cycles, and as "fast:...".
+/// Also as "everyK:..." of a chip whose shade makes a pass every K cycles, as "fast:...", and as "levels:..."
+/// with instances.
 inline Config shaded_format(const std::string& name) {
     if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
         Config c = shaded_format(name.substr(colon + 1));
         c.name = name;
         if (name.starts_with("fast:"))
             c.timing = int(Timing::fast), c.raygen_queue = c.box_queue = 32, c.tri_queue = 64;
+        else if (name.starts_with("levels:"))
+            c.levels = 2;
         else
             c.shade_interval = std::stoi(name.substr(5));
         check_config(c, name);
@@ -150,7 +153,7 @@ inline void aim_far(Draw& draw, const Frame& frame, const Config& c, ShadeState&
 
 inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) {
     ShadeState s;
-    s.event = std::uint32_t(draw.below(5));
+    s.event = std::uint32_t(draw.below(c.has_homes() ? 6 : 5));
     if (s.event == std::uint32_t(ShadeEvent::light) && frame.shade.lights == 0) s.event = 0;
     if (s.event == std::uint32_t(ShadeEvent::refract) && !c.refraction)
         s.event = std::uint32_t(ShadeEvent::reflect);
@@ -190,7 +193,18 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (c.has_homes()) s.inner[k] = s.far ? s.o[k] : draw_place(draw, c)[k];
     return s;
+}
+
+/// What lies beyond the lattice, a plane, is of no instance that is moved.
+inline Placement pass_placement(Draw& draw, const Config& c, const ShadeState& state) {
+    Placement p = random_placement(draw, c);
+    if (!state.far && draw.percent(70)) return p;
+    p.same = 1, p.a = {}, p.b = {};
+    for (std::size_t k = 0; k < 3; ++k) p.a[4 * k] = 1 << c.map_frac();
+    return p;
 }
 
 inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
@@ -206,6 +220,12 @@ inline PassIn random_pass(Draw& draw, const Frame& frame, const Config& c) {
         in.top.o = draw_place(draw, c), in.top.d = draw.vector(c.dir_bits);
         in.top.weight = share_up_to(draw, unit_bits), in.top.depth = std::uint32_t(draw.below(16));
         in.top.self = std::uint32_t(draw.natural(c.prim_bits)), in.top.inside = draw.coin();
+    }
+    if (c.has_homes()) {
+        in.placement = pass_placement(draw, c, in.state);
+        if (c.refraction)
+            in.top.home = {std::uint32_t(draw.natural(c.addr_bits)), draw_place(draw, c),
+                           draw.vector(c.dir_bits)};
     }
     return in;
 }

@@ -3,6 +3,7 @@
 
 #include "model/oracle/exact.hpp"
 #include "model/xform/xform.hpp"
+#include "tests/support/cases/placement_cases.hpp"
 #include "tests/support/world/traffic.hpp"
 
 using namespace rayclock;
@@ -57,26 +58,6 @@ public:
 private:
     RtlLinks links_;
 };
-
-/// A row of a map: sizes that sum to 1 at most, which they often do; 1 itself, and the least step.
-std::array<std::int32_t, 3> row_of(Draw& draw, int frac) {
-    const std::int64_t one = std::int64_t(1) << frac;
-    std::array<std::int64_t, 3> part{};
-    if (draw.below(4) == 0) {
-        part[std::size_t(draw.below(3))] = one;
-    } else {
-        std::int64_t left = draw.coin() ? one : std::int64_t(draw.natural(frac));
-        for (std::size_t k = 0; k < 3; ++k) {
-            part[k] = k == 2 && draw.coin() ? left : std::int64_t(draw.natural(frac)) % (left + 1);
-            left -= part[k];
-        }
-    }
-    std::array<std::int32_t, 3> row{};
-    const std::size_t from = std::size_t(draw.below(3));
-    for (std::size_t k = 0; k < 3; ++k)
-        row[k] = std::int32_t(draw.coin() ? part[(k + from) % 3] : -part[(k + from) % 3]);
-    return row;
-}
 
 /// A ray and a map that moves it within the mesh's lattice, often to its border. No component of a scene's
 /// ray is a least number, which has no opposite.
