@@ -26,10 +26,6 @@ module rc_ball #(
   logic s0_sphere;
   rc_cut #(.Width(1), .Stages(rc_pkg::ShadeCut)) u_sphere (
     .clk_i, .data_i(sphere_i[0]), .data_o(s0_sphere));
-`ifndef SYNTHESIS
-  a_sphere: assert property (@(posedge clk_i) valid_i[0] |-> s0_sphere == sphere_i[0])
-    else $error("rc_ball: a pass was not told for long enough whether it is of a sphere");
-`endif
   logic [3*P-1:0] s1_o;
   rc_delay #(.Width(3 * P), .Stages(1)) u_o (
     .clk_i, .valid_i(valid_i[0] && s0_sphere), .data_i(s0_o_i), .data_o(s1_o));

@@ -140,7 +140,8 @@ private:
             std::string texts;
             for (const fs::path& file : rtl_files())
                 for (const std::string& module : face.modules)
-                    if (file.filename() == "rc_" + module + ".sv") texts += read_if_there(file);
+                    if (file.filename() == "rc_" + module + ".sv")
+                        texts += synth::synthesised_text(read_if_there(file));
             modules_ = jobs::hash_text(texts);
             units_ = units_of(face);
             cache_.keep("chip-face", key, {{"harness", harness_}, {"modules", modules_}, {"units", units_}});

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -26,10 +27,35 @@ const std::string& yosys_version() {
     return version;
 }
 
+std::string synthesised_text(const std::string& text) {
+    if (text.find("/*") != std::string::npos) return text;   // the sources have no such comments
+    std::istringstream lines(text);
+    std::string kept;
+    int left_out = 0;   // how deep within `ifndef SYNTHESIS
+    for (std::string line; std::getline(lines, line); kept += '\n') {
+        bool is_string = false;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (line[i] == '"') is_string = !is_string;
+            if (!is_string && line.compare(i, 2, "//") == 0) line.resize(i);
+        }
+        line.resize(line.find_last_not_of(" \t\r") + 1);   // npos + 1: nothing is left
+        const std::string word = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+        const bool begins = word == "`ifndef SYNTHESIS";
+        if (begins || (left_out > 0 && word.starts_with("`if")))
+            ++left_out;
+        else if (left_out > 0 && (word == "`endif" || (left_out == 1 && word == "`else")))
+            --left_out;
+        else if (left_out == 0)
+            kept += line;
+    }
+    return kept;
+}
+
 const std::string& rtl_digest() {
     static const std::string digest = [] {
         std::string all;
-        for (const RtlText& source : rtl_texts()) all += source.name + "\n" + source.text;
+        for (const RtlText& source : rtl_texts())
+            if (source.name.ends_with(".sv")) all += source.name + "\n" + synthesised_text(source.text);
         return jobs::hash_text(all);
     }();
     return digest;

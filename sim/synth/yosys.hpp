@@ -10,7 +10,11 @@ namespace rayclock::synth {
 /// First line of `yosys -V`, or empty if there is none. Asked once.
 const std::string& yosys_version();
 
-/// Hash of all Verilog sources but the package. Read once.
+/// A source as synthesis reads it, line by line: without comments, and without what only a simulation sees
+/// (`ifndef SYNTHESIS). So what took an hour to route is not lost by a word in a comment.
+std::string synthesised_text(const std::string& text);
+
+/// Hash of synthesised_text of all Verilog sources but the package. Read once.
 const std::string& rtl_digest();
 
 /// A folder of its own for one run, removed in the end.

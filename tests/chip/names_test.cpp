@@ -1,6 +1,7 @@
 // Names of cells, places in sources, devices, and the module around what is placed.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 #include "model/base/error.hpp"
@@ -112,4 +113,34 @@ TEST_CASE("a netlist is the same wherever the sources lie") {
     CHECK(netlist.find("rtl/prim/rc_fifo_ahead.sv:") != netlist.npos);
     CHECK(netlist.find(rtl_sources().string()) == netlist.npos);
     CHECK(netlist.find(folder.path().string()) == netlist.npos);
+}
+
+TEST_CASE("a word in a comment or an assertion is not what is synthesised; a line more is") {
+    const auto text = [](const std::string& comment, const std::string& assertion) {
+        return "module m;" + comment + "\n`ifndef SYNTHESIS\n" + assertion +
+               "\n`ifdef X\n`endif\n`endif\n  a <= b; // c\nendmodule\n";
+    };
+    const std::string plain = synth::synthesised_text(text("", ""));
+    CHECK(plain == "module m;\n\n\n\n\n\n  a <= b;\nendmodule\n");
+    CHECK(synth::synthesised_text(text("  // one", "assert (x);")) == plain);
+    CHECK(synth::synthesised_text(text(" wire w;", "")) != plain);
+    CHECK(synth::synthesised_text(text("", "\n")) != plain);   // lines are told by their numbers
+    CHECK(synth::synthesised_text("x = \"//\"; // y\n") == "x = \"//\";\n");
+    CHECK(synth::synthesised_text("`ifndef SYNTHESIS\na\n`else\nb\n`endif\nc\n").find("b\n") !=
+          std::string::npos);
+    CHECK(synth::synthesised_text("/* // */ x;\n") == "/* // */ x;\n");
+}
+
+TEST_CASE("of the sources all that is synthesised is kept") {
+    std::size_t all = 0, kept = 0;
+    for (const RtlText& source : rtl_texts()) {
+        const std::string text = synth::synthesised_text(source.text);
+        CHECK(std::count(text.begin(), text.end(), '\n') ==
+              std::count(source.text.begin(), source.text.end(), '\n'));
+        if (!source.name.ends_with(".sv")) continue;
+        CHECK(text.find("endmodule") != std::string::npos);
+        CHECK(text.find("assert property") == std::string::npos);
+        all += source.text.size(), kept += text.size();
+    }
+    CHECK(kept > all / 2);
 }

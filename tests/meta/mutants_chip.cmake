@@ -53,3 +53,6 @@ mutant(chip_anchors_overlook_nets FILE sim/chip/cells.cpp TEST chip "a netlist's
 mutant(chip_anchors_pass_each_other FILE sim/chip/anchor.cpp TEST chip "anchors are the sites*"
   OLD [[const bool better = wiring.length() < before;]]
   NEW [[const bool better = wiring.length() < before + (1 << 30);]])
+mutant(chip_else_of_a_simulation_is_lost FILE sim/synth/yosys.cpp TEST chip "a word in a comment*"
+  OLD [[(word == "`endif" || (left_out == 1 && word == "`else"))]]
+  NEW [[word == "`endif"]])
