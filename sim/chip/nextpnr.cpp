@@ -27,6 +27,7 @@ namespace {
 constexpr const char* tried = "0.11.1";
 constexpr double least = 0.11;   // older ones were never tried, and 0.4 of Debian 12 has another report
 constexpr int tiles_for_detours = 16;
+constexpr int weight_of_time = 120;   // of heap in mixed; nextpnr takes 10
 constexpr const char* cure = "./bootstrap chip installs one";
 
 fs::path program() {
@@ -117,6 +118,8 @@ std::string nextpnr_options(const Device& device, const Methods& methods, bool l
     const Methods usual;
     const std::string placer = methods.placer != "mixed" ? methods.placer : later ? "heap" : "static";
     if (placer != usual.placer) options += " --placer " + placer;
+    if (methods.placer == "mixed" && later)
+        options += fmt::format(" --placer-heap-timingweight {}", weight_of_time);
     if (methods.router != usual.router) options += " --router " + methods.router;
     return options;
 }

@@ -176,9 +176,11 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
     // A whole chip is placed twice and routed, by what brings one to its end; a unit alone by nextpnr's
     // defaults.
     CHECK_THAT(fits.out, Catch::Contains("with seed 1, placer mixed, router2, placed 2 times\n"));
-    CHECK_THAT(bytes_of(fake.calls()),
-               Catch::Contains("--placer static --router router2 --json netlist.json --no-route") &&
-                   Catch::Contains("--timing-allow-fail --router router2 --json anchored.json --no-route"));
+    CHECK_THAT(
+        bytes_of(fake.calls()),
+        Catch::Contains("--placer static --router router2 --json netlist.json --no-route") &&
+            Catch::Contains("--timing-allow-fail --placer-heap-timingweight 120 --router router2 --json "
+                            "anchored.json --no-route"));
     CHECK(fake.routed() == 3);
     // The first placement of mixed is static's, and what is kept of one is not the other's.
     const auto by_static =

@@ -20,6 +20,9 @@ mutant(chip_full_device_is_too_small FILE sim/chip/run.cpp TEST chip "what does 
 mutant(chip_mixed_is_kept_as_static FILE sim/chip/run.cpp TEST cli "a chip that does not fit*"
   OLD [[later == first ? "" : " then " + later]]
   NEW [[later == first ? "" : ""]])
+mutant(chip_mixed_weighs_time_as_nextpnr_does FILE sim/chip/nextpnr.cpp TEST cli "a chip that does not fit*"
+  OLD [[methods.placer == "mixed" && later)]]
+  NEW [[methods.placer == "mixed" && !later)]])
 mutant(chip_mixed_never_places_by_heap FILE sim/chip/nextpnr.cpp TEST cli "a chip that does not fit*"
   OLD [[later ? "heap" : "static";]]
   NEW [[later ? "static" : "static";]])
