@@ -24,7 +24,7 @@ void method_options(Parser& parser, MethodOptions& o, const char* group) {
     parser
         .option(
             "--placer", o.placer,
-            "nextpnr's placer, heap or static, or mixed: static at first, then heap; mixed for a chip, heap "
+            "nextpnr's placer, heap or static, or mixed: static, and at last heap; mixed for a chip, heap "
             "for a unit alone")
         .under(group);
     parser

@@ -111,14 +111,14 @@ const std::vector<std::string>& routers() {
     return names;
 }
 
-std::string nextpnr_options(const Device& device, const Methods& methods, bool later) {
+std::string nextpnr_options(const Device& device, const Methods& methods, bool last) {
     std::string options = fmt::format("{} --package {} --speed {} --freq {} --timing-allow-fail",
                                       device.option, package_name, speed_grade, asked_mhz);
     // What it does by itself is not named: what was kept before there was a choice stays good.
     const Methods usual;
-    const std::string placer = methods.placer != "mixed" ? methods.placer : later ? "heap" : "static";
+    const std::string placer = methods.placer != "mixed" ? methods.placer : last ? "heap" : "static";
     if (placer != usual.placer) options += " --placer " + placer;
-    if (methods.placer == "mixed" && later)
+    if (methods.placer == "mixed" && last)
         options += fmt::format(" --placer-heap-timingweight {}", weight_of_time);
     if (methods.router != usual.router) options += " --router " + methods.router;
     return options;
@@ -201,7 +201,8 @@ RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods
                      const Tell& tell) {
     int placed = 0;
     const auto run = [&](std::vector<const char*> files) {
-        return run_once(folder, nextpnr_options(device, methods, placed > 0), seed, files, tell);
+        const bool last = placed + 1 == methods.placements;
+        return run_once(folder, nextpnr_options(device, methods, last), seed, files, tell);
     };
     const std::vector<const char*> placing{"--no-route", "--write", "placed.json"};
     std::vector<const char*> routing{"--report",    "report.json", "--write",

@@ -27,8 +27,8 @@ constexpr int asked_mhz = 100;
 
 /// nextpnr's algorithms, and how often a chip is placed: each time after the first with its multipliers and
 /// block memories where the placement before wants them (anchor.hpp). What brings a chip to its end, and how
-/// fast a chip, differs from chip to chip. The placer "mixed" is static at first, which makes short wires,
-/// and then heap, which also looks at the clock.
+/// fast a chip, differs from chip to chip. The placer "mixed" is static, which makes short wires, and at
+/// last heap, which also looks at the clock.
 struct Methods {
     std::string placer = "heap", router = "router1";
     int placements = 1;
@@ -39,8 +39,8 @@ Methods usual_methods(const std::string& top);
 const std::vector<std::string>& placers();
 const std::vector<std::string>& routers();
 
-/// All options of a placement, the first or a later one, but files and seed.
-std::string nextpnr_options(const Device& device, const Methods& methods, bool later = false);
+/// All options of a placement, the last one or one before, but files and seed.
+std::string nextpnr_options(const Device& device, const Methods& methods, bool last = false);
 
 /// `does_not_route`: router2 no longer gets further (RouteStep::is_stuck).
 enum class RouteEnd { done, interrupted, does_not_fit, does_not_route };

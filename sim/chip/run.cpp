@@ -203,10 +203,10 @@ private:
     std::string route_key(int seed) const {
         const int placements = request_.methods.placements;
         const std::string first = nextpnr_options(request_.device, request_.methods),
-                          later = nextpnr_options(request_.device, request_.methods, true);
+                          last = nextpnr_options(request_.device, request_.methods, true);
         return fmt::format("{} nextpnr {} {} seed {} read 5{}{}", design_, nextpnr().version, first, seed,
                            placements == 1 ? "" : fmt::format(" placements {}", placements),
-                           later == first ? "" : " then " + later);
+                           last == first ? "" : (placements == 2 ? " then " : " at last ") + last);
     }
 
     void route(int seed, Result& result) {

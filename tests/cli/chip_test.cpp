@@ -182,13 +182,20 @@ TEST_CASE("a chip that does not fit is told by how much, and is not routed") {
             Catch::Contains("--timing-allow-fail --placer-heap-timingweight 120 --router router2 --json "
                             "anchored.json --no-route"));
     CHECK(fake.routed() == 3);
+    const std::string static_again = "--placer static --router router2 --json anchored.json --no-route";
+    CHECK_THAT(bytes_of(fake.calls()), !Catch::Contains(static_again));
+    const auto thrice =
+        run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placements", "3"}, environment);
+    CHECK_THAT(thrice.out, Catch::Contains("with seed 1, placer mixed, router2, placed 3 times\n"));
+    CHECK_THAT(bytes_of(fake.calls()), Catch::Contains(static_again));   // heap is the last of them
+    CHECK(fake.routed() == 7);
     // The first placement of mixed is static's, and what is kept of one is not the other's.
     const auto by_static =
         run_program({"chip", "--config", "small", "--device", "lfe5u-45", "--placer", "static"}, environment);
     CHECK_THAT(by_static.out, Catch::Contains("with seed 1, placer static, router2, placed 2 times\n"));
-    CHECK(fake.routed() == 6);
+    CHECK(fake.routed() == 10);
     CHECK(chip("lfe5u-45").out == fits.out);
-    CHECK(fake.routed() == 6);
+    CHECK(fake.routed() == 10);
 }
 
 TEST_CASE("an estimate is the sum of all units and the slowest clock, and is set beside the routed chip") {
