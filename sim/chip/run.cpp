@@ -204,6 +204,7 @@ private:
         const int placements = request_.methods.placements;
         const std::string first = nextpnr_options(request_.device, request_.methods),
                           last = nextpnr_options(request_.device, request_.methods, true);
+        // What was kept as "then" of three and more placements had heap in all but the first.
         return fmt::format("{} nextpnr {} {} seed {} read 5{}{}", design_, nextpnr().version, first, seed,
                            placements == 1 ? "" : fmt::format(" placements {}", placements),
                            last == first ? "" : (placements == 2 ? " then " : " at last ") + last);

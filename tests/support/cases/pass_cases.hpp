@@ -193,8 +193,10 @@ inline ShadeState random_state(Draw& draw, const Frame& frame, const Config& c) 
     s.light = frame.shade.lights > 0 ? std::uint32_t(draw.below(int(frame.shade.lights))) : 0;
     s.total = c.refraction && draw.coin();
     if (s.far && draw.percent(70)) aim_far(draw, frame, c, s);
-    for (std::size_t k = 0; k < 3; ++k)
-        if (c.has_homes()) s.inner[k] = s.far ? s.o[k] : draw_place(draw, c)[k];
+    if (c.has_homes()) {
+        const Vec3i within = draw_place(draw, c);
+        for (std::size_t k = 0; k < 3; ++k) s.inner[k] = s.far ? s.o[k] : within[k];
+    }
     return s;
 }
 
