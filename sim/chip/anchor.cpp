@@ -107,11 +107,11 @@ std::string_view opened(std::string_view line) {
 
 long long wire_length(const std::vector<Cell>& cells) { return Wiring(cells).length(); }
 
-std::map<std::string, std::string> anchors(const std::vector<Cell>& cells) {
+Sites anchors(const std::vector<Cell>& cells) {
     Wiring wiring(cells);
     std::vector<std::string> bels;
     for (const Cell& cell : cells) bels.push_back(cell.bel);
-    std::map<std::string, std::string> sites;
+    Sites sites;
     for (int round = 0; round < rounds; ++round)
         for (const char* kind : kinds) {
             std::vector<std::size_t> movable;
@@ -136,7 +136,7 @@ std::map<std::string, std::string> anchors(const std::vector<Cell>& cells) {
     return sites;
 }
 
-std::map<std::string, std::string> anchors_of(const fs::path& placed) {
+Sites anchors_of(const fs::path& placed) {
     std::vector<Cell> cells;
     const bool whole = read_cells(placed.string(), [&](const Cell& cell) {
         if (!cell.bel.empty()) cells.push_back(cell);
@@ -146,8 +146,7 @@ std::map<std::string, std::string> anchors_of(const fs::path& placed) {
     return anchors(cells);
 }
 
-void write_anchored(const fs::path& netlist, const fs::path& to,
-                    const std::map<std::string, std::string>& sites) {
+void write_anchored(const fs::path& netlist, const fs::path& to, const Sites& sites) {
     std::ifstream in(netlist);
     std::ofstream out(to);
     std::size_t written = 0;

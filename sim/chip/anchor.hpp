@@ -12,17 +12,20 @@
 
 namespace rayclock::chip {
 
-/// Sites of all multipliers and block memories of placed cells, by name: exchanged among those of one kind as
+/// Of multipliers and block memories, by the cell's name: "X104/Y58/MULT18_0".
+using Sites = std::map<std::string, std::string>;
+
+/// Sites of all multipliers and block memories of placed cells: exchanged among those of one kind as
 /// long as that makes wires shorter, by half the perimeter of a net's bounding box.
-std::map<std::string, std::string> anchors(const std::vector<Cell>& cells);
+Sites anchors(const std::vector<Cell>& cells);
 
 /// The same of the cells in a file that nextpnr wrote. Throws UserError if it is not whole.
-std::map<std::string, std::string> anchors_of(const std::filesystem::path& placed);
+Sites anchors_of(const std::filesystem::path& placed);
 
 /// Copies a netlist of Yosys; these cells of it get their sites as attributes BEL, which nextpnr obeys.
 /// Throws UserError if it cannot be written, or a cell is not in it.
 void write_anchored(const std::filesystem::path& netlist, const std::filesystem::path& to,
-                    const std::map<std::string, std::string>& sites);
+                    const Sites& sites);
 
 /// Sum of all nets' half perimeters, in tiles.
 long long wire_length(const std::vector<Cell>& cells);

@@ -12,7 +12,6 @@
 #include "model/base/error.hpp"
 #include "model/base/quote.hpp"
 #include "model/base/split.hpp"
-#include "sim/chip/anchor.hpp"
 #include "sim/files/input.hpp"
 #include "sim/rtl/interrupt.hpp"
 #include "sim/rtl/process.hpp"
@@ -198,10 +197,10 @@ void write_roomy(const fs::path& placed, const fs::path& to) {
 
 // Files by their names within the folder: a tool compiled to WebAssembly sees no others.
 RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods& methods, int seed,
-                     const Tell& tell) {
-    int placed = 0;
+                     const KeptSites& kept, const Tell& tell) {
+    int placement = 1;
     const auto run = [&](std::vector<const char*> files) {
-        const bool last = placed + 1 == methods.placements;
+        const bool last = placement == methods.placements;
         return run_once(folder, nextpnr_options(device, methods, last), seed, files, tell);
     };
     const std::vector<const char*> placing{"--no-route", "--write", "placed.json"};
@@ -212,11 +211,15 @@ RouteEnd run_nextpnr(const fs::path& folder, const Device& device, const Methods
         return words;
     };
     const char* netlist = "netlist.json";
-    for (int placement = 1; placement < methods.placements; ++placement) {
-        if (const RouteEnd end = run(on(netlist, placing)); end != RouteEnd::done) return end;
-        ++placed;
+    for (; placement < methods.placements; ++placement) {
+        std::optional<Sites> sites = kept.find(placement);
+        if (!sites) {
+            if (const RouteEnd end = run(on(netlist, placing)); end != RouteEnd::done) return end;
+            sites = anchors_of(folder / "placed.json");
+            kept.keep(placement, *sites);
+        }
         netlist = "anchored.json";
-        write_anchored(folder / "netlist.json", folder / netlist, anchors_of(folder / "placed.json"));
+        write_anchored(folder / "netlist.json", folder / netlist, *sites);
     }
     if (methods.router == "router2") {
         if (const RouteEnd end = run(on(netlist, placing)); end != RouteEnd::done) return end;

@@ -2,9 +2,11 @@
 // nextpnr-ecp5 as a program of its own: where it is, which version, and one run of it.
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/chip/anchor.hpp"
 #include "sim/chip/device.hpp"
 
 namespace rayclock::chip {
@@ -45,11 +47,20 @@ std::string nextpnr_options(const Device& device, const Methods& methods, bool l
 /// `does_not_route`: router2 no longer gets further (RouteStep::is_stuck).
 enum class RouteEnd { done, interrupted, does_not_fit, does_not_route };
 
+/// Where the sites that a placement tells (anchor.hpp) are looked up and kept: a full chip is placed for half
+/// an hour, and the next placement needs nothing else of it. Placements count from 1.
+struct KeptSites {
+    std::function<std::optional<Sites>(int placement)> find;
+    std::function<void(int placement, const Sites&)> keep;
+};
+
 /// Places and routes netlist.json of the folder, by these methods and with this seed: report.json,
-/// placed.json and delays.sdf, and the log, appear there. `tell` hears what it does and how many percent are
-/// done. Throws UserError with the tool's words if it fails.
+/// placed.json and delays.sdf, and the log, appear there. A placement whose sites are kept is not made again.
+/// `tell` hears what it does and how many percent are done. Throws UserError with the tool's words if it
+/// fails.
 RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, const Methods& methods,
-                     int seed, const std::function<void(const std::string& what, int percent)>& tell);
+                     int seed, const KeptSites& kept,
+                     const std::function<void(const std::string& what, int percent)>& tell);
 
 /// How far a run is, from its log.
 struct RouteStep {

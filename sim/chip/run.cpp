@@ -210,6 +210,25 @@ private:
                            last == first ? "" : (placements == 2 ? " then " : " at last ") + last);
     }
 
+    /// What a placement's sites depend on: not on the router, nor on how many placements follow.
+    std::string sites_key(int seed, int placement) const {
+        Methods methods = request_.methods;
+        methods.router = Methods{}.router;
+        return fmt::format("{} nextpnr {} {} seed {} placement {} exchanged 1", design_, nextpnr().version,
+                           nextpnr_options(request_.device, methods), seed, placement);
+    }
+
+    KeptSites kept_sites(int seed) const {
+        const auto find = [this, seed](int placement) {
+            return cache_.find("chip-sites", sites_key(seed, placement),
+                               [](const ordered_json& json) { return json.get<Sites>(); });
+        };
+        const auto keep = [this, seed](int placement, const Sites& sites) {
+            cache_.keep("chip-sites", sites_key(seed, placement), sites);
+        };
+        return {find, keep};
+    }
+
     void route(int seed, Result& result) {
         if (!fs::exists(netlist())) synthesize();
         const synth::YosysFolder folder(cache_.folder());
@@ -220,7 +239,8 @@ private:
             tell(fmt::format("seed {}, {}", seed, what), percent);
         };
         const fs::path place = folder.path("netlist.json").parent_path();
-        const RouteEnd end = run_nextpnr(place, request_.device, request_.methods, seed, hear);
+        const RouteEnd end =
+            run_nextpnr(place, request_.device, request_.methods, seed, kept_sites(seed), hear);
         if (end == RouteEnd::interrupted) stopped();
         if (end == RouteEnd::does_not_route) {   // another seed may be
             const long fewest = step_of_log(read_if_there(place / "log")).fewest_twice;

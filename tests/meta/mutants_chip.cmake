@@ -24,8 +24,14 @@ mutant(chip_mixed_weighs_time_as_nextpnr_does FILE sim/chip/nextpnr.cpp TEST cli
   OLD [[methods.placer == "mixed" && last)]]
   NEW [[methods.placer == "mixed" && !last)]])
 mutant(chip_mixed_places_by_heap_too_early FILE sim/chip/nextpnr.cpp TEST cli "a chip that does not fit*"
-  OLD [[const bool last = placed + 1 == methods.placements;]]
-  NEW [[const bool last = placed > 0;]])
+  OLD [[const bool last = placement == methods.placements;]]
+  NEW [[const bool last = placement > 1;]])
+mutant(chip_places_again_what_it_knows FILE sim/chip/nextpnr.cpp TEST cli "a chip that is stopped while*"
+  OLD [[std::optional<Sites> sites = kept.find(placement);]]
+  NEW [[std::optional<Sites> sites;]])
+mutant(chip_sites_are_those_of_any_seed FILE sim/chip/run.cpp TEST cli "a chip that is stopped while*"
+  OLD [[nextpnr_options(request_.device, methods), seed, placement);]]
+  NEW [[nextpnr_options(request_.device, methods), 1, placement);]])
 mutant(chip_mixed_never_places_by_heap FILE sim/chip/nextpnr.cpp TEST cli "a chip that does not fit*"
   OLD [[last ? "heap" : "static";]]
   NEW [[last ? "static" : "static";]])
