@@ -1,7 +1,6 @@
 // One axis of the slab test for the children of a node that are tested at once: where the
 // ray enters and leaves each slab, rounded down and up. Part of rc_box, which has the valid
-// bits: operands and planes come with valid_i[0], the interval rc_pkg::SlabStages later (zero
-// in a relaxed chip if nothing is there).
+// bits: operands and planes come with valid_i[0], the interval rc_pkg::SlabStages later.
 // If the origin has fraction bits, near planes are measured from the lattice point before
 // or beyond it that lies further along the ray, far planes from the other one: at most a
 // lattice step more (docs/origins.md, Boxes). Model: model/bvh/slab.hpp and slab.inl.
@@ -116,7 +115,7 @@ module rc_slab #(
   // and all beyond it, saturates. Rounding up adds 2^right - 1 if it goes to the right by itself.
   logic signed [S-1:0] s1_move;
   logic [A-1:0]        placed_move, placed_right, ready_move;
-  logic                placed_zero, ready_zero, ready_neg;
+  logic                placed_zero, ready_zero;
   logic [R1-1:0]       placed_up;
   logic signed [V-1:0] far_up, ready_near, ready_far, ready_up;
   assign s1_move = s1_shift_q > $signed(S'(T)) ? '0 : $signed(S'(T)) - s1_shift_q;
@@ -131,16 +130,18 @@ module rc_slab #(
   rc_cut #(.Width(V)) u_ready_up (.clk_i, .data_i(far_up), .data_o(ready_up));
   rc_cut #(.Width(A + 1)) u_ready (
     .clk_i, .data_i({placed_move, placed_zero}), .data_o({ready_move, ready_zero}));
-  rc_delay #(.Width(1), .Stages(Ready - 1)) u_neg (
-    .clk_i, .valid_i(valid_i[Ready-1:1]), .data_i(s1_neg_q), .data_o(ready_neg));
 
-  // The planes have come, in the order in which the ray meets them; the way of a step of theirs.
-  logic [R1-1:0]  plane_r, plane_r_up;
-  logic           plane_neg, plane_zero;
+  // The planes have come, in the order in which the ray meets them. The way of a step of theirs is
+  // turned once for all children if the ray goes down: r and r + 1, or -r and -(r + 1).
+  logic [R1-1:0]      plane_r;
+  logic signed [R1:0] plane_near, plane_far;
+  logic               plane_neg, plane_zero;
   rc_delay #(.Width(R1 + 2), .Stages(Planes - 1)) u_way (
     .clk_i, .valid_i(valid_i[Planes-1:1]), .data_i({s1_r_q, s1_neg_q, s1_zero_q}),
     .data_o({plane_r, plane_neg, plane_zero}));
-  assign plane_r_up = plane_r + {{(R1-1){1'b0}}, !plane_zero};
+  assign plane_near = {plane_neg, {R1{plane_neg}} ^ plane_r} + {{R1{1'b0}}, plane_neg};
+  assign plane_far  = {plane_neg, {R1{plane_neg}} ^ plane_r}
+                    + {{R1{1'b0}}, plane_neg == plane_zero};
 
   // What is moved off at the top saturates.
   logic [V-1:0] over_q;
@@ -155,27 +156,33 @@ module rc_slab #(
   end
   rc_cut #(.Width(A)) u_fine_move (.clk_i, .data_i(move_q), .data_o(fine_move));
 
-  logic holds;   // relaxed: planes that are not there cost a simulation nothing
-  assign holds = Cut != 0 || valid_i[Sum-1];
+  // Relaxed: planes that are not there cost a simulation nothing. A chip does not ask.
+  logic holds, is_there;
+`ifdef SYNTHESIS
+  assign {holds, is_there} = 2'b11;
+`else
+  assign holds    = Cut != 0 || valid_i[Sum-1];
+  assign is_there = valid_i[Sum];
+`endif
   for (genvar i = 0; i < W; i++) begin : gen_child
     logic [B-1:0]       first, last;
     logic signed [B+R1+1:0] near_way, far_way;
     assign first = plane_neg ? plane_hi_i[i*B +: B] : plane_lo_i[i*B +: B];
     assign last  = plane_neg ? plane_lo_i[i*B +: B] : plane_hi_i[i*B +: B];
     rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_near (
-      .clk_i, .a_i($signed({1'b0, first})), .b_i($signed({1'b0, plane_r})), .p_o(near_way));
+      .clk_i, .a_i($signed({1'b0, first})), .b_i(plane_near), .p_o(near_way));
     rc_mul #(.AW(B + 1), .BW(R1 + 1)) u_far (
-      .clk_i, .a_i($signed({1'b0, last})), .b_i($signed({1'b0, plane_r_up})), .p_o(far_way));
+      .clk_i, .a_i($signed({1'b0, last})), .b_i(plane_far), .p_o(far_way));
 
     logic signed [V-1:0] near_q, up_q, near_path, far_path, far;
     logic                behind_q;
     assign near_path = holds ? V'(near_way) : '0;
     assign far_path  = holds ? V'(far_way) : '0;
-    assign far       = ready_neg ? ready_far - far_path : ready_far + far_path;
+    assign far       = ready_far + far_path;
     always_ff @(posedge clk_i) begin
       if (valid_i[Sum-1]) begin
-        near_q   <= ready_neg ? ready_near - near_path : ready_near + near_path;
-        up_q     <= ready_neg ? ready_up - far_path : ready_up + far_path;
+        near_q   <= ready_near + near_path;
+        up_q     <= ready_up + far_path;
         behind_q <= far[V-1];
       end
     end
@@ -190,7 +197,7 @@ module rc_slab #(
       far_over    = 1'b0;
       near_zero   = 1'b1;
       miss        = 1'b0;
-      if (valid_i[Sum]) begin
+      if (is_there) begin
         near_coarse = (T + 7)'({$unsigned(near_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0});
         far_coarse  = (T + 7)'({$unsigned(up_q), {T{1'b0}}} >> {move_q[A-1:3], 3'd0});
         near_over   = |($unsigned(near_q) & over_q);

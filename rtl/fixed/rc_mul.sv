@@ -24,7 +24,17 @@ module rc_mul #(
   if (Stages == 1 || Sums < 1 || Sums > 2 || Stages > 2 + Sums) begin : gen_refuse_2
     $error("rc_mul: Stages must be 0 or lie in 2..2 + Sums, and Sums be 1 or 2");
   end
-  if (Stages == 0) begin : gen_now
+`ifdef RC_ECP5
+  localparam bit Spills = Stages == 0 && Signed && AW > 18 && BW > 18 && AW <= 20 && BW <= 20
+                       && (AW == 20 || BW == 20);
+`else
+  localparam bit Spills = 1'b0;
+`endif
+  if (Spills) begin : gen_spill
+    rc_mul_spill #(.AW(AW), .BW(BW)) u_spill (.a_i, .b_i, .p_o);
+    logic unused;
+    assign unused = clk_i;
+  end else if (Stages == 0) begin : gen_now
     if (Signed) begin : gen_signed
       assign p_o = PW'(a_i) * PW'(b_i);
     end else begin : gen_unsigned

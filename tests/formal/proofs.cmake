@@ -234,6 +234,15 @@ endforeach()
 prove(formal:mul_parts_unsigned TOP mul_shared RTL ${shared} WITH Signed=0 Parts=1 Products=2 INDUCTION 6)
 prove(formal:mul_held_unsigned TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Signed=0 INDUCTION 6)
 prove(formal:mul_held_late TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 INDUCTION 6)
+foreach(width IN ITEMS 4 5)   # a bit and two more than a block has
+  prove(formal:mul_spill_of_5_and_${width} TOP mul_spill RTL fixed/rc_mul_spill.sv WITH BW=${width} INDUCTION 2)
+endforeach()
+prove(mutant:formal_mul_spill_loses_a_low_bit TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2 FILE fixed/rc_mul_spill.sv
+  OLD [[for (int i = 0; i < BLow; i++)]]
+  NEW [[for (int i = 1; i < BLow; i++)]])
+prove(mutant:formal_mul_spill_of_unsigned_blocks TOP mul_spill RTL fixed/rc_mul_spill.sv CYCLES 2 FILE fixed/rc_mul_spill.sv
+  OLD [[(2*Block)'(a_high) *]]
+  NEW [[(2*Block)'($unsigned(a_high)) *]])
 prove(mutant:formal_mul_held_late_has_no_fewer_turns TOP mul_held RTL ${mul} fixed/rc_mul_held.sv WITH Every=3 Late=1 CYCLES 6
   FILE fixed/rc_mul_held.sv
   OLD [[Every - Inside - Late;]]

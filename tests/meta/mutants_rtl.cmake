@@ -14,8 +14,14 @@ mutant(slab_near_rounded_up FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[.data_i(V'(placed_near_q))]]
   NEW [[.data_i(V'(placed_near_q) + $signed({{(V-R1){1'b0}}, placed_up}))]])
 mutant(slab_far_with_r FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
-  OLD [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, !plane_zero};]]
-  NEW [[assign plane_r_up = plane_r + {{(R1-1){1'b0}}, plane_zero && !plane_zero};]])
+  OLD [[+ {{R1{1'b0}}, plane_neg == plane_zero};]]
+  NEW [[+ {{R1{1'b0}}, plane_neg || (plane_zero && !plane_zero)};]])
+mutant(slab_near_turned_to_one_more FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
+  OLD [[^ plane_r} + {{R1{1'b0}}, plane_neg};]]
+  NEW [[^ plane_r};]])
+mutant(slab_far_turned_to_one_more FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
+  OLD [[+ {{R1{1'b0}}, plane_neg == plane_zero};]]
+  NEW [[+ {{R1{1'b0}}, !plane_zero};]])
 mutant(slab_zero_direction FILE rtl/bvh/rc_slab.sv TEST unit [box][lockstep]
   OLD [[(zero_q && !near_q[V-1] && near_q != '0)]]
   NEW [[(zero_q && !near_q[V-1])]])
