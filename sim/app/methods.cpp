@@ -27,10 +27,7 @@ void method_options(Parser& parser, MethodOptions& o, const char* group) {
             "nextpnr's placer, heap or static, or mixed: static, and at last heap; mixed for a chip, heap "
             "for a unit alone")
         .under(group);
-    parser
-        .option("--router", o.router,
-                "nextpnr's router, router1 or router2; router2 for a chip, router1 for a unit alone")
-        .under(group);
+    parser.option("--router", o.router, "nextpnr's router, router1 or router2").under(group);
     parser
         .option("--placements", o.placements,
                 "how often it is placed, each time after the first with multipliers and block memories "

@@ -98,7 +98,7 @@ const Nextpnr& nextpnr() {
 }
 
 Methods usual_methods(const std::string& top) {
-    return top == "chip" ? Methods{"mixed", "router2", 2} : Methods{};
+    return top == "chip" ? Methods{"mixed", "router1", 2} : Methods{};
 }
 
 const std::vector<std::string>& placers() {
@@ -132,19 +132,22 @@ RouteStep step_of_log(const std::string& log) {
     RouteStep step{"routing", 50};
     double arcs = 0, left = 0;   // router2 tells wires that are used twice
     bool begun = false;
+    const auto hear = [&](const char* number) {
+        left = std::atof(number);
+        const bool is_better = !begun || long(left) < step.fewest_left;
+        if (is_better) step.fewest_left = long(left);
+        step.idle_rounds = is_better ? 0 : step.idle_rounds + 1;
+        begun = true;
+    };
     for (const std::string& line : split(log, '\n')) {
         if (line.starts_with("Info: Routing ") && line.find(" arcs.") != std::string::npos)
-            arcs = std::atof(line.c_str() + 14), begun = true;
+            arcs = std::atof(line.c_str() + 14), step.by_router1 = true;
         const std::vector<std::string> parts = split(line, '|');
-        if (begun && parts.size() >= 5) left = std::atof(parts[3].c_str());
+        if (step.by_router1 && parts.size() >= 5) hear(parts[3].c_str());
         constexpr std::string_view twice = " overused=";
-        if (const std::size_t at = line.find(twice); at != std::string::npos) {
-            left = std::atof(line.c_str() + at + twice.size());
-            const bool is_better = arcs == 0 || long(left) < step.fewest_twice;
-            if (is_better) step.fewest_twice = long(left);
-            step.idle_rounds = is_better ? 0 : step.idle_rounds + 1;
-            arcs = std::max(arcs, left);
-        }
+        if (const std::size_t at = line.find(twice); at != std::string::npos)
+            hear(line.c_str() + at + twice.size());
+        arcs = std::max(arcs, left);
     }
     if (arcs > 0 && left > 0) step.percent += int(50 * (1 - std::min(1.0, left / arcs)));
     return step;

@@ -36,7 +36,7 @@ struct Methods {
     int placements = 1;
 };
 /// What brings `top` to its end: nextpnr's own defaults for a unit alone; for the whole chip ("chip") a
-/// placer that makes shorter wires, router2, which always ends if they are short enough, and two placements.
+/// placer that makes shorter wires, and two placements. router1 ends where these are placed by "mixed".
 Methods usual_methods(const std::string& top);
 const std::vector<std::string>& placers();
 const std::vector<std::string>& routers();
@@ -44,7 +44,7 @@ const std::vector<std::string>& routers();
 /// All options of a placement, the last one or one before, but files and seed.
 std::string nextpnr_options(const Device& device, const Methods& methods, bool last = false);
 
-/// `does_not_route`: router2 no longer gets further (RouteStep::is_stuck).
+/// `does_not_route`: the router no longer gets further (RouteStep::is_stuck).
 enum class RouteEnd { done, interrupted, does_not_fit, does_not_route };
 
 /// Where the sites that a placement tells (anchor.hpp) are looked up and kept: a full chip is placed for half
@@ -66,13 +66,15 @@ RouteEnd run_nextpnr(const std::filesystem::path& folder, const Device& device, 
 struct RouteStep {
     std::string what;
     int percent = 0;
-    /// Rounds of router2 since it had fewest wires that are used twice, and how many these were. It has no
-    /// end of its own: chips that it brought to an end took 46 and 88 rounds, each better than the last but
-    /// for a few.
+    /// Rounds since fewest wires were left, and how many these were: wires that router2 uses twice, or that
+    /// router1 has not routed after another thousand steps. Neither router has an end of its own. Chips that
+    /// router2 brought to an end took 46 and 88 rounds, each better than the last but for a few; router1 goes
+    /// back and forth among the last hundred wires.
     int idle_rounds = 0;
-    long fewest_twice = 0;
-    static constexpr int most_idle_rounds = 100;
-    bool is_stuck() const { return idle_rounds >= most_idle_rounds; }
+    long fewest_left = 0;
+    bool by_router1 = false;
+    int most_idle_rounds() const { return by_router1 ? 300 : 100; }
+    bool is_stuck() const { return idle_rounds >= most_idle_rounds(); }
 };
 RouteStep step_of_log(const std::string& log);
 

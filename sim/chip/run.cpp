@@ -87,11 +87,9 @@ public:
                 route(seed, result);
         }
         if (result.fits() && result.routes.empty())
-            result.misfit = fmt::format(
-                "'{}' cannot be routed on {}: {} rounds of router2 brought no better than {} wires that are "
-                "used twice; another seed may do, or more placements",
-                printable(request_.config.name), request_.device.name, RouteStep::most_idle_rounds,
-                fewest_twice_);
+            result.misfit =
+                fmt::format("'{}' cannot be routed on {}: {}; another seed may do, or more placements",
+                            printable(request_.config.name), request_.device.name, stuck_);
         return result;
     }
 
@@ -243,8 +241,7 @@ private:
             run_nextpnr(place, request_.device, request_.methods, seed, kept_sites(seed), hear);
         if (end == RouteEnd::interrupted) stopped();
         if (end == RouteEnd::does_not_route) {   // another seed may be
-            const long fewest = step_of_log(read_if_there(place / "log")).fewest_twice;
-            fewest_twice_ = fewest_twice_ == 0 ? fewest : std::min(fewest_twice_, fewest);
+            hear_stuck(step_of_log(read_if_there(place / "log")));
             return;
         }
         if (end == RouteEnd::does_not_fit) {
@@ -258,11 +255,24 @@ private:
         result.routes.push_back(route);
     }
 
+    /// Says how near the seed came that came nearest.
+    void hear_stuck(const RouteStep& step) {
+        if (!stuck_.empty() && fewest_left_ <= step.fewest_left) return;
+        fewest_left_ = step.fewest_left;
+        const int rounds = step.most_idle_rounds();
+        stuck_ =
+            step.by_router1
+                ? fmt::format("{},000 steps of router1 left no fewer than {} wires", rounds, fewest_left_)
+                : fmt::format("{} rounds of router2 brought no better than {} wires that are used twice",
+                              rounds, fewest_left_);
+    }
+
     const Request& request_;
     jobs::Cache& cache_;
     const Progress& progress_;
     std::string harness_, modules_, units_, design_;
-    long fewest_twice_ = 0;   ///< of seeds that could not be routed
+    std::string stuck_;      ///< why no seed could be routed
+    long fewest_left_ = 0;   ///< wires, of such seeds
 };
 
 }   // namespace

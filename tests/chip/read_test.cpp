@@ -166,11 +166,22 @@ TEST_CASE("how far a run is stands in its log") {
     for (const int used_twice : {700, 40, 43, 40})
         rounds += "Info:     iter=1 wires=900 overused=" + std::to_string(used_twice) + " overuse=900\n";
     CHECK(step_of_log(rounds).idle_rounds == 2);
-    CHECK(step_of_log(rounds).fewest_twice == 40);
+    CHECK(step_of_log(rounds).fewest_left == 40);
     CHECK_FALSE(step_of_log(rounds).is_stuck());
     for (int i = 0; i < 98; ++i) rounds += "Info:     iter=1 wires=900 overused=90 overuse=900\n";
     CHECK(step_of_log(rounds).is_stuck());
     CHECK_FALSE(step_of_log(rounds + "Info:     iter=1 wires=900 overused=39 overuse=900\n").is_stuck());
+    std::string steps = routing;
+    const auto left = [](int wires) {
+        return "Info:       1000 |      0   1000 |    0  1000 | " + std::to_string(wires) + "|   0.1  0.1|\n";
+    };
+    for (const int wires : {700, 40, 43, 40}) steps += left(wires);
+    CHECK(step_of_log(steps).idle_rounds == 2);
+    CHECK(step_of_log(steps).fewest_left == 40);
+    for (int i = 0; i < 297; ++i) steps += left(90);
+    CHECK_FALSE(step_of_log(steps).is_stuck());
+    CHECK(step_of_log(steps + left(40)).is_stuck());
+    CHECK_FALSE(step_of_log(steps + left(39)).is_stuck());
 }
 
 TEST_CASE("versions in what tools say") {
