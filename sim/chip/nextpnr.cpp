@@ -123,6 +123,8 @@ std::string nextpnr_options(const Device& device, const Methods& methods, bool l
     return options;
 }
 
+int RouteStep::most_idle_rounds() const { return by_router1 ? 300 : 100; }
+
 RouteStep step_of_log(const std::string& log) {
     const auto says = [&](const char* words) { return log.find(words) != std::string::npos; };
     if (!says("Info: Routing..") && !says("Info: Running router2..."))

@@ -73,7 +73,7 @@ struct RouteStep {
     int idle_rounds = 0;
     long fewest_left = 0;
     bool by_router1 = false;
-    int most_idle_rounds() const { return by_router1 ? 300 : 100; }
+    int most_idle_rounds() const;
     bool is_stuck() const { return idle_rounds >= most_idle_rounds(); }
 };
 RouteStep step_of_log(const std::string& log);

@@ -68,6 +68,6 @@ mutant(chip_anchors_pass_each_other FILE sim/chip/anchor.cpp TEST chip "anchors 
 mutant(chip_else_of_a_simulation_is_lost FILE sim/synth/yosys.cpp TEST chip "a word in a comment*"
   OLD [[(word == "`endif" || (left_out == 1 && word == "`else"))]]
   NEW [[word == "`endif"]])
-mutant(chip_waits_for_router1_no_longer_than_for_router2 FILE sim/chip/nextpnr.hpp TEST chip "how far a run is*"
+mutant(chip_waits_for_router1_no_longer_than_for_router2 FILE sim/chip/nextpnr.cpp TEST chip "how far a run is*"
   OLD [[by_router1 ? 300 : 100]]
   NEW [[100]])
