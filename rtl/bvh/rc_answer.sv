@@ -74,8 +74,8 @@ module rc_answer #(
     .valid_o(rsp_valid_o), .ready_i(rsp_ready_i), .data_o(rsp_o));
 
 `ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      end_valid_i |-> queue_ready)
+  always_ff @(posedge clk_i) if (rst_ni && end_valid_i)
+    a_never_dropped: assert (queue_ready)
     else $error("an answer met a full queue");
 `endif
 

@@ -196,7 +196,7 @@ module rc_box (
   assign rsp_o = rsp;
 
 `ifndef SYNTHESIS
-  a_in_turn: assert property (@(posedge clk_i) disable iff (!rst_ni) admit |-> !rests_o)
+  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!rests_o)
     else $error("a node came before the children of the last were tested");
 `endif
 

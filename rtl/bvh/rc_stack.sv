@@ -203,10 +203,10 @@ module rc_stack (
   assign unused = ^{children, near, top_base, top_count, top_near, top_slot, end_near};
 
 `ifndef SYNTHESIS
-  a_room: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                           end_valid && end_forward && end_children.inner != G'(1)
-                               |-> end_height != H'(D))
-    else $error("the scene needs a deeper stack than its compilation said");
+  always_ff @(posedge clk_i)
+    if (rst_ni && end_valid && end_forward && end_children.inner != G'(1))
+      a_room: assert (end_height != H'(D))
+      else $error("the scene needs a deeper stack than its compilation said");
   logic [rc_pkg::Contexts-1:0] inside_q;   // rays between s0 and the end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) inside_q <= '0;
@@ -215,11 +215,11 @@ module rc_stack (
       if (s0_valid_i) inside_q[s0_ray_i] <= 1'b1;
     end
   end
-  a_one_stage: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                s0_valid_i |-> !inside_q[s0_ray_i])
+  always_ff @(posedge clk_i) if (rst_ni && s0_valid_i)
+    a_one_stage: assert (!inside_q[s0_ray_i])
     else $error("a ray is in two stages of trav");
-  a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                            write_late && read |-> late_addr[AddrW-1 -: I] != read_ray)
+  always_ff @(posedge clk_i) if (rst_ni && write_late && read)
+    a_apart: assert (late_addr[AddrW-1 -: I] != read_ray)
     else $error("a ray's group is written while it is read");
 `endif
 endmodule

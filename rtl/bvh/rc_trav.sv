@@ -174,8 +174,8 @@ module rc_trav (
                             node_rsp[rc_pkg::PlacementW-1:0]};
     end
 `ifndef SYNTHESIS
-    a_changed: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                changed && node_rsp_valid_i |-> changed_at != node_rsp_i.ray)
+    always_ff @(posedge clk_i) if (rst_ni && changed && node_rsp_valid_i)
+      a_changed: assert (changed_at != node_rsp_i.ray)
       else $error("a mesh's node is there before the ray in its space");
 `endif
   end
@@ -381,10 +381,10 @@ module rc_trav (
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
 
 `ifndef SYNTHESIS
-  a_kept: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                           keep && node_rsp_valid_i |-> keep_ray != node_rsp_i.ray)
+  always_ff @(posedge clk_i) if (rst_ni && keep && node_rsp_valid_i)
+    a_kept: assert (keep_ray != node_rsp_i.ray)
     else $error("a ray's node is there before the ray");
-  a_done_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni) ends |-> done_place)
+  always_ff @(posedge clk_i) if (rst_ni && ends) a_done_never_full: assert (done_place)
     else $error("a queue that cannot overflow did");
 `endif
   logic [rc_pkg::RayW-1:0]   ray_flat;   // what only tri uses of a ray

@@ -106,8 +106,8 @@ module rc_tree (
       .admit_i((decide_req_valid && decide_req_ready) || (mesh_req_valid && mesh_req_ready)),
       .leave_i(decide_rsp_valid || mesh_rsp_valid), .open_o(open));
 `ifndef SYNTHESIS
-    a_one_answer: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                   !(decide_rsp_valid && mesh_rsp_valid))
+    always_ff @(posedge clk_i) if (rst_ni)
+      a_one_answer: assert (!(decide_rsp_valid && mesh_rsp_valid))
       else $error("two nodes are decided in one cycle");
 `endif
   end

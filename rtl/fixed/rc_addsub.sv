@@ -7,7 +7,6 @@
 module rc_addsub #(
   parameter int unsigned Width = 8
 ) (
-  input  logic             there_i,   // what is not there costs a simulation nothing
   input  logic             minus_i,
   input  logic [Width-1:0] a_i,
   input  logic [Width-1:0] b_i,
@@ -33,12 +32,10 @@ module rc_addsub #(
   end
   assign sum_o = sum[Width-1:0];
   logic unused;
-  assign unused = ^{there_i, carry[Cells], sum};
+  assign unused = ^{carry[Cells], sum};
 `else
-  always_comb begin
-    sum_o = '0;
-    if (there_i) sum_o = minus_i ? a_i - b_i : a_i + b_i;
-  end
+  // A choice between sum and difference would be a branch in a simulation, mostly guessed wrong.
+  assign sum_o = a_i + (b_i ^ {Width{minus_i}}) + Width'(minus_i);
 `endif
 endmodule
 `default_nettype wire

@@ -93,7 +93,7 @@ module rc_divide #(
     end
 
     rc_addsub #(.Width(Width + 1)) u_first (
-      .there_i(here), .minus_i(!rem_d[Width]), .a_i({rem_d[Width-1:0], low[1]}),
+      .minus_i(!rem_d[Width]), .a_i({rem_d[Width-1:0], low[1]}),
       .b_i({1'b0, den}), .sum_o(between));
     if (Bits == 1) begin : gen_one
       assign rem_next = between;
@@ -102,7 +102,7 @@ module rc_divide #(
       assign unused   = low[0];
     end else begin : gen_two
       rc_addsub #(.Width(Width + 1)) u_second (
-        .there_i(here), .minus_i(!between[Width]), .a_i({between[Width-1:0], low[0]}),
+        .minus_i(!between[Width]), .a_i({between[Width-1:0], low[0]}),
         .b_i({1'b0, den}), .sum_o(rem_next));
       assign made     = {!between[Width], !rem_next[Width]};
     end

@@ -66,7 +66,7 @@ module rc_sqrt #(
     assign root_d   = !Again || comes ? root_new : root_q;
     assign square_d = !Again || comes ? square_new : square_q;
     rc_addsub #(.Width(R + 2)) u_first (
-      .there_i(here), .minus_i(!rem_d[R+1]),
+      .minus_i(!rem_d[R+1]),
       .a_i({rem_d[R-1:0], square_d[Left-1 -: 2]}),
       .b_i({root_d, rem_d[R+1], 1'b1}), .sum_o(between));
     if (Bits == 1) begin : gen_one
@@ -74,7 +74,7 @@ module rc_sqrt #(
       assign root_next = R'({root_d, !between[R+1]});
     end else begin : gen_two
       rc_addsub #(.Width(R + 2)) u_second (
-        .there_i(here), .minus_i(!between[R+1]),
+        .minus_i(!between[R+1]),
         .a_i({between[R-1:0], square_d[Left-3 -: 2]}),
         .b_i({root_d[R-2:0], !between[R+1], between[R+1], 1'b1}), .sum_o(rem_next));
       assign root_next = R'({root_d, !between[R+1], !rem_next[R+1]});

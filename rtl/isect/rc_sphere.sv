@@ -318,7 +318,7 @@ module rc_sphere #(
   rc_cut #(.Width(2 * V + G)) u_size (
     .clk_i, .data_i({r_size, up_back, up_square}), .data_o({w_size, w_back, w_square}));
   rc_addsub #(.Width(V)) u_way (
-    .there_i(met_moves[AtW-1]), .minus_i(!far_q[AtW-1]), .a_i(w_back), .b_i(w_size),
+    .minus_i(!far_q[AtW-1]), .a_i(w_back), .b_i(w_size),
     .sum_o(w_way));
   always_ff @(posedge clk_i) begin
     if (met_moves[AtW-1]) begin
@@ -388,9 +388,9 @@ module rc_sphere #(
     .clk_i, .valid_i(met_moves[End-1:AtT]), .data_i(t), .data_o(t_o));
 
 `ifndef SYNTHESIS
-  a_way_is_ahead: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      met_q[AtW-1] |-> (far_q[AtW-1] ? w_size > V'(-w_back) || !w_back[V-1]
-                                     : !w_back[V-1] && w_back > w_size))
+  always_ff @(posedge clk_i) if (rst_ni && met_q[AtW-1])
+    a_way_is_ahead: assert (far_q[AtW-1] ? w_size > V'(-w_back) || !w_back[V-1]
+                                         : !w_back[V-1] && w_back > w_size)
     else $error("a sphere is met behind the ray's origin");
 `endif
 

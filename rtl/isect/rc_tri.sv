@@ -371,10 +371,10 @@ module rc_tri (
   assign rsp_o = rsp_data;
 
 `ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      valid_q[L-1] |-> queue_ready)
+  always_ff @(posedge clk_i) if (rst_ni && valid_q[L-1])
+    a_never_dropped: assert (queue_ready)
     else $error("an answer met a full queue");
-  a_in_turn: assert property (@(posedge clk_i) disable iff (!rst_ni) admit |-> !rests_o)
+  always_ff @(posedge clk_i) if (rst_ni && admit) a_in_turn: assert (!rests_o)
     else $error("a primitive came before the products of the last were made");
 `endif
 

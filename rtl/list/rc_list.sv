@@ -333,8 +333,8 @@ module rc_list (
       .clk_i, .write_i(asked_q), .write_addr_i(asked_ray_q), .write_data_i(was_found),
       .read_addr_i(prim_rsp_i.ray), .read_data_o(tri_found));
 `ifndef SYNTHESIS
-    a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                    prim_rsp_valid_i && asked_q |-> prim_rsp_i.ray != asked_ray_q)
+    always_ff @(posedge clk_i) if (rst_ni && prim_rsp_valid_i && asked_q)
+      a_not_at_once: assert (prim_rsp_i.ray != asked_ray_q)
       else $error("a primitive came in the cycle after it was asked for");
 `endif
   end

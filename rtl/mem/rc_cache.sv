@@ -268,12 +268,12 @@ module rc_cache #(
   assign next_id_o = next_answer[PartW +: IdBits];
 
 `ifndef SYNTHESIS
-  a_answer_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                           end_valid |-> rsp_place)
+  always_ff @(posedge clk_i) if (rst_ni && end_valid)
+    a_answer_never_dropped: assert (rsp_place)
     else $error("an answer met a full queue");
 
-  a_word_is_there: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                    admit && fill_fires_i |-> read_at != fill_at)
+  always_ff @(posedge clk_i) if (rst_ni && admit && fill_fires_i)
+    a_word_is_there: assert (read_at != fill_at)
     else $error("a word is read while it comes");
 
   logic [(1<<IdBits)-1:0] asked_q;   // ids between request and answer
@@ -284,8 +284,8 @@ module rc_cache #(
       if (req_valid_i && req_ready_o) asked_q[req_i[ReqAW +: IdBits]] <= 1'b1;
     end
   end
-  a_id_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      req_valid_i && req_ready_o |-> !asked_q[req_i[ReqAW +: IdBits]])
+  always_ff @(posedge clk_i) if (rst_ni && req_valid_i && req_ready_o)
+    a_id_is_free: assert (!asked_q[req_i[ReqAW +: IdBits]])
     else $error("a request with the id of one that is not answered");
 `endif
 

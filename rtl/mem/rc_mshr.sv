@@ -165,16 +165,16 @@ module rc_mshr #(
       if (filled) awaits_q[fill_mshr_i] <= 1'b0;
     end
   end
-  a_fill_is_awaited: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                      fill_fires_i |-> awaits_q[fill_mshr_i])
+  always_ff @(posedge clk_i) if (rst_ni && fill_fires_i)
+    a_fill_is_awaited: assert (awaits_q[fill_mshr_i])
     else $error("a word came for a line that is not on its way");
-  a_one_thing: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                $onehot0({take_i, merge_i, drain_i}))
+  always_ff @(posedge clk_i) if (rst_ni)
+    a_one_thing: assert ($onehot0({take_i, merge_i, drain_i}))
     else $error("a request and a filled line at the chains in one cycle");
-  a_take_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni) take_i |-> !full_o)
+  always_ff @(posedge clk_i) if (rst_ni && take_i) a_take_is_free: assert (!full_o)
     else $error("no free MSHR to take");
-  a_merge_has_line: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                     merge_i |-> waiting_o[line_way_i])
+  always_ff @(posedge clk_i) if (rst_ni && merge_i)
+    a_merge_has_line: assert (waiting_o[line_way_i])
     else $error("merged with a line that is not on its way");
 `endif
 endmodule

@@ -188,8 +188,8 @@ module rc_tags #(
   assign unused = ^{load_i, same_set, same_late, new_entry, late_entry, next_load_i, next_set_i};
 
 `ifndef SYNTHESIS
-  a_way_is_free: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                  take_i |-> !hit_o && !waiting_i[way_o])
+  always_ff @(posedge clk_i) if (rst_ni && take_i)
+    a_way_is_free: assert (!hit_o && !waiting_i[way_o])
     else $error("a way was given away that waits for a line");
 `endif
 endmodule

@@ -117,8 +117,8 @@ module rc_none (
     .valid_o(done_valid_o), .ready_i(done_ready_i), .data_o(done_o),
     .next_fires_o(done_next_fires_o), .next_o(done_next_o));
 `ifndef SYNTHESIS
-  a_done_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                      s1_valid_q && !more |-> done_place)
+  always_ff @(posedge clk_i) if (rst_ni && s1_valid_q && !more)
+    a_done_never_full: assert (done_place)
     else $error("a queue that cannot overflow did");
 `endif
 

@@ -61,7 +61,7 @@ module rc_beside #(
         last_q  <= data_i;
         still_q <= still;
       end
-      a_still: assert property (@(posedge clk_i) disable iff (!rst_ni) come_i |-> still == '1)
+      always_ff @(posedge clk_i) if (rst_ni && come_i) a_still: assert (still == '1)
         else $error("rc_beside: data have moved while their parts were written");
 `endif
     end else if (Block) begin : gen_block

@@ -27,8 +27,8 @@ module rc_pick_ahead #(
     always_ff @(posedge clk_i) if (next_fires_i) flag_q <= flags_i[next_i];
     assign flag_o = flag_q;
 `ifndef SYNTHESIS
-    a_same: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                             head_valid_i |-> flag_q == flags_i[head_i])
+    always_ff @(posedge clk_i) if (rst_ni && head_valid_i)
+      a_same: assert (flag_q == flags_i[head_i])
       else $error("rc_pick_ahead: a flag has changed while its number is at the head");
 `endif
     logic unused;

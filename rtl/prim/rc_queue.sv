@@ -25,9 +25,9 @@ module rc_queue #(
     .valid_o, .ready_i(pop_i), .data_o);
 
 `ifndef SYNTHESIS
-  a_never_full: assert property (@(posedge clk_i) disable iff (!rst_ni) push_i |-> ready)
+  always_ff @(posedge clk_i) if (rst_ni && push_i) a_never_full: assert (ready)
     else $error("a queue that cannot overflow did");
-  a_pop_has_entry: assert property (@(posedge clk_i) disable iff (!rst_ni) pop_i |-> valid_o)
+  always_ff @(posedge clk_i) if (rst_ni && pop_i) a_pop_has_entry: assert (valid_o)
     else $error("nothing to pop");
 `endif
 

@@ -32,8 +32,8 @@ module rc_ram_ahead #(
       .clk_i, .write_i, .write_addr_i, .write_data_i, .read_i(next_fires_i),
       .read_addr_i(next_addr_i), .read_data_o);
 `ifndef SYNTHESIS
-    a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
-        !(write_i && next_fires_i && write_addr_i == next_addr_i))
+    always_ff @(posedge clk_i) if (rst_ni)
+      a_apart: assert (!(write_i && next_fires_i && write_addr_i == next_addr_i))
       else $error("rc_ram_ahead: an entry is read while it is written");
 `endif
     logic unused;

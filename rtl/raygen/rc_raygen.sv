@@ -266,8 +266,8 @@ module rc_raygen (
   assign ray_o = ray_data;
 
 `ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      valid_q[Latency-1] |-> queue_ready)
+  always_ff @(posedge clk_i) if (rst_ni && valid_q[Latency-1])
+    a_never_dropped: assert (queue_ready)
     else $error("a ray met a full queue");
 `endif
 

@@ -50,20 +50,20 @@ module rc_kept #(
       if (write_i) write_addr_q <= write_addr_i;
       if (write_i) write_data_q <= write_data_i;
     end
-    a_still: assert property (@(posedge clk_i) disable iff (!rst_ni)
-        goes_on_q |-> !write_i && write_addr_i == write_addr_q && write_data_i == write_data_q)
+    always_ff @(posedge clk_i) if (rst_ni && goes_on_q)
+      a_still: assert (!write_i && write_addr_i == write_addr_q && write_data_i == write_data_q)
       else $error("rc_kept: a context has moved while its parts were written");
-    a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
-        read_i |-> !(write_i && write_addr_i == read_addr_i)
-                && !(began_q[0] && write_addr_q == read_addr_i))
+    always_ff @(posedge clk_i) if (rst_ni && read_i)
+      a_apart: assert (!(write_i && write_addr_i == read_addr_i)
+                       && !(began_q[0] && write_addr_q == read_addr_i))
       else $error("rc_kept: a context is read before its first part is written");
 `endif
   end else begin : gen_next
     rc_ram_sync #(.Width(Width), .Depth(Depth)) u_ram (
       .clk_i, .write_i, .write_addr_i, .write_data_i, .read_i, .read_addr_i, .read_data_o);
 `ifndef SYNTHESIS
-    a_apart: assert property (@(posedge clk_i) disable iff (!rst_ni)
-        !(write_i && read_i && write_addr_i == read_addr_i))
+    always_ff @(posedge clk_i) if (rst_ni)
+      a_apart: assert (!(write_i && read_i && write_addr_i == read_addr_i))
       else $error("rc_kept: a context is read while it is written");
 `endif
     logic unused;

@@ -94,8 +94,8 @@ module rc_shade (
     .read_addr_i(way_ray), .read_data_o(any_hit));
   rc_event u_ray_starts (.clk_i, .rst_ni, .fires_i(ray_fires_i), .fires_o(starts));
 `ifndef SYNTHESIS
-  a_not_at_once: assert property (@(posedge clk_i) disable iff (!rst_ni)
-                                  closest_valid_i && starts |-> closest_i.ray != starts_ray)
+  always_ff @(posedge clk_i) if (rst_ni && closest_valid_i && starts)
+    a_not_at_once: assert (closest_i.ray != starts_ray)
     else $error("a ray's answer came before it was known what the ray is");
 `endif
 
@@ -335,8 +335,8 @@ module rc_shade (
   assign pixel_o = {pixel_ray, pixel_data};
 
 `ifndef SYNTHESIS
-  a_never_dropped: assert property (@(posedge clk_i) disable iff (!rst_ni)
-      end_valid |-> out_ready)
+  always_ff @(posedge clk_i) if (rst_ni && end_valid)
+    a_never_dropped: assert (out_ready)
     else $error("an answer met a full queue");
 `endif
 

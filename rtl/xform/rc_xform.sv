@@ -134,8 +134,8 @@ module rc_xform (
     end
 `ifndef SYNTHESIS
     localparam int unsigned Width = i < 3 ? N : M;
-    a_fits: assert property (@(posedge clk_i) disable iff (!rst_ni) valid[Made+1] |->
-                             total[SW-1:K+Width-1] == {(SW-K-Width+1){total[SW-1]}})
+    always_ff @(posedge clk_i) if (rst_ni && valid[Made+1])
+      a_fits: assert (total[SW-1:K+Width-1] == {(SW-K-Width+1){total[SW-1]}})
       else $error("an instance moves a ray beyond its lattice");
 `endif
     logic unused;

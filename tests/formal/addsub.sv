@@ -9,7 +9,7 @@ module addsub #(
 );
   logic [Width-1:0] sum_o, sum;
   rc_addsub #(.Width(Width)) u_dut (
-    .there_i(1'b1), .minus_i(minus_i), .a_i(a_i), .b_i(b_i), .sum_o(sum_o));
+    .minus_i(minus_i), .a_i(a_i), .b_i(b_i), .sum_o(sum_o));
   assign sum = minus_i ? a_i + ~b_i + 1'b1 : a_i + b_i;
   always @(posedge clk_i) begin
     a_sum: assert (sum_o == sum);
